@@ -1,0 +1,39 @@
+#include "genu/core/diagnostics.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace genu {
+
+std::string to_string(const Diagnostic& d) {
+  std::string s = d.file;
+  if (d.line > 0) s += ":" + std::to_string(d.line);
+  if (d.line > 0 && d.column > 0) s += ":" + std::to_string(d.column);
+  if (!s.empty()) s += ": ";
+  if (d.severity == Diagnostic::Severity::warning) s += "warning: ";
+  if (!d.key.empty()) {
+    s += d.key;
+    if (!d.found.empty()) s += " = " + d.found;
+    s += ": ";
+  }
+  return s + d.rule;
+}
+
+void Diagnostics::error(std::string file, std::string rule) {
+  add({.file = std::move(file), .key = {}, .found = {}, .rule = std::move(rule)});
+}
+
+bool Diagnostics::has_errors() const { return count(Diagnostic::Severity::error) > 0; }
+
+std::size_t Diagnostics::count(Diagnostic::Severity severity) const {
+  return static_cast<std::size_t>(
+      std::count_if(items_.begin(), items_.end(), [&](const Diagnostic& d) { return d.severity == severity; }));
+}
+
+void Diagnostics::sort() {
+  std::stable_sort(items_.begin(), items_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+  });
+}
+
+}  // namespace genu

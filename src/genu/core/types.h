@@ -1,0 +1,27 @@
+// Small fixed-size vectors and matrices. Everything inside genu is SI: m, N, kg, s, rad.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace genu {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat2 = Eigen::Matrix2d;
+using Mat3 = Eigen::Matrix3d;
+using Mat4 = Eigen::Matrix4d;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat32 = Eigen::Matrix<double, 3, 2>;
+using VecX = Eigen::VectorXd;
+using MatX = Eigen::MatrixXd;
+
+/// The matrix of the cross product: skew(a) * b = a x b.
+inline Mat3 skew(const Vec3& a) {
+  Mat3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
+}  // namespace genu

@@ -1,0 +1,26 @@
+#include "genu/geometry/surface.h"
+
+#include <cmath>
+#include <limits>
+
+namespace genu {
+
+bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  const Vec3 step = from.T * ds + 0.5 * ds.dot(from.S * ds) * from.n;
+  return project(from.p + step, out);
+}
+
+double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
+
+Mat32 tangent_basis(const Vec3& n) {
+  // Duff et al. 2017, "Building an orthonormal basis, revisited": no branch, no cancellation, right-handed.
+  const double sign = std::copysign(1.0, n.z());
+  const double a = -1 / (sign + n.z());
+  const double b = n.x() * n.y() * a;
+  Mat32 T;
+  T.col(0) = Vec3(1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x());
+  T.col(1) = Vec3(b, sign + n.y() * n.y() * a, -n.y());
+  return T;
+}
+
+}  // namespace genu

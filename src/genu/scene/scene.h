@@ -1,0 +1,157 @@
+// A scene as data: what a scene file says, checked, in SI units. See docs/scene-reference.md for the file format.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "genu/core/pose.h"
+#include "genu/core/types.h"
+
+namespace genu {
+
+/// Where in the scene file something was said (1-based), for messages of later stages.
+struct SourceLocation {
+  int line = 0;
+  int column = 0;
+};
+
+struct BodyDef {
+  std::string name;
+  bool fixed = false;
+  SourceLocation where;
+};
+
+/// A free joint: it names the six coordinates of `child` in `parent` and constrains nothing.
+/// R_parent_child = R1 R2 R3 (successive rotations about the child's own axes); x = child's origin in the parent's axes.
+struct JointDef {
+  struct Rotation {
+    std::string name;
+    Vec3 axis = Vec3::UnitX();  ///< signed unit axis: "flexion -z" is (0, 0, -1)
+  };
+  std::string name;
+  int parent = -1;  ///< index into Scene::bodies
+  int child = -1;
+  std::array<Rotation, 3> rotations;
+  std::array<std::string, 3> translations;
+  std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
+  SourceLocation where;
+};
+
+struct SurfaceDef {
+  enum class Shape { plane, sphere, ellipsoid, cylinder, torus, polynomial, cylindrical_polynomial, mesh };
+  struct Term {
+    int i = 0, j = 0;  ///< z = sum c x^i y^j, or r = sum c theta^i z^j
+    double c = 0;      ///< SI
+  };
+  std::string name;
+  int body = -1;
+  Shape shape = Shape::plane;
+  Pose placement;              ///< X_body_surface
+  bool inside = false;         ///< the outward side turned round (a socket)
+  double radius = 0;           ///< sphere, cylinder: m
+  Vec3 radii = Vec3::Zero();   ///< ellipsoid: m
+  double major_radius = 0;     ///< torus: m
+  double minor_radius = 0;     ///< torus: m
+  std::vector<Term> terms;     ///< polynomial
+  std::string file;            ///< mesh: path as opened (already relative to the scene's folder)
+  double file_unit = 1;        ///< mesh: m per unit of the file
+  std::optional<double> fit_radius;  ///< mesh: m
+  std::optional<int> degree;         ///< mesh: 2 to 4
+  SourceLocation where;
+  SourceLocation file_where;
+};
+
+/// A half space or an intersection of some, in the frame of the second surface's body: "z < 0", "z >= 0 and x < 5".
+struct RegionDef {
+  enum class Comparison { less, less_equal, greater, greater_equal };
+  struct Condition {
+    int axis = 0;  ///< 0 x, 1 y, 2 z
+    Comparison comparison = Comparison::less;
+    double value = 0;  ///< m
+  };
+  std::string name;
+  std::vector<Condition> conditions;
+  bool contains(const Vec3& p) const;
+};
+
+struct ContactDef {
+  std::string name;
+  int surface_a = -1;  ///< index into Scene::surfaces
+  int surface_b = -1;
+  std::vector<RegionDef> regions;
+  SourceLocation where;
+};
+
+struct LigamentDef {
+  enum class Law { quadratic, linear, blankevoort, spring, table, abdel_rahman };
+  enum class Rest { slack_length, reference_strain, reference_force };
+  struct End {
+    int body = -1;
+    Vec3 point = Vec3::Zero();  ///< m, in the body
+  };
+  std::string name;
+  End from, to;
+  Law law = Law::quadratic;
+  double stiffness = 0;          ///< N (per unit strain); spring and abdel-rahman: see the law, SI (N/m, N/m)
+  double toe_stiffness = 0;      ///< abdel-rahman K2, N/m^2
+  double transition_strain = 0;  ///< blankevoort, abdel-rahman
+  std::vector<std::pair<double, double>> table;  ///< (strain, N)
+  Rest rest = Rest::slack_length;
+  double rest_value = 0;  ///< m, strain, or N
+  SourceLocation where;
+};
+
+struct LoadDef {
+  enum class Frame { world, body };
+  std::string name;
+  int body = -1;
+  Vec3 force = Vec3::Zero();   ///< N
+  Vec3 moment = Vec3::Zero();  ///< N m
+  Vec3 point = Vec3::Zero();   ///< m, in the body
+  Frame frame = Frame::world;
+  SourceLocation where;
+};
+
+/// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.
+struct CoordinateRef {
+  int joint = -1;
+  int index = 0;
+  bool operator==(const CoordinateRef&) const = default;
+};
+
+struct StepDef {
+  struct Prescribed {
+    CoordinateRef coordinate;
+    double from = 0, to = 0;  ///< rad or m
+  };
+  struct Factor {
+    int load = -1;
+    double from = 1, to = 1;
+  };
+  std::vector<Prescribed> prescribe;
+  std::vector<Factor> factors;  ///< loads not named keep the factor 1
+  int increments = 1;
+  SourceLocation where;
+};
+
+struct Scene {
+  std::string file;
+  std::string title;
+  double length_unit = 1;  ///< m per unit of length in the file
+  double angle_unit = 1;   ///< rad per unit of angle in the file
+  std::vector<BodyDef> bodies;
+  std::vector<JointDef> joints;
+  std::vector<SurfaceDef> surfaces;
+  std::vector<ContactDef> contacts;
+  std::vector<LigamentDef> ligaments;
+  std::vector<LoadDef> loads;
+  std::vector<StepDef> steps;
+};
+
+/// "knee.flexion"
+std::string coordinate_name(const Scene& scene, const CoordinateRef& c);
+
+}  // namespace genu
