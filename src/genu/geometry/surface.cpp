@@ -12,6 +12,10 @@ bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& ou
 
 double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
 
+SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) const {
+  return vertex_samples(triangles(spacing, centre, reach));
+}
+
 Mat32 tangent_basis(const Vec3& n) {
   // Duff et al. 2017, "Building an orthonormal basis, revisited": no branch, no cancellation, right-handed.
   const double sign = std::copysign(1.0, n.z());

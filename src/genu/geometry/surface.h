@@ -12,6 +12,7 @@
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
 #include "genu/geometry/mesh.h"
+#include "genu/geometry/samples.h"
 
 namespace genu {
 
@@ -47,8 +48,14 @@ class Surface {
   /// are about `edge` (m) long. `reach` (m) bounds unbounded shapes: what lies farther from `centre` may be left out.
   virtual Mesh triangles(double edge, const Vec3& centre, double reach) const = 0;
 
+  /// Samples about `spacing` (m) apart: the vertices of triangles() unless a surface knows better ones.
+  virtual SampleSet samples(double spacing, const Vec3& centre, double reach) const;
+
   /// True for a surface whose project() and gap() hold everywhere (a closed form), not in a band alone.
   virtual bool is_global() const { return true; }
+
+  /// True for a shape without an extent of its own (a plane, a cylinder, a polynomial).
+  virtual bool is_unbounded() const { return false; }
 };
 
 /// An orthonormal tangent basis for the unit normal n: the same for the same n, T.col(0) x T.col(1) = n.

@@ -1,0 +1,155 @@
+#include "genu/contact/far_distance.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/distance.h>
+
+namespace genu {
+namespace {
+
+// FCL tests triangles with an absolute 1e-15, which breaks small ones in metres: it is fed millimetres.
+constexpr double kMillimetres = 1e3;
+
+using Bvh = fcl::BVHModel<fcl::OBBRSSd>;
+
+/// Angle-weighted normals of the faces, edges and vertices of a mesh (Baerentzen and Aanaes 2005): the sign of
+/// (x - nearest) . normal is the side of x whatever feature is nearest.
+class FeatureNormals {
+ public:
+  explicit FeatureNormals(const Mesh& mesh) : mesh_(mesh), vertex_(mesh.vertices.size(), Vec3::Zero()),
+                                              open_vertex_(mesh.vertices.size(), false) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh.triangles[t]);
+    for (const auto& [key, edge] : edges_) {
+      if (edge.faces != 1) continue;
+      open_vertex_[static_cast<std::size_t>(key.first)] = open_vertex_[static_cast<std::size_t>(key.second)] = true;
+    }
+  }
+
+  /// The normal of the feature of triangle t on which `p` lies; `open` says that it belongs to an edge of the sheet.
+  Vec3 at(int triangle, const Vec3& p, bool& open) const {
+    const auto& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
+    const Vec3 bary = barycentric(t, p);
+    constexpr double kOnFeature = 1e-7;  // of the triangle: FCL's nearest points carry about 1e-9
+    int zeros = 0;
+    std::size_t zero = 0, one = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (bary[static_cast<Eigen::Index>(k)] <= kOnFeature) ++zeros, zero = k;
+      if (bary[static_cast<Eigen::Index>(k)] >= 1 - 2 * kOnFeature) one = k;
+    }
+    open = false;
+    if (zeros == 0) return face_normal(t);
+    if (zeros >= 2) {
+      const auto v = static_cast<std::size_t>(t[one]);
+      open = open_vertex_[v];
+      return vertex_[v];
+    }
+    const auto it = edges_.find(edge_key(t[(zero + 1) % 3], t[(zero + 2) % 3]));
+    open = it->second.faces == 1;
+    return it->second.normal;
+  }
+
+ private:
+  struct Edge {
+    Vec3 normal = Vec3::Zero();
+    int faces = 0;
+  };
+
+  static std::pair<int, int> edge_key(int i, int j) { return i < j ? std::pair(i, j) : std::pair(j, i); }
+  const Vec3& vertex(int i) const { return mesh_.vertices[static_cast<std::size_t>(i)]; }
+
+  Vec3 face_normal(const std::array<int, 3>& t) const {
+    return (vertex(t[1]) - vertex(t[0])).cross(vertex(t[2]) - vertex(t[0])).normalized();
+  }
+
+  void add_triangle(const std::array<int, 3>& t) {
+    const Vec3 normal = face_normal(t);
+    if (!normal.allFinite()) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 e1 = vertex(t[(k + 1) % 3]) - vertex(t[k]), e2 = vertex(t[(k + 2) % 3]) - vertex(t[k]);
+      vertex_[static_cast<std::size_t>(t[k])] += std::atan2(e1.cross(e2).norm(), e1.dot(e2)) * normal;
+      Edge& edge = edges_[edge_key(t[k], t[(k + 1) % 3])];
+      edge.normal += normal;
+      ++edge.faces;
+    }
+  }
+
+  Vec3 barycentric(const std::array<int, 3>& t, const Vec3& p) const {
+    const Vec3 e1 = vertex(t[1]) - vertex(t[0]), e2 = vertex(t[2]) - vertex(t[0]), d = p - vertex(t[0]);
+    const Vec3 n = e1.cross(e2);
+    const double area2 = n.squaredNorm();
+    const double b1 = d.cross(e2).dot(n) / area2, b2 = e1.cross(d).dot(n) / area2;
+    return {1 - b1 - b2, b1, b2};
+  }
+
+  const Mesh& mesh_;
+  std::vector<Vec3> vertex_;
+  std::vector<bool> open_vertex_;
+  std::map<std::pair<int, int>, Edge> edges_;
+};
+
+}  // namespace
+
+struct FarDistance::Triangles {
+  explicit Triangles(Mesh m) : mesh(std::move(m)), normals(mesh) {
+    std::vector<Vec3> vertices;
+    std::vector<fcl::Triangle> triangles;
+    vertices.reserve(mesh.vertices.size());
+    triangles.reserve(mesh.triangles.size());
+    for (const Vec3& v : mesh.vertices) vertices.push_back(kMillimetres * v);
+    for (const auto& t : mesh.triangles)
+      triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                             static_cast<std::size_t>(t[2]));
+    bvh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
+    bvh->addSubModel(vertices, triangles);
+    bvh->endModel();
+  }
+
+  Mesh mesh;
+  FeatureNormals normals;
+  std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
+};
+
+FarDistance::FarDistance(const Surface& surface) : surface_(&surface) {
+  if (!surface.is_global()) triangles_ = std::make_unique<Triangles>(surface.triangles(0, Vec3::Zero(), 0));
+}
+FarDistance::~FarDistance() = default;
+FarDistance::FarDistance(FarDistance&&) noexcept = default;
+FarDistance& FarDistance::operator=(FarDistance&&) noexcept = default;
+
+FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
+  Nearest out;
+  if (!triangles_) {
+    SurfacePoint foot;
+    const auto gap = surface_->gap(x);
+    if (gap && surface_->project(x, foot)) {
+      out.distance = *gap;
+      out.direction = foot.n;
+    }
+    return out;
+  }
+  constexpr double kPoint = 1e-6;  // mm: the radius of the sphere that plays the point
+  const fcl::Sphered point(kPoint);
+  const fcl::Transform3d here(Eigen::Translation3d(kMillimetres * x));
+  fcl::DistanceRequestd request(true);
+  request.gjk_solver_type = fcl::GST_INDEP;
+  fcl::DistanceResultd result;
+  fcl::distance(triangles_->bvh.get(), fcl::Transform3d::Identity(), &point, here, request, result);
+  const Vec3 on_mesh = result.nearest_points[0] / kMillimetres;
+  const Vec3 away = x - on_mesh;
+  const double distance = away.norm();
+  bool open = false;
+  const Vec3 normal = triangles_->normals.at(result.b1, on_mesh, open).normalized();
+  out.beyond_edge = open;
+  const double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
+  out.distance = side * distance;
+  out.direction = distance > 1e-9 ? Vec3(side * away / distance) : normal;
+  return out;
+}
+
+}  // namespace genu

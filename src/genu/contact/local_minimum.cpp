@@ -1,0 +1,107 @@
+#include "genu/contact/local_minimum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace genu {
+namespace {
+
+/// A point of B, its foot on A, and the gap between both with its first two derivatives over B's tangent plane.
+struct GapJet {
+  SurfacePoint a, b;
+  double value = 0;  ///< m
+  Vec2 gradient = Vec2::Zero();
+  Mat2 hessian = Mat2::Zero();  ///< 1/m
+};
+
+bool evaluate_gap(const Surface& A, const Pose& X_ab, GapJet& jet) {
+  const Vec3 x = X_ab * jet.b.p;
+  if (!A.project(x, jet.a) || !closest_point(A, x, jet.a)) return false;
+  jet.value = jet.a.n.dot(x - jet.a.p);
+  const Mat32 T_b = X_ab.R * jet.b.T;
+  const double opposed = jet.a.n.dot(X_ab.R * jet.b.n);
+  jet.gradient = T_b.transpose() * jet.a.n;
+  // Hessian of the distance to A at height `value` over the foot: -S (I - value S)^-1 (for a sphere 1/(R + value)).
+  const Mat2 distance_hessian = -jet.a.S * (Mat2::Identity() - jet.value * jet.a.S).inverse();
+  const Mat2 turn = jet.a.T.transpose() * T_b;
+  jet.hessian = opposed * jet.b.S + turn.transpose() * distance_hessian * turn;
+  return jet.gradient.allFinite() && jet.hessian.allFinite();
+}
+
+/// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one.
+Vec2 trust_step(const GapJet& jet, double radius) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(0.5 * (jet.hessian + jet.hessian.transpose()));
+  const Vec2 g = eigen.eigenvectors().transpose() * jet.gradient;
+  const Vec2 d = eigen.eigenvalues();
+  auto step = [&](double shift) { return Vec2(-g.x() / (d.x() + shift), -g.y() / (d.y() + shift)); };
+  const double gradient = g.norm();
+  if (gradient == 0) return Vec2::Zero();
+  if (d.x() > 0 && step(0).norm() <= radius) return eigen.eigenvectors() * step(0);
+  // |step(shift)| falls with the shift: bisect between "just convex" and "surely inside".
+  double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y());
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (step(middle).norm() > radius ? low : high) = middle;
+  }
+  return eigen.eigenvectors() * step(high);
+}
+
+}  // namespace
+
+bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
+  // The offset (I - gap S) is singular at a focal point; Newton from a nearby foot needs a few steps only.
+  constexpr int kIterations = 12;
+  for (int i = 0; i < kIterations; ++i) {
+    const Vec2 offset = foot.T.transpose() * (x - foot.p);
+    const double height = foot.n.dot(x - foot.p);
+    if (offset.norm() <= 1e-14 * (1e-3 + std::abs(height))) return true;
+    const Mat2 metric = Mat2::Identity() - height * foot.S;
+    // Past a focal point the foot is no longer a minimum of the distance; the plain offset still leads downhill.
+    Vec2 step = metric.determinant() > 0.1 && metric.trace() > 0 ? Vec2(metric.inverse() * offset) : offset;
+    SurfacePoint next;
+    if (!surface.retract(foot, step, next)) return false;
+    foot = next;
+    if (step.norm() <= 1e-15) return true;
+  }
+  return true;
+}
+
+std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
+                                   double max_step) {
+  GapJet jet;
+  if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
+  constexpr int kIterations = 60;
+  constexpr double kFlat = 1e-13;     // gradient (a sine) at which the normals are parallel to rounding
+  constexpr double kShortest = 1e-14; // m: steps below this no longer change the point
+  double radius = max_step;
+  bool settled = false;
+  for (int i = 0; i < kIterations && radius > kShortest; ++i) {
+    if (jet.gradient.norm() <= kFlat) {
+      settled = true;
+      break;
+    }
+    const Vec2 step = trust_step(jet, radius);
+    const double predicted = jet.gradient.dot(step) + 0.5 * step.dot(jet.hessian * step);
+    GapJet next;
+    const bool known = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, next);
+    // Near the bottom the fall of the gap drowns in rounding long before the gradient does: accept a smaller gradient.
+    const double rounding = 1e-15 * (1 + std::abs(jet.value) + jet.b.p.norm());
+    const bool lower = known && (jet.value - next.value >= -0.1 * predicted ||
+                                 (std::abs(predicted) < 10 * rounding && next.gradient.norm() < jet.gradient.norm()));
+    if (!lower) {
+      radius = 0.25 * std::min(radius, step.norm());
+      settled = known && std::abs(predicted) < 10 * rounding;
+      if (settled) break;
+      continue;
+    }
+    if (step.norm() > 0.9 * radius) radius = std::min(2 * radius, max_step);
+    jet = next;
+    settled = jet.gradient.norm() <= 1e-9;
+  }
+  return Descent{{{jet.a, jet.b}, jet.value}, settled};
+}
+
+}  // namespace genu

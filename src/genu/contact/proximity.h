@@ -1,0 +1,91 @@
+// Where two surfaces are near or overlap, over the whole of both: candidates for contact, and the proof that there is
+// no other.
+//
+// One surface is sampled, the other is asked for the signed distance. The samples stand in small groups, each within a
+// sphere; a group whose sphere is known to be clear is skipped until the bodies have moved by as much as it was clear.
+// What is left is looked at sample by sample, and every local minimum among neighbouring samples is refined on the
+// smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest triangle.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "genu/contact/far_distance.h"
+#include "genu/contact/local_minimum.h"
+
+namespace genu {
+
+/// A sample that overlaps or is near: for compliant seeds and for saying where surfaces overlap.
+struct NearSample {
+  Vec3 point;      ///< m, in the frame of the sampled body
+  Vec3 direction;  ///< unit, in the frame of the other body, where its distance grows
+  double gap = 0;  ///< m
+  double area = 0; ///< m^2
+};
+
+struct ProximityScan {
+  std::vector<LocalMinimum> minima;  ///< settled local minima below the window, by gap, duplicates removed
+  std::vector<LocalMinimum> edge;    ///< the gap still falls at the edge of a patch and is below the window there
+  double smallest_sample_gap = 0;    ///< m; of the smooth surface in its band, of facets beyond
+  NearSample deepest;                ///< the sample of that gap
+};
+
+class Proximity {
+ public:
+  /// `spacing` (m) of samples on surfaces without samples of their own; `reach` (m) bounds unbounded shapes around
+  /// `centre` (frame of b's body).
+  struct Options {
+    double spacing = 1e-3;
+    double reach = 0.1;
+    double max_step = 1e-3;  ///< m: trust radius of the refinement
+  };
+  Proximity(const Surface& a, const Surface& b, const Options& options);
+
+  /// Looks at the whole pair at the relative pose X_ab for gaps below `window` (m).
+  void scan(const Pose& X_ab, double window, ProximityScan& out);
+
+  /// All samples with a gap below `window`, overlapping ones included, wherever they are.
+  void near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out);
+
+  /// True when b is sampled and a asked (NearSample's frames), false the other way round.
+  bool samples_b() const { return samples_b_; }
+
+  /// The local minimum nearest to `contact` at the pose X_ab; empty when it has left what is known.
+  std::optional<Descent> follow(const Pose& X_ab, const ContactGeometry& contact) const;
+
+  /// Minima reached from points around `contact`, `radius` (m) away: finds the twin of a contact about to split.
+  void probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius,
+                    std::vector<LocalMinimum>& out) const;
+
+  /// Smallest distance (m) of the contact's points to the edges of their patches; negative outside.
+  double edge_distance(const ContactGeometry& contact) const;
+
+ private:
+  struct Group {
+    int first = 0, last = 0;  ///< into order_
+    Vec3 centre;
+    double radius = 0;
+    double clearance = -1;  ///< m, known at `measured`
+    Pose measured;
+  };
+
+  Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
+  std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
+  bool clear(Group& group, const Pose& X_qs, double window) const;
+  void measure(const Pose& X_qs, double window);
+  double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;
+  void build_groups();
+
+  const Surface* queried_;
+  const Surface* sampled_;
+  bool samples_b_;
+  double max_step_;
+  FarDistance far_;
+  SampleSet samples_;
+  std::vector<int> order_;
+  std::vector<Group> groups_;
+  std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
+  std::vector<int> measured_;  // the samples that have one
+};
+
+}  // namespace genu

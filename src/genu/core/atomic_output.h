@@ -1,0 +1,46 @@
+// Results appear whole or not at all: what is written first stands beside its target under another name, and takes the
+// target's name in one rename once it is complete. Whoever reads the target meanwhile sees the old result or the new
+// one, never a half. Errors come back as text; the empty text is success.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace genu {
+
+/// A results folder under construction:
+///   StagedFolder out;
+///   std::string error = out.open("out/knee");   // refuses what commit() could not or should not replace
+///   ... write files into out.path() ...
+///   if (error.empty()) error = out.commit();
+/// A StagedFolder that is never committed removes what it made and leaves the target as it was.
+class StagedFolder {
+ public:
+  StagedFolder() = default;
+  ~StagedFolder();
+  StagedFolder(const StagedFolder&) = delete;
+  StagedFolder& operator=(const StagedFolder&) = delete;
+
+  /// Makes an empty folder beside `target` (and target's missing parents). Refuses a target that is a file, a root, the
+  /// working folder or a folder above it, or a folder with content that is no result of genu (it has no summary.json).
+  /// A target that is a symbolic link stands for the folder it points to.
+  std::string open(const std::filesystem::path& target);
+
+  /// Where to write until commit(); empty before open() and after commit().
+  const std::filesystem::path& path() const { return staging_; }
+
+  /// Puts the folder in the target's place; an earlier result there is replaced as a whole. On an error the earlier
+  /// result stands again under its name and the new files are still in path(), until the destructor removes them.
+  std::string commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path staging_;
+};
+
+/// Writes a file whole or not at all: a reader, a full disk or a crash of the program leaves the old content or the
+/// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file.
+std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace genu

@@ -1,0 +1,44 @@
+// The nodes of a blend: where they stand, the polynomial height fitted at each, and the sheet each belongs to.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "genu/geometry/local_fit.h"
+
+namespace genu {
+
+struct NodeSeed {
+  Vec3 position = Vec3::Zero();    ///< m, on the mesh
+  Vec3 normal = Vec3::UnitZ();     ///< outward
+  std::array<int, 3> vertices{};   ///< where a walk from here starts; entry 0 is repeated for a vertex
+  int component = 0;
+};
+
+/// Points of the mesh no nearer than `spacing` (m) to each other within a sheet, and no point of the mesh much farther
+/// than that from one: greedy over the vertices in their order, then over points of the facets too large for that.
+std::vector<NodeSeed> sample_nodes(const Mesh& mesh, const VertexGraph& graph, double spacing);
+
+/// Fits at all seeds, in parallel; the result does not depend on the number of threads.
+std::vector<HeightFit> fit_nodes(const Mesh& mesh, const VertexGraph& graph, std::span<const NodeSeed> seeds,
+                                 double fit_radius, int degree);
+
+/// Neighbours of each node i: adjacent[first[i] .. first[i + 1]), ascending, i itself left out.
+struct NodeLinks {
+  std::vector<int> first = {0};
+  std::vector<int> adjacent;
+
+  std::span<const int> of(int i) const {
+    return {adjacent.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
+  }
+};
+
+/// All pairs nearer than `distance` (m).
+NodeLinks link_nodes(std::span<const Vec3> positions, double distance);
+
+/// A sheet for each node, decided once: two nodes that a single point could reach (`blend_radius`, m) but that face
+/// opposite ways, or lie on different components, are never in one sheet.
+std::vector<int> label_sheets(std::span<const Vec3> positions, std::span<const Vec3> normals,
+                              std::span<const int> components, const NodeLinks& near, double blend_radius);
+
+}  // namespace genu

@@ -1,0 +1,191 @@
+#include "genu/geometry/fit_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "genu/geometry/local_fit.h"
+
+namespace genu {
+namespace {
+
+constexpr double kNarrowest = 3;       // edges: the radius without noise
+constexpr double kResidualFrom = 2.4;  // edges: the residuals here and at kNarrowest give the noise
+constexpr double kSecondRadius = 1.4;  // ratio of the two radii at which disagreement is measured
+constexpr double kPartner = 0.7;       // radii between two fits that are compared
+// From the median disagreement to the error of one fit. Measured: white noise gives c sigma h / rho^3 with c = 28 for
+// degree 3 at 2.8; knees segmented from MRI get the radii that served them best (5-6 mm femur, 7-8 mm tibia) at 4.
+constexpr double kGain = 4.0;
+constexpr double kTolerated = 0.15;    // error of the curvature beside the flat parts' mean curvature
+constexpr double kFlatPart = 0.25;      // quantile of the mean curvature
+constexpr double kMostOfCurvature = 0.7;  // of the median radius of curvature: no wider
+constexpr double kMostOfSheet = 0.3;      // of the root of a component's mean area: no wider
+constexpr int kProbes = 200;
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The shape operator of a fit as a 3x3 tensor (1/m) at the foot of x.
+Mat3 curvature(const HeightFit& fit, const Vec3& x) {
+  const Vec3 local = fit.axes.transpose() * (x - fit.origin);
+  const Height s = fit.height(local.x(), local.y());
+  const Vec3 gradient = fit.axes * Vec3(-s.hu, -s.hv, 1);
+  const double slope = gradient.norm();
+  const Vec3 n = gradient / slope;
+  Mat3 H = Mat3::Zero();
+  H.topLeftCorner<2, 2>() << s.huu, s.huv, s.huv, s.hvv;
+  const Mat3 P = Mat3::Identity() - n * n.transpose();
+  return P * fit.axes * H * fit.axes.transpose() * P / slope;
+}
+
+/// Fits at an even choice of vertices, and what they say; medians and quantiles, so that edges and scraps do not count.
+class Probe {
+ public:
+  Probe(const Mesh& mesh, const VertexGraph& graph, int degree)
+      : mesh_(mesh), graph_(graph), degree_(degree), fitters_([this] { return HeightFitter(mesh_, graph_); }) {
+    const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kProbes);
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += step) {
+      if (graph.component[v] >= 0) vertices_.push_back(static_cast<int>(v));
+    }
+  }
+
+  double residual(double radius) {
+    return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
+      const HeightFit fit = at(fitter, vertices_[i], radius);
+      out = fit.residual_rms;
+      return fit.degree > 0;
+    }), 0.5);
+  }
+
+  /// Median square of the disagreement about curvature, 1/m^2.
+  double disagreement(double radius) {
+    return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
+      const int v = vertices_[i];
+      const HeightFit a = at(fitter, v, radius);
+      if (a.degree == 0) return false;
+      const Vec3 target = a.origin + kPartner * radius * a.axes.col(0);
+      const int partner = walk_toward(v, target);
+      if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
+      const HeightFit b = at(fitter, partner, radius);
+      if (b.degree == 0) return false;
+      const Vec3 middle = 0.5 * (a.origin + b.origin);
+      out = 0.5 * (curvature(a, middle) - curvature(b, middle)).squaredNorm();
+      return true;
+    }), 0.5);
+  }
+
+  /// Quantiles of |mean curvature| (flat parts) and of the curvature's norm (median), 1/m.
+  std::array<double, 2> flat_and_typical(double radius) {
+    std::vector<double> mean(vertices_.size());
+    std::vector<double> norm = collect([&](HeightFitter& fitter, std::size_t i, double& out) {
+      const HeightFit fit = at(fitter, vertices_[i], radius);
+      const Mat3 S = curvature(fit, fit.origin);
+      mean[i] = fit.degree > 0 ? 0.5 * std::abs(S.trace()) : -1;
+      out = S.norm();
+      return fit.degree > 0;
+    });
+    std::erase(mean, -1);
+    return {quantile(std::move(mean), kFlatPart), quantile(std::move(norm), 0.5)};
+  }
+
+ private:
+  HeightFit at(HeightFitter& fitter, int v, double radius) const {
+    return fitter.fit({mesh_.vertices[v], graph_.normals[v], std::span(&v, 1), radius, degree_, false});
+  }
+
+  int walk_toward(int v, const Vec3& target) const {
+    for (int best = v;; v = best) {
+      double least = (mesh_.vertices[v] - target).squaredNorm();
+      for (int w : graph_.neighbours(v)) {
+        const double d = (mesh_.vertices[w] - target).squaredNorm();
+        if (d < least) least = d, best = w;
+      }
+      if (best == v) return v;
+    }
+  }
+
+  template <class F>
+  std::vector<double> collect(F&& measure) {
+    std::vector<double> values(vertices_.size());
+    std::vector<char> valid(vertices_.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), 8), [&](const auto& range) {
+      HeightFitter& fitter = fitters_.local();
+      for (std::size_t i = range.begin(); i != range.end(); ++i) valid[i] = measure(fitter, i, values[i]);
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (valid[i]) values[kept++] = values[i];
+    }
+    values.resize(kept);
+    return values;
+  }
+
+  const Mesh& mesh_;
+  const VertexGraph& graph_;
+  int degree_;
+  std::vector<int> vertices_;
+  tbb::enumerable_thread_specific<HeightFitter> fitters_;
+};
+
+/// Rms noise from residuals at two radii: e^2 = noise^2 + T^2 rho^(2 (degree + 1)).
+double noise_from_residuals(Probe& probe, double h, int degree) {
+  const double narrow = probe.residual(kResidualFrom * h), wide = probe.residual(kNarrowest * h);
+  const double growth = std::pow(kNarrowest / kResidualFrom, 2 * (degree + 1));
+  return std::sqrt(std::max(0.0, (growth * narrow * narrow - wide * wide) / (growth - 1)));
+}
+
+/// The part of the curvature's error at the narrowest radius that comes from noise, 1/m:
+/// D^2 = N^2 rho^-6 + T^2 rho^(2 (degree - 1)).
+double curvature_noise(Probe& probe, double h, int degree) {
+  const double first = probe.disagreement(kNarrowest * h), second = probe.disagreement(kSecondRadius * kNarrowest * h);
+  const double fall = std::pow(kSecondRadius, -6), growth = std::pow(kSecondRadius, 2 * (degree - 1));
+  return kGain * std::sqrt(std::max(0.0, (growth * first - second) / (growth - fall)));
+}
+
+}  // namespace
+
+FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<double> radius,
+                     std::optional<int> degree) {
+  const double h = graph.median_edge, narrowest = kNarrowest * h;
+  FitChoice choice;
+  choice.degree = degree.value_or(3);
+  Probe probe(mesh, graph, choice.degree);
+  choice.noise_rms = noise_from_residuals(probe, h, choice.degree);
+  if (radius) {
+    choice.radius = *radius;
+    choice.why = "fit radius as given";
+    return choice;
+  }
+  const double noise = curvature_noise(probe, h, choice.degree);
+  const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
+  const double sheet = kMostOfSheet * std::sqrt(graph.area / components);
+  choice.radius = narrowest;
+  choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
+  // The curvature itself is known only as well as the radius is wide: a few rounds settle both.
+  for (int round = 0; round < 8; ++round) {
+    const auto [flat, typical] = probe.flat_and_typical(choice.radius);
+    const double wanted = flat > 0 ? narrowest * std::cbrt(noise / (kTolerated * flat)) : sheet;
+    const double cap = std::min(sheet, typical > 0 ? kMostOfCurvature / typical : sheet);
+    const double next = std::max(narrowest, std::min(wanted, cap));
+    const bool settled = std::abs(next - choice.radius) < 0.03 * choice.radius;
+    choice.radius = next;
+    if (next > narrowest) {
+      choice.why = fmt::format("noise: curvature would err by {:.3g} 1/m at 3 edges, flat parts have {:.3g} 1/m{}",
+                               noise, flat, wanted > cap ? "; held back by curvature or size" : "");
+    }
+    if (settled || noise == 0) break;
+  }
+  return choice;
+}
+
+}  // namespace genu

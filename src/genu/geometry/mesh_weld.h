@@ -1,0 +1,24 @@
+// Joins what a mesh file has torn apart: STL repeats a vertex in each of its triangles, other formats repeat it for
+// each texture coordinate or normal.
+#pragma once
+
+#include <cstddef>
+
+#include "genu/geometry/mesh.h"
+
+namespace genu {
+
+struct WeldReport {
+  std::size_t degenerate = 0;  ///< triangles dropped because two of their corners became one
+  std::size_t duplicate = 0;   ///< triangles dropped because another has the same corners, in either direction
+};
+
+/// The distance within which vertices are the same: 1e-6 of the bounding box' diagonal, or what float32 cannot tell
+/// apart at the largest coordinate, whichever is more. Same unit as the mesh.
+double weld_tolerance(const Mesh& mesh);
+
+/// Makes one vertex of those nearer than `tolerance` to one that came before them (which stays where it is), drops
+/// triangles that degenerate or repeat, and vertices nothing uses. Order is kept: the result never depends on hashing.
+WeldReport weld(Mesh& mesh, double tolerance);
+
+}  // namespace genu

@@ -1,0 +1,101 @@
+#include "genu/model/contact_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Unbounded shapes are sampled within this many characteristic lengths of their own origin.
+constexpr double kReach = 10;
+
+}  // namespace
+
+ContactField::ContactField(const JointModel& model) : model_(&model) {
+  const double length = model.scales.length;
+  Proximity::Options options;
+  options.spacing = std::min(1e-3, length / 10);
+  options.reach = kReach * length;
+  options.max_step = options.spacing;
+  pairs_.reserve(model.pairs.size());
+  for (const auto& pair : model.pairs) pairs_.emplace_back(*pair.a, *pair.b, options);
+}
+
+Pose ContactField::relative(const State& state, int pair) const {
+  const auto& p = model_->pairs[at(pair)];
+  return state.poses[at(p.body_a)].inverse() * state.poses[at(p.body_b)];
+}
+
+void ContactField::survey(const State& state, Survey& out) {
+  out.minima.clear();
+  out.edges.clear();
+  out.smallest_gap.assign(pairs_.size(), std::numeric_limits<double>::infinity());
+  for (int pair = 0; pair < static_cast<int>(pairs_.size()); ++pair) {
+    pairs_[at(pair)].scan(relative(state, pair), kWindow, scan_);
+    double& smallest = out.smallest_gap[at(pair)];
+    smallest = scan_.smallest_sample_gap;
+    for (const LocalMinimum& m : scan_.minima) {
+      out.minima.push_back({pair, m});
+      smallest = std::min(smallest, m.gap);
+    }
+    for (const LocalMinimum& m : scan_.edge) out.edges.push_back({pair, m});
+  }
+}
+
+std::optional<Descent> ContactField::follow(const State& state, int pair, const ContactGeometry& contact) const {
+  return pairs_[at(pair)].follow(relative(state, pair), contact);
+}
+
+void ContactField::probe_around(const State& state, int pair, const ContactGeometry& contact, double radius,
+                                std::vector<LocalMinimum>& out) const {
+  pairs_[at(pair)].probe_around(relative(state, pair), contact, radius, out);
+}
+
+double ContactField::edge_distance(int pair, const ContactGeometry& contact) const {
+  return pairs_[at(pair)].edge_distance(contact);
+}
+
+double ContactField::smallest_gap(const State& state, int pair) {
+  for (double window = kWindow; window < 100 * model_->scales.length; window *= 8) {
+    pairs_[at(pair)].scan(relative(state, pair), window, scan_);
+    double smallest = scan_.smallest_sample_gap;
+    for (const LocalMinimum& m : scan_.minima) smallest = std::min(smallest, m.gap);
+    if (smallest < window) return smallest;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double ContactField::add_foundation(const State& state, double modulus, Linearization& out) {
+  double deepest = 0;
+  for (int pair = 0; pair < static_cast<int>(pairs_.size()); ++pair) {
+    const auto& p = model_->pairs[at(pair)];
+    const bool b = pairs_[at(pair)].samples_b();
+    const int sampled = b ? p.body_b : p.body_a, queried = b ? p.body_a : p.body_b;
+    const Pose &X_s = state.poses[at(sampled)], &X_q = state.poses[at(queried)];
+    pairs_[at(pair)].near_samples(relative(state, pair), 0, near_);
+    Vec12 total = Vec12::Zero();
+    Mat12 stiffness = Mat12::Zero();
+    for (const NearSample& sample : near_) {
+      deepest = std::max(deepest, -sample.gap);
+      const Vec3 n = X_q.R * sample.direction;
+      const Vec3 x = X_s * sample.point;
+      Vec12 row;  // d gap / d [twist of queried; twist of sampled]
+      row << -n, -(x - X_q.p).cross(n), n, (x - X_s.p).cross(n);
+      total += modulus * sample.area * -sample.gap * row;
+      stiffness -= modulus * sample.area * row * row.transpose();
+    }
+    const int moving[2] = {model_->bodies[at(queried)].moving, model_->bodies[at(sampled)].moving};
+    for (int i = 0; i < 2; ++i) {
+      if (moving[i] < 0) continue;
+      out.wrench.segment<6>(6 * moving[i]) += total.segment<6>(6 * i);
+      for (int j = 0; j < 2; ++j)
+        if (moving[j] >= 0) out.stiffness.block<6, 6>(6 * moving[i], 6 * moving[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace genu

@@ -1,0 +1,59 @@
+// All surface pairs of a model at once: where they are near, overlap, or run over an edge.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/contact/proximity.h"
+#include "genu/model/linearization.h"
+
+namespace genu {
+
+/// A local minimum of the gap of one pair.
+struct Candidate {
+  int pair = 0;
+  LocalMinimum minimum;
+};
+
+struct Survey {
+  std::vector<Candidate> minima;       ///< below the window, pair by pair, by gap
+  std::vector<Candidate> edges;        ///< the gap falls across the edge of a patch
+  std::vector<double> smallest_gap;    ///< of each pair, m: samples and minima; +infinity when clear beyond the window
+};
+
+class ContactField {
+ public:
+  /// Candidates are looked for below this gap; open contacts beyond it are not followed.
+  static constexpr double kWindow = 2e-4;  // m
+
+  explicit ContactField(const JointModel& model);
+
+  /// Looks at the whole of every pair.
+  void survey(const State& state, Survey& out);
+
+  /// The local minimum that continues `contact` at this state, if it still exists.
+  std::optional<Descent> follow(const State& state, int pair, const ContactGeometry& contact) const;
+
+  /// Further minima hidden next to a contact between the samples.
+  void probe_around(const State& state, int pair, const ContactGeometry& contact, double radius,
+                    std::vector<LocalMinimum>& out) const;
+
+  double edge_distance(int pair, const ContactGeometry& contact) const;
+
+  /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
+  double smallest_gap(const State& state, int pair);
+
+  /// Wrench and stiffness of an elastic foundation of `modulus` (Pa per m of overlap) under every overlapping sample,
+  /// added to `out`; returns the deepest overlap (m, positive). A seed for cold starts, not a cartilage model.
+  double add_foundation(const State& state, double modulus, Linearization& out);
+
+ private:
+  Pose relative(const State& state, int pair) const;
+
+  const JointModel* model_;
+  std::vector<Proximity> pairs_;
+  ProximityScan scan_;
+  std::vector<NearSample> near_;
+};
+
+}  // namespace genu

@@ -1,0 +1,87 @@
+// The six coordinates of a child body in its parent: three successive rotations and the child's origin.
+//
+// R_PC = R1(q0) R2(q1) R3(q2) about the signed axes a1, a2, a3 of the joint, and q3..q5 = p_PC in the parent's axes.
+// In the world the joint turns about b1 = R_WP a1 (fixed in the parent), b2 = R_WP R1 a2 (floating) and b3 = R_WC a3
+// (fixed in the child):   w_C - w_P = b1 q0' + b2 q1' + b3 q2' = J q'. The rows g of J^-1 are the gradients of the
+// angles; their derivative is that of an inverse, dJ^-1 = -J^-1 dJ J^-1. With b2 perpendicular to b1 and b3, det J = b1
+// . (b2 x b3) has only one zero: the gimbal pose, where b1 and b3 are parallel.
+#pragma once
+
+#include <array>
+
+#include "genu/core/pose.h"
+#include "genu/core/types.h"
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// Rotations (rad), then translations (m).
+using JointValues = std::array<double, 6>;
+
+/// Values and derivatives of a joint's coordinates at one pose of parent P and child C in the world.
+class JointPoint {
+ public:
+  using Gradient = Eigen::Matrix<double, 1, 12>;
+  using Hessian = Eigen::Matrix<double, 12, 12>;
+
+  /// |sine| of the angle between the first and the last axis, 0 at the gimbal pose, 1 farthest from it. The gradients
+  /// of the first and last angle grow like its inverse, their derivatives like its inverse square.
+  double gimbal_sine() const { return gimbal_sine_; }
+
+  /// At the gimbal pose first and last angle are not defined one by one. The gradients are then the rows of the
+  /// pseudo-inverse (each takes half of the common turn) and the second derivatives of the angles are set to 0.
+  bool at_gimbal() const { return gimbal_sine_ < kGimbalSine; }
+
+  const JointValues& values() const { return values_; }
+
+  /// d q_i / d [twist of P; twist of C], i in 0..5. It is also the wrench on P and C of a unit generalised force on
+  /// q_i: [force, moment about the body's origin] each, world axes.
+  Gradient gradient(int i) const;
+
+  /// d gradient(i)^T / d [twist of P; twist of C]. Not symmetric: rotations do not commute.
+  Hessian hessian(int i) const;
+
+  static constexpr double kGimbalSine = 1e-12;  ///< below, rounding alone decides the direction of the gradients
+
+ private:
+  friend class JointCoordinates;
+
+  Gradient translation_gradient(int i) const;
+  Hessian translation_hessian(int i) const;
+  Hessian rotation_hessian(int i) const;
+
+  JointValues values_{};
+  Mat3 axes_ = Mat3::Zero();    ///< columns b1, b2, b3
+  Mat3 rows_ = Mat3::Zero();    ///< columns: the gradients of the angles to w_C - w_P, transposed
+  Mat3 parent_ = Mat3::Zero();  ///< R_WP
+  Vec3 offset_ = Vec3::Zero();  ///< from the parent's to the child's origin, world axes, m
+  double gimbal_sine_ = 1;
+};
+
+class JointCoordinates {
+ public:
+  explicit JointCoordinates(const JointDef& joint);
+
+  /// Whether three axes make coordinates: unit vectors, each perpendicular to the one before it. The first and last may
+  /// be perpendicular (Cardan), parallel (proper Euler) or anything between. What follows holds for these alone.
+  static bool is_valid(const std::array<JointDef::Rotation, 3>& rotations);
+
+  /// X_PC for the coordinates.
+  Pose pose_from(const JointValues& values) const;
+
+  /// The coordinates of X_PC. Of the two triples of angles (and their multiples of 2 pi) that give the same rotation it
+  /// is the one nearest to the angles of `near` (least sum of squares); at the gimbal pose, of all that give it.
+  JointValues coordinates(const Pose& X_PC, const JointValues& near) const;
+
+  /// Values (chosen by `near` as in coordinates()) and derivatives, for poses in the world.
+  JointPoint evaluate(const Pose& X_WP, const Pose& X_WC, const JointValues& near) const;
+
+ private:
+  Vec3 angles(const Mat3& R, const Vec3& near, double branch) const;
+
+  std::array<Vec3, 3> a_;  ///< a1, a2 in the parent's axes at angles 0, a3 in the child's
+  Vec3 a12_;               ///< a1 x a2
+  double offset_;          ///< angle of a3 from a1 x a2 toward a1, about a2
+};
+
+}  // namespace genu

@@ -1,0 +1,99 @@
+#include "genu/model/joint_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+JointModel::Scales choose_scales(const JointModel& model) {
+  JointModel::Scales scales;
+  double square = 0;
+  int count = 0;
+  for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+    std::vector<Vec3> ends;
+    for (const auto& l : model.ligaments) {
+      if (at(l.body_a) == body) ends.push_back(l.ligament.p_A);
+      if (at(l.body_b) == body) ends.push_back(l.ligament.p_B);
+    }
+    for (const auto& l : model.loads)
+      if (at(l.body) == body && !l.force.isZero()) ends.push_back(l.point);
+    if (ends.size() < 2) continue;
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : ends) mean += p / static_cast<double>(ends.size());
+    for (const Vec3& p : ends) square += (p - mean).squaredNorm(), ++count;
+  }
+  if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
+
+  double force = 0;
+  for (const auto& load : model.loads)
+    force = std::max({force, load.force.norm(), load.moment.norm() / scales.length});
+  constexpr double kTypicalStrain = 0.01;
+  for (const auto& l : model.ligaments) {
+    const double slack = l.ligament.law.slack_length();
+    const double stretched = slack > 0 ? (1 + kTypicalStrain) * slack : scales.length;
+    const double value = std::abs(l.ligament.law.evaluate(stretched).force);
+    if (std::isfinite(value)) force = std::max(force, value);
+  }
+  scales.force = force > 0 ? force : 1.0;
+  return scales;
+}
+
+}  // namespace
+
+std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates) {
+  std::vector<Pose> poses(model.bodies.size());
+  std::vector<bool> placed(model.bodies.size());
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) placed[i] = model.bodies[i].moving < 0;
+  // Parents before children; the scene has no cycles, so every sweep places at least one body.
+  for (std::size_t sweep = 0; sweep < model.joints.size(); ++sweep) {
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      const auto& joint = model.joints[j];
+      if (!placed[at(joint.parent)] || placed[at(joint.child)]) continue;
+      poses[at(joint.child)] = poses[at(joint.parent)] * joint.coordinates.pose_from(coordinates[j]);
+      placed[at(joint.child)] = true;
+    }
+  }
+  return poses;
+}
+
+std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                      Diagnostics& out) {
+  JointModel model;
+  for (const BodyDef& body : scene.bodies)
+    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++});
+  std::vector<JointValues> reference;
+  for (const JointDef& joint : scene.joints) {
+    model.joints.push_back({joint.name, joint.parent, joint.child, JointCoordinates(joint), joint.reference});
+    reference.push_back(joint.reference);
+  }
+  model.reference_poses = poses_from_coordinates(model, reference);
+
+  bool good = true;
+  for (const LigamentDef& def : scene.ligaments) {
+    const double length = (model.reference_poses[at(def.to.body)] * def.to.point -
+                           model.reference_poses[at(def.from.body)] * def.from.point).norm();
+    std::string why;
+    const auto law = make_law(def, length, why);
+    if (!law) {
+      good = false;
+      out.add({.file = scene.file, .line = def.where.line, .column = def.where.column, .key = "ligament." + def.name,
+               .found = {}, .rule = why});
+      continue;
+    }
+    model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
+  }
+  model.loads = scene.loads;
+  for (const ContactDef& contact : scene.contacts) {
+    const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
+    const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];
+    model.pairs.push_back({contact.name, a.body, b.body, surfaces[at(contact.surface_a)], surfaces[at(contact.surface_b)]});
+  }
+  if (!good) return std::nullopt;
+  model.scales = choose_scales(model);
+  return model;
+}
+
+}  // namespace genu

@@ -1,0 +1,62 @@
+// A joint ready to be solved: bodies, coordinates, ligaments, loads and surface pairs by index, nothing to look up.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "genu/geometry/surface.h"
+#include "genu/model/joint_coordinates.h"
+#include "genu/model/ligament.h"
+#include "genu/core/diagnostics.h"
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+struct JointModel {
+  struct Body {
+    std::string name;
+    int moving = -1;  ///< index among the moving bodies, -1 for a fixed one
+  };
+  struct Joint {
+    std::string name;
+    int parent, child;
+    JointCoordinates coordinates;
+    JointValues reference;
+  };
+  struct LigamentBetween {
+    std::string name;
+    int body_a, body_b;
+    Ligament ligament;
+  };
+  struct Pair {
+    std::string name;
+    int body_a, body_b;
+    std::shared_ptr<const Surface> a, b;
+  };
+  /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
+  /// lengths never meet in one norm unscaled.
+  struct Scales {
+    double length = 0.01;  ///< m: root mean square distance of ligament ends from their body's mean end
+    double force = 1;      ///< N: the largest load, or what 1 % of strain costs in the stiffest ligament, at least 1 N
+  };
+
+  std::vector<Body> bodies;
+  int moving_count = 0;
+  std::vector<Joint> joints;
+  std::vector<LigamentBetween> ligaments;
+  std::vector<LoadDef> loads;
+  std::vector<Pair> pairs;
+  std::vector<Pose> reference_poses;  ///< of every body in the world
+  Scales scales;
+};
+
+/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces. What the scene's laws cannot be
+/// is added to `out`, and the result is empty.
+std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                      Diagnostics& out);
+
+/// The pose of every body in the world for the coordinates of every joint; fixed bodies stand at the origin.
+std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates);
+
+}  // namespace genu

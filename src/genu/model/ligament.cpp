@@ -1,0 +1,81 @@
+#include "genu/model/ligament.h"
+
+#include <Eigen/Geometry>
+
+namespace genu {
+
+namespace {
+
+/// Lever arms and the pull t on A, kept for the stiffness.
+struct Line {
+  Vec3 r_A, r_B;  ///< from the bodies' origins to the ends, world axes, m
+  Vec3 d;         ///< from the end on A to the end on B, m
+  Vec3 t;         ///< pull on A, N
+  double stiffness = 0;
+};
+
+bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, Line& line, TwoBodyWrench& out) {
+  line.r_A = X_WA.R * ligament.p_A;
+  line.r_B = X_WB.R * ligament.p_B;
+  line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
+  out.length = line.d.norm();
+  out.strain = ligament.law.strain(out.length);
+  if (out.length <= ligament.law.slack_until()) {
+    out.on_a.setZero();
+    out.on_b.setZero();
+    out.force = out.energy = 0;
+    return false;
+  }
+  const LawValue law = ligament.law.evaluate(out.length);
+  out.force = law.force;
+  out.energy = law.energy;
+  line.stiffness = law.stiffness;
+  line.t = out.length > 0 ? Vec3(law.force / out.length * line.d) : Vec3::Zero();
+  out.on_a << line.t, line.r_A.cross(line.t);
+  out.on_b << -line.t, -line.r_B.cross(line.t);
+  return true;
+}
+
+/// dt/dd: along the line the law's stiffness, across it the tension's.
+Mat3 line_stiffness(const Ligament& ligament, const Line& line, const TwoBodyWrench& out) {
+  if (ligament.law.slack_length() == 0) return line.stiffness * Mat3::Identity();
+  if (out.length == 0) return Mat3::Zero();
+  const Vec3 u = line.d / out.length;
+  const double across = out.force / out.length;
+  return across * Mat3::Identity() + (line.stiffness - across) * (u * u.transpose());
+}
+
+}  // namespace
+
+bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
+  Line line;
+  return pull(*this, X_WA, X_WB, line, out);
+}
+
+bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
+  Line line;
+  if (!pull(*this, X_WA, X_WB, line, out)) {
+    out.stiffness.setZero();
+    return false;
+  }
+  const Mat3 k = line_stiffness(*this, line, out), s_A = skew(line.r_A), s_B = skew(line.r_B);
+  const Mat3 k_A = k * s_A, k_B = k * s_B;
+  const auto fill = [&](int row, int column, double sign, const Mat3& s_row, const Mat3& k_row, const Mat3& k_column) {
+    // J_row^T k J_column, block by block; [r_row]x k = -(k [r_row]x)^T
+    out.stiffness.block<3, 3>(row, column) = sign * k;
+    out.stiffness.block<3, 3>(row, column + 3) = -sign * k_column;
+    out.stiffness.block<3, 3>(row + 3, column) = -sign * k_row.transpose();
+    out.stiffness.block<3, 3>(row + 3, column + 3) = -sign * (s_row * k_column);
+  };
+  fill(0, 0, -1, s_A, k_A, k_A);
+  fill(0, 6, 1, s_A, k_A, k_B);
+  fill(6, 0, 1, s_B, k_B, k_A);
+  fill(6, 6, -1, s_B, k_B, k_B);
+  // The lever arms turn with their bodies: (w x r) x t = [t]x [r]x w.
+  const Mat3 t = skew(line.t);
+  out.stiffness.block<3, 3>(3, 3) += t * s_A;
+  out.stiffness.block<3, 3>(9, 9) -= t * s_B;
+  return true;
+}
+
+}  // namespace genu

@@ -1,0 +1,47 @@
+// A ligament or spring: a straight line between a point of body A and a point of body B, with a force along it.
+//
+// With r_A = R_WA p_A, r_B = R_WB p_B, d = (p_WB + r_B) - (p_WA + r_A), L = |d|, u = d / L, the pull on A is t = F(L) u
+// and
+//   wrench on A = J_A^T t,  wrench on B = -J_B^T t,  J = [1, -[r]x] (the velocity of the point per twist),
+//   dt = (F' u u^T + F / L (1 - u u^T)) dd,  dd = J_B dX_B - J_A dX_A,
+// and the lever arms turn with their bodies. A wrench is [force, moment about the body's own origin], N and N m, a
+// twist as in pose.h; both in world axes.
+#pragma once
+
+#include "genu/core/pose.h"
+#include "genu/core/types.h"
+#include "genu/model/ligament_law.h"
+
+namespace genu {
+
+using Mat12 = Eigen::Matrix<double, 12, 12>;
+
+struct TwoBodyWrench {
+  Vec6 on_a = Vec6::Zero();
+  Vec6 on_b = Vec6::Zero();
+  Mat12 stiffness = Mat12::Zero();  ///< d[on_a; on_b] / d[twist of A; twist of B]; unsymmetric where moments act
+  double length = 0;                ///< m
+  double strain = 0;                ///< NaN for a spring of slack length 0
+  double force = 0;                 ///< N, positive in tension
+  double energy = 0;                ///< J
+};
+
+struct Ligament {
+  LigamentLaw law;
+  Vec3 p_A = Vec3::Zero();  ///< m, in body A
+  Vec3 p_B = Vec3::Zero();  ///< m, in body B
+
+  /// Wrenches, stiffness and what the results show, for the poses of A and B in the world (either may be fixed: pass
+  /// its pose and ignore its part). Returns false where the ligament is slack: everything but length and strain is then
+  /// 0. Where the ends meet and the law still has a force, its direction is undefined: wrench and stiffness are 0
+  /// there, except for a spring of slack length 0, which is smooth.
+  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;
+
+  /// The same without the stiffness, which is left as it was.
+  bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;
+
+  /// Distance of the ends, m.
+  double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
+};
+
+}  // namespace genu

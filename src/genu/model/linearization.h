@@ -1,0 +1,50 @@
+// The equations of a pose, 6B + M + 5N of them (Dortmans 1984), and their exact derivatives at a state.
+//
+//   equilibrium  6 for each moving body: ligaments + loads + contact forces + multipliers = 0
+//   constraints  M: prescribed coordinate = target
+//   contacts     5 each: closure 2, gap 1, tangency 2 (contact_equations.h)
+// The unknowns are the twist of each moving body, M multipliers, and for each contact ds_A, ds_B and the force.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "genu/contact/contact_equations.h"
+#include "genu/model/state.h"
+
+namespace genu {
+
+/// Everything in SI and unscaled, so that each block can be read and checked by itself.
+struct Linearization {
+  VecX wrench;      ///< 6B: total wrench on each moving body, 0 at equilibrium
+  MatX stiffness;   ///< 6B x 6B: its derivative to the twists with contact points and forces held
+  MatX gradient;    ///< M x 6B: derivative of the constraints
+  VecX constraint;  ///< M: value - target
+  std::vector<ContactBlock> contacts;
+  std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
+};
+
+/// A change of the unknowns.
+struct Correction {
+  VecX twist;                   ///< 6B
+  VecX multipliers;             ///< M
+  std::vector<Vec4> surface;    ///< ds_A, ds_B of each contact
+  VecX forces;                  ///< N
+
+  void resize(int moving_bodies, int constraints, int contacts);
+};
+
+/// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
+void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
+
+/// Wrench on each moving body (6B) of the loads alone, times `factors`.
+VecX load_wrench(const JointModel& model, const State& state, const std::vector<double>& factors);
+
+/// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`
+/// unspecified, where a contact point would leave what is known of its surface.
+bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction, State& out);
+
+/// Updates the coordinates of every joint from the poses, each continuous from its last value.
+void update_coordinates(const JointModel& model, State& state);
+
+}  // namespace genu

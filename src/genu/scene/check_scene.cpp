@@ -1,0 +1,171 @@
+#include <cmath>
+#include <map>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace {
+
+/// The joint whose child is `body`, or -1.
+int joint_above(const Scene& scene, int body) {
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    if (scene.joints[j].child == body) return static_cast<int>(j);
+  }
+  return -1;
+}
+
+/// True if going from parent to parent leads from `body` back to itself.
+bool is_own_ancestor(const Scene& scene, int body) {
+  int at = body;
+  for (std::size_t steps = 0; steps <= scene.joints.size(); ++steps) {
+    const int joint = joint_above(scene, at);
+    if (joint < 0) return false;
+    at = scene.joints[static_cast<std::size_t>(joint)].parent;
+    if (at < 0) return false;
+    if (at == body) return true;
+  }
+  return false;
+}
+
+/// Every moving body is the child of a joint, and parents lead to a fixed body. True if the tree is sound.
+bool check_tree(ReadContext& context) {
+  const Scene& scene = context.scene;
+  bool ends_known = context.bodies_understood;
+  for (const JointDef& joint : scene.joints) ends_known = ends_known && joint.parent >= 0 && joint.child >= 0;
+  if (!ends_known) return false;  // each is reported already, and what follows from it would only confuse
+  bool sound = true;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyDef& body = scene.bodies[b];
+    const int above = joint_above(scene, static_cast<int>(b));
+    sound = sound && body.fixed == (above < 0);
+    if (above < 0 && !body.fixed) {
+      context.error(body.where, "body." + body.name, {}, "a moving body must be the child of one joint");
+    }
+  }
+  for (const JointDef& joint : scene.joints) {
+    if (joint.parent == joint.child || !is_own_ancestor(scene, joint.child)) continue;
+    context.error(joint.where, "joint." + joint.name, {}, "parents go round in a circle: they must lead to a fixed body");
+    return false;  // one report a scene: the other joints of the circle would say the same
+  }
+  for (const JointDef& joint : scene.joints) sound = sound && joint.parent != joint.child;
+  return sound;
+}
+
+Pose reference_pose(const JointDef& joint) {
+  Pose pose;
+  for (std::size_t k = 0; k < 3; ++k) {
+    pose.R = Mat3(pose.R * exp_rotation(joint.reference[k] * joint.rotations[k].axis));
+    pose.p[static_cast<Eigen::Index>(k)] = joint.reference[3 + k];
+  }
+  return pose;
+}
+
+constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real ligament far above
+
+/// What is wrong with a ligament of this length (m) at the reference pose; empty if nothing is.
+std::string length_rule_broken(const LigamentDef& ligament, double length) {
+  // The direction of the force is undefined at zero length, except for a spring, which may have no force there.
+  if (ligament.law != LigamentDef::Law::spring) {
+    return length > kCoincident ? std::string()
+                                : "the two ends coincide at the reference pose; only law \"spring\" may have zero length";
+  }
+  if (ligament.rest != LigamentDef::Rest::reference_force) return {};
+  const double slack = length - ligament.rest_value / ligament.stiffness;
+  if (slack >= 0) return {};
+  return fmt::format("reference_force asks for a slack length of {:g} mm, which must be >= 0 mm",
+                     slack / units::kMillimetre);
+}
+
+void check_lengths(ReadContext& context) {
+  const Scene& scene = context.scene;
+  const std::vector<Pose> poses = reference_poses(scene);
+  for (const LigamentDef& ligament : scene.ligaments) {
+    if (ligament.from.body < 0 || ligament.to.body < 0) continue;
+    const Vec3 from = poses[static_cast<std::size_t>(ligament.from.body)] * ligament.from.point;
+    const Vec3 to = poses[static_cast<std::size_t>(ligament.to.body)] * ligament.to.point;
+    std::string broken = length_rule_broken(ligament, (to - from).norm());
+    if (!broken.empty()) context.error(ligament.where, "ligament." + ligament.name, {}, std::move(broken));
+  }
+}
+
+/// The names of the columns of results.csv, to refuse scenes in which two objects would share one.
+class Columns {
+ public:
+  explicit Columns(ReadContext& context) : context_(context) {}
+
+  void add(const std::string& object, SourceLocation where, const std::string& column) {
+    const auto [at, is_new] = owner_.emplace(column, object);
+    if (is_new || object == last_refused_) return;
+    last_refused_ = object;  // one report an object
+    context_.error(where, object, {}, fmt::format("its result column {} is also one of {}: rename one of the two",
+                                                  column, at->second));
+  }
+
+ private:
+  ReadContext& context_;
+  std::map<std::string, std::string> owner_;
+  std::string last_refused_;
+};
+
+void add_joint(const JointDef& joint, Columns& columns) {
+  const std::string object = "joint." + joint.name;
+  for (const auto& rotation : joint.rotations) {
+    columns.add(object, joint.where, joint.name + "." + rotation.name + "_deg");
+  }
+  for (const std::string& name : joint.translations) columns.add(object, joint.where, joint.name + "." + name + "_mm");
+}
+
+void add_contact(const Scene& scene, const ContactDef& contact, Columns& columns) {
+  const std::string object = "contact." + contact.name;
+  for (const char* quantity : {".force_N", ".gap_mm"}) columns.add(object, contact.where, contact.name + quantity);
+  for (const int surface : {contact.surface_a, contact.surface_b}) {
+    if (surface < 0 || contact.surface_a == contact.surface_b) continue;
+    const std::string& name = scene.surfaces[static_cast<std::size_t>(surface)].name;
+    columns.add(object, contact.where, contact.name + "." + name + ".x_mm");
+  }
+  for (const RegionDef& region : contact.regions) {
+    columns.add(object, contact.where, contact.name + "." + region.name + ".x_mm");
+  }
+}
+
+void check_columns(ReadContext& context) {
+  const Scene& scene = context.scene;
+  Columns columns(context);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    if (context.joint_understood[j]) add_joint(scene.joints[j], columns);
+  }
+  for (const ContactDef& contact : scene.contacts) add_contact(scene, contact, columns);
+  for (const LigamentDef& ligament : scene.ligaments) {
+    for (const char* quantity : {".length_mm", ".strain", ".force_N"}) {
+      columns.add("ligament." + ligament.name, ligament.where, ligament.name + quantity);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Pose> reference_poses(const Scene& scene) {
+  std::vector<Pose> poses(scene.bodies.size());
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    Pose pose;  // X_ancestor_body, from the body up to a fixed one
+    for (int j = joint_above(scene, static_cast<int>(b)); j >= 0;) {
+      const JointDef& joint = scene.joints[static_cast<std::size_t>(j)];
+      pose = reference_pose(joint) * pose;
+      j = joint_above(scene, joint.parent);
+    }
+    poses[b] = pose;
+  }
+  return poses;
+}
+
+void check_scene(ReadContext& context) {
+  check_columns(context);
+  if (check_tree(context)) check_lengths(context);
+}
+
+}  // namespace genu

@@ -1,0 +1,42 @@
+// What every part of the reader sees: the scene being filled, the file's units, and where errors go.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "genu/core/diagnostics.h"
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+struct ReadContext {
+  ReadContext(const std::string& path, Diagnostics& diagnostics, Scene& to_fill)
+      : file(path), folder(std::filesystem::path(path).parent_path()), out(diagnostics), scene(to_fill) {}
+
+  std::string file;              ///< the scene file, as named by the user
+  std::filesystem::path folder;  ///< where relative mesh files start
+  Diagnostics& out;
+  Scene& scene;
+  std::string length_name = "mm";  ///< the file's unit of length, for messages
+  std::string angle_name = "deg";
+  /// Joints whose six coordinates were all understood; for others nothing is said about unknown coordinates.
+  std::vector<bool> joint_understood;
+  bool bodies_understood = true;  ///< false where a body could not be told fixed or moving
+  int rigid_pairs = 0;
+
+  void error(SourceLocation where, std::string key, std::string found, std::string rule) {
+    out.add({.file = file, .line = where.line, .column = where.column, .key = std::move(key),
+             .found = std::move(found), .rule = std::move(rule)});
+  }
+};
+
+/// The names of bodies, joints, surfaces, ...: any of the scene's lists.
+template <class Defs>
+std::vector<std::string> names_of(const Defs& defs) {
+  std::vector<std::string> names;
+  for (const auto& def : defs) names.push_back(def.name);
+  return names;
+}
+
+}  // namespace genu

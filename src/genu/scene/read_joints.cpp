@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "genu/scene/read_parts.h"
+#include "genu/scene/words.h"
+
+namespace genu {
+
+namespace {
+
+struct Axis {
+  const char* word;
+  int index;
+  double sign;
+};
+constexpr std::array<Axis, 6> kAxes = {{{"x", 0, 1}, {"y", 1, 1}, {"z", 2, 1}, {"-x", 0, -1}, {"-y", 1, -1},
+                                        {"-z", 2, -1}}};
+
+/// "flexion -z"
+std::optional<JointDef::Rotation> read_rotation(ReadContext& context, const Item& item) {
+  const auto text = read_string(context, item);
+  if (!text) return {};
+  std::istringstream words(*text);
+  std::string name, axis, more;
+  words >> name >> axis >> more;
+  const auto found = std::find_if(kAxes.begin(), kAxes.end(), [&](const Axis& a) { return axis == a.word; });
+  if (!is_name(name) || found == kAxes.end() || !more.empty()) {
+    refuse(context, item, "must be \"NAME AXIS\" with a name and one of x, y, z, -x, -y, -z");
+    return {};
+  }
+  JointDef::Rotation rotation;
+  rotation.name = name;
+  rotation.axis = found->sign * Vec3::Unit(found->index);
+  return rotation;
+}
+
+bool read_rotations(ReadContext& context, const Item& item, JointDef& joint) {
+  if (!is_array(context, item, "three rotations [\"NAME AXIS\", ...]", 3)) return false;
+  bool good = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto rotation = read_rotation(context, item.element(k));
+    good = good && rotation.has_value();
+    if (rotation) joint.rotations[k] = *rotation;
+  }
+  for (std::size_t k = 1; good && k < 3; ++k) {
+    if (joint.rotations[k].axis.dot(joint.rotations[k - 1].axis) == 0) continue;
+    refuse(context, item.element(k), "turns about the same axis as the rotation before it: neighbours must differ");
+    good = false;
+  }
+  return good;
+}
+
+bool read_translations(ReadContext& context, const Item& item, JointDef& joint) {
+  if (!is_array(context, item, "three names of translations along x, y and z", 3)) return false;
+  bool good = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Item element = item.element(k);
+    const auto name = read_string(context, element);
+    if (name && !is_name(*name)) refuse(context, element, "a name is a letter or _, then letters, digits, _ or -");
+    good = good && name && is_name(*name);
+    joint.translations[k] = name.value_or("");
+  }
+  return good;
+}
+
+std::vector<std::string> coordinate_names(const JointDef& joint) {
+  std::vector<std::string> names;
+  for (const auto& rotation : joint.rotations) names.push_back(rotation.name);
+  for (const std::string& name : joint.translations) names.push_back(name);
+  return names;
+}
+
+bool names_are_distinct(ReadContext& context, const Item& rotations, const Item& translations, const JointDef& joint) {
+  const std::vector<std::string> names = coordinate_names(joint);
+  bool good = true;
+  for (std::size_t k = 1; k < names.size(); ++k) {
+    const auto end = names.begin() + static_cast<std::ptrdiff_t>(k);
+    if (std::find(names.begin(), end, names[k]) == end) continue;
+    refuse(context, k < 3 ? rotations.element(k) : translations.element(k - 3),
+           "another coordinate of this joint has the name " + in_quotes(names[k]));
+    good = false;
+  }
+  return good;
+}
+
+void read_reference_pose(ReadContext& context, const Item& item, JointDef& joint) {
+  if (!is_table(context, item)) return;
+  const std::vector<std::string> names = coordinate_names(joint);
+  for (const TomlNode& child : item.node->children) {
+    const Item value = item.member(child);
+    const auto found = std::find(names.begin(), names.end(), child.key);
+    if (found == names.end()) {
+      context.error(child.key_where, value.path, literal(child), unknown_name_rule("coordinate", child.key, names));
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(found - names.begin());
+    const NumberRule rule = k < 3 ? angle_rule(context) : length_rule(context);
+    joint.reference[k] = read_number(context, value, rule).value_or(0);
+  }
+}
+
+/// True if all six coordinates were understood.
+bool read_coordinates(ReadContext& context, Section& section, JointDef& joint) {
+  const Item rotations = section.require("rotations");
+  const Item translations = section.require("translations");
+  const Item reference = section.find("reference");
+  const bool rotations_good = read_rotations(context, rotations, joint);
+  const bool translations_good = read_translations(context, translations, joint);
+  if (!rotations_good || !translations_good) return false;
+  if (!names_are_distinct(context, rotations, translations, joint)) return false;
+  read_reference_pose(context, reference, joint);
+  return true;
+}
+
+void read_bodies_of(ReadContext& context, Section& section, JointDef& joint) {
+  const Scene& scene = context.scene;
+  const std::vector<std::string> names = names_of(scene.bodies);
+  const Item parent = section.require("parent");
+  const Item child = section.require("child");
+  joint.parent = read_reference(context, parent, "body", names).value_or(-1);
+  joint.child = read_reference(context, child, "body", names).value_or(-1);
+  if (joint.child < 0) return;
+  if (joint.child == joint.parent) {
+    refuse(context, child, "parent and child must be different bodies");
+  } else if (scene.bodies[static_cast<std::size_t>(joint.child)].fixed) {
+    refuse(context, child, "is fixed: the child of a joint must be a moving body");
+  }
+  for (const JointDef& other : scene.joints) {
+    if (other.child != joint.child) continue;
+    refuse(context, child, "is already the child of joint." + other.name + ": a body has one joint to its parent");
+    break;
+  }
+}
+
+}  // namespace
+
+void read_joints(ReadContext& context, Section& root) {
+  for (const Item& item : named_tables(context, root, "joint")) {
+    Section section(context, item, "a free joint");
+    JointDef joint;
+    joint.name = item.node->key;
+    joint.where = item.node->key_where;
+    read_bodies_of(context, section, joint);
+    const auto type = read_choice(context, section.require("type"), {"free"}, {"revolute", "fixed"});
+    section.not_built({"origin", "axis", "stiffness", "damping"}, "joints with type \"revolute\" or \"fixed\"");
+    bool understood = false;
+    if (type) {
+      understood = read_coordinates(context, section, joint);
+    } else {
+      for (const char* key : {"rotations", "translations", "reference"}) section.find(key);
+    }
+    section.finish();
+    context.scene.joints.push_back(joint);
+    context.joint_understood.push_back(understood);
+  }
+}
+
+std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
+                                             const std::string& name) {
+  const Scene& scene = context.scene;
+  std::vector<std::string> known;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    if (!context.joint_understood[j]) {
+      if (name.rfind(scene.joints[j].name + ".", 0) == 0) return {};
+      continue;
+    }
+    for (int k = 0; k < 6; ++k) {
+      const CoordinateRef c{static_cast<int>(j), k};
+      known.push_back(coordinate_name(scene, c));
+      if (known.back() == name) return c;
+    }
+  }
+  context.error(where, path, {}, unknown_name_rule("coordinate", name, known));
+  return {};
+}
+
+}  // namespace genu

@@ -1,0 +1,35 @@
+// The parts of a scene, in the order in which they are read: each may refer to those before it.
+#pragma once
+
+#include "genu/scene/section.h"
+
+namespace genu {
+
+void read_header(ReadContext& context, Section& root);  ///< format, title, units
+void read_bodies(ReadContext& context, Section& root);
+void read_joints(ReadContext& context, Section& root);
+void read_surfaces(ReadContext& context, Section& root);
+void read_contacts(ReadContext& context, Section& root);
+void read_ligaments(ReadContext& context, Section& root);
+void read_loads(ReadContext& context, Section& root);
+void read_steps(ReadContext& context, Section& root);
+
+/// What no single part can see: the tree of bodies, ligaments at the reference pose, names of result columns.
+void check_scene(ReadContext& context);
+
+/// `origin`, `x_axis`, `z_axis` of a surface. Without x_axis, x is the body's x made orthogonal to z_axis; where z_axis
+/// lies along the body's x, the axes are the body's in cyclic order (x = the body's y).
+Pose read_placement(ReadContext& context, Section& section);
+
+/// "z < 0", "z >= 0 and x < 5" with lengths in the file's unit.
+std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item);
+
+/// The coordinate "JOINT.NAME"; where it does not exist an error is reported at `where` with `path`, unless the joint
+/// itself was not understood.
+std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
+                                             const std::string& name);
+
+/// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
+std::vector<Pose> reference_poses(const Scene& scene);
+
+}  // namespace genu

@@ -1,0 +1,50 @@
+#include <Eigen/Geometry>
+
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace {
+
+constexpr double kParallelSine = 1e-6;  // axes closer than this (rad) fix no plane: 6 digits of input say no more
+
+/// A unit vector, whatever the scale of the numbers given; the fallback where the key is absent or wrong.
+Vec3 read_axis(ReadContext& context, const Item& item, const Vec3& fallback, bool& good) {
+  const auto axis = read_vector(context, item);
+  if (!axis) {
+    good = good && !item;
+    return fallback;
+  }
+  if (axis->isZero(0)) {
+    refuse(context, item, "an axis must not be zero");
+    good = false;
+    return fallback;
+  }
+  return axis->stableNormalized();
+}
+
+}  // namespace
+
+Pose read_placement(ReadContext& context, Section& section) {
+  Pose pose;
+  pose.p = read_vector(context, section.find("origin"), length_rule(context)).value_or(Vec3::Zero());
+  const Item x_item = section.find("x_axis"), z_item = section.find("z_axis");
+  bool good = true;
+  Vec3 x = read_axis(context, x_item, Vec3::UnitX(), good);
+  const Vec3 z = read_axis(context, z_item, Vec3::UnitZ(), good);
+  if (!good) return pose;
+  if (x.cross(z).norm() < kParallelSine) {
+    if (x_item) {
+      refuse(context, x_item, z_item ? "is parallel to z_axis" : "is parallel to the default z_axis [0, 0, 1]");
+      return pose;
+    }
+    x = Vec3::UnitY();
+  }
+  x = (x - x.dot(z) * z).normalized();
+  pose.R.col(0) = x;
+  pose.R.col(1) = z.cross(x);
+  pose.R.col(2) = z;
+  return pose;
+}
+
+}  // namespace genu

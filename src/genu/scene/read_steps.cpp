@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace {
+
+constexpr std::int64_t kMaxIncrements = 1'000'000;
+
+void read_prescribed(ReadContext& context, const Item& item, const std::string& name, StepDef& step) {
+  const auto coordinate = find_coordinate(context, item.node->key_where, item.path, name);
+  if (!coordinate) {
+    read_span(context, item, {});  // what is wrong with the values is said all the same
+    return;
+  }
+  const NumberRule rule = coordinate->index < 3 ? angle_rule(context) : length_rule(context);
+  const auto span = read_span(context, item, rule);
+  for (const StepDef::Prescribed& other : step.prescribe) {
+    if (other.coordinate != *coordinate) continue;
+    context.error(item.node->key_where, item.path, {}, "is prescribed twice in this step");
+    return;
+  }
+  const auto [from, to] = span.value_or(std::pair(0.0, 0.0));
+  step.prescribe.push_back({.coordinate = *coordinate, .from = from, .to = to});
+}
+
+/// "knee.flexion" = ... in quotes, or knee.flexion = ..., which TOML reads as a table in a table.
+void read_prescribe(ReadContext& context, const Item& item, StepDef& step) {
+  if (!is_table(context, item)) return;
+  for (const TomlNode& child : item.node->children) {
+    const Item entry = item.member(child);
+    if (child.kind != TomlNode::Kind::table) {
+      read_prescribed(context, entry, child.key, step);
+      continue;
+    }
+    for (const TomlNode& inner : child.children) {
+      read_prescribed(context, entry.member(inner), child.key + "." + inner.key, step);
+    }
+  }
+}
+
+void read_factors(ReadContext& context, const Item& item, StepDef& step) {
+  if (!is_table(context, item)) return;
+  const std::vector<std::string> names = names_of(context.scene.loads);
+  for (const TomlNode& child : item.node->children) {
+    const Item entry = item.member(child);
+    const auto found = std::find(names.begin(), names.end(), child.key);
+    if (found == names.end()) {
+      context.error(child.key_where, entry.path, literal(child), unknown_name_rule("load", child.key, names));
+    }
+    const auto [from, to] = read_span(context, entry, {}).value_or(std::pair(1.0, 1.0));
+    step.factors.push_back({.load = static_cast<int>(found - names.begin()), .from = from, .to = to});
+  }
+}
+
+/// Dortmans: with B moving bodies, M prescribed coordinates and N rigid contacts must leave a freedom, M + N < 6 B.
+void check_count(ReadContext& context, const Section& section, const StepDef& step) {
+  int moving = 0;
+  for (const BodyDef& body : context.scene.bodies) moving += body.fixed ? 0 : 1;
+  const int prescribed = static_cast<int>(step.prescribe.size());
+  const int most = 6 * moving - 1;
+  if (moving == 0 || prescribed + context.rigid_pairs <= most) return;
+  const TomlNode* at = section.item().node->member("prescribe");
+  context.error(at ? at->key_where : step.where, section.path("prescribe"), {},
+                fmt::format("too many constraints: prescribed coordinates and rigid contact pairs "
+                            "M + N = {} + {} = {}, at most {}",
+                            prescribed, context.rigid_pairs, prescribed + context.rigid_pairs, most));
+}
+
+void read_step(ReadContext& context, const Item& item) {
+  if (!is_table(context, item)) return;
+  Section section(context, item, "a step");
+  StepDef step;
+  step.where = item.node->where;
+  read_prescribe(context, section.find("prescribe"), step);
+  read_factors(context, section.find("load"), step);
+  const auto increments = read_integer(context, section.find("increments"), 1, kMaxIncrements);
+  step.increments = static_cast<int>(increments.value_or(1));
+  section.finish();
+  check_count(context, section, step);
+  context.scene.steps.push_back(step);
+}
+
+}  // namespace
+
+void read_steps(ReadContext& context, Section& root) {
+  const Item all = root.find("step");
+  if (!all) {
+    // A scene in time needs no steps; it is refused for its [dynamics] already.
+    if (!root.has("dynamics")) root.error("step", "is missing: a scene needs at least one [[step]]");
+    return;
+  }
+  const bool tables = all.node->kind == TomlNode::Kind::array && !all.node->children.empty();
+  if (!tables) {
+    refuse(context, all, "steps are written [[step]], in double brackets");
+    return;
+  }
+  for (std::size_t k = 0; k < all.node->children.size(); ++k) read_step(context, all.element(k));
+}
+
+}  // namespace genu

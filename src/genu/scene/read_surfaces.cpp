@@ -1,0 +1,157 @@
+#include <array>
+#include <cmath>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kMaxExponent = 20;
+
+void read_ellipsoid(ReadContext& context, Section& section, SurfaceDef& surface) {
+  const auto radii = read_vector(context, section.require("radii"), positive(length_rule(context)));
+  surface.radii = radii.value_or(Vec3::Ones());
+}
+
+void read_torus(ReadContext& context, Section& section, SurfaceDef& surface) {
+  const NumberRule rule = positive(length_rule(context));
+  surface.major_radius = read_number(context, section.require("major_radius"), rule).value_or(1);
+  surface.minor_radius = read_number(context, section.require("minor_radius"), rule).value_or(1);
+}
+
+/// 0, 1, 2, ...; whole floating numbers pass, for the sake of arrays of one type.
+std::optional<int> read_exponent(ReadContext& context, const Item& item) {
+  const TomlNode& node = *item.node;
+  const bool whole = (node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::floating) &&
+                     node.number >= 0 && node.number <= kMaxExponent && node.number == std::floor(node.number);
+  if (whole) return static_cast<int>(node.number);
+  refuse(context, item, fmt::format("an exponent must be an integer from 0 to {}", kMaxExponent));
+  return {};
+}
+
+/// [i, j, c]: c has the unit that makes c x^i y^j (or c theta^i z^j, theta in rad) a length in the file's unit.
+std::optional<SurfaceDef::Term> read_term(ReadContext& context, const Item& item, bool cylindrical) {
+  if (!is_array(context, item, "a term [i, j, c]", 3)) return {};
+  const auto i = read_exponent(context, item.element(0)), j = read_exponent(context, item.element(1));
+  if (!i || !j) return {};
+  const int lengths = cylindrical ? 1 - *j : 1 - *i - *j;
+  const NumberRule rule{.unit = std::pow(context.scene.length_unit, lengths), .unit_name = {}, .above = {},
+                        .at_least = {}};
+  const auto c = read_number(context, item.element(2), rule);
+  if (!c) return {};
+  return SurfaceDef::Term{*i, *j, *c};
+}
+
+void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface) {
+  const Item chart = section.find("chart");
+  const auto chosen = read_choice(context, chart, {"cartesian", "cylindrical"});
+  const bool cylindrical = chosen == 1;
+  if (cylindrical) surface.shape = SurfaceDef::Shape::cylindrical_polynomial;
+  const Item terms = section.require("terms");
+  if (!is_array(context, terms, "a list of terms [[i, j, c], ...]")) return;
+  if (terms.node->children.empty()) refuse(context, terms, "needs at least one term [i, j, c]");
+  std::set<std::pair<int, int>> seen;
+  for (std::size_t k = 0; k < terms.node->children.size(); ++k) {
+    const Item item = terms.element(k);
+    const auto term = read_term(context, item, cylindrical);
+    if (!term) continue;
+    if (!seen.insert({term->i, term->j}).second) refuse(context, item, "these exponents stand in a term before");
+    surface.terms.push_back(*term);
+  }
+}
+
+void read_mesh_file(ReadContext& context, const Item& item, SurfaceDef& surface) {
+  const auto name = read_string(context, item);
+  if (!name) return;
+  surface.file_where = item.node->where;
+  const fs::path path = context.folder / fs::path(*name);
+  surface.file = path.lexically_normal().string();
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (name->empty() || name->find('\0') != std::string::npos) {
+    refuse(context, item, "must name a mesh file");
+  } else if (status.type() == fs::file_type::not_found) {
+    refuse(context, item, "no such file: " + surface.file);
+  } else if (failed) {
+    refuse(context, item, "cannot be read: " + surface.file + ": " + failed.message());
+  } else if (!fs::is_regular_file(status)) {
+    refuse(context, item, "is not a file: " + surface.file);
+  }
+}
+
+void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
+  read_mesh_file(context, section.require("file"), surface);
+  const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
+  surface.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
+  surface.fit_radius = read_number(context, section.find("fit_radius"), positive(length_rule(context)));
+  const auto degree = read_integer(context, section.find("degree"), 2, 4);
+  if (degree) surface.degree = static_cast<int>(*degree);
+}
+
+void read_round(ReadContext& context, Section& section, SurfaceDef& surface) {
+  surface.radius = read_number(context, section.require("radius"), positive(length_rule(context))).value_or(1);
+}
+
+void read_plane(ReadContext&, Section&, SurfaceDef&) {}
+
+struct ShapeReader {
+  const char* word;
+  const char* what;
+  SurfaceDef::Shape shape;
+  void (*read)(ReadContext&, Section&, SurfaceDef&);
+};
+constexpr std::array<ShapeReader, 7> kShapes = {{
+    {"plane", "a plane", SurfaceDef::Shape::plane, read_plane},
+    {"sphere", "a sphere", SurfaceDef::Shape::sphere, read_round},
+    {"ellipsoid", "an ellipsoid", SurfaceDef::Shape::ellipsoid, read_ellipsoid},
+    {"cylinder", "a cylinder", SurfaceDef::Shape::cylinder, read_round},
+    {"torus", "a torus", SurfaceDef::Shape::torus, read_torus},
+    {"polynomial", "a polynomial surface", SurfaceDef::Shape::polynomial, read_polynomial},
+    {"mesh", "a mesh surface", SurfaceDef::Shape::mesh, read_mesh},
+}};
+
+void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
+  std::vector<std::string> words;
+  for (const ShapeReader& shape : kShapes) words.emplace_back(shape.word);
+  if (const auto k = read_choice(context, section.require("shape"), words)) {
+    const ShapeReader& shape = kShapes[static_cast<std::size_t>(*k)];
+    surface.shape = shape.shape;
+    section.rename(shape.what);
+    shape.read(context, section, surface);
+    return;
+  }
+  // Without a shape no key of any shape can be called wrong.
+  for (const char* key : {"radius", "radii", "major_radius", "minor_radius", "chart", "terms", "file", "units",
+                          "fit_radius", "degree"}) {
+    section.find(key);
+  }
+}
+
+}  // namespace
+
+void read_surfaces(ReadContext& context, Section& root) {
+  const std::vector<std::string> bodies = names_of(context.scene.bodies);
+  for (const Item& item : named_tables(context, root, "surface")) {
+    Section section(context, item, "a surface");
+    SurfaceDef surface;
+    surface.name = item.node->key;
+    surface.where = item.node->key_where;
+    surface.body = read_reference(context, section.require("body"), "body", bodies).value_or(-1);
+    read_shape(context, section, surface);
+    surface.placement = read_placement(context, section);
+    surface.inside = read_bool(context, section.find("inside")).value_or(false);
+    section.not_built({"patch"}, "edges of a patch");
+    section.finish();
+    context.scene.surfaces.push_back(surface);
+  }
+}
+
+}  // namespace genu

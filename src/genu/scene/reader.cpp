@@ -1,0 +1,125 @@
+#include "genu/scene/reader.h"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
+#include "genu/scene/read_parts.h"
+#include "genu/scene/toml_document.h"
+#include "genu/scene/utf8.h"
+#include "genu/scene/words.h"
+
+namespace genu {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 16u << 20;  // a scene holds no geometry: the largest known is 14 kB
+
+std::optional<std::string> read_text(const std::string& path, Diagnostics& out) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  std::string rule;
+  if (path.empty()) {
+    rule = "no scene file is named";
+  } else if (status.type() == fs::file_type::not_found) {
+    rule = "no such file";
+  } else if (failed) {
+    rule = "cannot be read: " + failed.message();
+  } else if (fs::is_directory(status)) {
+    rule = "is a folder; name the scene file in it, e.g. " + (fs::path(path) / "scene.toml").string();
+  } else if (!fs::is_regular_file(status)) {
+    rule = "is not a regular file";
+  }
+  if (!rule.empty()) {
+    out.error(path, std::move(rule));
+    return std::nullopt;
+  }
+
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  char block[1 << 16];
+  while (stream && text.size() <= kMaxFileBytes) {
+    stream.read(block, sizeof(block));
+    text.append(block, static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.size() > kMaxFileBytes) {
+    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxFileBytes >> 20));
+  } else if (!stream.eof()) {
+    out.error(path, "cannot be read");
+  } else {
+    return text;
+  }
+  return std::nullopt;
+}
+
+void read_units(ReadContext& context, Section& root) {
+  const Item item = root.require("units");
+  if (!is_table(context, item)) return;
+  Section units(context, item, "units");
+  const std::vector<std::string> lengths = {"mm", "m"}, angles = {"deg", "rad"};
+  if (const auto k = read_choice(context, units.require("length"), lengths)) {
+    context.scene.length_unit = *k == 0 ? units::kMillimetre : units::kMetre;
+    context.length_name = lengths[static_cast<std::size_t>(*k)];
+  }
+  if (const auto k = read_choice(context, units.require("angle"), angles)) {
+    context.scene.angle_unit = *k == 0 ? units::kDegree : units::kRadian;
+    context.angle_name = angles[static_cast<std::size_t>(*k)];
+  }
+  units.finish();
+}
+
+}  // namespace
+
+void read_header(ReadContext& context, Section& root) {
+  const Item format = root.require("format");
+  if (format && !(format.node->kind == TomlNode::Kind::integer && format.node->integer == 1)) {
+    refuse(context, format, "must be 1, the format this version reads");
+  }
+  context.scene.title = read_string(context, root.find("title")).value_or("");
+  read_units(context, root);
+}
+
+std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
+  if (const auto bad = first_invalid_utf8(text)) {
+    out.add({.file = path, .line = bad->line, .column = bad->column, .key = {}, .found = {},
+             .rule = "is not UTF-8 text from here on"});
+    return std::nullopt;
+  }
+  const std::optional<TomlNode> document = parse_toml(text, path, out);
+  if (!document) return std::nullopt;
+
+  Diagnostics found;
+  Scene scene;
+  scene.file = path;
+  ReadContext context(path, found, scene);
+  Section root(context, {&*document, ""}, "a scene");
+  read_header(context, root);
+  read_bodies(context, root);
+  read_joints(context, root);
+  read_surfaces(context, root);
+  read_contacts(context, root);
+  read_ligaments(context, root);
+  read_loads(context, root);
+  read_steps(context, root);
+  root.not_built({"dynamics"}, "dynamics");
+  root.finish();
+  check_scene(context);
+
+  found.sort();
+  for (const Diagnostic& d : found.items()) out.add(d);
+  if (found.has_errors()) return std::nullopt;
+  return scene;
+}
+
+std::optional<Scene> read_scene(const std::string& path, Diagnostics& out) {
+  const std::optional<std::string> text = read_text(path, out);
+  if (!text) return std::nullopt;
+  return parse_scene(*text, path, out);
+}
+
+}  // namespace genu

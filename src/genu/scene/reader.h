@@ -1,0 +1,19 @@
+// Reads a scene file (TOML; docs/scene-reference.md) into a Scene, or says everything that is wrong with it at once.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "genu/core/diagnostics.h"
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// Reads the file at `path`. Returns nothing if anything is wrong; then `out` has every error found, in the order of
+/// the file. Never throws for a missing, unreadable, oversized or malformed file.
+std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
+
+/// The same for a text in memory; `path` names it in messages, and mesh files are looked for in its folder.
+std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
+
+}  // namespace genu

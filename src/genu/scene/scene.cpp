@@ -1,0 +1,31 @@
+#include "genu/scene/scene.h"
+
+#include <algorithm>
+
+namespace genu {
+
+namespace {
+
+bool holds(const RegionDef::Condition& c, double x) {
+  switch (c.comparison) {
+    case RegionDef::Comparison::less: return x < c.value;
+    case RegionDef::Comparison::less_equal: return x <= c.value;
+    case RegionDef::Comparison::greater: return x > c.value;
+    case RegionDef::Comparison::greater_equal: return x >= c.value;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool RegionDef::contains(const Vec3& p) const {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) { return holds(c, p[c.axis]); });
+}
+
+std::string coordinate_name(const Scene& scene, const CoordinateRef& c) {
+  const JointDef& joint = scene.joints[static_cast<std::size_t>(c.joint)];
+  const auto k = static_cast<std::size_t>(c.index);
+  return joint.name + "." + (k < 3 ? joint.rotations[k].name : joint.translations[k - 3]);
+}
+
+}  // namespace genu

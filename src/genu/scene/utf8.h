@@ -1,0 +1,15 @@
+// Where a text stops being UTF-8.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// Line and column (1-based, in characters) of the first byte that is not part of valid UTF-8 (RFC 3629: no overlong
+/// forms, no surrogates, nothing past U+10FFFF) or is NUL; empty if the text is valid.
+std::optional<SourceLocation> first_invalid_utf8(std::string_view text);
+
+}  // namespace genu

@@ -1,0 +1,62 @@
+#include "genu/scene/words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace genu {
+
+namespace {
+
+constexpr std::size_t kLongestSuggested = 64;  // keeps the quadratic distance cheap on hostile files
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+bool is_name(std::string_view word) {
+  return !word.empty() && is_letter(word[0]) &&
+         std::all_of(word.begin(), word.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '-'; });
+}
+
+std::string in_quotes(std::string_view word) { return "\"" + std::string(word) + "\""; }
+
+std::string quoted_list(const std::vector<std::string>& words) {
+  std::string s;
+  for (const std::string& word : words) s += (s.empty() ? "" : ", ") + in_quotes(word);
+  return s;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  if (word.size() > kLongestSuggested) return {};
+  const std::string* best = nullptr;
+  std::size_t best_distance = std::clamp<std::size_t>((word.size() + 1) / 3, 1, 3) + 1;
+  for (const std::string& candidate : known) {
+    if (candidate.empty() || candidate.size() > kLongestSuggested) continue;
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance && distance < candidate.size()) {
+      best = &candidate;
+      best_distance = distance;
+    }
+  }
+  return best ? "; did you mean " + in_quotes(*best) + "?" : std::string();
+}
+
+}  // namespace genu

@@ -1,0 +1,22 @@
+// Words in messages: names, lists of choices and suggestions for what was mistyped.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace genu {
+
+/// True for [A-Za-z_][A-Za-z0-9_-]*, what a body, joint, coordinate, surface, contact, ligament or load may be called.
+bool is_name(std::string_view word);
+
+std::string in_quotes(std::string_view word);
+
+/// "a", "b", "c"
+std::string quoted_list(const std::vector<std::string>& words);
+
+/// `; did you mean "flexion"?` where one of `known` is near to `word` (Levenshtein distance, ignoring case, of at most
+/// a third of the word and never more than 3), else empty. The first of equally near ones.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace genu

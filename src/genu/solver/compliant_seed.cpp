@@ -1,0 +1,99 @@
+#include "genu/solver/compliant_seed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace genu {
+namespace {
+
+// Pa/m: from 10 MPa cartilage, 6 mm thick, to a layer in which 100 N on 50 mm^2 sink in by 20 micrometres.
+constexpr double kModuli[] = {5e9, 2e10, 1e11};
+constexpr int kIterations = 80;          // of each stage
+constexpr double kBalanced = 1e-5;       // scaled residual: a seed, not a result
+constexpr double kMaxTranslation = 2e-3; // m an iteration
+constexpr double kMaxRotation = 0.05;    // rad an iteration
+
+/// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
+class Stage {
+ public:
+  Stage(const JointModel& model, ContactField& field, const Target& target, double modulus)
+      : model_(model), field_(field), target_(target), modulus_(modulus), step_(model) {}
+
+  bool run(State& state, SeedReport& report) {
+    evaluate(state, here_);
+    double merit = step_.residual(here_, target_);
+    double damping = 1e-3;
+    for (int i = 0; i < kIterations; ++i) {
+      if (merit <= kBalanced) return true;
+      ++report.iterations;
+      damped_ = here_;
+      add_damping(damping);
+      if (!step_.factor(damped_, target_)) return false;
+      step_.solve(damped_, correction_);
+      if (!retract(model_, state, correction_, admissible(), trial_)) return false;
+      evaluate(trial_, there_);
+      const double next = step_.residual(there_, target_);
+      if (std::isfinite(next) && next < merit) {
+        std::swap(state, trial_);
+        std::swap(here_, there_);
+        merit = next;
+        damping = std::max(damping / 8, 1e-9);
+      } else {
+        damping *= 6;
+        if (damping > 1e6) return merit <= 1e3 * kBalanced;
+      }
+    }
+    return merit <= 1e3 * kBalanced;
+  }
+
+  double deepest() const { return deepest_; }
+
+ private:
+  void evaluate(const State& state, Linearization& out) {
+    linearize(model_, state, target_, out);
+    deepest_ = field_.add_foundation(state, modulus_, out);
+  }
+
+  /// Holds back each free motion as a spring of `damping` times the characteristic stiffness would.
+  void add_damping(double damping) {
+    const double L = model_.scales.length, F = model_.scales.force;
+    for (Eigen::Index i = 0; i < damped_.stiffness.rows(); ++i)
+      damped_.stiffness(i, i) -= damping * (i % 6 < 3 ? F / L : F * L) * 100;
+  }
+
+  double admissible() const {
+    double excess = 1;
+    for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
+      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / kMaxTranslation);
+      excess = std::max(excess, correction_.twist.segment<3>(i + 3).norm() / kMaxRotation);
+    }
+    return 1 / excess;
+  }
+
+  const JointModel& model_;
+  ContactField& field_;
+  const Target& target_;
+  double modulus_;
+  NewtonStep step_;
+  Linearization here_, there_, damped_;
+  Correction correction_;
+  State trial_;
+  double deepest_ = 0;
+};
+
+}  // namespace
+
+SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
+  SeedReport report;
+  state.contacts.clear();
+  state.multipliers.resize(target.prescribed.size(), 0.0);
+  for (const double modulus : kModuli) {
+    Stage stage(model, field, target, modulus);
+    report.balanced = stage.run(state, report);
+    report.deepest = stage.deepest();
+    if (!report.balanced) break;
+  }
+  return report;
+}
+
+}  // namespace genu

@@ -1,0 +1,96 @@
+#include "genu/solver/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace genu {
+
+std::string to_string(NewtonReport::Outcome outcome) {
+  switch (outcome) {
+    case NewtonReport::Outcome::converged: return "converged";
+    case NewtonReport::Outcome::iterations_used_up: return "no convergence within the iterations allowed";
+    case NewtonReport::Outcome::no_descent: return "no step reduces the error";
+    case NewtonReport::Outcome::left_the_surface: return "a contact point leaves its surface";
+    case NewtonReport::Outcome::not_finite: return "the equations are not finite";
+  }
+  return "";
+}
+
+double Newton::admissible_fraction(const Correction& correction, const NewtonOptions& options) const {
+  double excess = 1;
+  for (Eigen::Index i = 0; i < correction.twist.size(); i += 6) {
+    excess = std::max(excess, correction.twist.segment<3>(i).norm() / options.max_translation);
+    excess = std::max(excess, correction.twist.segment<3>(i + 3).norm() / options.max_rotation);
+  }
+  for (const Vec4& ds : correction.surface)
+    excess = std::max({excess, ds.head<2>().norm() / options.max_slide, ds.tail<2>().norm() / options.max_slide});
+  return 1 / excess;
+}
+
+bool Newton::advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report) {
+  const double full = step_.norm(correction_, target);
+  report.outcome = NewtonReport::Outcome::no_descent;
+  for (double damping = admissible_fraction(correction_, options); damping >= options.smallest_damping; damping /= 2) {
+    if (!retract(*model_, current_, correction_, damping, trial_)) {
+      report.outcome = NewtonReport::Outcome::left_the_surface;
+      continue;
+    }
+    linearize(*model_, trial_, target, there_);
+    const double next = step_.residual(there_, target);
+    if (!std::isfinite(next)) continue;
+    step_.solve(there_, simplified_);
+    const double simplified = step_.norm(simplified_, target);
+    // Monotone in the natural level function, or so small already that only rounding is left to compare.
+    if (simplified <= (1 - damping / 4) * full || next <= options.residual_tolerance ||
+        (next <= options.residual_floor && next <= residual)) {
+      std::swap(current_, trial_);
+      std::swap(here_, there_);
+      return true;
+    }
+    report.outcome = NewtonReport::Outcome::no_descent;
+  }
+  return false;
+}
+
+NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
+  NewtonReport report;
+  current_ = state;
+  current_.multipliers.resize(target.prescribed.size(), 0.0);
+  linearize(*model_, current_, target, here_);
+  double residual = step_.residual(here_, target);
+  for (;; ++report.iterations) {
+    report.residual_history[0] = report.residual_history[1];
+    report.residual_history[1] = report.residual_history[2];
+    report.residual_history[2] = report.residual = residual;
+    if (!std::isfinite(residual)) return report;
+    const bool solved = residual <= options.residual_tolerance;
+    if (!step_.factor(here_, target, options.route)) return report;
+    report.rcond = step_.linear().rcond();
+    report.full_rank = step_.linear().full_rank();
+    report.minimum_norm = step_.linear().minimum_norm();
+    if (solved) break;
+    if (report.iterations == options.max_iterations) {
+      report.outcome = NewtonReport::Outcome::iterations_used_up;
+      return report;
+    }
+    step_.solve(here_, correction_);
+    if (!advance(target, options, residual, report)) {
+      if (residual <= options.residual_floor) break;
+      return report;
+    }
+    const double next = step_.residual(here_, target);
+    // Rounding ends the fall: below the floor a step that no longer halves the residual is the last one.
+    if (next > 0.5 * residual && next <= options.residual_floor) {
+      report.residual = next;
+      ++report.iterations;
+      if (!step_.factor(here_, target, options.route)) return report;
+      break;
+    }
+    residual = next;
+  }
+  report.outcome = NewtonReport::Outcome::converged;
+  state = current_;
+  return report;
+}
+
+}  // namespace genu

@@ -1,0 +1,62 @@
+// Damped Newton on manifolds for one pose with its contacts given.
+#pragma once
+
+#include <string>
+
+#include "genu/solver/newton_step.h"
+
+namespace genu {
+
+struct NewtonOptions {
+  /// Scaled residual (see NewtonStep::residual) at which a pose is solved. Quadratic convergence passes it by far; when
+  /// rounding stops the fall earlier, a residual below `residual_floor` is still accepted and reported.
+  double residual_tolerance = 1e-12;
+  double residual_floor = 1e-8;
+  int max_iterations = 40;
+  double smallest_damping = 1.0 / 1024;
+  double max_translation = 5e-3;  ///< m: cap on one iteration's motion of a body's origin
+  double max_rotation = 0.1;      ///< rad
+  double max_slide = 2e-3;        ///< m: cap on one iteration's motion of a contact point over its surface
+  NewtonStep::Route route = NewtonStep::Route::automatic;
+};
+
+struct NewtonReport {
+  enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite };
+  Outcome outcome = Outcome::not_finite;
+  int iterations = 0;
+  double residual = 0;  ///< scaled, at the state returned
+  double rcond = 0;     ///< of the last Jacobian, scaled
+  bool full_rank = true;      ///< of the last Jacobian
+  bool minimum_norm = false;  ///< the last Jacobian was too ill-conditioned for LU
+  double residual_history[3] = {0, 0, 0};  ///< the last three, oldest first
+
+  bool converged() const { return outcome == Outcome::converged; }
+};
+
+std::string to_string(NewtonReport::Outcome outcome);
+
+/// Newton with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004,
+/// section 3.3). Keeps its memory between solves.
+class Newton {
+ public:
+  explicit Newton(const JointModel& model) : model_(&model), step_(model) {}
+
+  /// Solves from `state` in place. On failure `state` is left as it was.
+  NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
+
+  /// After a converged solve: the linearization at the solution.
+  const Linearization& linearization() const { return here_; }
+  NewtonStep& step() { return step_; }
+
+ private:
+  double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
+  bool advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report);
+
+  const JointModel* model_;
+  NewtonStep step_;
+  Linearization here_, there_;
+  Correction correction_, simplified_;
+  State current_, trial_;
+};
+
+}  // namespace genu

@@ -1,0 +1,204 @@
+#include "genu/solver/path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "genu/solver/walker.h"
+
+namespace genu {
+namespace {
+
+/// The walk from where the joint is to where a step begins, loads as they are there.
+StepPlan approach(const StepPlan& step, const State& state) {
+  StepPlan plan = step;
+  for (auto& p : plan.prescribed) {
+    p.to = p.from;
+    p.from = state.coordinates[static_cast<std::size_t>(p.coordinate.joint)][static_cast<std::size_t>(p.coordinate.index)];
+  }
+  for (auto& f : plan.factors) f.to = f.from;
+  plan.increments = 1;
+  return plan;
+}
+
+bool is_trivial(const StepPlan& plan) {
+  return std::all_of(plan.prescribed.begin(), plan.prescribed.end(), [](const auto& p) { return p.from == p.to; });
+}
+
+class PathRun {
+ public:
+  PathRun(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps, const PathOptions& options,
+          const PathObserver& observer)
+      : steps_(steps), options_(options), observer_(observer), solver_(model, field, options.newton),
+        walker_(solver_, options_, emit_) {
+    pose_.state = reference_state(model);
+    pose_.last_number.assign(model.pairs.size(), 0);
+  }
+
+  PathResult run() {
+    result_.complete = true;
+    for (std::size_t i = 0; i < steps_.size() && !stopped_; ++i) {
+      step_ = static_cast<int>(i) + 1;
+      if (!reach_start(steps_[i])) break;
+      walk(steps_[i]);
+    }
+    result_.substeps = walker_.substeps();
+    result_.iterations += walker_.iterations();
+    return result_;
+  }
+
+ private:
+  /// Balances the joint where it stands, then walks to the first values of the step.
+  bool reach_start(const StepPlan& step) {
+    const StepPlan plan = approach(step, pose_.state);
+    const Target start = plan.target(0);
+    report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : solver_.settle(pose_, start);
+    result_.iterations += report_.iterations;
+    if (report_.status != PoseStatus::ok && step_ > 1) report_ = solver_.settle_from_seed(pose_, start);
+    if (report_.status != PoseStatus::ok) {
+      fail(step, 0, 0, report_, "no balanced pose was found to start from");
+      return false;
+    }
+    if (is_trivial(plan)) return true;
+    walker_.begin(plan, step_, pose_, report_);
+    while (!walker_.walk_to(1)) {
+      if (walker_.step_over(window(plan))) continue;
+      fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");
+      return false;
+    }
+    pose_ = walker_.pose();
+    report_ = walker_.report();
+    return true;
+  }
+
+  void walk(const StepPlan& step) {
+    walker_.begin(step, step_, pose_, report_);
+    if (step_ == 1) hand_over(step, 0);
+    for (int k = 1; k <= step.increments && !stopped_; ++k) {
+      if (observer_.cancelled && observer_.cancelled()) {
+        stop();
+        return;
+      }
+      advance_to(step, k);
+    }
+    pose_ = walker_.pose();
+    report_ = walker_.report();
+  }
+
+  void advance_to(const StepPlan& step, int k) {
+    const double t = static_cast<double>(k) / step.increments;
+    if (walker_.t() > t) {
+      // Stepped over together with the stretch it lies in.
+      fail(step, k, t, walker_.failure(), "", false);
+      return;
+    }
+    while (!walker_.walk_to(t)) {
+      const bool edge = walker_.failure().status == PoseStatus::over_edge;
+      if (!edge && walker_.step_over(window(step))) {
+        if (walker_.t() <= t) continue;
+        fail(step, k, t, walker_.failure(), "", false);
+        return;
+      }
+      explain_end(step, k, t);
+      return;
+    }
+    hand_over(step, k);
+  }
+
+  /// A stretch without solution that may be stepped over, in units of the step's parameter.
+  double window(const StepPlan& step) const {
+    const double range = step.angle_range();
+    const double increment = 1.0 / step.increments;
+    return range > 0 ? std::min(1.0, options_.largest_window / range) : increment;
+  }
+
+  void explain_end(const StepPlan& step, int k, double t) {
+    PoseReport report = walker_.failure();
+    if (walker_.turning_back()) {
+      emit({PathEvent::Kind::turns_back, step_, walker_.t(), step.target(walker_.t()),
+            "no equilibrium beyond: the prescribed path turns back here"});
+      report.why = "the path turns back before this pose";
+    }
+    fail(step, k, t, report, "");
+  }
+
+  void hand_over(const StepPlan& step, int k) {
+    PosePoint point;
+    point.step = step_;
+    point.increment = k;
+    point.t = walker_.t();
+    point.target = step.target(point.t);
+    point.pose = walker_.pose();
+    point.report = walker_.report();
+    point.report.iterations = walker_.iterations() - handed_over_;
+    handed_over_ = walker_.iterations();
+    point.stability = walker_.stability();
+    if (point.stability.verdict == Stability::Verdict::neutral && !point.report.newton.full_rank) {
+      point.report.status = PoseStatus::undetermined;
+      point.report.why = "a motion costs no force: the pose is one of many";
+      result_.complete = false;
+    }
+    result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
+    observer_.pose(point);
+  }
+
+  void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what, bool last = true) {
+    PosePoint point;
+    point.step = step_;
+    point.increment = k;
+    point.t = t;
+    point.target = step.target(t);
+    point.report = report;
+    if (point.report.status == PoseStatus::ok) point.report.status = PoseStatus::no_equilibrium;
+    observer_.pose(point);
+    result_.complete = false;
+    if (!last) return;
+    const double where = walker_.substeps() > 0 ? walker_.t() : 0;
+    emit({PathEvent::Kind::stopped, step_, where, step.target(where), what.empty() ? report.why : what + ": " + report.why});
+    stop();
+  }
+
+  void stop() {
+    result_.complete = false;
+    stopped_ = true;
+  }
+
+  void emit(const PathEvent& event) const {
+    if (observer_.event) observer_.event(event);
+  }
+
+  const std::vector<StepPlan>& steps_;
+  const PathOptions& options_;
+  const PathObserver& observer_;
+  const std::function<void(PathEvent)> emit_ = [this](const PathEvent& event) { emit(event); };
+  ContactSetSolver solver_;
+  Walker walker_;
+  Balanced pose_;
+  PoseReport report_;
+  PathResult result_;
+  int step_ = 0;
+  int handed_over_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+const char* to_string(PathEvent::Kind kind) {
+  switch (kind) {
+    case PathEvent::Kind::contact_gained: return "contact_gained";
+    case PathEvent::Kind::contact_lost: return "contact_lost";
+    case PathEvent::Kind::stepped_over: return "stepped_over";
+    case PathEvent::Kind::over_edge: return "over_edge";
+    case PathEvent::Kind::overlap: return "overlap";
+    case PathEvent::Kind::turns_back: return "turns_back";
+    case PathEvent::Kind::stability_changed: return "stability_changed";
+    case PathEvent::Kind::stopped: return "stopped";
+  }
+  return "";
+}
+
+PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
+                       const PathOptions& options, const PathObserver& observer) {
+  return PathRun(model, field, steps, options, observer).run();
+}
+
+}  // namespace genu

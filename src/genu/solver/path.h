@@ -1,0 +1,62 @@
+// Pose after pose along the steps of a scene: prediction along the tangent, adaptive increments, contacts gained and lost
+// where it happens, and every pose certified.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "genu/solver/contact_set.h"
+#include "genu/solver/stability.h"
+#include "genu/solver/step_plan.h"
+
+namespace genu {
+
+/// One row of the results.
+struct PosePoint {
+  int step = 0;       ///< from 1
+  int increment = 0;  ///< from 0
+  double t = 0;       ///< of its step, 0 to 1
+  Target target;
+  Balanced pose;
+  PoseReport report;
+  Stability stability;
+  bool solved() const { return report.status == PoseStatus::ok; }
+};
+
+/// Something that happened between rows, located on the path.
+struct PathEvent {
+  enum class Kind { contact_gained, contact_lost, stepped_over, over_edge, overlap, turns_back, stability_changed, stopped };
+  Kind kind = Kind::stopped;
+  int step = 0;
+  double t = 0;
+  Target target;    ///< where: prescribed coordinates and load factors
+  std::string what; ///< e.g. "medial.2"
+};
+const char* to_string(PathEvent::Kind kind);
+
+struct PathOptions {
+  NewtonOptions newton;
+  double event_tolerance = 1e-9;     ///< of a step's parameter: how finely an event is located
+  double smallest_increment = 1e-8;  ///< of a step's parameter: below this the path is stuck
+  double largest_window = 0.0087;    ///< rad (0.5 deg): a stretch without solution longer than this is not stepped over
+};
+
+struct PathResult {
+  bool complete = false;  ///< every pose asked for was solved
+  int substeps = 0;
+  int iterations = 0;
+  double worst_residual = 0;
+};
+
+struct PathObserver {
+  std::function<void(const PosePoint&)> pose;
+  std::function<void(const PathEvent&)> event;
+  std::function<bool()> cancelled;  ///< may be empty
+};
+
+/// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later.
+PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
+                       const PathOptions& options, const PathObserver& observer);
+
+}  // namespace genu

@@ -1,0 +1,35 @@
+#include "genu/solver/scaled_solver.h"
+
+namespace genu {
+
+bool ScaledSolver::factor(const MatX& matrix) {
+  if (!matrix.allFinite()) return false;
+  rank_ = matrix.rows();
+  minimum_norm_ = false;
+  if (matrix.rows() == 0) {
+    rcond_ = 1;
+    return true;
+  }
+  lu_.compute(matrix);
+  // A pivot that is exactly zero makes rcond() meaningless.
+  const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
+  rcond_ = smallest > 0 ? lu_.rcond() : 0;
+  if (rcond_ > kTrustLu) return true;
+  minimum_norm_ = true;
+  cod_.setThreshold(kRankThreshold);
+  cod_.compute(matrix);
+  rank_ = cod_.rank();
+  return true;
+}
+
+void ScaledSolver::solve(const VecX& rhs, VecX& x) const {
+  if (rhs.size() == 0) {
+    x.resize(0);
+  } else if (minimum_norm_) {
+    x = cod_.solve(rhs);
+  } else {
+    x = lu_.solve(rhs);
+  }
+}
+
+}  // namespace genu

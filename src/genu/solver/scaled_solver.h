@@ -1,0 +1,37 @@
+// A linear solve that says what it is worth: LU where the matrix is well conditioned, else the complete orthogonal
+// decomposition, whose minimum-norm step converges on parallel planes, line contact and spheres in sockets, where plain
+// LU gives NaN.
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "genu/core/types.h"
+
+namespace genu {
+
+class ScaledSolver {
+ public:
+  /// Below this reciprocal condition (matrix in scaled units) LU gives way to the complete orthogonal decomposition.
+  static constexpr double kTrustLu = 1e-12;
+  /// Pivots below this fraction of the largest count as zero there. 1e-6 or more is known to stall Newton.
+  static constexpr double kRankThreshold = 1e-10;
+
+  /// Factors a square matrix. False when it holds anything that is not finite.
+  bool factor(const MatX& matrix);
+  void solve(const VecX& rhs, VecX& x) const;
+
+  double rcond() const { return rcond_; }
+  Eigen::Index rank() const { return rank_; }
+  bool full_rank() const { return !minimum_norm_ || rank_ == cod_.cols(); }
+  bool minimum_norm() const { return minimum_norm_; }
+
+ private:
+  Eigen::PartialPivLU<MatX> lu_;
+  Eigen::CompleteOrthogonalDecomposition<MatX> cod_;
+  double rcond_ = 0;
+  Eigen::Index rank_ = 0;
+  bool minimum_norm_ = false;
+};
+
+}  // namespace genu

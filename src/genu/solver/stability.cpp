@@ -1,0 +1,99 @@
+#include "genu/solver/stability.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+namespace genu {
+namespace {
+
+// The metric of every scene: 10 mm of translation weigh as much as 1 rad.
+constexpr double kMetricLength = 0.01;  // m
+// An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
+constexpr double kNeutral = 1e-10;
+
+template <typename Add>
+void for_moving(const std::array<int, 2>& bodies, Add add) {
+  for (int i = 0; i < 2; ++i)
+    if (bodies[static_cast<std::size_t>(i)] >= 0) add(6 * i, 6 * bodies[static_cast<std::size_t>(i)]);
+}
+
+/// Tangent stiffness and the gradients of everything held, in the metric.
+void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
+  const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
+  const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
+  stiffness = at.stiffness;
+  held.setZero(m + contacts, n);
+  held.topRows(m) = at.gradient;
+  for (Eigen::Index c = 0; c < contacts; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    EliminatedContact contact;
+    if (!contact.factor(at.contacts[k], length_scale)) contact.factor_minimum_norm(at.contacts[k], length_scale);
+    const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
+    for_moving(at.contact_bodies[k], [&](int from, int to) {
+      held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();
+      for_moving(at.contact_bodies[k], [&](int from2, int to2) {
+        stiffness.block<6, 6>(to, to2) += added.block<6, 6>(from, from2);
+      });
+    });
+  }
+  VecX metric(n);
+  for (Eigen::Index i = 0; i < n; ++i) metric[i] = i % 6 < 3 ? kMetricLength : 1.0;
+  stiffness = -(metric.asDiagonal() * stiffness * metric.asDiagonal());
+  held = held * metric.asDiagonal();
+  for (Eigen::Index i = 0; i < held.rows(); ++i) {
+    const double norm = held.row(i).norm();
+    if (norm > 0) held.row(i) /= norm;
+  }
+}
+
+/// Orthonormal basis of the motions that `held` leaves free.
+MatX free_basis(const MatX& held, Eigen::Index n) {
+  if (held.rows() == 0) return MatX::Identity(n, n);
+  Eigen::ColPivHouseholderQR<MatX> qr(held.transpose());
+  qr.setThreshold(1e-10);
+  const MatX q = qr.householderQ() * MatX::Identity(n, n);
+  return q.rightCols(n - qr.rank());
+}
+
+}  // namespace
+
+const char* to_string(Stability::Verdict verdict) {
+  switch (verdict) {
+    case Stability::Verdict::stable: return "stable";
+    case Stability::Verdict::unstable: return "unstable";
+    case Stability::Verdict::neutral: return "neutral";
+  }
+  return "";
+}
+
+Stability assess_stability(const Linearization& at, double length_scale) {
+  Stability out;
+  MatX stiffness, held;
+  tangent(at, length_scale, stiffness, held);
+  const MatX basis = free_basis(held, at.wrench.size());
+  out.free_motions = static_cast<int>(basis.cols());
+  if (basis.cols() == 0) {
+    out.smallest = std::numeric_limits<double>::infinity();
+    out.mode = VecX::Zero(at.wrench.size());
+    return out;
+  }
+  const Eigen::EigenSolver<MatX> eigen(basis.transpose() * stiffness * basis);
+  Eigen::Index first = 0;
+  eigen.eigenvalues().real().minCoeff(&first);
+  const std::complex<double> value = eigen.eigenvalues()[first];
+  const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  out.smallest = value.real();
+  out.flutter = std::abs(value.imag()) > 1e-9 * largest;
+  out.mode = basis * eigen.eigenvectors().col(first).real();
+  if (out.mode.norm() > 0) out.mode.normalize();
+  if (std::abs(value.real()) <= kNeutral * std::max(largest, stiffness.cwiseAbs().maxCoeff()))
+    out.verdict = Stability::Verdict::neutral;
+  else
+    out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;
+  return out;
+}
+
+}  // namespace genu

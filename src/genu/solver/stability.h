@@ -1,0 +1,26 @@
+// Whether an equilibrium is stable: the eigenvalues of its tangent stiffness on what constraints and contacts leave free.
+#pragma once
+
+#include "genu/model/linearization.h"
+
+namespace genu {
+
+struct Stability {
+  enum class Verdict { stable, unstable, neutral };
+  Verdict verdict = Verdict::stable;
+  /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
+  /// 10 mm and rotations in rad, twist about each moving body's origin. +infinity where nothing is free to move.
+  double smallest = 0;
+  bool flutter = false;  ///< the smallest belongs to a complex pair: loads that follow the body can drive an oscillation
+  VecX mode;             ///< 6B: its motion in that metric, unit norm (real part)
+  int free_motions = 0;
+};
+
+const char* to_string(Stability::Verdict verdict);
+
+/// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
+/// multipliers, included; with loads that follow the body it is unsymmetric and stays so. `length_scale` (m) is the
+/// model's characteristic length.
+Stability assess_stability(const Linearization& at, double length_scale);
+
+}  // namespace genu

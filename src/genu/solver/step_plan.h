@@ -1,0 +1,30 @@
+// One step of the path: prescribed coordinates and load factors that change linearly with a parameter t from 0 to 1.
+#pragma once
+
+#include <vector>
+
+#include "genu/model/state.h"
+
+namespace genu {
+
+struct StepPlan {
+  struct Prescribed {
+    CoordinateRef coordinate;
+    double from = 0, to = 0;  ///< rad or m
+  };
+  struct Factor {
+    double from = 1, to = 1;
+  };
+  std::vector<Prescribed> prescribed;
+  std::vector<Factor> factors;  ///< one for each load
+  int increments = 1;
+
+  /// What is asked at t.
+  Target target(double t) const;
+  /// Its derivative to t.
+  Target rate() const;
+  /// The largest change of a prescribed angle over the step, rad; 0 without one.
+  double angle_range() const;
+};
+
+}  // namespace genu

@@ -1,0 +1,64 @@
+// Walks along one step: from a solved pose to the next one asked for, however many substeps that takes.
+#pragma once
+
+#include "genu/solver/path.h"
+
+namespace genu {
+
+class Walker {
+ public:
+  Walker(ContactSetSolver& solver, const PathOptions& options, const std::function<void(PathEvent)>& event)
+      : solver_(solver), options_(options), event_(event) {}
+
+  /// Starts a step at t = 0 with a pose that is solved there.
+  void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
+
+  /// Walks to t. False where the path ends before; the pose then stays the last good one, at t().
+  bool walk_to(double t);
+
+  /// After walk_to() failed: tries to go on beyond a short stretch without solution, at most `window` of t long, but not
+  /// past t = 1. True with the pose solved again at some t() > the old one.
+  bool step_over(double window);
+
+  double t() const { return t_; }
+  const Balanced& pose() const { return pose_; }
+  const PoseReport& report() const { return report_; }
+  const Stability& stability() const { return stability_; }
+  /// Why walk_to() failed.
+  const PoseReport& failure() const { return failure_; }
+  bool turning_back() const;
+  int substeps() const { return substeps_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  struct Attempt {
+    Balanced pose;
+    PoseReport report;
+    Findings findings;
+    bool valid() const { return report.status == PoseStatus::ok && findings.none(); }
+  };
+
+  Attempt attempt(double t);
+  void accept(double t, Balanced pose, const PoseReport& report);
+  bool jumped(const Attempt& attempt, double h) const;
+  bool pass_event(double t, Attempt violated);
+  void report_changes(const Balanced& before, const Balanced& after);
+  void emit(PathEvent::Kind kind, const std::string& what);
+  void compute_tangent();
+
+  ContactSetSolver& solver_;
+  const PathOptions& options_;
+  const std::function<void(PathEvent)>& event_;
+  StepPlan plan_;
+  int step_ = 0;
+  double t_ = 0;
+  Balanced pose_;
+  PoseReport report_, failure_;
+  Stability stability_;
+  Correction tangent_;  // per unit of t
+  Linearization here_;
+  double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
+  int substeps_ = 0, iterations_ = 0;
+};
+
+}  // namespace genu

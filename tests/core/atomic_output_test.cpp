@@ -1,0 +1,177 @@
+#include "genu/core/atomic_output.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Names names_in(const fs::path& folder) {
+  Names names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+class AtomicOutput : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "genu-atomic-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    dir_ = fs::canonical(name);
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+
+  // An earlier result of genu, with a file that the next one will not have.
+  fs::path earlier_result() {
+    fs::path out = dir_ / "out";
+    fs::create_directory(out);
+    write(out / "summary.json", "old");
+    write(out / "only_old.csv", "old");
+    return out;
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(AtomicOutput, ANewFolderAppearsWithCommitAndNotBefore) {
+  const fs::path out = dir_ / "a" / "b" / "out";
+  StagedFolder folder;
+  ASSERT_EQ(folder.open(out), "");
+  write(folder.path() / "summary.json", "new");
+  EXPECT_FALSE(fs::exists(out));
+  ASSERT_EQ(folder.commit(), "");
+  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(names_in(out.parent_path()), Names{"out"});
+  EXPECT_TRUE(folder.path().empty());
+}
+
+TEST_F(AtomicOutput, AnEarlierResultIsReplacedAsAWhole) {
+  const fs::path out = earlier_result();
+  StagedFolder folder;
+  ASSERT_EQ(folder.open(out.string() + "/"), "");  // a trailing slash names the same folder
+  write(folder.path() / "summary.json", "new");
+  EXPECT_EQ(read(out / "summary.json"), "old");
+  ASSERT_EQ(folder.commit(), "");
+  EXPECT_EQ(names_in(out), Names{"summary.json"});
+  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(names_in(dir_), Names{"out"});
+}
+
+TEST_F(AtomicOutput, WithoutCommitNothingChangesAndNothingIsLeft) {
+  const fs::path out = earlier_result();
+  {
+    StagedFolder folder;
+    ASSERT_EQ(folder.open(out), "");
+    write(folder.path() / "summary.json", "new");
+    EXPECT_EQ(names_in(dir_).size(), 2U);
+  }
+  EXPECT_EQ(read(out / "summary.json"), "old");
+  EXPECT_EQ(names_in(out), (Names{"summary.json", "only_old.csv"}));
+  EXPECT_EQ(names_in(dir_), Names{"out"});
+}
+
+TEST_F(AtomicOutput, AnEmptyFolderAndALinkToAResultMayBeReplaced) {
+  fs::create_directory(dir_ / "empty");
+  StagedFolder first;
+  ASSERT_EQ(first.open(dir_ / "empty"), "");
+  ASSERT_EQ(first.commit(), "");
+
+  const fs::path out = earlier_result();
+  fs::create_directory_symlink(out, dir_ / "link");
+  StagedFolder second;
+  ASSERT_EQ(second.open(dir_ / "link"), "");
+  write(second.path() / "summary.json", "new");
+  ASSERT_EQ(second.commit(), "");
+  EXPECT_TRUE(fs::is_symlink(dir_ / "link"));
+  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(names_in(dir_), (Names{"empty", "link", "out"}));
+}
+
+TEST_F(AtomicOutput, WhatIsNoResultOfGenuIsRefusedAndKept) {
+  fs::create_directory(dir_ / "thesis");
+  write(dir_ / "thesis" / "chapter1.tex", "years of work");
+  write(dir_ / "file", "a file");
+  const fs::path cwd = fs::current_path();
+  for (const fs::path& target :
+       {dir_ / "thesis", dir_ / "file", dir_ / "file" / "below", fs::path("/"), fs::path("//"), fs::path("."),
+        fs::path(".."), fs::path(""), cwd, cwd / "x" / "..", cwd.parent_path() / "."}) {
+    StagedFolder folder;
+    EXPECT_NE(folder.open(target), "") << target;
+    EXPECT_TRUE(folder.path().empty()) << target;
+    EXPECT_NE(folder.commit(), "") << target;
+  }
+  EXPECT_EQ(read(dir_ / "thesis" / "chapter1.tex"), "years of work");
+  EXPECT_EQ(names_in(dir_), (Names{"file", "thesis"}));
+}
+
+TEST_F(AtomicOutput, WhatAppearsDuringTheRunIsKept) {
+  const fs::path out = dir_ / "out";
+  {
+    StagedFolder folder;
+    ASSERT_EQ(folder.open(out), "");
+    fs::create_directory(out);
+    write(out / "notes.txt", "mine");
+    EXPECT_NE(folder.commit(), "");
+  }
+  EXPECT_EQ(read(out / "notes.txt"), "mine");
+  EXPECT_EQ(names_in(dir_), Names{"out"});
+}
+
+TEST_F(AtomicOutput, AnUnwritablePlaceIsSaidBeforeAnythingIsComputed) {
+  StagedFolder folder;  // not even root writes into /proc
+  const std::string error = folder.open("/proc/genu/out");
+  EXPECT_NE(error.find("/proc/genu"), std::string::npos) << error;
+  EXPECT_NE(write_file_atomically("/proc/genu.txt", "x"), "");
+  EXPECT_NE(write_file_atomically(dir_ / "missing" / "file", "x"), "");
+}
+
+TEST_F(AtomicOutput, AFileIsReplacedWholeAndOnlyAFile) {
+  const fs::path file = dir_ / "results.csv";
+  const std::string bytes("a,b\r\n1,\0 2\n", 11);
+  EXPECT_EQ(write_file_atomically(file, "longer content that was there before"), "");
+  EXPECT_EQ(write_file_atomically(file, bytes), "");
+  EXPECT_EQ(read(file), bytes);
+  EXPECT_NE(write_file_atomically(dir_, "x"), "");
+  EXPECT_NE(write_file_atomically("/dev/null", "x"), "");
+  EXPECT_NE(write_file_atomically("", "x"), "");
+  EXPECT_EQ(names_in(dir_), Names{"results.csv"});
+}
+
+// A limit on the size of files fails a write half way, as a full disk does.
+TEST_F(AtomicOutput, AWriteThatFailsHalfWayKeepsTheOldFile) {
+  const fs::path file = dir_ / "results.csv";
+  ASSERT_EQ(write_file_atomically(file, "old"), "");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit tight = before;
+  tight.rlim_cur = 4096;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+  const std::string error = write_file_atomically(file, std::string(1'000'000, 'x'));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(error.find("cannot be written"), std::string::npos) << error;
+  EXPECT_EQ(read(file), "old");
+  EXPECT_EQ(names_in(dir_), Names{"results.csv"});
+}
+
+}  // namespace
+}  // namespace genu

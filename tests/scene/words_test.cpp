@@ -1,0 +1,30 @@
+#include "genu/scene/words.h"
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+TEST(Words, Names) {
+  for (const char* good : {"a", "_", "MCLd1", "post-lateral", "x_2"}) EXPECT_TRUE(is_name(good)) << good;
+  for (const char* bad : {"", "1a", "-a", "a b", "a.b", "é", "a\n"}) EXPECT_FALSE(is_name(bad)) << bad;
+}
+
+TEST(Words, SuggestsTheNearest) {
+  const std::vector<std::string> known = {"stiffness", "slack_length", "law"};
+  EXPECT_EQ(did_you_mean("stifness", known), "; did you mean \"stiffness\"?");
+  EXPECT_EQ(did_you_mean("STIFFNESS", known), "; did you mean \"stiffness\"?");
+  EXPECT_EQ(did_you_mean("lwa", {"law", "lw"}), "; did you mean \"lw\"?");
+  EXPECT_EQ(did_you_mean("mass", known), "");
+  EXPECT_EQ(did_you_mean("", known), "");
+  EXPECT_EQ(did_you_mean("q", {"x", "y"}), "") << "a wholly different word is no suggestion";
+  EXPECT_EQ(did_you_mean(std::string(100000, 'a'), known), "");
+}
+
+TEST(Words, Lists) {
+  EXPECT_EQ(quoted_list({"a", "b"}), "\"a\", \"b\"");
+  EXPECT_EQ(quoted_list({}), "");
+}
+
+}  // namespace
+}  // namespace genu
