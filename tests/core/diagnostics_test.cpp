@@ -6,7 +6,11 @@ namespace genu {
 namespace {
 
 TEST(Diagnostics, OneLineEach) {
-  Diagnostic d{.file = "scene.toml", .line = 41, .column = 13, .key = "ligament.AAC.stiffness", .found = "-2",
+  Diagnostic d{.file = "scene.toml",
+               .line = 41,
+               .column = 13,
+               .key = "ligament.AAC.stiffness",
+               .found = "-2",
                .rule = "must be > 0 N"};
   EXPECT_EQ(to_string(d), "scene.toml:41:13: ligament.AAC.stiffness = -2: must be > 0 N");
   d.found.clear();

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "support/finite_difference.h"
 
@@ -23,8 +23,8 @@ struct Case {
   double length;  ///< smallest radius of curvature, about: the scale of steps, m
 };
 
-const std::vector<PolynomialTerm> kPlateau{{0, 0, 2e-3}, {1, 0, 0.1}, {0, 1, -0.05}, {2, 0, 12}, {1, 1, -7}, {0, 2, -9},
-                                           {3, 0, 150},  {2, 1, 90},  {0, 4, 3e3}};
+const std::vector<PolynomialTerm> kPlateau{{0, 0, 2e-3}, {1, 0, 0.1}, {0, 1, -0.05}, {2, 0, 12}, {1, 1, -7},
+                                           {0, 2, -9},   {3, 0, 150}, {2, 1, 90},    {0, 4, 3e3}};
 const std::vector<PolynomialTerm> kCondyle{{0, 0, 0.02}, {1, 0, 1e-3}, {2, 0, -8e-4}, {0, 1, 0.1},
                                            {0, 2, -9},   {1, 1, 0.03}, {3, 0, 2e-4}};
 
@@ -34,11 +34,16 @@ std::vector<Case> cases() {
   return {
       {"plane", [](const Pose& X, bool inside) { return make_plane(X, inside); }, 0.02},
       {"sphere", [](const Pose& X, bool inside) { return make_sphere(X, 0.02, inside); }, 0.02},
-      {"ellipsoid", [](const Pose& X, bool inside) { return make_ellipsoid(X, {0.03, 0.02, 0.012}, inside); }, 0.005},
+      {"ellipsoid",
+       [](const Pose& X, bool inside) {
+         return make_ellipsoid(X, {0.03, 0.02, 0.012}, inside);
+       },
+       0.005},
       {"cylinder", [](const Pose& X, bool inside) { return make_cylinder(X, 0.017, inside); }, 0.017},
       {"torus", [](const Pose& X, bool inside) { return make_torus(X, 0.015, 0.005, inside); }, 0.005},
       {"polynomial", [](const Pose& X, bool inside) { return make_polynomial(X, kPlateau, inside); }, 0.01},
-      {"cylindrical", [](const Pose& X, bool inside) { return make_cylindrical_polynomial(X, kCondyle, inside); }, 0.01},
+      {"cylindrical", [](const Pose& X, bool inside) { return make_cylindrical_polynomial(X, kCondyle, inside); },
+       0.01},
   };
 }
 
@@ -53,7 +58,8 @@ class Random {
 };
 
 // Points of a surface: random points of a box round it, projected, away from the cut of the cylindrical chart.
-std::vector<SurfacePoint> random_points(const Case& c, const Surface& surface, const Pose& X, Random& random, int count) {
+std::vector<SurfacePoint> random_points(const Case& c, const Surface& surface, const Pose& X, Random& random,
+                                        int count) {
   std::vector<SurfacePoint> points;
   while (static_cast<int>(points.size()) < count) {
     const Vec3 x = random.vector(0.03);

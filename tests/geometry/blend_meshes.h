@@ -62,7 +62,9 @@ inline Mesh jittered_patch(double half, double edge, const std::function<double(
       mesh.vertices.emplace_back(x, y, height(x, y));
     }
   }
-  const auto add = [&](int a, int b, int c) { mesh.triangles.push_back(flipped ? std::array{a, c, b} : std::array{a, b, c}); };
+  const auto add = [&](int a, int b, int c) {
+    mesh.triangles.push_back(flipped ? std::array{a, c, b} : std::array{a, b, c});
+  };
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const int a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
@@ -92,9 +94,7 @@ inline Mesh noisy_sphere(double radius, int levels, double noise, unsigned seed 
     std::vector<std::array<int, 3>> finer;
     for (const auto& [a, b, c] : mesh.triangles) {
       const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      for (const auto& t : {std::array{a, ab, ca}, std::array{b, bc, ab}, std::array{c, ca, bc}, std::array{ab, bc, ca}}) {
-        finer.push_back(t);
-      }
+      finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
     }
     mesh.triangles = finer;
   }

@@ -55,12 +55,14 @@ TEST(MeshReader, BinaryStlComesBackAsItWasWrittenAndWelded) {
 
 TEST(MeshReader, AllFormatsGiveTheSameSheet) {
   TemporaryFolder folder;
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
   // Texture coordinates and normals that differ must not tear the sheet.
-  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n"
-                          "f 1/1/1 2/1/1 3/1/1\nf 1/2/2 3/2/2 4/2/2\n";
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n"
+      "f 1/1/1 2/1/1 3/1/1\nf 1/2/2 3/2/2 4/2/2\n";
   for (const std::string& path : {folder.write("a.stl", "solid a\n" + kFirst + kSecond + "endsolid a\n"),
                                   folder.write("a.ply", ply), folder.write("a.obj", obj)}) {
     Diagnostics out;
@@ -104,15 +106,15 @@ TEST(MeshReader, NamesWhatIsWrongWithAFile) {
   says(error(folder.write("short.stl", "x")), "too short");
   says(error(folder.write("cut.stl", "solid a\n" + kFirst)), "truncated");
   says(error(folder.write("none.stl", "solid a\nendsolid a\n")), "");
-  says(error(folder.write("nan.stl", "solid a\n" + ascii_facet("vertex nan 0 0\nvertex 1 0 0\nvertex 1 1 0\n") +
-                                         "endsolid a\n")),
+  says(error(folder.write("nan.stl",
+                          "solid a\n" + ascii_facet("vertex nan 0 0\nvertex 1 0 0\nvertex 1 1 0\n") + "endsolid a\n")),
        "");
   says(error(folder.write("no.ply", "solid a\n")), "does not start with \"ply\"");
   says(error(folder.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 4\n")), "end_header");
   says(error(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\n")), "");
   says(error(folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n")), "");
-  says(error(folder.write("point.stl", "solid a\n" + ascii_facet("vertex 1 1 1\nvertex 1 1 1\nvertex 1 1 1\n") +
-                                           "endsolid a\n")),
+  says(error(folder.write("point.stl",
+                          "solid a\n" + ascii_facet("vertex 1 1 1\nvertex 1 1 1\nvertex 1 1 1\n") + "endsolid a\n")),
        "without extent");
 }
 
@@ -129,9 +131,25 @@ TEST(MeshReader, EveryTruncationOfABinaryFileIsRefused) {
 
 TEST(MeshReader, EveryTruncationOfAnAsciiPlyIsRefused) {
   TemporaryFolder folder;
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
-                    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  for (std::size_t size = 1; size < ply.size(); ++size) error(folder.write("cut.ply", ply.substr(0, size)));
+  Diagnostics out;
+  EXPECT_TRUE(read_mesh(folder.write("whole.ply", ply), 1, out));
+}
+
+TEST(MeshReader, EveryTruncationOfABinaryPlyIsRefused) {
+  TemporaryFolder folder;
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const int corners[3] = {0, 1, 2};
+  ply.append(reinterpret_cast<const char*>(positions), sizeof positions);
+  ply.push_back(3);
+  ply.append(reinterpret_cast<const char*>(corners), sizeof corners);
   for (std::size_t size = 1; size < ply.size(); ++size) error(folder.write("cut.ply", ply.substr(0, size)));
   Diagnostics out;
   EXPECT_TRUE(read_mesh(folder.write("whole.ply", ply), 1, out));

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "genu/geometry/analytic.h"
 #include "genu/geometry/mesh_check.h"
@@ -29,8 +29,8 @@ double volume(const Mesh& mesh, const Vec3& origin) {
 struct Shape {
   std::string name;
   std::unique_ptr<Surface> (*make)(bool inside);
-  double volume;         ///< m^3, of closed shapes; 0 for open ones
-  double smallest_angle; ///< deg, of the meshes below
+  double volume;          ///< m^3, of closed shapes; 0 for open ones
+  double smallest_angle;  ///< deg, of the meshes below
 };
 
 void PrintTo(const Shape& s, std::ostream* out) { *out << s.name; }
@@ -39,15 +39,34 @@ std::vector<Shape> shapes() {
   constexpr double pi = std::numbers::pi;
   return {
       {"sphere", [](bool i) { return make_sphere(kPlace, 0.02, i); }, 4 * pi / 3 * 8e-6, 35},
-      {"ellipsoid", [](bool i) { return make_ellipsoid(kPlace, {0.03, 0.02, 0.012}, i); }, 4 * pi / 3 * 7.2e-6, 25},
-      {"needle", [](bool i) { return make_ellipsoid(kPlace, {0.03, 0.006, 0.005}, i); }, 4 * pi / 3 * 0.9e-6, 25},
-      {"lens", [](bool i) { return make_ellipsoid(kPlace, {0.02, 0.02, 0.006}, i); }, 4 * pi / 3 * 2.4e-6, 15},
+      {"ellipsoid",
+       [](bool i) {
+         return make_ellipsoid(kPlace, {0.03, 0.02, 0.012}, i);
+       },
+       4 * pi / 3 * 7.2e-6, 25},
+      {"needle",
+       [](bool i) {
+         return make_ellipsoid(kPlace, {0.03, 0.006, 0.005}, i);
+       },
+       4 * pi / 3 * 0.9e-6, 25},
+      {"lens",
+       [](bool i) {
+         return make_ellipsoid(kPlace, {0.02, 0.02, 0.006}, i);
+       },
+       4 * pi / 3 * 2.4e-6, 15},
       {"torus", [](bool i) { return make_torus(kPlace, 0.015, 0.005, i); }, 2 * pi * pi * 0.015 * 25e-6, 35},
       {"plane", [](bool i) { return make_plane(kPlace, i); }, 0, 40},
       {"cylinder", [](bool i) { return make_cylinder(kPlace, 0.02, i); }, 0, 40},
-      {"polynomial", [](bool i) { return make_polynomial(kPlace, {{2, 0, 30}, {1, 1, 9}, {0, 2, -9}}, i); }, 0, 20},
+      {"polynomial",
+       [](bool i) {
+         return make_polynomial(kPlace, {{2, 0, 30}, {1, 1, 9}, {0, 2, -9}}, i);
+       },
+       0, 20},
       {"condyle",
-       [](bool i) { return make_cylindrical_polynomial(kPlace, {{0, 0, 0.02}, {0, 2, -9}, {1, 0, 1e-3}}, i); }, 0, 20},
+       [](bool i) {
+         return make_cylindrical_polynomial(kPlace, {{0, 0, 0.02}, {0, 2, -9}, {1, 0, 1e-3}}, i);
+       },
+       0, 20},
   };
 }
 
@@ -102,7 +121,8 @@ TEST(TessellationGrading, EdgesShrinkWhereTheSurfaceBends) {
   const Mesh mesh = make_ellipsoid({}, {0.02, 0.02, 0.002}, false)->triangles(2e-3, Vec3::Zero(), 1);
   double rim = 0, pole = 0;
   for (const MeshEdge& e : mesh_edges(mesh)) {
-    const Vec3 &a = mesh.vertices[static_cast<std::size_t>(e.v[0])], &b = mesh.vertices[static_cast<std::size_t>(e.v[1])];
+    const Vec3 &a = mesh.vertices[static_cast<std::size_t>(e.v[0])],
+               &b = mesh.vertices[static_cast<std::size_t>(e.v[1])];
     const double radius = (0.5 * (a + b)).head<2>().norm(), length = (a - b).norm();
     if (radius > 0.0199) rim = std::max(rim, length);
     if (radius < 0.005) pole = std::max(pole, length);
@@ -113,7 +133,8 @@ TEST(TessellationGrading, EdgesShrinkWhereTheSurfaceBends) {
 
 TEST(TessellationBounds, AFineEdgeOnALargeSurfaceStaysAffordable) {
   EXPECT_LT(make_plane({}, false)->triangles(1e-6, Vec3::Zero(), 0.05).triangles.size(), 1.05 * kMaxTriangles);
-  EXPECT_LT(make_torus({}, 0.015, 0.005, false)->triangles(1e-6, Vec3::Zero(), 1).triangles.size(), 1.3 * kMaxTriangles);
+  EXPECT_LT(make_torus({}, 0.015, 0.005, false)->triangles(1e-6, Vec3::Zero(), 1).triangles.size(),
+            1.3 * kMaxTriangles);
   const Mesh steep = make_polynomial({}, {{20, 0, 1e30}}, false)->triangles(1e-3, Vec3::Zero(), 0.05);
   EXPECT_LT(steep.triangles.size(), 1.5 * kMaxTriangles);
 }

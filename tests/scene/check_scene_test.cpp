@@ -9,8 +9,9 @@ namespace genu::scene_test {
 namespace {
 
 std::string joint(const std::string& name, const std::string& parent, const std::string& child,
-                  const std::string& coordinates = "rotations = [\"a x\", \"b y\", \"c z\"]\n"
-                                                   "translations = [\"u\", \"v\", \"w\"]\n") {
+                  const std::string& coordinates =
+                      "rotations = [\"a x\", \"b y\", \"c z\"]\n"
+                      "translations = [\"u\", \"v\", \"w\"]\n") {
   return "[joint." + name + "]\ntype = \"free\"\nparent = \"" + parent + "\"\nchild = \"" + child + "\"\n" +
          coordinates;
 }
@@ -42,10 +43,11 @@ TEST(CheckScene, ReferencePosesFollowTheChainOfJoints) {
   EXPECT_LT((poses[2].p - (flexed * Vec3(0.01, 0, 0) + Vec3(0, 2.5e-3, 0))).norm(), 1e-17);
 }
 
-const std::string kLigament = "[ligament.AAC]\n"
-                              R"(from = { body = "femur", point = [12.25, -7.84, 0.0] })"
-                              "\n"
-                              R"(to = { body = "tibia", point = [-6.04, 4.0, -3.0] })";
+const std::string kLigament =
+    "[ligament.AAC]\n"
+    R"(from = { body = "femur", point = [12.25, -7.84, 0.0] })"
+    "\n"
+    R"(to = { body = "tibia", point = [-6.04, 4.0, -3.0] })";
 // At the reference the femur's origin is at y = 2.5 mm of the tibia.
 const std::string kCoincident = R"(from = { body = "femur", point = [0, 0, 5] }
 to = { body = "tibia", point = [0, 2.5, 5] })";
@@ -54,7 +56,8 @@ TEST(CheckScene, CoincidentEnds) {
   expect_refused(kLigament, "[ligament.@AAC]\n" + kCoincident, "ligament.AAC", "",
                  "the two ends coincide at the reference pose");
   const std::string law = "\nlaw = \"quadratic\"\nstiffness = 37200.0\nreference_strain = -0.0175";
-  good(edited(kLigament + law, "[ligament.AAC]\n" + kCoincident + "\nlaw = \"spring\"\nstiffness = 1\nslack_length = 0"));
+  good(edited(kLigament + law,
+              "[ligament.AAC]\n" + kCoincident + "\nlaw = \"spring\"\nstiffness = 1\nslack_length = 0"));
 }
 
 TEST(CheckScene, SpringOfNegativeLength) {

@@ -19,8 +19,7 @@ TEST(ReadBodies, Kinds) {
   Diagnostics out;
   EXPECT_FALSE(parse_scene(edited("fixed = true", "fixed = false"), "s", out));
   ASSERT_EQ(out.items().size(), 2u) << all_messages(out);
-  EXPECT_EQ(to_string(out.items()[0]),
-            "s:5:2: body: at least one body must be fixed: [body.NAME] with fixed = true");
+  EXPECT_EQ(to_string(out.items()[0]), "s:5:2: body: at least one body must be fixed: [body.NAME] with fixed = true");
   EXPECT_EQ(to_string(out.items()[1]), "s:5:7: body.tibia: a moving body must be the child of one joint");
 }
 
@@ -45,10 +44,11 @@ TEST(ReadBodies, Names) {
   expect_refused("[body.femur]\n", "[body.femur]\n[body.@\"2nd bone\"]\nfixed = true\n", "body.2nd bone",
                  "\"2nd bone\"", "a name is a letter");
   expect_refused("[body.femur]\n", "[body.femur]\n[body.@\"\"]\nfixed = true\n", "body.", "\"\"", "a name is a letter");
-  expect_one_error("body = @3\n" + edited("[body.tibia]\nfixed = true\n\n[body.femur]\n", "",
-                                          "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n[body.tibia]\nfixed "
-                                          "= true\n\n[body.femur]\n[[step]]\n"),
-                   "body", "3", "must be tables with names: [body.NAME]");
+  expect_one_error(
+      "body = @3\n" + edited("[body.tibia]\nfixed = true\n\n[body.femur]\n", "",
+                             "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n[body.tibia]\nfixed "
+                             "= true\n\n[body.femur]\n[[step]]\n"),
+      "body", "3", "must be tables with names: [body.NAME]");
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ TEST(ReadContacts, Pair) {
 
 TEST(ReadContacts, BodiesOfThePair) {
   const std::string other = "[surface.cup]\nbody = \"femur\"\nshape = \"plane\"\n";
-  expect_one_error(edited(kPair, "surfaces = @[\"ball\", \"cup\"]", kGoodScene + other),
-                   "contact.medial.surfaces", "[\"ball\", \"cup\"]", "both surfaces are on body.femur");
+  expect_one_error(edited(kPair, "surfaces = @[\"ball\", \"cup\"]", kGoodScene + other), "contact.medial.surfaces",
+                   "[\"ball\", \"cup\"]", "both surfaces are on body.femur");
 }
 
 TEST(ReadContacts, FixedBodiesNeverMeet) {

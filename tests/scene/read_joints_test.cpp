@@ -29,8 +29,8 @@ TEST(ReadJoints, ValuesInSi) {
 }
 
 TEST(ReadJoints, ReferenceMayBeAbsentAndRotationsMayRepeatAnAxis) {
-  const Scene scene = good(edited("reference = { flexion = 30, y = 2.5 }\n", "",
-                                  edited("rotation y\"", "rotation z\"")));
+  const Scene scene =
+      good(edited("reference = { flexion = 30, y = 2.5 }\n", "", edited("rotation y\"", "rotation z\"")));
   EXPECT_EQ(scene.joints[0].reference, (std::array<double, 6>{}));
   EXPECT_EQ(scene.joints[0].rotations[2].axis, Vec3::UnitZ());
 }
@@ -119,9 +119,10 @@ TEST(ReadJoints, CoordinateNamesAreDistinct) {
 }
 
 TEST(ReadJoints, Reference) {
-  expect_refused("{ flexion = 30, y = 2.5 }", "{ @flexio = 30 }", "joint.knee.reference.flexio", "30",
-                 "unknown coordinate; known: \"flexion\", \"adduction\", \"rotation\", \"x\", \"y\", \"z\"; did you mean "
-                 "\"flexion\"?");
+  expect_refused(
+      "{ flexion = 30, y = 2.5 }", "{ @flexio = 30 }", "joint.knee.reference.flexio", "30",
+      "unknown coordinate; known: \"flexion\", \"adduction\", \"rotation\", \"x\", \"y\", \"z\"; did you mean "
+      "\"flexion\"?");
   expect_refused("{ flexion = 30, y = 2.5 }", "{ flexion = @\"30\" }", "joint.knee.reference.flexion", "\"30\"",
                  "must be a number, in deg");
   expect_refused("{ flexion = 30, y = 2.5 }", "{ y = @nan }", "joint.knee.reference.y", "nan", "finite");

@@ -130,9 +130,10 @@ TEST(ReadLigaments, TransitionStrain) {
   const std::string law = "law = \"blankevoort\"\nstiffness = 1\nslack_length = 20\n";
   expect_law_refused(law + "transition_strain = @0\n", "transition_strain", "0", "must be > 0");
   expect_law_refused(law + "transition_strain = @-0.03\n", "transition_strain", "-0.03", "must be > 0");
-  expect_law_refused("law = \"abdel-rahman\"\nstiffness = 1\ntoe_stiffness = 1\nslack_length = 20\ntransition_strain = "
-                     "@-1\n",
-                     "transition_strain", "-1", "must be > 0");
+  expect_law_refused(
+      "law = \"abdel-rahman\"\nstiffness = 1\ntoe_stiffness = 1\nslack_length = 20\ntransition_strain = "
+      "@-1\n",
+      "transition_strain", "-1", "must be > 0");
   expect_law_refused("law = \"spring\"\nstiffness = 1\nslack_length = 20\n@transition_strain = 1\n",
                      "transition_strain", "1", "is no key of a spring");
 }

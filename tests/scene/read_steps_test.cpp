@@ -8,8 +8,9 @@ namespace {
 const std::string kPrescribe = R"(prescribe = { "knee.flexion" = [0, 70] })";
 
 TEST(ReadSteps, Values) {
-  const Scene scene = good(kGoodScene + "[[step]]\nprescribe = { \"knee.flexion\" = 70, knee.y = [1, -2.5] }\n[[step]]\n"
-                                        "load = { push = 0.5 }\nincrements = 1000000\n");
+  const Scene scene = good(kGoodScene +
+                           "[[step]]\nprescribe = { \"knee.flexion\" = 70, knee.y = [1, -2.5] }\n[[step]]\n"
+                           "load = { push = 0.5 }\nincrements = 1000000\n");
   ASSERT_EQ(scene.steps.size(), 3u);
   const StepDef& first = scene.steps[0];
   ASSERT_EQ(first.prescribe.size(), 1u);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -19,7 +20,8 @@ TEST(Reader, Header) {
   EXPECT_EQ(scene.title, "test knee");
   EXPECT_EQ(scene.length_unit, 1e-3);
   EXPECT_DOUBLE_EQ(scene.angle_unit, std::numbers::pi / 180);
-  const Scene si = good(edited("\"mm\", angle = \"deg\"", "\"m\", angle = \"rad\"", edited("title = \"test knee\"", "")));
+  const Scene si =
+      good(edited("\"mm\", angle = \"deg\"", "\"m\", angle = \"rad\"", edited("title = \"test knee\"", "")));
   EXPECT_EQ(si.length_unit, 1);
   EXPECT_EQ(si.angle_unit, 1);
   EXPECT_EQ(si.title, "");
@@ -35,8 +37,7 @@ TEST(Reader, HeaderErrors) {
   expect_refused("\"deg\"", "@1", "units.angle", "1", "must be one of \"deg\", \"rad\"");
   expect_refused("units = { length = \"mm\", angle = \"deg\" }", "@units = { length = \"mm\" }", "units.angle", "",
                  "is missing");
-  expect_refused("units = { length", "units = { @force = \"N\", length", "units.force", "\"N\"",
-                 "is no key of units");
+  expect_refused("units = { length", "units = { @force = \"N\", length", "units.force", "\"N\"", "is no key of units");
   expect_refused("{ length = \"mm\", angle = \"deg\" }", "@\"mm\"", "units", "\"mm\"", "must be a table");
 }
 
@@ -154,6 +155,17 @@ TEST(Reader, FlippedBytesNeverCrash) {
     ASSERT_EQ(scene.has_value(), !out.has_errors()) << text;
     for (const Diagnostic& d : out.items()) ASSERT_TRUE(d.line > 0 && d.column > 0 && !d.rule.empty()) << to_string(d);
   }
+}
+
+TEST(Reader, SceneOfTheReferencePageIsGood) {
+  std::ifstream page(fs::path(GENU_SOURCE_DIR) / "docs" / "scene-reference.md");
+  ASSERT_TRUE(page);
+  const std::string text((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
+  const std::string fence = "```toml\n";
+  const std::size_t begin = text.find(fence) + fence.size(), end = text.find("```\n", begin);
+  ASSERT_NE(end, std::string::npos);
+  const Scene scene = good(text.substr(begin, end - begin));
+  EXPECT_EQ(scene.ligaments.size(), 1u);
 }
 
 std::optional<Scene> real_scene(const std::string& name) {

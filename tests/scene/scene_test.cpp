@@ -21,8 +21,9 @@ TEST(Scene, RegionContainsItsEdgeOnlyWhereItSaysSo) {
 }
 
 TEST(Scene, RegionIsTheIntersectionOfItsConditions) {
-  const RegionDef r{"r", {{.axis = 2, .comparison = Comparison::greater_equal, .value = 0},
-                          {.axis = 0, .comparison = Comparison::less, .value = 5}}};
+  const RegionDef r{"r",
+                    {{.axis = 2, .comparison = Comparison::greater_equal, .value = 0},
+                     {.axis = 0, .comparison = Comparison::less, .value = 5}}};
   EXPECT_TRUE(r.contains({4, 0, 0}));
   EXPECT_FALSE(r.contains({5, 0, 0}));
   EXPECT_FALSE(r.contains({4, 0, -1}));

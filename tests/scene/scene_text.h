@@ -102,8 +102,7 @@ inline void expect_one_error(const std::string& marked_text, const std::string& 
   const Marked marked = unmarked(marked_text);
   Diagnostics out;
   EXPECT_FALSE(parse_scene(marked.text, "scene.toml", out).has_value());
-  ASSERT_EQ(out.items().size(), 1u) << "wanted: " << key << " = " << found << ": " << rule << "\n"
-                                    << all_messages(out);
+  ASSERT_EQ(out.items().size(), 1u) << "wanted: " << key << " = " << found << ": " << rule << "\n" << all_messages(out);
   const Diagnostic& d = out.items()[0];
   const std::string message = to_string(d);
   EXPECT_EQ(d.file, "scene.toml");

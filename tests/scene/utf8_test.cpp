@@ -8,8 +8,8 @@ namespace genu {
 namespace {
 
 TEST(Utf8, ValidText) {
-  for (const std::string good : {"", "a\tb\r\n", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\xa6\xb5", "\xed\x9f\xbf",
-                                 "\xf4\x8f\xbf\xbf"}) {
+  for (const std::string good :
+       {"", "a\tb\r\n", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\xa6\xb5", "\xed\x9f\xbf", "\xf4\x8f\xbf\xbf"}) {
     EXPECT_FALSE(first_invalid_utf8(good)) << good;
   }
 }

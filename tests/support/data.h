@@ -15,7 +15,7 @@ inline std::string data_path(const std::string& file) {
 
 }  // namespace genu::test
 
-#define GENU_NEEDS_DATA(file)                                              \
-  if (!std::filesystem::exists(genu::test::data_path(file))) {             \
+#define GENU_NEEDS_DATA(file)                                                  \
+  if (!std::filesystem::exists(genu::test::data_path(file))) {                 \
     GTEST_SKIP() << "no " << genu::test::data_path(file) << "; set GENU_DATA"; \
   }

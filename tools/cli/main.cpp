@@ -1,1 +1,52 @@
-int main() { return 0; }
+// genu: quasi-static equilibrium of articular joints.
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.h"
+
+namespace {
+
+constexpr int kRefused = 2;
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n"
+      "  genu run SCENE --out DIR      solve a scene, write results.csv, events.csv, summary.json\n"
+      "  genu check SCENE              say everything that is wrong with a scene and its meshes\n"
+      "  genu mesh SCENE --edge 1      write the analytic surfaces of a scene as STL",
+      "genu"};
+  app.set_version_flag("--version", GENU_VERSION_TEXT);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  genu::cli::add_run(app, exit_code);
+  genu::cli::add_check(app, exit_code);
+  genu::cli::add_mesh(app, exit_code);
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stdout);
+    return kRefused;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kRefused;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("genu: out of memory; no result was written, earlier results are untouched\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "genu: internal error: %s; no result was written, earlier results are untouched\n", error.what());
+  }
+  return 1;
+}

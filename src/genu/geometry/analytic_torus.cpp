@@ -27,15 +27,17 @@ struct Torus {
     return true;
   }
 
-  std::optional<double> gap(const Vec3& x) const {
-    return std::hypot(std::hypot(x.x(), x.y()) - R, x.z()) - r;
-  }
+  std::optional<double> gap(const Vec3& x) const { return std::hypot(std::hypot(x.x(), x.y()) - R, x.z()) - r; }
 
   Mesh start_mesh(double edge, const Vec3&, double) const {
     const double local = affordable_edge(graded_edge(edge, std::min(r, R - r)), 4 * kPi * kPi * R * r);
     // Rows are staggered by half an edge, so that only an even number of them closes round the tube.
     const int rows = 2 * std::max(3, static_cast<int>(std::lround(kPi * r / (kRowSpacing * local))));
-    const int around = grid_count(2 * kPi * R, local);
+    // As many divisions on every parallel: about `local` long in the mean, no longer than refine() lets pass on the
+    // outer equator, and not below half of that on the inner one (from R < 3 r on, refine() has to split).
+    constexpr double kLongest = 1.3;
+    const double radius = std::min(std::max(R, (R + r) / kLongest), 2 * (R - r) / kLongest);
+    const int around = grid_count(2 * kPi * radius, local);
     return grid_mesh({around, true}, {rows, true}, [&](double u, double v) {
       const double phi = 2 * kPi * u, theta = 2 * kPi * v;
       const double distance = R + r * std::cos(theta);

@@ -2,8 +2,8 @@
 //
 //   f = sum w_i g_i / sum w_i,   w_i = (1 - |x - c_i|^2 / rho_b^2)^4,   g_i = z_i - h_i(u_i, v_i)
 //
-// over the nodes i of one sheet within rho_b of x; (u, v, z) are x in the frame of node i. f is C2 wherever a node is in
-// reach (C3 away from the rims of the weights), is close to a signed distance, and is positive on the outward side.
+// over the nodes i of one sheet within rho_b of x; (u, v, z) are x in the frame of node i. f is at least C2 wherever a
+// node is in reach, is close to a signed distance, and is positive on the outward side.
 #pragma once
 
 #include <span>
@@ -16,6 +16,7 @@ namespace genu {
 
 class BlendField {
  public:
+  BlendField() = default;
   /// Heights of degree at most `degree`; sheet[i] >= 0 is the sheet of fits[i].
   BlendField(std::span<const HeightFit> fits, std::vector<int> sheet, int degree, double blend_radius);
 
@@ -37,9 +38,9 @@ class BlendField {
   bool sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;
   int nearest_node(const Vec3& x, std::span<const int> candidates) const;
 
-  int degree_;
-  double blend_radius_;
-  int stride_;
+  int degree_ = kMinDegree;
+  double blend_radius_ = 0;
+  int stride_ = 0;
   std::vector<double> records_;  ///< for each node: centre (3), axes u, v, n (9), coefficients
   std::vector<int> sheet_;
   CellLists cells_;

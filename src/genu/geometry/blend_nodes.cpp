@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSameSide = 0.3;       // cosine: nodes that face more alike than this thin each other out
 constexpr double kOpposite = -0.2;      // cosine: nodes that face less alike than this never share a sheet
+constexpr double kWorthwhile = 0.95;    // a fit is repeated only where it gets narrower than this
 constexpr double kTies = 1 - 1e-9;      // equal distances are equal whatever the frame's rounding
 
 /// Accepts points that keep their distance from the accepted ones of the same side and component.
@@ -93,13 +94,18 @@ std::vector<NodeSeed> sample_nodes(const Mesh& mesh, const VertexGraph& graph, d
 }
 
 std::vector<HeightFit> fit_nodes(const Mesh& mesh, const VertexGraph& graph, std::span<const NodeSeed> seeds,
-                                 double fit_radius, int degree) {
+                                 double fit_radius, double least_radius, int degree) {
   std::vector<HeightFit> fits(seeds.size());
   tbb::enumerable_thread_specific<HeightFitter> fitters([&] { return HeightFitter(mesh, graph); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, seeds.size(), 16), [&](const auto& range) {
     HeightFitter& fitter = fitters.local();
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      fits[i] = fitter.fit({seeds[i].position, seeds[i].normal, seeds[i].vertices, fit_radius, degree, true});
+      FitRequest request{seeds[i].position, seeds[i].normal, seeds[i].vertices, fit_radius, degree, true};
+      fits[i] = fitter.fit(request);
+      if (fits[i].degree == 0) continue;
+      const double sharpness = fits[i].curvature(fits[i].origin).norm();
+      request.radius = std::max(least_radius, kMostOfCurvature / std::max(sharpness, 1e-300));
+      if (request.radius < kWorthwhile * fit_radius) fits[i] = fitter.fit(request);
     }
   });
   return fits;

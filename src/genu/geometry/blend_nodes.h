@@ -19,9 +19,10 @@ struct NodeSeed {
 /// than that from one: greedy over the vertices in their order, then over points of the facets too large for that.
 std::vector<NodeSeed> sample_nodes(const Mesh& mesh, const VertexGraph& graph, double spacing);
 
-/// Fits at all seeds, in parallel; the result does not depend on the number of threads.
+/// Fits at all seeds, in parallel; the result does not depend on the number of threads. Where the surface turns out to
+/// be too sharply curved for `fit_radius` (m), the fit is repeated with a narrower one, down to `least_radius`.
 std::vector<HeightFit> fit_nodes(const Mesh& mesh, const VertexGraph& graph, std::span<const NodeSeed> seeds,
-                                 double fit_radius, int degree);
+                                 double fit_radius, double least_radius, int degree);
 
 /// Neighbours of each node i: adjacent[first[i] .. first[i + 1]), ascending, i itself left out.
 struct NodeLinks {
@@ -30,6 +31,19 @@ struct NodeLinks {
 
   std::span<const int> of(int i) const {
     return {adjacent.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
+  }
+
+  /// The links (i, j) that `keep` holds true for.
+  template <class F>
+  NodeLinks kept(F&& keep) const {
+    NodeLinks links;
+    for (int i = 0; i + 1 < static_cast<int>(first.size()); ++i) {
+      for (int j : of(i)) {
+        if (keep(i, j)) links.adjacent.push_back(j);
+      }
+      links.first.push_back(static_cast<int>(links.adjacent.size()));
+    }
+    return links;
   }
 };
 

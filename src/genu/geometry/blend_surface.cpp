@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -31,22 +32,6 @@ void set_derivatives(const Vec3& gradient, const Mat3& hessian, SurfacePoint& ou
   out.S(1, 0) = out.S(0, 1) = 0.5 * (out.S(0, 1) + out.S(1, 0));
 }
 
-bool check_options(const BlendOptions& options, const std::string& name, Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& key, const std::string& found, const std::string& rule) {
-    diagnostics.add({Diagnostic::Severity::error, "", 0, 0, name + key, found, rule});
-  };
-  bool ok = true;
-  if (options.fit_radius && !(*options.fit_radius > 0 && std::isfinite(*options.fit_radius))) {
-    refuse(".fit_radius", std::to_string(*options.fit_radius), "must be > 0 m");
-    ok = false;
-  }
-  if (options.degree && (*options.degree < kMinDegree || *options.degree > kMaxDegree)) {
-    refuse(".degree", std::to_string(*options.degree), "must be 2, 3 or 4");
-    ok = false;
-  }
-  return ok;
-}
-
 /// What is wrong with the mesh, or an empty text.
 std::string fault_of(const Mesh& mesh) {
   const int count = static_cast<int>(mesh.vertices.size());
@@ -62,20 +47,51 @@ std::string fault_of(const Mesh& mesh) {
   return {};
 }
 
+/// A radius below an edge would ask for nodes without vertices near them, and for any number of those.
+bool check_options(const BlendOptions& options, double median_edge, const std::string& name, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& key, const std::string& found, const std::string& rule) {
+    diagnostics.add({Diagnostic::Severity::error, "", 0, 0, name + key, found, rule});
+  };
+  const double radius = options.fit_radius.value_or(median_edge);
+  const int degree = options.degree.value_or(kMinDegree);
+  const bool radius_ok = std::isfinite(radius) && radius >= median_edge;
+  const bool degree_ok = degree >= kMinDegree && degree <= kMaxDegree;
+  if (!radius_ok) {
+    refuse(".fit_radius", fmt::format("{:g} m", radius),
+           fmt::format("must be at least the mesh's median edge, {:.3g} m", median_edge));
+  }
+  if (!degree_ok) refuse(".degree", fmt::format("{}", degree), "must be 2, 3 or 4");
+  return radius_ok && degree_ok;
+}
+
+/// Drops the seeds where no fit was possible: scraps of mesh. Returns their number.
+std::size_t drop_failures(std::vector<NodeSeed>& seeds, std::vector<HeightFit>& fits) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].degree == 0) continue;
+    fits[kept] = fits[i];
+    seeds[kept++] = seeds[i];
+  }
+  const std::size_t dropped = fits.size() - kept;
+  fits.resize(kept);
+  seeds.resize(kept);
+  return dropped;
+}
+
 }  // namespace
 
 std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions& options, const std::string& name,
                                                   Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& rule) {
-    diagnostics.add({Diagnostic::Severity::error, "", 0, 0, name, "", rule});
+  const auto report = [&](Diagnostic::Severity severity, const std::string& rule) {
+    diagnostics.add({severity, "", 0, 0, name, "", rule});
     return nullptr;
   };
-  if (!check_options(options, name, diagnostics)) return nullptr;
-  if (const std::string fault = fault_of(mesh); !fault.empty()) return refuse(fault);
+  if (const std::string fault = fault_of(mesh); !fault.empty()) return report(Diagnostic::Severity::error, fault);
   const VertexGraph graph = vertex_graph(mesh);
-  if (!(graph.area > 0)) return refuse("the mesh has no area");
+  if (!(graph.area > 0 && graph.median_edge > 0)) return report(Diagnostic::Severity::error, "the mesh has no area");
+  if (!check_options(options, graph.median_edge, name, diagnostics)) return nullptr;
 
-  const FitChoice choice = choose_fit(mesh, graph, options.fit_radius, options.degree);
+  FitChoice choice = choose_fit(mesh, graph, options.fit_radius, options.degree);
   BlendFacts facts;
   facts.degree = choice.degree;
   facts.fit_radius = choice.radius;
@@ -83,47 +99,37 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   facts.node_spacing = kSpacing * choice.radius;
   facts.median_edge = graph.median_edge;
   facts.noise_rms = choice.noise_rms;
-  facts.why = choice.why;
+  facts.why = std::move(choice.why);
 
   std::vector<NodeSeed> seeds = sample_nodes(mesh, graph, facts.node_spacing);
-  std::vector<HeightFit> fits = fit_nodes(mesh, graph, seeds, facts.fit_radius, facts.degree);
-  std::vector<int> components;
-  std::vector<Vec3> positions, normals;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (fits[i].degree == 0) continue;  // a scrap of mesh too small for any fit
-    fits[kept] = fits[i];
-    seeds[kept++] = seeds[i];
-    positions.push_back(fits[i].origin);
-    normals.push_back(fits[i].axes.col(2));
-    components.push_back(seeds[i].component);
+  std::vector<HeightFit> fits = fit_nodes(mesh, graph, seeds, choice.radius, choice.least_radius, facts.degree);
+  const std::size_t dropped = drop_failures(seeds, fits);
+  if (fits.empty()) return report(Diagnostic::Severity::error, "the mesh has too few vertices for a polynomial fit");
+  if (dropped > 0) {
+    report(Diagnostic::Severity::warning,
+           fmt::format("{} of {} places have too few vertices for a fit; the surface has no points there", dropped,
+                       dropped + fits.size()));
   }
-  fits.resize(kept);
-  seeds.resize(kept);
-  if (fits.empty()) return refuse("the mesh has too few vertices for a polynomial fit");
-  const NodeLinks near = link_nodes(positions, kNodeReach * facts.blend_radius);
-  const std::vector<int> sheets = label_sheets(positions, normals, components, near, facts.blend_radius);
-  facts.node_count = static_cast<int>(kept);
-  facts.sheet_count = 1 + *std::max_element(sheets.begin(), sheets.end());
-  return std::unique_ptr<BlendSurface>(
-      new BlendSurface(std::move(mesh), std::move(facts), graph, std::move(seeds), fits, sheets, near));
+  return std::unique_ptr<BlendSurface>(new BlendSurface(std::move(mesh), std::move(facts), graph, seeds, fits));
 }
 
-BlendSurface::BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, std::vector<NodeSeed> seeds,
-                           const std::vector<HeightFit>& fits, const std::vector<int>& sheets, const NodeLinks& near)
-    : mesh_(std::move(mesh)),
-      facts_(std::move(facts)),
-      field_(fits, sheets, facts_.degree, facts_.blend_radius),
-      boundary_(mesh_, graph, kEdgeCap * facts_.blend_radius) {
-  for (const NodeSeed& seed : seeds) node_component_.push_back(seed.component);
-  const double reach = kLinkReach * facts_.node_spacing;
+BlendSurface::BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, const std::vector<NodeSeed>& seeds,
+                           const std::vector<HeightFit>& fits)
+    : mesh_(std::move(mesh)), facts_(std::move(facts)), boundary_(mesh_, graph, kEdgeCap * facts_.blend_radius) {
+  std::vector<Vec3> positions, normals;
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    for (int j : near.of(static_cast<int>(i))) {
-      if (sheets[j] != sheets[i] || (fits[j].origin - fits[i].origin).squaredNorm() > reach * reach) continue;
-      node_links_.adjacent.push_back(j);
-    }
-    node_links_.first.push_back(static_cast<int>(node_links_.adjacent.size()));
+    positions.push_back(fits[i].origin);
+    normals.push_back(fits[i].axes.col(2));
+    node_component_.push_back(seeds[i].component);
   }
+  const NodeLinks near = link_nodes(positions, kNodeReach * facts_.blend_radius);
+  std::vector<int> sheets = label_sheets(positions, normals, node_component_, near, facts_.blend_radius);
+  facts_.node_count = static_cast<int>(fits.size());
+  facts_.sheet_count = 1 + *std::max_element(sheets.begin(), sheets.end());
+  node_links_ = near.kept([&](int i, int j) {
+    return sheets[i] == sheets[j] && (positions[i] - positions[j]).norm() < kLinkReach * facts_.node_spacing;
+  });
+  field_ = BlendField(fits, std::move(sheets), facts_.degree, facts_.blend_radius);
   place_nodes(fits, graph);
 }
 

@@ -1,8 +1,8 @@
 // A triangle mesh as one smooth surface: a globally C2 implicit blend of local polynomial fits.
 //
-// Fits of degree d to exact vertices give position, normal and curvature of orders d + 1, d and d - 1 in the mesh's edge
-// length, and the surface has no seams: contact points travel over it as over a sphere. It exists in a band round the
-// mesh, about half a blend radius thick to either side and past its edges (edge_distance tells).
+// Fits of degree d to exact vertices give position, normal and curvature of orders d + 1, d and d - 1 in the mesh's
+// edge length, and a sheet has no seams: contact points travel over it as over a sphere. It exists in a band round
+// the mesh, about half a blend radius thick to either side and past its edges (edge_distance tells).
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ namespace genu {
 
 /// What is left empty is chosen from the mesh (fit_choice.h).
 struct BlendOptions {
-  std::optional<double> fit_radius;  ///< m, > 0
+  std::optional<double> fit_radius;  ///< m, at least the mesh's median edge
   std::optional<int> degree;         ///< 2, 3 or 4
 };
 
@@ -74,8 +74,8 @@ class BlendSurface final : public Surface {
  private:
   static constexpr double kEdgeCap = 3;  // blend radii
 
-  BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, std::vector<NodeSeed> seeds,
-               const std::vector<HeightFit>& fits, const std::vector<int>& sheets, const NodeLinks& near);
+  BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, const std::vector<NodeSeed>& seeds,
+               const std::vector<HeightFit>& fits);
   void place_nodes(const std::vector<HeightFit>& fits, const VertexGraph& graph);
 
   Mesh mesh_;

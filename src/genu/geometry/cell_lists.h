@@ -19,7 +19,8 @@ class CellLists {
   /// Index of the cell that holds x, or -1 outside the grid (and for a NaN).
   int cell_of(const Vec3& x) const {
     const Vec3 t = (x - origin_) * inverse_cell_;
-    if (!(t.x() >= 0 && t.y() >= 0 && t.z() >= 0 && t.x() < size_[0] && t.y() < size_[1] && t.z() < size_[2])) return -1;
+    const bool above = t.x() >= 0 && t.y() >= 0 && t.z() >= 0;
+    if (!(above && t.x() < size_[0] && t.y() < size_[1] && t.z() < size_[2])) return -1;
     return static_cast<int>(t.x()) + size_[0] * (static_cast<int>(t.y()) + size_[1] * static_cast<int>(t.z()));
   }
 

@@ -19,33 +19,24 @@ constexpr double kNarrowest = 3;       // edges: the radius without noise
 constexpr double kResidualFrom = 2.4;  // edges: the residuals here and at kNarrowest give the noise
 constexpr double kSecondRadius = 1.4;  // ratio of the two radii at which disagreement is measured
 constexpr double kPartner = 0.7;       // radii between two fits that are compared
-// From the median disagreement to the error of one fit. Measured: white noise gives c sigma h / rho^3 with c = 28 for
-// degree 3 at 2.8; knees segmented from MRI get the radii that served them best (5-6 mm femur, 7-8 mm tibia) at 4.
-constexpr double kGain = 4.0;
+// From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
+// degree 3, the curvature's standard deviation; correlated noise shows in the disagreement itself.
+constexpr double kGain = 2.8;
 constexpr double kTolerated = 0.15;    // error of the curvature beside the flat parts' mean curvature
-constexpr double kFlatPart = 0.25;      // quantile of the mean curvature
-constexpr double kMostOfCurvature = 0.7;  // of the median radius of curvature: no wider
+// Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
+// about the radii that served them best (5 and 8 mm).
+constexpr double kFlatPart = 0.1;
 constexpr double kMostOfSheet = 0.3;      // of the root of a component's mean area: no wider
+constexpr double kNegligible = 1e-4;      // noise in curvature times the fit radius: single precision shows as much
 constexpr int kProbes = 200;
+constexpr int kRounds = 4;
+constexpr double kSettled = 0.05;
 
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
-}
-
-/// The shape operator of a fit as a 3x3 tensor (1/m) at the foot of x.
-Mat3 curvature(const HeightFit& fit, const Vec3& x) {
-  const Vec3 local = fit.axes.transpose() * (x - fit.origin);
-  const Height s = fit.height(local.x(), local.y());
-  const Vec3 gradient = fit.axes * Vec3(-s.hu, -s.hv, 1);
-  const double slope = gradient.norm();
-  const Vec3 n = gradient / slope;
-  Mat3 H = Mat3::Zero();
-  H.topLeftCorner<2, 2>() << s.huu, s.huv, s.huv, s.hvv;
-  const Mat3 P = Mat3::Identity() - n * n.transpose();
-  return P * fit.axes * H * fit.axes.transpose() * P / slope;
 }
 
 /// Fits at an even choice of vertices, and what they say; medians and quantiles, so that edges and scraps do not count.
@@ -79,7 +70,7 @@ class Probe {
       const HeightFit b = at(fitter, partner, radius);
       if (b.degree == 0) return false;
       const Vec3 middle = 0.5 * (a.origin + b.origin);
-      out = 0.5 * (curvature(a, middle) - curvature(b, middle)).squaredNorm();
+      out = 0.5 * (a.curvature(middle) - b.curvature(middle)).squaredNorm();
       return true;
     }), 0.5);
   }
@@ -89,7 +80,7 @@ class Probe {
     std::vector<double> mean(vertices_.size());
     std::vector<double> norm = collect([&](HeightFitter& fitter, std::size_t i, double& out) {
       const HeightFit fit = at(fitter, vertices_[i], radius);
-      const Mat3 S = curvature(fit, fit.origin);
+      const Mat3 S = fit.curvature(fit.origin);
       mean[i] = fit.degree > 0 ? 0.5 * std::abs(S.trace()) : -1;
       out = S.norm();
       return fit.degree > 0;
@@ -162,28 +153,29 @@ FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<d
   Probe probe(mesh, graph, choice.degree);
   choice.noise_rms = noise_from_residuals(probe, h, choice.degree);
   if (radius) {
-    choice.radius = *radius;
+    choice.radius = choice.least_radius = *radius;
     choice.why = "fit radius as given";
     return choice;
   }
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
   const double sheet = kMostOfSheet * std::sqrt(graph.area / components);
-  choice.radius = narrowest;
+  choice.radius = choice.least_radius = narrowest;
   choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
+  if (noise * narrowest < kNegligible) return choice;
   // The curvature itself is known only as well as the radius is wide: a few rounds settle both.
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const auto [flat, typical] = probe.flat_and_typical(choice.radius);
     const double wanted = flat > 0 ? narrowest * std::cbrt(noise / (kTolerated * flat)) : sheet;
     const double cap = std::min(sheet, typical > 0 ? kMostOfCurvature / typical : sheet);
     const double next = std::max(narrowest, std::min(wanted, cap));
-    const bool settled = std::abs(next - choice.radius) < 0.03 * choice.radius;
+    const bool settled = std::abs(next - choice.radius) < kSettled * choice.radius;
     choice.radius = next;
     if (next > narrowest) {
       choice.why = fmt::format("noise: curvature would err by {:.3g} 1/m at 3 edges, flat parts have {:.3g} 1/m{}",
                                noise, flat, wanted > cap ? "; held back by curvature or size" : "");
     }
-    if (settled || noise == 0) break;
+    if (settled) break;
   }
   return choice;
 }

@@ -5,7 +5,8 @@
 // disagreement of two fits 0.7 radii apart about the curvature half-way between them, which sees the correlated noise
 // of a segmentation as it acts (the residuals of a fit, which follows such noise, do not). Truncation makes fits
 // disagree too, but grows with the square of the radius: two radii tell them apart. The radius is then the smallest
-// that brings the error below 0.15 of the mean curvature of the flatter parts of the surface.
+// that brings the error below 0.15 of the mean curvature of the flatter parts of the surface; sharply curved places,
+// where the same error matters less and truncation more, may be fitted more narrowly.
 #pragma once
 
 #include <optional>
@@ -19,6 +20,7 @@ namespace genu {
 struct FitChoice {
   int degree = 3;
   double radius = 0;     ///< m
+  double least_radius = 0;  ///< m: a sharply curved place may be fitted as narrowly as this
   double noise_rms = 0;  ///< m, of the vertices about the narrowest fits; correlated noise counts in part only
   std::string why;
 };

@@ -29,6 +29,18 @@ Height HeightFit::height(double u, double v) const {
   }
 }
 
+Mat3 HeightFit::curvature(const Vec3& x) const {
+  const Vec3 local = axes.transpose() * (x - origin);
+  const Height s = height(local.x(), local.y());
+  const Vec3 gradient = axes * Vec3(-s.hu, -s.hv, 1);
+  const double slope = gradient.norm();
+  const Vec3 n = gradient / slope;
+  Mat3 H = Mat3::Zero();
+  H.topLeftCorner<2, 2>() << s.huu, s.huv, s.huv, s.hvv;
+  const Mat3 P = Mat3::Identity() - n * n.transpose();
+  return P * axes * H * axes.transpose() * P / slope;
+}
+
 HeightFitter::HeightFitter(const Mesh& mesh, const VertexGraph& graph)
     : mesh_(mesh), graph_(graph), stamp_(mesh.vertices.size(), 0) {}
 
@@ -48,7 +60,8 @@ HeightFit HeightFitter::fit(const FitRequest& request) {
   fit.axes.col(2) = request.normal;
   average_normal(fit, last * request.radius);
   for (int degree = request.degree - 1; degree >= kMinDegree; --degree) {
-    if (static_cast<int>(gathered_.size()) > coefficient_count(degree) && solve(fit, degree, last * request.radius)) break;
+    const bool enough = static_cast<int>(gathered_.size()) > coefficient_count(degree);
+    if (enough && solve(fit, degree, last * request.radius)) break;
   }
   return fit;
 }

@@ -27,7 +27,13 @@ struct HeightFit {
 
   /// Height of order 2 at local (u, v), whatever the degree.
   Height height(double u, double v) const;
+
+  /// The shape operator (1/m) in the mesh's frame, as a 3x3 tensor that is zero across, where local u and v are x's.
+  Mat3 curvature(const Vec3& x) const;
 };
+
+/// A fit no wider than this fraction of the radius of curvature (1 / norm of the shape operator) truncates little.
+constexpr double kMostOfCurvature = 0.7;
 
 /// What is wanted of a fit.
 struct FitRequest {

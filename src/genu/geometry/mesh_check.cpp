@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 namespace genu {
 namespace {
@@ -77,8 +77,9 @@ void check_scale(const MeshReport& report, const std::string& file, const std::s
   const double size = report.box.diagonal();
   if (size >= kSmallest && size <= kLargest) return;
   const bool refused = !(size >= kTooSmall && size <= kTooLarge);
-  std::string rule = fmt::format("read in {}, the surface is {:.3g} mm across, but a knee's are between {:.0f} and {:.0f} mm",
-                                 unit, size * 1e3, kSmallest * 1e3, kLargest * 1e3);
+  std::string rule =
+      fmt::format("read in {}, the surface is {:.3g} mm across, but a knee's are between {:.0f} and {:.0f} mm", unit,
+                  size * 1e3, kSmallest * 1e3, kLargest * 1e3);
   const auto plausible = [](double d) { return d >= kSmallest && d <= kLargest; };
   if (unit == "m" && plausible(size / 1000)) {
     rule += fmt::format(": in mm it would be {:.3g} mm; write units = \"mm\"", size);

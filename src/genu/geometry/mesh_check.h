@@ -16,8 +16,8 @@ inline constexpr double kSliverAngle = 0.0873;
 struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  int components = 0;                   ///< sheets connected through edges
-  std::size_t boundary_loops = 0;       ///< 0 for a closed surface, 1 for an open sheet without holes
+  int components = 0;              ///< sheets connected through edges
+  std::size_t boundary_loops = 0;  ///< 0 for a closed surface, 1 for an open sheet without holes
   std::size_t boundary_edges = 0;
   std::size_t non_manifold_edges = 0;   ///< edges of more than two triangles
   std::size_t flipped = 0;              ///< triangles whose winding disagrees with most of their component

@@ -66,6 +66,9 @@ std::uint64_t ply_size(const std::string& type) {
   return 4;
 }
 
+// No file holds so many; keeps sums and products of counts from overflowing.
+constexpr std::uint64_t kCountless = std::uint64_t{1} << 48;
+
 // What a PLY header promises.
 struct PlyHeader {
   bool ascii = false;
@@ -85,6 +88,7 @@ PlyHeader read_ply_header(std::istream& in) {
     if (!(words >> word)) continue;
     if (word == "format" && words >> type) header.ascii = type == "ascii";
     if (word == "element" && words >> element >> count) {
+      count = std::min(count, kCountless);
       header.entries += count;
       if (element == "face") header.faces = static_cast<std::size_t>(count);
     }
@@ -112,7 +116,8 @@ MeshFileCheck check_ply(const std::string& path, std::uint64_t size) {
   std::uint64_t lines = 0;
   const auto body = static_cast<std::uint64_t>(in.tellg());
   // The last line too has to end: a number cut in two is another number.
-  while (header.ascii && std::getline(in, line)) lines += !in.eof() && line.find_first_not_of(" \t\r") != std::string::npos;
+  while (header.ascii && std::getline(in, line))
+    lines += !in.eof() && line.find_first_not_of(" \t\r") != std::string::npos;
   if (header.ascii ? lines < header.entries : size - body < header.bytes) {
     return {.problem = "holds less than its header promises: it is truncated; copy or export it again"};
   }
@@ -125,13 +130,15 @@ MeshFileCheck check_mesh_file(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status)) return {.problem = "there is no such mesh file; check the path, relative to the scene's folder"};
+  if (!fs::exists(status))
+    return {.problem = "there is no such mesh file; check the path, relative to the scene's folder"};
   if (fs::is_directory(status)) return {.problem = "is a folder; name the mesh file inside it"};
   if (!fs::is_regular_file(status)) return {.problem = "is not a regular file; name an STL, PLY or OBJ file"};
   const std::uint64_t size = fs::file_size(path, failure);
   if (failure || !std::ifstream(path, std::ios::binary)) return {.problem = "cannot be opened; check its permissions"};
   if (size == 0) return {.problem = "is empty; copy or export it again"};
-  const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const auto memory =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   if (size > memory / kMemoryPerByte) return {.problem = "is too large for this computer's memory; reduce the mesh"};
   const std::string extension = lower(fs::path(path).extension().string());
   if (extension == ".stl") return check_stl(path, size);

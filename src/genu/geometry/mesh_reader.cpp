@@ -3,8 +3,8 @@
 #include <exception>
 #include <limits>
 
-#include <assimp/Importer.hpp>
 #include <assimp/scene.h>
+#include <assimp/Importer.hpp>
 
 #include "genu/geometry/mesh_file_check.h"
 #include "genu/geometry/mesh_weld.h"
@@ -30,7 +30,8 @@ std::string append(const aiMesh& part, Mesh& mesh) {
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
-      if (face.mIndices[k] >= part.mNumVertices) return "has a face that names a vertex it does not have: export it again";
+      if (face.mIndices[k] >= part.mNumVertices)
+        return "has a face that names a vertex it does not have: export it again";
     }
     const auto corner = [&](unsigned k) { return static_cast<int>(base + face.mIndices[k]); };
     // Points and lines are not a surface; a polygon becomes a fan.

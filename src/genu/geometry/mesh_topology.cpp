@@ -117,7 +117,8 @@ std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const std::vector
       walked[i] = true;
       loop.push_back(sides[i][0]);
       auto next = std::lower_bound(sides.begin(), sides.end(), std::array<int, 2>{sides[i][1], -1});
-      while (next != sides.end() && (*next)[0] == sides[i][1] && walked[static_cast<std::size_t>(next - sides.begin())]) {
+      while (next != sides.end() && (*next)[0] == sides[i][1] &&
+             walked[static_cast<std::size_t>(next - sides.begin())]) {
         ++next;
       }
       if (next == sides.end() || (*next)[0] != sides[i][1]) break;
@@ -166,8 +167,8 @@ WindingReport make_winding_consistent(Mesh& mesh, const std::vector<MeshEdge>& e
         if (side < 0) continue;
         const MeshEdge& e = edges[at(side)];
         const int other = e.t[0] == t ? e.t[1] : e.t[0];
-        const bool agree = direction(mesh.triangles[at(t)], e.v[0], e.v[1]) !=
-                           direction(mesh.triangles[at(other)], e.v[0], e.v[1]);
+        const bool agree =
+            direction(mesh.triangles[at(t)], e.v[0], e.v[1]) != direction(mesh.triangles[at(other)], e.v[0], e.v[1]);
         const int wanted = agree ? turn[at(t)] : -turn[at(t)];
         if (turn[at(other)] == 0) {
           turn[at(other)] = wanted;

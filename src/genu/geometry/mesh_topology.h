@@ -44,8 +44,8 @@ Components connected_components(const Mesh& mesh);
 
 /// What make_winding_consistent found.
 struct WindingReport {
-  std::size_t flipped = 0;      ///< triangles turned round
-  bool orientable = true;       ///< false where no winding agrees everywhere (a Moebius strip)
+  std::size_t flipped = 0;  ///< triangles turned round
+  bool orientable = true;   ///< false where no winding agrees everywhere (a Moebius strip)
 };
 
 /// Turns triangles round until neighbours agree; of the two windings a component can have, the one with fewer

@@ -52,7 +52,8 @@ void join_near(const std::vector<Vec3>& vertices, double tolerance, std::vector<
   std::unordered_map<Cell, std::vector<int>, CellHash> cells;
   cells.reserve(vertices.size());
   const auto cell_of = [&](const Vec3& x) {
-    return Cell{static_cast<std::int64_t>(std::floor(x[0] / width)), static_cast<std::int64_t>(std::floor(x[1] / width)),
+    return Cell{static_cast<std::int64_t>(std::floor(x[0] / width)),
+                static_cast<std::int64_t>(std::floor(x[1] / width)),
                 static_cast<std::int64_t>(std::floor(x[2] / width))};
   };
   for (std::size_t v = 0; v < vertices.size(); ++v) {

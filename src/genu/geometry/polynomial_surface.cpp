@@ -191,14 +191,12 @@ struct CylindricalChart {
   bool contains(const Vec2& u) const {
     return (!P.depends_on_x() || std::abs(u.x()) <= kPi) && P.value(u.x(), u.y()) > 0;
   }
-  double side(const Vec3& x) const {
-    return std::hypot(x.x(), x.y()) - P.value(std::atan2(x.y(), x.x()), x.z());
-  }
+  double side(const Vec3& x) const { return std::hypot(x.x(), x.y()) - P.value(std::atan2(x.y(), x.x()), x.z()); }
 
   ChartJet jet(const Vec2& u) const {
     const PolynomialJet r = P(u.x(), u.y());
     const Vec3 e(std::cos(u.x()), std::sin(u.x()), 0), t(-e.y(), e.x(), 0);
-    return {r.f * e + u.y() * Vec3::UnitZ(), r.x * e + r.f * t, r.y * e + Vec3::UnitZ(),
+    return {r.f * e + u.y() * Vec3::UnitZ(), r.x * e + r.f * t,  r.y * e + Vec3::UnitZ(),
             (r.xx - r.f) * e + 2 * r.x * t,  r.xy * e + r.y * t, r.yy * e};
   }
 

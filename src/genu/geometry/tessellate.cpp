@@ -58,19 +58,19 @@ Mesh grid_mesh(const GridAxis& s, const GridAxis& t, const std::function<Vec3(do
 
 Mesh geodesic_mesh(const Vec3& radii, double edge) {
   constexpr double g = std::numbers::phi;
-  const std::array<Vec3, 12> corners{Vec3(-1, g, 0), Vec3(1, g, 0),  Vec3(-1, -g, 0), Vec3(1, -g, 0),
-                                     Vec3(0, -1, g), Vec3(0, 1, g),  Vec3(0, -1, -g), Vec3(0, 1, -g),
-                                     Vec3(g, 0, -1), Vec3(g, 0, 1),  Vec3(-g, 0, -1), Vec3(-g, 0, 1)};
-  constexpr int faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9},  {5, 11, 4},
-                                {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6},  {3, 6, 8},
-                                {3, 8, 9},  {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  const std::array<Vec3, 12> corners{Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0),
+                                     Vec3(0, -1, g), Vec3(0, 1, g), Vec3(0, -1, -g), Vec3(0, 1, -g),
+                                     Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)};
+  constexpr int faces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                                {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                                {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   constexpr double kArc = 1.1071487177940904;  // between neighbouring corners, seen from the centre
   const double shortest = radii.minCoeff();
   const int n = std::max(2, static_cast<int>(std::lround(kArc * shortest / graded_edge(edge, shortest))));
   Mesh mesh;
   // A vertex is known by its weights on the corners, which neighbouring faces share along an edge.
   std::map<std::array<int, 6>, int> known;
-  const auto vertex = [&](const int (&face)[3], int i, int j) {
+  const auto vertex = [&](const int(&face)[3], int i, int j) {
     std::array<std::pair<int, int>, 3> weights{std::pair{face[0], n - i - j}, {face[1], i}, {face[2], j}};
     std::sort(weights.begin(), weights.end());
     std::array<int, 6> key{};

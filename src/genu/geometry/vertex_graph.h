@@ -15,7 +15,8 @@ struct VertexGraph {
   std::vector<int> component;     ///< connected component of each vertex; -1 where no triangle is
   std::vector<int> first;         ///< vertices + 1 entries: the neighbours of v are adjacent[first[v] .. first[v + 1])
   std::vector<int> adjacent;      ///< ascending for each vertex
-  std::vector<std::array<int, 3>> boundary;  ///< edges with one triangle: {from, to, triangle}, the triangle on the left
+  /// Edges with one triangle: {from, to, triangle}, the triangle on the left.
+  std::vector<std::array<int, 3>> boundary;
   double median_edge = 0;         ///< m
   double area = 0;                ///< m^2
 

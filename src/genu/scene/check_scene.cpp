@@ -1,8 +1,8 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "genu/core/units.h"
 #include "genu/scene/read_parts.h"
@@ -49,7 +49,8 @@ bool check_tree(ReadContext& context) {
   }
   for (const JointDef& joint : scene.joints) {
     if (joint.parent == joint.child || !is_own_ancestor(scene, joint.child)) continue;
-    context.error(joint.where, "joint." + joint.name, {}, "parents go round in a circle: they must lead to a fixed body");
+    context.error(joint.where, "joint." + joint.name, {},
+                  "parents go round in a circle: they must lead to a fixed body");
     return false;  // one report a scene: the other joints of the circle would say the same
   }
   for (const JointDef& joint : scene.joints) sound = sound && joint.parent != joint.child;
@@ -71,8 +72,9 @@ constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, 
 std::string length_rule_broken(const LigamentDef& ligament, double length) {
   // The direction of the force is undefined at zero length, except for a spring, which may have no force there.
   if (ligament.law != LigamentDef::Law::spring) {
-    return length > kCoincident ? std::string()
-                                : "the two ends coincide at the reference pose; only law \"spring\" may have zero length";
+    return length > kCoincident
+               ? std::string()
+               : "the two ends coincide at the reference pose; only law \"spring\" may have zero length";
   }
   if (ligament.rest != LigamentDef::Rest::reference_force) return {};
   const double slack = length - ligament.rest_value / ligament.stiffness;
@@ -102,8 +104,8 @@ class Columns {
     const auto [at, is_new] = owner_.emplace(column, object);
     if (is_new || object == last_refused_) return;
     last_refused_ = object;  // one report an object
-    context_.error(where, object, {}, fmt::format("its result column {} is also one of {}: rename one of the two",
-                                                  column, at->second));
+    context_.error(where, object, {},
+                   fmt::format("its result column {} is also one of {}: rename one of the two", column, at->second));
   }
 
  private:

@@ -26,8 +26,12 @@ struct ReadContext {
   int rigid_pairs = 0;
 
   void error(SourceLocation where, std::string key, std::string found, std::string rule) {
-    out.add({.file = file, .line = where.line, .column = where.column, .key = std::move(key),
-             .found = std::move(found), .rule = std::move(rule)});
+    out.add({.file = file,
+             .line = where.line,
+             .column = where.column,
+             .key = std::move(key),
+             .found = std::move(found),
+             .rule = std::move(rule)});
   }
 };
 

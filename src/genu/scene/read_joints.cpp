@@ -14,8 +14,8 @@ struct Axis {
   int index;
   double sign;
 };
-constexpr std::array<Axis, 6> kAxes = {{{"x", 0, 1}, {"y", 1, 1}, {"z", 2, 1}, {"-x", 0, -1}, {"-y", 1, -1},
-                                        {"-z", 2, -1}}};
+constexpr std::array<Axis, 6> kAxes = {
+    {{"x", 0, 1}, {"y", 1, 1}, {"z", 2, 1}, {"-x", 0, -1}, {"-y", 1, -1}, {"-z", 2, -1}}};
 
 /// "flexion -z"
 std::optional<JointDef::Rotation> read_rotation(ReadContext& context, const Item& item) {

@@ -41,8 +41,8 @@ void read_ends(ReadContext& context, Section& section, LigamentDef& ligament) {
 NumberRule stiffness_rule(const ReadContext& context, Law law) {
   const bool per_length = law == Law::spring || law == Law::abdel_rahman;
   if (!per_length) return positive({.unit = 1, .unit_name = "N", .above = {}, .at_least = {}});
-  return positive({.unit = 1 / context.scene.length_unit, .unit_name = "N/" + context.length_name, .above = {},
-                   .at_least = {}});
+  return positive(
+      {.unit = 1 / context.scene.length_unit, .unit_name = "N/" + context.length_name, .above = {}, .at_least = {}});
 }
 
 void read_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
@@ -113,9 +113,12 @@ bool read_law(ReadContext& context, Section& section, LigamentDef& ligament) {
 NumberRule rest_rule(const ReadContext& context, const LigamentDef& ligament, bool law_known) {
   const bool both_ways = ligament.law == Law::spring || !law_known;
   switch (ligament.rest) {
-    case Rest::slack_length: return both_ways ? non_negative(length_rule(context)) : positive(length_rule(context));
-    case Rest::reference_strain: return {.unit = 1, .unit_name = {}, .above = -1, .at_least = {}};
-    case Rest::reference_force: break;
+    case Rest::slack_length:
+      return both_ways ? non_negative(length_rule(context)) : positive(length_rule(context));
+    case Rest::reference_strain:
+      return {.unit = 1, .unit_name = {}, .above = -1, .at_least = {}};
+    case Rest::reference_force:
+      break;
   }
   const NumberRule force{.unit = 1, .unit_name = "N", .above = {}, .at_least = {}};
   return both_ways ? force : non_negative(force);

@@ -31,11 +31,16 @@ class Scanner {
   bool comparison(RegionDef::Comparison& out) {
     using Comparison = RegionDef::Comparison;
     skip_spaces();
-    if (word("<=")) out = Comparison::less_equal;
-    else if (word(">=")) out = Comparison::greater_equal;
-    else if (word("<")) out = Comparison::less;
-    else if (word(">")) out = Comparison::greater;
-    else return false;
+    if (word("<="))
+      out = Comparison::less_equal;
+    else if (word(">="))
+      out = Comparison::greater_equal;
+    else if (word("<"))
+      out = Comparison::less;
+    else if (word(">"))
+      out = Comparison::greater;
+    else
+      return false;
     return true;
   }
 

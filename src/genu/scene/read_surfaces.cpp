@@ -43,8 +43,8 @@ std::optional<SurfaceDef::Term> read_term(ReadContext& context, const Item& item
   const auto i = read_exponent(context, item.element(0)), j = read_exponent(context, item.element(1));
   if (!i || !j) return {};
   const int lengths = cylindrical ? 1 - *j : 1 - *i - *j;
-  const NumberRule rule{.unit = std::pow(context.scene.length_unit, lengths), .unit_name = {}, .above = {},
-                        .at_least = {}};
+  const NumberRule rule{
+      .unit = std::pow(context.scene.length_unit, lengths), .unit_name = {}, .above = {}, .at_least = {}};
   const auto c = read_number(context, item.element(2), rule);
   if (!c) return {};
   return SurfaceDef::Term{*i, *j, *c};
@@ -129,8 +129,8 @@ void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
     return;
   }
   // Without a shape no key of any shape can be called wrong.
-  for (const char* key : {"radius", "radii", "major_radius", "minor_radius", "chart", "terms", "file", "units",
-                          "fit_radius", "degree"}) {
+  for (const char* key :
+       {"radius", "radii", "major_radius", "minor_radius", "chart", "terms", "file", "units", "fit_radius", "degree"}) {
     section.find(key);
   }
 }

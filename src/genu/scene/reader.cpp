@@ -86,7 +86,11 @@ void read_header(ReadContext& context, Section& root) {
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
   if (const auto bad = first_invalid_utf8(text)) {
-    out.add({.file = path, .line = bad->line, .column = bad->column, .key = {}, .found = {},
+    out.add({.file = path,
+             .line = bad->line,
+             .column = bad->column,
+             .key = {},
+             .found = {},
              .rule = "is not UTF-8 text from here on"});
     return std::nullopt;
   }

@@ -8,10 +8,14 @@ namespace {
 
 bool holds(const RegionDef::Condition& c, double x) {
   switch (c.comparison) {
-    case RegionDef::Comparison::less: return x < c.value;
-    case RegionDef::Comparison::less_equal: return x <= c.value;
-    case RegionDef::Comparison::greater: return x > c.value;
-    case RegionDef::Comparison::greater_equal: return x >= c.value;
+    case RegionDef::Comparison::less:
+      return x < c.value;
+    case RegionDef::Comparison::less_equal:
+      return x <= c.value;
+    case RegionDef::Comparison::greater:
+      return x > c.value;
+    case RegionDef::Comparison::greater_equal:
+      return x >= c.value;
   }
   return false;
 }

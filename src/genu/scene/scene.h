@@ -25,7 +25,8 @@ struct BodyDef {
 };
 
 /// A free joint: it names the six coordinates of `child` in `parent` and constrains nothing.
-/// R_parent_child = R1 R2 R3 (successive rotations about the child's own axes); x = child's origin in the parent's axes.
+/// R_parent_child = R1 R2 R3 (successive rotations about the child's own axes); x = child's origin in the parent's
+/// axes.
 struct JointDef {
   struct Rotation {
     std::string name;
@@ -49,15 +50,15 @@ struct SurfaceDef {
   std::string name;
   int body = -1;
   Shape shape = Shape::plane;
-  Pose placement;              ///< X_body_surface
-  bool inside = false;         ///< the outward side turned round (a socket)
-  double radius = 0;           ///< sphere, cylinder: m
-  Vec3 radii = Vec3::Zero();   ///< ellipsoid: m
-  double major_radius = 0;     ///< torus: m
-  double minor_radius = 0;     ///< torus: m
-  std::vector<Term> terms;     ///< polynomial
-  std::string file;            ///< mesh: path as opened (already relative to the scene's folder)
-  double file_unit = 1;        ///< mesh: m per unit of the file
+  Pose placement;                    ///< X_body_surface
+  bool inside = false;               ///< the outward side turned round (a socket)
+  double radius = 0;                 ///< sphere, cylinder: m
+  Vec3 radii = Vec3::Zero();         ///< ellipsoid: m
+  double major_radius = 0;           ///< torus: m
+  double minor_radius = 0;           ///< torus: m
+  std::vector<Term> terms;           ///< polynomial
+  std::string file;                  ///< mesh: path as opened (already relative to the scene's folder)
+  double file_unit = 1;              ///< mesh: m per unit of the file
   std::optional<double> fit_radius;  ///< mesh: m
   std::optional<int> degree;         ///< mesh: 2 to 4
   SourceLocation where;

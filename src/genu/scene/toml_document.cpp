@@ -13,8 +13,8 @@
 #define TOML_MAX_NESTED_VALUES 16
 #include <toml++/toml.h>
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <tuple>
 
 namespace genu {
@@ -98,11 +98,16 @@ int line_nested_too_deep(const std::string& text) {
 std::string escaped(const std::string& text) {
   std::string s;
   for (const char c : text) {
-    if (c == '\n') s += "\\n";
-    else if (c == '\t') s += "\\t";
-    else if (c == '"' || c == '\\') s += std::string("\\") + c;
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) s += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else s += c;
+    if (c == '\n')
+      s += "\\n";
+    else if (c == '\t')
+      s += "\\t";
+    else if (c == '"' || c == '\\')
+      s += std::string("\\") + c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      s += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      s += c;
   }
   return s;
 }
@@ -143,14 +148,22 @@ const TomlNode* TomlNode::member(std::string_view name) const {
 
 std::optional<TomlNode> parse_toml(const std::string& text, const std::string& file, Diagnostics& out) {
   if (const int line = line_nested_too_deep(text); line > 0) {
-    out.add({.file = file, .line = line, .column = 1, .key = {}, .found = {},
+    out.add({.file = file,
+             .line = line,
+             .column = 1,
+             .key = {},
+             .found = {},
              .rule = fmt::format("more than {} dots in one key", kMaxDotsInKey)});
     return std::nullopt;
   }
   const toml::parse_result result = toml::parse(std::string_view(text), std::string_view(file));
   if (!result) {
     const SourceLocation where = location(result.error().source());
-    out.add({.file = file, .line = where.line, .column = where.column, .key = {}, .found = {},
+    out.add({.file = file,
+             .line = where.line,
+             .column = where.column,
+             .key = {},
+             .found = {},
              .rule = "not valid TOML: " + std::string(result.error().description())});
     return std::nullopt;
   }
@@ -159,13 +172,20 @@ std::optional<TomlNode> parse_toml(const std::string& text, const std::string& f
 
 std::string literal(const TomlNode& node) {
   switch (node.kind) {
-    case TomlNode::Kind::table: return "a table";
-    case TomlNode::Kind::array: return shortened(array_literal(node), kLiteralSize);
-    case TomlNode::Kind::string: return "\"" + shortened(escaped(node.text), kLiteralSize) + "\"";
-    case TomlNode::Kind::integer: return std::to_string(node.integer);
-    case TomlNode::Kind::floating: return floating_literal(node.number);
-    case TomlNode::Kind::boolean: return node.boolean ? "true" : "false";
-    case TomlNode::Kind::date: return "a date or time";
+    case TomlNode::Kind::table:
+      return "a table";
+    case TomlNode::Kind::array:
+      return shortened(array_literal(node), kLiteralSize);
+    case TomlNode::Kind::string:
+      return "\"" + shortened(escaped(node.text), kLiteralSize) + "\"";
+    case TomlNode::Kind::integer:
+      return std::to_string(node.integer);
+    case TomlNode::Kind::floating:
+      return floating_literal(node.number);
+    case TomlNode::Kind::boolean:
+      return node.boolean ? "true" : "false";
+    case TomlNode::Kind::date:
+      return "a date or time";
   }
   return {};
 }

@@ -1,7 +1,7 @@
 #include "genu/scene/values.h"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "genu/scene/words.h"
 
@@ -119,8 +119,7 @@ std::optional<int> read_choice(ReadContext& context, const Item& item, const std
   return {};
 }
 
-std::string unknown_name_rule(const std::string& kind, const std::string& name,
-                              const std::vector<std::string>& known) {
+std::string unknown_name_rule(const std::string& kind, const std::string& name, const std::vector<std::string>& known) {
   const std::string list = known.empty() ? "the scene has none" : "known: " + quoted_list(known);
   return "unknown " + kind + "; " + list + did_you_mean(name, known);
 }

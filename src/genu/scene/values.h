@@ -1,5 +1,5 @@
-// Single values of a scene file: each function checks type and rule, reports what is wrong, and returns the value in SI.
-// An item without a node is a key that is absent: it reads as nothing, silently (Section::require has spoken).
+// Single values of a scene file: each function checks type and rule, reports what is wrong, and returns the value in
+// SI. An item without a node is a key that is absent: it reads as nothing, silently (Section::require has spoken).
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct Item {
 
 /// What a number must be. Bounds are in the file's unit, as the messages are.
 struct NumberRule {
-  double unit = 1;        ///< SI per unit of the file
-  std::string unit_name;  ///< for messages, e.g. "mm"
+  double unit = 1;                 ///< SI per unit of the file
+  std::string unit_name;           ///< for messages, e.g. "mm"
   std::optional<double> above;     ///< value > above
   std::optional<double> at_least;  ///< value >= at_least
 };
@@ -37,8 +37,7 @@ void refuse(ReadContext& context, const Item& item, std::string rule);
 
 /// Finite, within the rule, and finite and not flushed to zero in SI. Integers are numbers too.
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule = {});
-std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item, std::int64_t least,
-                                         std::int64_t most);
+std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item, std::int64_t least, std::int64_t most);
 std::optional<std::string> read_string(ReadContext& context, const Item& item);
 std::optional<bool> read_bool(ReadContext& context, const Item& item);
 /// An array; `size` elements exactly where it is given. `form` says what is expected, e.g. "three numbers".

@@ -1,0 +1,225 @@
+#include "genu/results/pose_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+constexpr double kMillimetre = 1e3;
+constexpr double kDegree = 180 / M_PI;
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::string coordinate_column(const Scene& scene, const CoordinateRef& c) {
+  return coordinate_name(scene, c) + (c.index < 3 ? "_deg" : "_mm");
+}
+std::string reaction_column(const Scene& scene, const CoordinateRef& c) {
+  return coordinate_name(scene, c) + ".reaction" + (c.index < 3 ? "_Nm" : "_N");
+}
+double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? kDegree : kMillimetre); }
+
+/// A contact point as shown: held or open.
+struct ShownContact {
+  double force = 0, gap = 0;
+  Vec3 a, b;
+};
+
+class PoseTable {
+ public:
+  PoseTable(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+            const std::vector<PoseRecord>& records)
+      : scene_(scene), model_(model) {
+    count_contacts(records);
+    add_columns(steps);
+    for (const PoseRecord& record : records) add_row(record);
+  }
+  ResultTable take() { return std::move(table_); }
+
+ private:
+  void count_contacts(const std::vector<PoseRecord>& records) {
+    numbers_.assign(model_.pairs.size(), 0);
+    for (const PoseRecord& r : records)
+      for (std::size_t p = 0; p < r.point.pose.last_number.size(); ++p)
+        numbers_[p] = std::max(numbers_[p], r.point.pose.last_number[p]);
+  }
+
+  void add_columns(const std::vector<StepPlan>& steps) {
+    for (const char* name : {"step", "increment", "time_s", "status"}) table_.add_column(name);
+    for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
+      for (int i = 0; i < 6; ++i) table_.add_column(coordinate_column(scene_, {j, i}));
+      for (int i = 0; i < 6; ++i)
+        for (const StepPlan& step : steps)
+          for (const auto& p : step.prescribed)
+            if (p.coordinate == CoordinateRef{j, i}) table_.add_column(reaction_column(scene_, p.coordinate));
+    }
+    for (std::size_t p = 0; p < model_.pairs.size(); ++p) {
+      add_contact_columns(model_.pairs[p].name, p);
+      for (const RegionDef& region : scene_.contacts[p].regions) {
+        const std::string name = model_.pairs[p].name + "." + region.name;
+        table_.add_column(name + ".force_N");
+        table_.add_column(name + ".points");
+        for (const char* axis : kAxes) table_.add_column(fmt::format("{}.{}_mm", name, axis));
+      }
+      for (int k = 1; numbers_[p] > 1 && k <= numbers_[p]; ++k)
+        add_contact_columns(fmt::format("{}.{}", model_.pairs[p].name, k), p);
+    }
+    for (const auto& l : model_.ligaments)
+      for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    for (const char* name : {"stability.min_eigenvalue_Nmm", "stability", "newton.iterations", "residual"})
+      table_.add_column(name);
+  }
+
+  const std::string& surface_name(std::size_t pair, bool b) const {
+    const ContactDef& c = scene_.contacts[pair];
+    return scene_.surfaces[at(b ? c.surface_b : c.surface_a)].name;
+  }
+
+  void add_contact_columns(const std::string& name, std::size_t pair) {
+    table_.add_column(name + ".force_N");
+    table_.add_column(name + ".gap_mm");
+    for (const bool b : {false, true})
+      for (const char* axis : kAxes) table_.add_column(fmt::format("{}.{}.{}_mm", name, surface_name(pair, b), axis));
+  }
+
+  void add_row(const PoseRecord& record) {
+    const PosePoint& point = record.point;
+    table_.add_row();
+    table_.set("step", static_cast<long>(point.step));
+    table_.set("increment", static_cast<long>(point.increment));
+    table_.set("status", std::string(to_string(point.report.status)));
+    if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
+      for (const auto& p : point.target.prescribed)
+        table_.set(coordinate_column(scene_, p.coordinate), shown(p.coordinate, p.value));
+      return;
+    }
+    set_coordinates(point);
+    for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
+    set_ligaments(point);
+    table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
+    table_.set("stability", std::string(point.stability.flutter && point.stability.smallest < 0
+                                            ? "unstable"
+                                            : to_string(point.stability.verdict)));
+    table_.set("newton.iterations", static_cast<long>(point.report.iterations));
+    table_.set("residual", point.report.certificate.residual);
+  }
+
+  void set_coordinates(const PosePoint& point) {
+    const State& state = point.pose.state;
+    for (int j = 0; j < static_cast<int>(state.coordinates.size()); ++j)
+      for (int i = 0; i < 6; ++i)
+        table_.set(coordinate_column(scene_, {j, i}), shown({j, i}, state.coordinates[at(j)][at(i)]));
+    for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
+      table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
+  }
+
+  void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
+    for (const bool second : {false, true})
+      for (Eigen::Index i = 0; i < 3; ++i)
+        table_.set(fmt::format("{}.{}.{}_mm", name, surface_name(pair, second), kAxes[i]),
+                   kMillimetre * (second ? b : a)[i]);
+  }
+
+  void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {
+    table_.set(name + ".force_N", c.force);
+    table_.set(name + ".gap_mm", kMillimetre * c.gap);
+    set_point(name, pair, c.a, c.b);
+  }
+
+  std::map<int, ShownContact> contacts_of(std::size_t pair, const PosePoint& point) const {
+    std::map<int, ShownContact> shown_contacts;
+    const auto& p = model_.pairs[pair];
+    const Pose &X_a = point.pose.state.poses[at(p.body_a)], &X_b = point.pose.state.poses[at(p.body_b)];
+    for (const ActiveContact& c : point.pose.state.contacts) {
+      if (at(c.pair) != pair) continue;
+      const double gap = (X_a.R * c.geometry.a.n).dot(X_b * c.geometry.b.p - X_a * c.geometry.a.p);
+      shown_contacts[c.number] = {c.force, gap, c.geometry.a.p, c.geometry.b.p};
+    }
+    for (const OpenContact& c : point.pose.open)
+      if (at(c.pair) == pair) shown_contacts[c.number] = {0, c.gap, c.geometry.a.p, c.geometry.b.p};
+    return shown_contacts;
+  }
+
+  void set_pair(std::size_t pair, const PoseRecord& record) {
+    const std::string& name = model_.pairs[pair].name;
+    const auto contacts = contacts_of(pair, record.point);
+    ShownContact total{0, record.pair_gap[pair], Vec3::Zero(), Vec3::Zero()};
+    const ShownContact* nearest = nullptr;
+    for (const auto& [number, c] : contacts) {
+      if (numbers_[pair] > 1) set_contact(fmt::format("{}.{}", name, number), pair, c);
+      total.force += c.force;
+      total.a += c.force * c.a;
+      total.b += c.force * c.b;
+      if (nearest == nullptr || c.gap < nearest->gap) nearest = &c;
+    }
+    table_.set(name + ".force_N", total.force);
+    table_.set(name + ".gap_mm", kMillimetre * total.gap);
+    if (total.force > 0) set_point(name, pair, total.a / total.force, total.b / total.force);
+    else if (nearest != nullptr) set_point(name, pair, nearest->a, nearest->b);
+    for (const RegionDef& region : scene_.contacts[pair].regions) set_region(name + "." + region.name, region, contacts);
+  }
+
+  void set_region(const std::string& name, const RegionDef& region, const std::map<int, ShownContact>& contacts) {
+    double force = 0;
+    long points = 0;
+    Vec3 centre = Vec3::Zero();
+    for (const auto& [number, c] : contacts) {
+      if (!(c.force > 0) || !region.contains(c.b)) continue;
+      force += c.force;
+      centre += c.force * c.b;
+      ++points;
+    }
+    table_.set(name + ".force_N", force);
+    table_.set(name + ".points", points);
+    for (Eigen::Index i = 0; points > 0 && i < 3; ++i)
+      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force);
+  }
+
+  void set_ligaments(const PosePoint& point) {
+    TwoBodyWrench pull;
+    for (const auto& l : model_.ligaments) {
+      l.ligament.evaluate_wrench(point.pose.state.poses[at(l.body_a)], point.pose.state.poses[at(l.body_b)], pull);
+      table_.set(l.name + ".length_mm", kMillimetre * pull.length);
+      table_.set(l.name + ".strain", pull.strain);
+      table_.set(l.name + ".force_N", pull.force);
+    }
+  }
+
+  const Scene& scene_;
+  const JointModel& model_;
+  std::vector<int> numbers_;
+  ResultTable table_;
+};
+
+}  // namespace
+
+ResultTable pose_table(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+                       const std::vector<PoseRecord>& records) {
+  return PoseTable(scene, model, steps, records).take();
+}
+
+ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
+  ResultTable table;
+  for (const char* name : {"step", "t", "event", "what"}) table.add_column(name);
+  for (const StepPlan& step : steps)
+    for (const auto& p : step.prescribed) table.add_column(coordinate_column(scene, p.coordinate));
+  for (const LoadDef& load : scene.loads) table.add_column(load.name + ".factor");
+  for (const PathEvent& event : events) {
+    table.add_row();
+    table.set("step", static_cast<long>(event.step));
+    table.set("t", event.t);
+    table.set("event", std::string(to_string(event.kind)));
+    table.set("what", event.what);
+    for (const auto& p : event.target.prescribed)
+      table.set(coordinate_column(scene, p.coordinate), shown(p.coordinate, p.value));
+    for (std::size_t i = 0; i < event.target.load_factors.size(); ++i)
+      table.set(scene.loads[i].name + ".factor", event.target.load_factors[i]);
+  }
+  return table;
+}
+
+}  // namespace genu

@@ -1,0 +1,15 @@
+// From what a scene says about a surface to the surface itself.
+#pragma once
+
+#include <memory>
+
+#include "genu/geometry/surface.h"
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// The surface in the frame of its body (m). Null for a mesh, and for sizes that make no surface (see
+/// geometry/analytic.h), which the scene's reader has refused already.
+std::unique_ptr<Surface> make_analytic_surface(const SurfaceDef& def);
+
+}  // namespace genu

@@ -1,0 +1,116 @@
+#include "genu/run/prepare.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/core/timer.h"
+#include "genu/geometry/blend_surface.h"
+#include "genu/geometry/mesh_reader.h"
+#include "genu/run/build_surface.h"
+#include "genu/scene/reader.h"
+
+namespace genu {
+namespace {
+
+constexpr double kMillimetre = 1e3;
+
+std::string describe(const MeshReport& r, const BlendFacts& f) {
+  return fmt::format("{} triangles, edge {:.2f} mm; degree {}, fit radius {:.2f} mm, {} nodes; {}", r.triangles,
+                     kMillimetre * r.edge_length[2], f.degree, kMillimetre * f.fit_radius, f.node_count, f.why);
+}
+
+const char* unit_word(double metres) { return metres == 1 ? "m" : "mm"; }
+
+/// Carries a mesh into its body's frame, its outward side where the scene wants it.
+void place(const SurfaceDef& def, Mesh& mesh) {
+  for (Vec3& v : mesh.vertices) v = def.placement * v;
+  if (!def.inside) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+/// Errors of a stage that does not know the scene get the place in the scene that named the file.
+void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
+  for (Diagnostic d : found.items()) {
+    const std::string detail = d.file.empty() || d.file == def.file ? d.rule : d.file + ": " + d.rule;
+    d.file = scene.file;
+    d.line = def.file_where.line;
+    d.column = def.file_where.column;
+    d.key = "surface." + def.name + ".file";
+    d.found = '"' + def.file + '"';
+    d.rule = detail;
+    out.add(d);
+  }
+}
+
+std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, SurfaceNote& note,
+                                                  double& read_seconds, Diagnostics& out) {
+  Diagnostics found;
+  std::unique_ptr<BlendSurface> surface;
+  std::optional<Mesh> mesh;
+  {
+    const ScopedTimer timing(read_seconds);
+    mesh = read_mesh(def.file, def.file_unit, found);
+    if (mesh) {
+      note.mesh = check_mesh(*mesh);
+      check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
+      make_winding_consistent(*mesh, mesh_edges(*mesh));
+      place(def, *mesh);
+    }
+  }
+  if (mesh && !found.has_errors())
+    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
+  if (surface) note.text = describe(*note.mesh, surface->facts());
+  add_at(scene, def, found, out);
+  return surface;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
+                                                           std::vector<std::pair<std::string, double>>& seconds,
+                                                           Diagnostics& out) {
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  double read = 0;
+  const Timer timer;
+  for (const SurfaceDef& def : scene.surfaces) {
+    SurfaceNote note{def.name, "closed form", std::nullopt};
+    if (def.shape == SurfaceDef::Shape::mesh) surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
+    else surfaces.push_back(make_analytic_surface(def));
+    notes.push_back(std::move(note));
+  }
+  seconds.emplace_back("reading meshes", read);
+  seconds.emplace_back("building surfaces", timer.seconds() - read);
+  return surfaces;
+}
+
+std::vector<StepPlan> plan_steps(const Scene& scene) {
+  std::vector<StepPlan> steps;
+  for (const StepDef& def : scene.steps) {
+    StepPlan plan;
+    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
+    plan.factors.resize(scene.loads.size());
+    for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
+    plan.increments = def.increments;
+    steps.push_back(std::move(plan));
+  }
+  return steps;
+}
+
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
+  Prepared p;
+  const Timer timer;
+  auto scene = read_scene(path, out);
+  if (!scene) return std::nullopt;
+  p.scene = std::move(*scene);
+  p.seconds.emplace_back("reading scene", timer.seconds());
+  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
+  if (out.has_errors()) return std::nullopt;
+  auto model = build_model(p.scene, p.surfaces, out);
+  if (!model || out.has_errors()) return std::nullopt;
+  p.model = std::move(*model);
+  p.steps = plan_steps(p.scene);
+  return p;
+}
+
+}  // namespace genu

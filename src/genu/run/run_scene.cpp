@@ -1,0 +1,172 @@
+#include "genu/run/run_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "genu/core/atomic_output.h"
+#include "genu/core/timer.h"
+#include "genu/run/verdict.h"
+
+namespace genu {
+namespace {
+
+constexpr double kMillimetre = 1e3;
+constexpr double kLargestOverlap = 5e-3;  // m: a start that overlaps more is refused
+
+int poses_asked(const std::vector<StepPlan>& steps) {
+  int asked = steps.empty() ? 0 : 1;
+  for (const StepPlan& step : steps) asked += step.increments;
+  return asked;
+}
+
+std::vector<double> pair_gaps(const PosePoint& point, const JointModel& model, ContactField& field) {
+  std::vector<double> gaps(model.pairs.size(), std::numeric_limits<double>::infinity());
+  for (int pair = 0; pair < static_cast<int>(gaps.size()); ++pair) {
+    double& gap = gaps[static_cast<std::size_t>(pair)];
+    bool held = false;
+    for (const ActiveContact& c : point.pose.state.contacts) {
+      if (c.pair != pair) continue;
+      const auto& p = model.pairs[static_cast<std::size_t>(pair)];
+      const Pose &X_a = point.pose.state.poses[static_cast<std::size_t>(p.body_a)],
+                 &X_b = point.pose.state.poses[static_cast<std::size_t>(p.body_b)];
+      gap = std::min(gap, (X_a.R * c.geometry.a.n).dot(X_b * c.geometry.b.p - X_a * c.geometry.a.p));
+      held = true;
+    }
+    for (const OpenContact& c : point.pose.open)
+      if (c.pair == pair) gap = std::min(gap, c.gap);
+    if (!held && !std::isfinite(gap)) gap = field.smallest_gap(point.pose.state, pair);
+  }
+  return gaps;
+}
+
+void note_effects(const Prepared& p, RunSummary& summary) {
+  const Scene& scene = p.scene;
+  const int bodies = p.model.moving_count;
+  std::size_t prescribed = 0;
+  for (const StepPlan& step : p.steps) prescribed = std::max(prescribed, step.prescribed.size());
+  summary.effects.push_back({"moving bodies", bodies, fmt::format("6 unknowns each: {}", 6 * bodies)});
+  if (prescribed > 0)
+    summary.effects.push_back({"prescribed coordinates", static_cast<int>(prescribed), "1 multiplier each"});
+  if (!scene.contacts.empty())
+    summary.effects.push_back({"rigid contact pairs", static_cast<int>(scene.contacts.size()),
+                               "5 unknowns for each contact point found"});
+  if (!scene.ligaments.empty())
+    summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
+  if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
+}
+
+void note_pose(const PosePoint& point, RunSummary& s) {
+  if (!point.solved()) return;
+  const int contacts = static_cast<int>(point.pose.state.contacts.size());
+  s.fewest_contacts = s.poses_solved == 0 ? contacts : std::min(s.fewest_contacts, contacts);
+  s.most_contacts = std::max(s.most_contacts, contacts);
+  ++s.poses_solved;
+  if (point.stability.verdict == Stability::Verdict::stable) ++s.poses_stable;
+  s.smallest_force = std::min(s.smallest_force, point.report.certificate.smallest_force);
+  s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
+}
+
+std::string write_results(const std::string& folder, const Solution& solution) {
+  StagedFolder out;
+  std::string error = out.open(folder);
+  const auto write = [&](const char* name, const std::string& content) {
+    if (error.empty()) error = write_file_atomically(out.path() / name, content);
+  };
+  write("results.csv", solution.poses.to_csv());
+  write("events.csv", solution.event_rows.to_csv());
+  write("summary.json", to_json(solution.summary));
+  if (error.empty()) error = out.commit();
+  return error;
+}
+
+}  // namespace
+
+bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
+  const State start = reference_state(prepared.model);
+  bool good = true;
+  for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
+    const double gap = field.smallest_gap(start, static_cast<int>(pair));
+    if (!(gap < -kLargestOverlap)) continue;
+    const ContactDef& def = prepared.scene.contacts[pair];
+    good = false;
+    out.add({.file = prepared.scene.file, .line = def.where.line, .column = def.where.column, .key = "contact." + def.name,
+             .found = {},
+             .rule = fmt::format("the surfaces overlap by {:.1f} mm in the reference pose, at most {:.0f} mm can be "
+                                 "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
+                                 "units of the meshes", -kMillimetre * gap, kMillimetre * kLargestOverlap)});
+  }
+  return good;
+}
+
+Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options) {
+  Solution out;
+  RunSummary& s = out.summary;
+  s.scene_file = prepared.scene.file;
+  s.title = prepared.scene.title;
+  s.version = GENU_VERSION;
+  s.length_scale = prepared.model.scales.length;
+  s.force_scale = prepared.model.scales.force;
+  s.poses_asked = poses_asked(prepared.steps);
+  s.smallest_force = s.smallest_gap = std::numeric_limits<double>::infinity();
+  s.seconds = prepared.seconds;
+  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
+  note_effects(prepared, s);
+
+  const Timer timer;
+  double gap_seconds = 0;
+  PathObserver observer;
+  observer.cancelled = options.cancelled;
+  observer.event = [&](const PathEvent& event) { out.events.push_back(event); };
+  observer.pose = [&](const PosePoint& point) {
+    PoseRecord record{point, {}};
+    if (!point.pose.state.poses.empty()) {
+      const ScopedTimer timing(gap_seconds);
+      record.pair_gap = pair_gaps(point, prepared.model, field);
+    }
+    note_pose(point, s);
+    out.records.push_back(std::move(record));
+    if (options.progress) options.progress(static_cast<int>(out.records.size()), s.poses_asked);
+  };
+  const PathResult path = follow_path(prepared.model, field, prepared.steps, options.path, observer);
+  s.iterations = path.iterations;
+  s.substeps = path.substeps;
+  s.worst_residual = path.worst_residual;
+  s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
+  s.verdict = verdict_sentences(prepared, out.records, out.events, s);
+  s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
+  out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
+  out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
+  return out;
+}
+
+int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
+              Solution* solution) {
+  {
+    // Before an hour of solving: can the folder be written at all?
+    StagedFolder probe;
+    if (const std::string error = probe.open(folder); !error.empty()) {
+      out.error(folder, error);
+      return kExitRefused;
+    }
+  }
+  const auto prepared = prepare(path, out);
+  if (!prepared) return kExitRefused;
+  const Timer timer;
+  ContactField field(prepared->model);
+  if (!check_start(*prepared, field, out)) return kExitRefused;
+  const double search_seconds = timer.seconds();
+  Solution found = solve(*prepared, field, options);
+  found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
+  int code = found.summary.exit_code;
+  if (const std::string error = write_results(folder, found); !error.empty()) {
+    out.error(folder, error);
+    code = kExitFailed;
+  }
+  if (solution != nullptr) *solution = std::move(found);
+  return code;
+}
+
+}  // namespace genu

@@ -1,0 +1,89 @@
+#include "genu/run/verdict.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+/// "knee.flexion = 41.2 deg", or the load factor where no coordinate is prescribed.
+std::string place(const Scene& scene, const Target& target) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  for (const auto& p : target.prescribed) {
+    const bool angle = p.coordinate.index < 3;
+    add(fmt::format("{} = {:.6g} {}", coordinate_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+                    angle ? "deg" : "mm"));
+  }
+  if (target.prescribed.empty())
+    for (std::size_t i = 0; i < target.load_factors.size(); ++i)
+      add(fmt::format("load {} x {:.9g}", scene.loads[i].name, target.load_factors[i]));
+  return text.empty() ? "the start" : text;
+}
+
+std::string advice(PoseStatus status) {
+  switch (status) {
+    case PoseStatus::over_edge:
+      return "The cartilage ends there: extend the mesh, or shorten the motion.";
+    case PoseStatus::overlap:
+      return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `reference`.";
+    case PoseStatus::overconstrained:
+      return "More contacts are needed than the prescribed coordinates leave room for: prescribe fewer coordinates.";
+    case PoseStatus::undetermined:
+      return "Prescribe the free motion, or add the ligament or load that holds it.";
+    case PoseStatus::chatter:
+      return "Two sets of contacts exclude each other here: smaller increments or another `fit_radius` may part them.";
+    case PoseStatus::no_equilibrium:
+      return "Try smaller increments or another `fit_radius`; if the path turns back here, prescribe another coordinate.";
+    case PoseStatus::ok:
+      break;
+  }
+  return {};
+}
+
+void say_windows(const Scene& scene, const std::vector<PathEvent>& events, std::vector<std::string>& out) {
+  const PathEvent* from = nullptr;
+  for (const PathEvent& e : events) {
+    if (e.kind != PathEvent::Kind::stepped_over) continue;
+    if (from == nullptr) {
+      from = &e;
+      continue;
+    }
+    out.push_back(fmt::format("Stepped over a window without a rigid solution from {} to {}: one contact splits in two there.",
+                              place(scene, from->target), place(scene, e.target)));
+    from = nullptr;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                                           const std::vector<PathEvent>& events, const RunSummary& summary) {
+  std::vector<std::string> out;
+  const Scene& scene = prepared.scene;
+  if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
+    out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable.", summary.poses_stable, summary.poses_solved));
+  else
+    out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved, summary.poses_asked));
+  say_windows(scene, events, out);
+  for (const PathEvent& e : events) {
+    if (e.kind == PathEvent::Kind::turns_back)
+      out.push_back(fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
+                                "Prescribe another coordinate to follow it round.", place(scene, e.target)));
+    if (e.kind == PathEvent::Kind::stability_changed)
+      out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(scene, e.target)));
+    if (e.kind == PathEvent::Kind::over_edge)
+      out.push_back(fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(scene, e.target)));
+  }
+  for (const PoseRecord& r : records) {
+    const PoseReport& report = r.point.report;
+    if (report.status == PoseStatus::ok) continue;
+    out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status), place(scene, r.point.target), report.why,
+                              advice(report.status)));
+    break;
+  }
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,87 @@
+// genu mesh, run as a user runs it.
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "genu/core/diagnostics.h"
+#include "genu/geometry/analytic.h"
+#include "genu/geometry/mesh_check.h"
+#include "genu/geometry/mesh_reader.h"
+#include "support/temporary_folder.h"
+
+namespace genu {
+namespace {
+
+const std::string kScene = R"(
+format = 1
+units = { length = "mm", angle = "deg" }
+[body.tibia]
+fixed = true
+[body.femur]
+[joint.knee]
+type = "free"
+parent = "tibia"
+child = "femur"
+rotations = ["flexion x", "adduction y", "rotation z"]
+translations = ["x", "y", "z"]
+[surface.condyle]
+body = "femur"
+shape = "torus"
+origin = [-23, 0, 0]
+x_axis = [0, 1, 0]
+z_axis = [1, 0, 0]
+major_radius = 15
+minor_radius = 5
+[surface.plateau]
+body = "tibia"
+shape = "plane"
+[contact.medial]
+surfaces = ["condyle", "plateau"]
+model = "rigid"
+[[step]]
+prescribe = { "knee.flexion" = 0 }
+increments = 1
+)";
+
+// The exit code of `genu mesh ARGUMENTS`; what it prints goes to `log`.
+int run(const std::string& arguments, const std::string& log) {
+  const int status = std::system((std::string(GENU_PROGRAM) + " mesh " + arguments + " > " + log + " 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(MeshCommand, WritesEachSurfaceInItsBodysFrame) {
+  test::TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", kScene), log = folder / "log";
+  ASSERT_EQ(run(scene + " --edge 1 --out " + (folder / "out"), log), 0) << test::read_file(log);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/plateau.stl"));
+  Diagnostics problems;
+  const auto mesh = read_mesh(folder / "out/condyle.stl", 1e-3, problems);
+  ASSERT_TRUE(mesh);
+  Pose place;
+  place.R.col(0) = Vec3::UnitY();
+  place.R.col(1) = Vec3::UnitZ();
+  place.R.col(2) = Vec3::UnitX();
+  place.p = Vec3(-0.023, 0, 0);
+  const auto torus = make_torus(place, 0.015, 0.005, false);
+  double worst = 0;
+  for (const Vec3& v : mesh->vertices) worst = std::max(worst, std::abs(*torus->gap(v)));
+  EXPECT_LT(worst, 2e-9);  // float32 at 28 mm
+  const MeshReport report = check_mesh(*mesh);
+  EXPECT_EQ(report.boundary_edges, 0u);
+  EXPECT_NEAR(report.edge_length[2], 1e-3, 1e-4);
+}
+
+TEST(MeshCommand, RefusesWithExitCode2) {
+  test::TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", kScene), log = folder / "log",
+                    out = " --edge 1 --out " + (folder / "out");
+  EXPECT_EQ(run((folder / "none.toml") + out, log), 2);
+  EXPECT_EQ(run(scene + " no-such-surface" + out, log), 2);
+  EXPECT_NE(test::read_file(log).find("no-such-surface"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,56 @@
+// genu check knee.toml
+//   1. read the scene: every error at once, with line and column
+//   2. read and check its meshes, build the surfaces, look at the start
+#include <memory>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "genu/run/run_scene.h"
+
+namespace genu::cli {
+namespace {
+
+void describe(const SurfaceNote& note) {
+  fmt::print("  {}: {}\n", note.name, note.text);
+  if (!note.mesh) return;
+  const MeshReport& m = *note.mesh;
+  const auto line = [](const char* what, const std::string& value) { fmt::print("    {:<22}{}\n", what, value); };
+  line("vertices, triangles", fmt::format("{}, {}", m.vertices, m.triangles));
+  line("sheets, holes+borders", fmt::format("{}, {}", m.components, m.boundary_loops));
+  line("edges 5/50/95 %", fmt::format("{:.3f} / {:.3f} / {:.3f} mm", 1e3 * m.edge_length[1], 1e3 * m.edge_length[2],
+                                      1e3 * m.edge_length[3]));
+  line("box diagonal", fmt::format("{:.1f} mm", 1e3 * m.box.diagonal()));
+  line("non-manifold edges", fmt::format("{}", m.non_manifold_edges));
+  line("flipped triangles", fmt::format("{}{}", m.flipped, m.orientable ? "" : " (no winding agrees everywhere)"));
+  line("degenerate, slivers", fmt::format("{}, {}", m.degenerate, m.slivers));
+}
+
+int check(const std::string& scene) {
+  Diagnostics diagnostics;
+  const auto prepared = prepare(scene, diagnostics);
+  bool good = prepared.has_value();
+  if (good) {
+    ContactField field(prepared->model);
+    good = check_start(*prepared, field, diagnostics);
+    for (const SurfaceNote& note : prepared->notes) describe(note);
+  }
+  print(diagnostics);
+  if (good) fmt::print("{}: no errors\n", scene);
+  return good ? kExitOk : kExitRefused;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  auto scene = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("check", "Check a scene and its meshes: genu check knee.toml");
+  command->add_option("SCENE", *scene, "scene file (TOML)")->required();
+  command->callback([scene, &exit_code] { exit_code = check(*scene); });
+}
+
+}  // namespace genu::cli

@@ -1,0 +1,21 @@
+// The subcommands of `genu`, one file each. Each adds itself to the program and sets `exit_code` when it has run:
+// 0 all well, 2 the input is refused, 3 computed but not everything is ok, 1 anything else.
+#pragma once
+
+namespace CLI {
+class App;
+}
+namespace genu {
+class Diagnostics;
+}
+
+namespace genu::cli {
+
+void add_run(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_mesh(CLI::App& app, int& exit_code);
+
+/// Every error and warning on standard error, then how many there were.
+void print(const Diagnostics& diagnostics);
+
+}  // namespace genu::cli

@@ -1,0 +1,129 @@
+// genu mesh knee.toml --edge 1 --out meshes
+//   1. read the scene
+//   2. cut each surface that has a formula (or only those named) into triangles
+//   3. write DIR/<surface>.stl, in the frame of the surface's body
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.h"
+#include "genu/core/diagnostics.h"
+#include "genu/geometry/mesh_check.h"
+#include "genu/geometry/stl_writer.h"
+#include "genu/geometry/tessellate.h"
+#include "genu/run/build_surface.h"
+#include "genu/scene/reader.h"
+
+namespace genu::cli {
+namespace {
+
+constexpr int kOk = 0, kFailed = 1, kRefused = 2;
+constexpr double kReach = 0.05;  // m
+
+struct MeshOptions {
+  std::string scene, folder, unit = "mm";
+  std::vector<std::string> surfaces;
+  double edge = 0, reach = 0;  ///< in `unit`
+};
+
+// The surfaces to mesh; says in `out` which names cannot be.
+std::vector<const SurfaceDef*> choose(const Scene& scene, const MeshOptions& options, Diagnostics& out) {
+  std::vector<const SurfaceDef*> chosen;
+  for (const std::string& name : options.surfaces) {
+    const auto found =
+        std::find_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const SurfaceDef& s) { return s.name == name; });
+    if (found == scene.surfaces.end())
+      out.error(scene.file, "there is no surface \"" + name + "\"");
+    else if (found->shape == SurfaceDef::Shape::mesh)
+      out.error(scene.file, "surface \"" + name + "\" is a mesh already");
+    else
+      chosen.push_back(&*found);
+  }
+  if (!options.surfaces.empty()) return chosen;
+  for (const SurfaceDef& s : scene.surfaces) {
+    if (s.shape != SurfaceDef::Shape::mesh) chosen.push_back(&s);
+  }
+  if (chosen.empty()) out.error(scene.file, "has no surface with a formula");
+  return chosen;
+}
+
+int refuse(const Diagnostics& problems) {
+  for (const Diagnostic& d : problems.items()) fmt::print(stderr, "{}\n", to_string(d));
+  return kRefused;
+}
+
+void describe(const std::string& path, const Mesh& mesh, double wanted, const MeshOptions& options, double unit) {
+  const MeshReport report = check_mesh(mesh);
+  fmt::print("{}: {} vertices, {} triangles, edges {:.3g} .. {:.3g} .. {:.3g} {}, smallest angle {:.1f} deg\n", path,
+             report.vertices, report.triangles, report.edge_length[0] / unit, report.edge_length[2] / unit,
+             report.edge_length[4] / unit, options.unit, smallest_angle(mesh) * 180 / std::numbers::pi);
+  if (report.edge_length[2] > 1.2 * wanted) {
+    fmt::print(stderr, "{}: warning: coarser than --edge {}: at most about {:.0f} triangles a surface\n", path,
+               options.edge, kMaxTriangles);
+  }
+}
+
+int mesh_scene(const MeshOptions& options) {
+  const double unit = options.unit == "m" ? 1.0 : 1e-3;
+  Diagnostics problems;
+  const std::optional<Scene> scene = read_scene(options.scene, problems);
+  if (!scene) return refuse(problems);
+  const std::vector<const SurfaceDef*> chosen = choose(*scene, options, problems);
+  std::vector<std::unique_ptr<Surface>> surfaces;
+  for (const SurfaceDef* def : chosen) {
+    surfaces.push_back(make_analytic_surface(*def));
+    if (!surfaces.back()) problems.error(scene->file, "surface \"" + def->name + "\" has sizes that make no surface");
+  }
+  if (problems.has_errors()) return refuse(problems);
+
+  std::error_code failure;
+  std::filesystem::create_directories(options.folder, failure);
+  if (failure) {
+    fmt::print(stderr, "{}: cannot be made a folder: {}\n", options.folder, failure.message());
+    return kFailed;
+  }
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const double edge = options.edge * unit;
+    const double reach = options.reach > 0 ? options.reach * unit : kReach;
+    const Mesh mesh = surfaces[k]->triangles(edge, chosen[k]->placement.p, reach);
+    const std::string path = options.folder + "/" + chosen[k]->name + ".stl";
+    const std::string title = fmt::format("genu mesh: {}, edge {} {}", chosen[k]->name, options.edge, options.unit);
+    if (const std::string error = write_stl(mesh, path, unit, title); !error.empty()) {
+      fmt::print(stderr, "{}\n", error);
+      return kFailed;
+    }
+    describe(path, mesh, edge, options, unit);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<MeshOptions>();
+  CLI::App* command = app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as binary STL");
+  command->add_option("SCENE", options->scene, "scene file")->required();
+  command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
+  command
+      ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
+      ->check(CLI::PositiveNumber)
+      ->required();
+  command->add_option("--unit", options->unit, "unit of --edge, --reach and the files")
+      ->check(CLI::IsMember({"mm", "m"}))
+      ->capture_default_str();
+  command->add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--out", options->folder, "folder for the files, made if need be")->required();
+  command->footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
+  command->callback([options, &exit_code] { exit_code = mesh_scene(*options); });
+}
+
+}  // namespace genu::cli

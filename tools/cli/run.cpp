@@ -1,0 +1,109 @@
+// genu run knee.toml --out out/knee
+//   1. read scene and meshes; refuse with every error at once
+//   2. solve pose after pose
+//   3. write results.csv, events.csv, summary.json; print a short table and the verdict
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "genu/core/timer.h"
+#include "genu/run/run_scene.h"
+
+namespace genu::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+void interrupt(int) { interrupted = true; }
+
+/// A line that is rewritten in a terminal, or a new one every few seconds elsewhere; nothing in the first second.
+class Progress {
+ public:
+  void operator()(int done, int asked) {
+    const double now = timer_.seconds();
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    if (now < 1 || now - last_ < (terminal ? 0.1 : 5.0)) return;
+    last_ = now;
+    fmt::print(stderr, "{}{:>6} of {} poses, {:.0f} s{}", terminal ? "\r" : "", done, asked, now, terminal ? "" : "\n");
+    std::fflush(stderr);
+    open_ = terminal;
+  }
+  void finish() const {
+    if (open_) fmt::print(stderr, "\n");
+  }
+
+ private:
+  Timer timer_;
+  double last_ = 0;
+  bool open_ = false;
+};
+
+/// The columns a reader looks at first: the joint's coordinates, the force of every pair and region, stability.
+std::vector<std::string> short_columns(const ResultTable& table) {
+  std::vector<std::string> columns;
+  const auto ends_with = [](const std::string& s, const std::string& end) {
+    return s.size() >= end.size() && s.compare(s.size() - end.size(), end.size(), end) == 0;
+  };
+  constexpr std::size_t kMost = 11;
+  const std::size_t status = table.column_index("status");
+  for (std::size_t c = status + 1; c < table.columns().size() && columns.size() < kMost; ++c) {
+    const std::string& name = table.columns()[c];
+    const bool coordinate = ends_with(name, "_deg") || (ends_with(name, "_mm") && name.find('.') == name.rfind('.') &&
+                                                        !ends_with(name, ".gap_mm") && !ends_with(name, ".length_mm"));
+    const bool numbered = name.find(".1.") != std::string::npos || name.find(".2.") != std::string::npos;
+    const bool contact_force = ends_with(name, ".force_N") && !numbered &&
+                               table.has_column(name.substr(0, name.size() - 8) + ".gap_mm");
+    const bool region_force = ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 8) + ".points");
+    if (coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos) columns.push_back(name);
+  }
+  columns.push_back("stability");
+  columns.push_back("status");
+  return columns;
+}
+
+int run(const std::string& scene, const std::string& folder, bool quiet) {
+  std::signal(SIGINT, interrupt);
+  RunOptions options;
+  auto progress = std::make_shared<Progress>();
+  if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
+  options.cancelled = [] { return interrupted.load(); };
+  Diagnostics diagnostics;
+  Solution solution;
+  const int code = run_scene(scene, folder, options, diagnostics, &solution);
+  progress->finish();
+  print(diagnostics);
+  if (code == kExitRefused || solution.records.empty()) return code;
+  if (!quiet) {
+    constexpr std::size_t kRows = 11;
+    fmt::print("{}\n\n{}\n", solution.summary.title, to_text(solution.poses, short_columns(solution.poses), 4, kRows));
+    fmt::print("{}", to_text(solution.summary));
+  }
+  if (code != kExitFailed && !quiet) fmt::print("  {:<12}{}/results.csv, events.csv, summary.json\n", "written", folder);
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  struct Arguments {
+    std::string scene, folder;
+    bool quiet = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command->add_flag("--quiet", arguments->quiet, "print errors only");
+  command->callback([arguments, &exit_code] { exit_code = run(arguments->scene, arguments->folder, arguments->quiet); });
+}
+
+}  // namespace genu::cli
