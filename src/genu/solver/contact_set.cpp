@@ -57,7 +57,11 @@ const char* to_string(PoseStatus status) {
 }
 
 ContactSetSolver::ContactSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
-    : model_(&model), field_(&field), options_(options), newton_(model) {}
+    : model_(&model), field_(&field), options_(options), gap_tolerance_(1e-12 * model.scales.length), newton_(model) {
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+  for (const Pose& pose : model.reference_poses)
+    gap_tolerance_ = std::max(gap_tolerance_, kRounding * (model.scales.length + pose.p.norm()));
+}
 
 int ContactSetSolver::contact_limit(const Target& target) const {
   return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(target.prescribed.size()));
@@ -88,7 +92,7 @@ void ContactSetSolver::inspect_contacts(const State& state, Findings& out) {
     for (const double radius : kProbeRadii) field_->probe_around(state, contact.pair, contact.geometry, radius, found);
     bool lower = false;
     for (const LocalMinimum& m : found) {
-      if (!(m.gap < -kGapTolerance) || same_place(m.contact, contact.geometry, kSameContact)) continue;
+      if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, kSameContact)) continue;
       const Candidate candidate{contact.pair, m};
       lower = true;
       if (least < 0) out.beside.push_back(candidate);
@@ -116,11 +120,11 @@ void ContactSetSolver::inspect(const State& state, Findings& out) {
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     if (held(state, c)) continue;
     out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-    if (c.minimum.gap < -kGapTolerance) add(c);
+    if (c.minimum.gap < -gap_tolerance_) add(c);
   }
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
   for (const Candidate& c : survey_.edges) {
-    if (!(c.minimum.gap < -kGapTolerance) || held(state, c)) continue;
+    if (!(c.minimum.gap < -gap_tolerance_) || held(state, c)) continue;
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
     out.over_edge = true;

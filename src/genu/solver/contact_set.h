@@ -67,7 +67,9 @@ struct PoseReport {
 
 class ContactSetSolver {
  public:
-  static constexpr double kGapTolerance = 1e-9;    ///< m: an overlap below this is none
+  /// An overlap below this (m) is none: 1e-12 of the characteristic length, and what rounding makes of the distance of
+  /// the bodies from the world's origin. Two contacts about to merge turn an overlap of 1 nm into 0.001 deg.
+  double gap_tolerance() const { return gap_tolerance_; }
   static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a pull below this is none
 
   ContactSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options);
@@ -109,6 +111,7 @@ class ContactSetSolver {
   const JointModel* model_;
   ContactField* field_;
   NewtonOptions options_;
+  double gap_tolerance_;
   Newton newton_;
   Survey survey_;
 };

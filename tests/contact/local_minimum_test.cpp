@@ -1,0 +1,132 @@
+// The descent to a local minimum of the gap: closed forms, monotonicity, and a grid that looks everywhere.
+#include "genu/contact/local_minimum.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_pairs.h"
+
+namespace genu {
+namespace {
+
+using test::random_pose;
+using test::some_surfaces;
+
+constexpr double kStep = 1e-3;  // m
+
+Pose at(double x, double y, double z) { return {Mat3::Identity(), {x, y, z}}; }
+
+TEST(LocalMinimum, SphereOverPlane) {
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
+  for (const double height : {0.03, 0.02, 0.005}) {
+    const auto d = descend_gap(*plane, *sphere, {exp_rotation({1, 2, 3}), {0.1, -0.2, height}}, {0.01, 0.01, 0.01}, kStep);
+    ASSERT_TRUE(d && d->settled);
+    EXPECT_NEAR(d->minimum.gap, height - 0.02, 1e-15);
+    EXPECT_NEAR((d->minimum.contact.a.p - Vec3(0.1, -0.2, 0)).norm(), 0, 1e-12);
+  }
+}
+
+TEST(LocalMinimum, TorusOverPlane) {
+  const auto plane = make_plane({}, false), torus = make_torus({}, 0.015, 0.005, false);
+  // Its axis tilted from the plane's normal by b: the lowest point is R sin b + r below the centre.
+  for (const double b : {0.2, 0.9, 1.5707963}) {
+    const auto d = descend_gap(*plane, *torus, {exp_rotation({b, 0, 0}), {0, 0, 0.03}}, {0.003, -0.02, 0}, kStep);
+    ASSERT_TRUE(d && d->settled) << b;
+    EXPECT_NEAR(d->minimum.gap, 0.03 - 0.015 * std::sin(b) - 0.005, 1e-15) << b;
+  }
+}
+
+TEST(LocalMinimum, SphereAgainstSphereAndInSocket) {
+  const auto ball = make_sphere({}, 0.01, false), other = make_sphere({}, 0.02, false), cup = make_sphere({}, 0.02, true);
+  const Vec3 centre(0.001, 0.004, 0.002);
+  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, kStep);
+  ASSERT_TRUE(apart && apart->settled);
+  EXPECT_NEAR(apart->minimum.gap, Vec3(0.02, 0.03, 0.01).norm() - 0.03, 1e-15);
+  const auto inside = descend_gap(*cup, *ball, {exp_rotation({0.3, 1, 2}), centre}, {0, 0, 0.01}, kStep);
+  ASSERT_TRUE(inside && inside->settled);
+  EXPECT_NEAR(inside->minimum.gap, 0.02 - 0.01 - centre.norm(), 1e-15);
+}
+
+TEST(LocalMinimum, LeavesMaximaAndSaddles) {
+  // Started exactly on a stationary point that is no minimum, where the gradient says nothing.
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false), torus = make_torus({}, 0.015, 0.005, false);
+  const auto top = descend_gap(*plane, *sphere, at(0, 0, 0.03), {0, 0, 0.02}, kStep);
+  ASSERT_TRUE(top);
+  EXPECT_NEAR(top->minimum.gap, 0.01, 1e-14);
+  const Pose upright{exp_rotation({1.5707963267948966, 0, 0}), {0, 0, 0.03}};
+  const auto inner = descend_gap(*plane, *torus, upright, {0, 0.01, 0}, kStep);
+  ASSERT_TRUE(inner);
+  EXPECT_NEAR(inner->minimum.gap, 0.01, 1e-14);
+}
+
+TEST(LocalMinimum, NeverRaisesTheGap) {
+  std::mt19937 random(2);
+  const auto surfaces = some_surfaces();
+  int settled = 0, started = 0;
+  for (const auto& a : surfaces)
+    for (const auto& b : surfaces)
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        const SurfacePoint on_a = test::random_point(*a.surface, random), on_b = test::random_point(*b.surface, random);
+        Pose X_ab = test::touching(on_a, on_b, 0.3);
+        X_ab.p += 2e-3 * on_a.n;
+        const SurfacePoint start = test::random_point(*b.surface, random);
+        const auto before = a.surface->gap(X_ab * start.p);
+        const auto d = descend_gap(*a.surface, *b.surface, X_ab, start.p, kStep);
+        if (!before || !d) continue;
+        ++started;
+        settled += d->settled ? 1 : 0;
+        EXPECT_LE(d->minimum.gap, *before + 1e-14) << a.name << ' ' << b.name;
+        const ContactGeometry& c = d->minimum.contact;
+        EXPECT_NEAR(d->minimum.gap, c.a.n.dot(X_ab * c.b.p - c.a.p), 1e-15);
+        if (d->settled) EXPECT_LT((c.a.T.transpose() * (X_ab.R * c.b.n)).norm(), 2e-6) << a.name << ' ' << b.name;
+      }
+  EXPECT_GT(started, 500);
+  EXPECT_GT(settled, 0.5 * started);  // planes and saddles leave some pairs without a minimum
+}
+
+TEST(LocalMinimum, FallsOffTheEndOfAnUnboundedSlope) {
+  // A tilted plane over a plane has no minimum: the descent must not claim one.
+  const auto plane = make_plane({}, false), over = make_plane({}, true);
+  const auto d = descend_gap(*plane, *over, {exp_rotation({0.1, 0, 0}), {0, 0, 0.01}}, Vec3::Zero(), kStep);
+  EXPECT_TRUE(!d || !d->settled);
+}
+
+TEST(LocalMinimum, ClosestPointIsExact) {
+  std::mt19937 random(8);
+  for (const auto& s : some_surfaces()) {
+    double worst = 0;
+    for (int i = 0; i < 50; ++i) {
+      const SurfacePoint foot = test::random_point(*s.surface, random);
+      const double height = 1e-3;
+      SurfacePoint found;
+      ASSERT_TRUE(s.surface->project(foot.p + height * foot.n + 1e-4 * foot.T.col(0), found));
+      ASSERT_TRUE(closest_point(*s.surface, foot.p + height * foot.n, found));
+      worst = std::max(worst, (found.p - foot.p).norm());
+    }
+    EXPECT_LT(worst, 1e-15) << s.name;
+  }
+}
+
+TEST(LocalMinimum, NothingLiesLowerOnAGrid) {
+  // The lowest of the minima reached from coarse samples is the lowest point of a fine grid, to the grid's sagitta.
+  std::mt19937 random(4);
+  const auto torus = make_torus({}, 0.015, 0.005, false), ellipsoid = make_ellipsoid({}, {0.012, 0.018, 0.025}, false);
+  const double fine = 0.4e-3;
+  const auto coarse_samples = ellipsoid->samples(4e-3, Vec3::Zero(), 1), grid = ellipsoid->samples(fine, Vec3::Zero(), 1);
+  for (int i = 0; i < 12; ++i) {
+    Pose X_ab = random_pose(random, 1e-3);
+    X_ab.p += 0.04 * Vec3(std::cos(i), std::sin(i), 0.3 * std::cos(3 * i)).normalized();
+    double lowest = std::numeric_limits<double>::infinity(), refined = lowest;
+    for (const Vec3& p : grid.points) lowest = std::min(lowest, torus->gap(X_ab * p).value_or(lowest));
+    for (const Vec3& p : coarse_samples.points)
+      if (const auto d = descend_gap(*torus, *ellipsoid, X_ab, p, kStep)) refined = std::min(refined, d->minimum.gap);
+    EXPECT_LE(refined, lowest + 1e-15) << i;
+    const double sagitta = fine * fine / 2 * (1 / 0.005 + 0.025 / (0.012 * 0.012));
+    EXPECT_GT(refined, lowest - sagitta) << i;
+  }
+}
+
+}  // namespace
+}  // namespace genu
