@@ -31,6 +31,17 @@ bool evaluate_gap(const Surface& A, const Pose& X_ab, GapJet& jet) {
   return jet.gradient.allFinite() && jet.hessian.allFinite();
 }
 
+/// A stationary point that curves down by no more than this (1/m) counts as a minimum: over 1 mm the gap falls by less
+/// than 1e-9 m.
+constexpr double kSaddle = 2e-3;
+
+/// The direction in which the gap curves down, scaled to `radius`; empty at a minimum.
+std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(0.5 * (jet.hessian + jet.hessian.transpose()));
+  if (eigen.eigenvalues()[0] >= -kSaddle) return std::nullopt;
+  return radius * eigen.eigenvectors().col(0);
+}
+
 /// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one.
 Vec2 trust_step(const GapJet& jet, double radius) {
   const Eigen::SelfAdjointEigenSolver<Mat2> eigen(0.5 * (jet.hessian + jet.hessian.transpose()));
@@ -79,11 +90,13 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
   double radius = max_step;
   bool settled = false;
   for (int i = 0; i < kIterations && radius > kShortest; ++i) {
-    if (jet.gradient.norm() <= kFlat) {
+    const bool flat = jet.gradient.norm() <= kFlat;
+    const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
+    if (flat && !off_saddle) {
       settled = true;
       break;
     }
-    const Vec2 step = trust_step(jet, radius);
+    const Vec2 step = off_saddle ? *off_saddle : trust_step(jet, radius);
     const double predicted = jet.gradient.dot(step) + 0.5 * step.dot(jet.hessian * step);
     GapJet next;
     const bool known = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, next);

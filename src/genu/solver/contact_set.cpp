@@ -231,8 +231,7 @@ void ContactSetSolver::follow_open(Balanced& pose) {
 bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findings& findings) const {
   State& state = pose.state;
   if (!findings.not_minimal.empty()) {
-    for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it)
-      state.contacts.erase(state.contacts.begin() + *it);
+    for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
     for (const Candidate& c : findings.beside)
       if (!held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
     return true;
