@@ -60,6 +60,19 @@ Vec2 trust_step(const GapJet& jet, double radius) {
   return eigen.eigenvectors() * step(high);
 }
 
+bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.hessian.trace() > 0; }
+
+/// How far below the gap here the minimum of a convex model lies.
+double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hessian.inverse() * jet.gradient); }
+
+bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
+  if (limits.known == nullptr || !is_convex(jet) || step.norm() > limits.same) return false;
+  const Vec3 end = jet.b.p + jet.b.T * step;
+  return std::any_of(limits.known->begin(), limits.known->end(), [&](const LocalMinimum& m) {
+    return (m.contact.b.p - end).squaredNorm() < limits.same * limits.same;
+  });
+}
+
 }  // namespace
 
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
@@ -81,13 +94,13 @@ bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
 }
 
 std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
-                                   double max_step) {
+                                   const DescentLimits& limits) {
   GapJet jet;
   if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
   constexpr int kIterations = 60;
   constexpr double kFlat = 1e-13;     // gradient (a sine) at which the normals are parallel to rounding
   constexpr double kShortest = 1e-14; // m: steps below this no longer change the point
-  double radius = max_step;
+  double radius = limits.max_step;
   bool settled = false;
   for (int i = 0; i < kIterations && radius > kShortest; ++i) {
     const bool flat = jet.gradient.norm() <= kFlat;
@@ -98,6 +111,8 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     }
     const Vec2 step = off_saddle ? *off_saddle : trust_step(jet, radius);
     const double predicted = jet.gradient.dot(step) + 0.5 * step.dot(jet.hessian * step);
+    if (i == 0 && is_convex(jet) && jet.value - least_of_model(jet) > limits.hopeless) return std::nullopt;
+    if (leads_to_known(jet, step, limits)) return std::nullopt;
     GapJet next;
     const bool known = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, next);
     // Near the bottom the fall of the gap drowns in rounding long before the gradient does: accept a smaller gradient.
@@ -110,7 +125,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
       if (settled) break;
       continue;
     }
-    if (step.norm() > 0.9 * radius) radius = std::min(2 * radius, max_step);
+    if (step.norm() > 0.9 * radius) radius = std::min(2 * radius, limits.max_step);
     jet = next;
     settled = jet.gradient.norm() <= 1e-9;
   }

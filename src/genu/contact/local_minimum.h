@@ -1,7 +1,9 @@
 // The local minimum of the gap between two surfaces held still: where a contact is, or would be.
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "genu/contact/contact_equations.h"
 
@@ -17,15 +19,27 @@ struct LocalMinimum {
 /// the surface.
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot);
 
-/// Descends from the point `start` of B (frame of b) to the nearest local minimum of the signed gap of B's points to A:
-/// Newton on the gap's gradient and Hessian over B's tangent plane, in a trust region of at most `max_step` (m), so that
-/// the gap falls with every accepted step. Empty where A is not known near a point on the way. `settled` says whether
-/// the gradient vanished: false at the edge of what is known, where the gap still falls outward.
 struct Descent {
   LocalMinimum minimum;
+  /// The gradient vanished. False at the edge of what is known, where the gap still falls outward.
   bool settled = false;
 };
+
+/// When a descent need not be finished; by default it always is.
+struct DescentLimits {
+  double max_step = 1e-3;  ///< m: the trust region
+  /// Minima (their points of B, frame of b) that are known: a descent whose model leads to within `same` (m) of one of
+  /// them ends.
+  const std::vector<LocalMinimum>* known = nullptr;
+  double same = 0;
+  /// A convex model with a minimum above this gap (m) at the start ends the descent.
+  double hopeless = std::numeric_limits<double>::infinity();
+};
+
+/// Descends from the point `start` of B (frame of b) to the nearest local minimum of the signed gap of B's points to A:
+/// Newton on the gap's gradient and Hessian over B's tangent plane, in a trust region, so that the gap falls with every
+/// accepted step. Empty where A is not known near a point on the way, or a limit ended the descent.
 std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
-                                   double max_step);
+                                   const DescentLimits& limits);
 
 }  // namespace genu

@@ -13,6 +13,13 @@ constexpr int kGroupSize = 12;
 // Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
 // tenths of millimetres stand well above.
 constexpr double kSamePoint = 2e-6;  // m
+// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 1/(5 mm) times the square
+// of a sample's distance to it, 1.2 mm at most.
+constexpr double kNearContact = 1.5e-4;  // m
+// Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
+constexpr double kHopeless = 3e-5;  // m
+// A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
+constexpr double kMerge = 1e-4;  // m
 
 /// The farthest that a point of the sphere (centre, radius) has moved between two poses.
 double largest_motion(const Pose& from, const Pose& to, const Vec3& centre, double radius) {
@@ -133,9 +140,48 @@ void Proximity::measure(const Pose& X_qs, double window) {
 }
 
 std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) const {
-  auto descent = descend_gap(*queried_, *sampled_, X_qs, start, max_step_);
+  auto descent = descend_gap(*queried_, *sampled_, X_qs, start, {.max_step = max_step_});
   if (descent) descent->minimum = oriented(descent->minimum, samples_b_);
   return descent;
+}
+
+bool Proximity::lowest_of_neighbours(int sample) const {
+  const auto i = static_cast<std::size_t>(sample);
+  for (int k = samples_.first_neighbour[i]; k < samples_.first_neighbour[i + 1]; ++k) {
+    const int j = samples_.neighbours[static_cast<std::size_t>(k)];
+    const double other = gap_[static_cast<std::size_t>(j)];
+    if (other < gap_[i] || (other == gap_[i] && j < sample)) return false;
+  }
+  return true;
+}
+
+void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out) {
+  // A minimum between samples can hide beside a deeper one a few samples away: near contact every sample is a start, not
+  // only the lowest among its neighbours. Most starts end after one evaluation, their model being hopeless or leading to
+  // what is known.
+  starts_.clear();
+  for (const int sample : measured_) {
+    const double gap = gap_[static_cast<std::size_t>(sample)];
+    if (gap < std::min(window, kNearContact) || (gap < window && lowest_of_neighbours(sample))) starts_.push_back(sample);
+  }
+  std::sort(starts_.begin(), starts_.end(), [&](int i, int j) {
+    return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);
+  });
+  raw_.clear();
+  for (const int sample : starts_) {
+    const auto i = static_cast<std::size_t>(sample);
+    const DescentLimits limits{max_step_, &raw_, kMerge, lowest_of_neighbours(sample) ? window : kHopeless};
+    const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_.points[i], limits);
+    if (!descent || !(descent->minimum.gap < window)) continue;
+    const LocalMinimum found = oriented(descent->minimum, samples_b_);
+    // A minimum past the edge matters only where the surface inside its edge is already reached.
+    if (descent->settled && edge_distance(found.contact) >= 0) {
+      raw_.push_back(descent->minimum);
+      insert_distinct(out.minima, found);
+    } else if (gap_[i] < 0) {
+      insert_distinct(out.edge, found);
+    }
+  }
 }
 
 void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
@@ -151,21 +197,8 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
       out.smallest_sample_gap = gap_[i];
       deepest = sample;
     }
-    if (!(gap_[i] < window)) continue;
-    bool lowest = true;
-    for (int k = samples_.first_neighbour[i]; k < samples_.first_neighbour[i + 1] && lowest; ++k) {
-      const int j = samples_.neighbours[static_cast<std::size_t>(k)];
-      const double other = gap_[static_cast<std::size_t>(j)];
-      lowest = other > gap_[i] || (other == gap_[i] && j > sample);
-    }
-    if (!lowest) continue;
-    const auto descent = descend(X_qs, samples_.points[i]);
-    if (!descent || !(descent->minimum.gap < window)) continue;
-    const bool inside = descent->settled && edge_distance(descent->minimum.contact) >= 0;
-    // A minimum past the edge matters only where the surface inside its edge is already reached.
-    if (inside) insert_distinct(out.minima, descent->minimum);
-    else if (gap_[i] < 0) insert_distinct(out.edge, descent->minimum);
   }
+  find_minima(X_qs, window, out);
   auto by_gap = [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; };
   std::stable_sort(out.minima.begin(), out.minima.end(), by_gap);
   std::stable_sort(out.edge.begin(), out.edge.end(), by_gap);

@@ -71,6 +71,8 @@ class Proximity {
 
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
+  void find_minima(const Pose& X_qs, double window, ProximityScan& out);
+  bool lowest_of_neighbours(int sample) const;
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;
@@ -86,6 +88,8 @@ class Proximity {
   std::vector<Group> groups_;
   std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
   std::vector<int> measured_;  // the samples that have one
+  std::vector<int> starts_;    // of descents, by gap
+  std::vector<LocalMinimum> raw_;  // as descended: a of the asked surface, b of the sampled one
 };
 
 }  // namespace genu

@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/geometry/fit_choice.h"
+#include "genu/geometry/mesh_order.h"
 
 namespace genu {
 namespace {
@@ -87,6 +88,7 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
     return nullptr;
   };
   if (const std::string fault = fault_of(mesh); !fault.empty()) return report(Diagnostic::Severity::error, fault);
+  sort_canonically(mesh);
   const VertexGraph graph = vertex_graph(mesh);
   if (!(graph.area > 0 && graph.median_edge > 0)) return report(Diagnostic::Severity::error, "the mesh has no area");
   if (!check_options(options, graph.median_edge, name, diagnostics)) return nullptr;

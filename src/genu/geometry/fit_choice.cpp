@@ -64,7 +64,7 @@ class Probe {
       const int v = vertices_[i];
       const HeightFit a = at(fitter, v, radius);
       if (a.degree == 0) return false;
-      const Vec3 target = a.origin + kPartner * radius * a.axes.col(0);
+      const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
       const int partner = walk_toward(v, target);
       if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
       const HeightFit b = at(fitter, partner, radius);
@@ -92,6 +92,12 @@ class Probe {
  private:
   HeightFit at(HeightFitter& fitter, int v, double radius) const {
     return fitter.fit({mesh_.vertices[v], graph_.normals[v], std::span(&v, 1), radius, degree_, false});
+  }
+
+  /// A tangent direction that the mesh itself gives, so that it turns and mirrors with the mesh.
+  Vec3 toward_neighbour(int v, const Vec3& normal) const {
+    const Vec3 edge = mesh_.vertices[graph_.neighbours(v).front()] - mesh_.vertices[v];
+    return (edge - normal * normal.dot(edge)).normalized();
   }
 
   int walk_toward(int v, const Vec3& target) const {

@@ -8,6 +8,7 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
+#include "genu/results/curves.h"
 #include "genu/run/verdict.h"
 
 namespace genu {
@@ -69,7 +70,7 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }
 
-std::string write_results(const std::string& folder, const Solution& solution) {
+std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution) {
   StagedFolder out;
   std::string error = out.open(folder);
   const auto write = [&](const char* name, const std::string& content) {
@@ -77,6 +78,7 @@ std::string write_results(const std::string& folder, const Solution& solution) {
   };
   write("results.csv", solution.poses.to_csv());
   write("events.csv", solution.event_rows.to_csv());
+  write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events)));
   write("summary.json", to_json(solution.summary));
   if (error.empty()) error = out.commit();
   return error;
@@ -161,7 +163,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   Solution found = solve(*prepared, field, options);
   found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
   int code = found.summary.exit_code;
-  if (const std::string error = write_results(folder, found); !error.empty()) {
+  if (const std::string error = write_results(folder, *prepared, found); !error.empty()) {
     out.error(folder, error);
     code = kExitFailed;
   }

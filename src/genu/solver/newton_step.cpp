@@ -158,7 +158,7 @@ double NewtonStep::residual(const Linearization& at, const Target& target) const
   const double L = model_->scales.length, F = model_->scales.force;
   double worst = 0;
   // max() loses a NaN in its second place: keep it in the first, so that it reaches the caller.
-  auto add = [&worst](double value) { worst = std::isnan(value) ? value : std::max(std::abs(value), worst); };
+  auto add = [&worst](double value) { worst = std::isnan(value) ? value : std::max(worst, std::abs(value)); };
   for (Eigen::Index i = 0; i < at.wrench.size(); ++i) add(at.wrench[i] / (i % 6 < 3 ? F : F * L));
   for (Eigen::Index m = 0; m < at.constraint.size(); ++m)
     add(at.constraint[m] / (is_rotation(target.prescribed[static_cast<std::size_t>(m)]) ? 1 : L));

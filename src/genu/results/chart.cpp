@@ -1,0 +1,285 @@
+#include "genu/results/chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+// Pixels. Two panels side by side, the names of the lines to the right of each.
+constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbove = 34, kBelow = 44;
+constexpr double kPanelWidth = kLeft + kPlotWidth + kNames, kPanelHeight = kAbove + kPlotHeight + kBelow;
+constexpr double kMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12;
+constexpr int kColumns = 2;
+constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
+
+// Okabe and Ito (2008), told apart with every kind of colour vision; without its yellow, too pale for a line on white.
+constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#888888"};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') out += "&amp;";
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else if (c == '"') out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20) out += c;  // XML 1.0 has no control characters
+  }
+  return out;
+}
+
+std::string text_at(double x, double y, const std::string& text, const char* attributes) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(text));
+}
+
+std::string line_at(double x1, double y1, double x2, double y2, const char* style) {
+  return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", style, x1, y1, x2, y2);
+}
+
+/// A round number as short as it is exact.
+std::string tick_text(double value, double step) {
+  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  if (decimals > 6 || std::abs(value) >= 1e7) return fmt::format("{:.4g}", value);
+  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * step ? 0.0 : value, decimals);
+}
+
+/// A straight map from values to pixels; ticks are in order.
+struct Axis {
+  std::vector<double> ticks;
+  double low = 0, high = 1, at_low = 0, at_high = 1;
+  double step() const { return ticks.size() > 1 ? ticks[1] - ticks[0] : 1; }
+  double operator()(double value) const { return at_low + (value - low) / (high - low) * (at_high - at_low); }
+};
+
+std::pair<double, double> range(const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  return {low, high};
+}
+
+/// The x axis ends where the data ends; only ticks within are drawn.
+Axis horizontal(const Chart& chart, double left) {
+  const auto [low, high] = range(chart.x);
+  Axis axis;
+  axis.ticks = round_ticks(low, high, 8);
+  axis.low = axis.ticks.front();
+  axis.high = axis.ticks.back();
+  if (high > low) {
+    axis.low = low;
+    axis.high = high;
+    const double slack = 1e-9 * (high - low);
+    std::erase_if(axis.ticks, [&](double t) { return t < axis.low - slack || t > axis.high + slack; });
+  }
+  axis.at_low = left;
+  axis.at_high = left + kPlotWidth;
+  return axis;
+}
+
+Axis vertical(const ChartPanel& panel, double top) {
+  std::vector<double> all;
+  for (const ChartSeries& s : panel.series) all.insert(all.end(), s.y.begin(), s.y.end());
+  const auto [low, high] = range(all);
+  Axis axis;
+  axis.ticks = round_ticks(low, high, 5);
+  axis.low = axis.ticks.front();
+  axis.high = axis.ticks.back();
+  axis.at_low = top + kPlotHeight;
+  axis.at_high = top;
+  return axis;
+}
+
+/// The line of a series; a value between two gaps becomes a dot. Long series are thinned to what a screen can show.
+std::string draw_series(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y, const char* colour) {
+  std::string path, dots;
+  const std::size_t n = std::min(chart.x.size(), series.y.size()), stride = 1 + n / kMostPoints;
+  int run = 0;
+  double last_x = 0, last_y = 0;
+  const auto end_run = [&] {
+    if (run == 1) dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", last_x, last_y, colour);
+    run = 0;
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!std::isfinite(chart.x[k]) || !std::isfinite(series.y[k])) {
+      end_run();
+    } else if (k % stride == 0 || k + 1 == n) {
+      last_x = x(chart.x[k]);
+      last_y = y(series.y[k]);
+      path += fmt::format("{}{:.1f} {:.1f}", run++ == 0 ? "M" : "L", last_x, last_y);
+    }
+  }
+  end_run();
+  return fmt::format("<path class=\"line\" stroke=\"{}\" d=\"{}\"/>\n", colour, path) + dots;
+}
+
+/// Heights of the names: as near to the ends of their lines as they can be without touching each other.
+std::vector<double> name_heights(const std::vector<double>& ends, double top) {
+  std::vector<std::size_t> order(ends.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ends[a] < ends[b]; });
+  std::vector<double> out(ends.size());
+  double free_from = top;
+  for (const std::size_t k : order) {
+    out[k] = std::max(ends[k], free_from);
+    free_from = out[k] + kNameDistance;
+  }
+  double free_to = top + kPlotHeight;
+  for (auto k = order.rbegin(); k != order.rend(); ++k) {
+    out[*k] = std::min(out[*k], free_to);
+    free_to = out[*k] - kNameDistance;
+  }
+  return out;
+}
+
+double last_finite(const std::vector<double>& values) {
+  for (auto v = values.rbegin(); v != values.rend(); ++v)
+    if (std::isfinite(*v)) return *v;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y, double top) {
+  std::string out;
+  std::vector<double> ends;
+  for (const ChartSeries& s : panel.series) {
+    const double end = last_finite(s.y);
+    ends.push_back(std::isfinite(end) ? y(end) : top + kPlotHeight);
+  }
+  const std::vector<double> heights = name_heights(ends, top);
+  const double right = x.at_high;
+  for (std::size_t k = 0; k < panel.series.size(); ++k) {
+    const char* colour = kColours[k % kColours.size()];
+    out += draw_series(chart, panel.series[k], x, y, colour);
+    out += fmt::format("<path fill=\"none\" stroke=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", colour, right + 2, ends[k],
+                       right + 11, heights[k]);
+    out += text_at(right + 14, heights[k] + 3.5, panel.series[k].name, fmt::format("fill=\"{}\"", colour).c_str());
+  }
+  return out;
+}
+
+std::string draw_axes(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y, double top) {
+  std::string out = text_at(x.at_low, top - 12, panel.title, "class=\"panel\"");
+  const double bottom = top + kPlotHeight;
+  for (const double t : y.ticks) {
+    out += line_at(x.at_low, y(t), x.at_high, y(t), std::abs(t) < 0.5 * y.step() ? "zero" : "grid");
+    out += text_at(x.at_low - 6, y(t) + 3.5, tick_text(t, y.step()), "class=\"tick\" text-anchor=\"end\"");
+  }
+  for (const double t : x.ticks) {
+    out += line_at(x(t), bottom, x(t), bottom + 4, "axis");
+    out += text_at(x(t), bottom + 16, tick_text(t, x.step()), "class=\"tick\" text-anchor=\"middle\"");
+  }
+  out += line_at(x.at_low, bottom, x.at_high, bottom, "axis");
+  return out + text_at(0.5 * (x.at_low + x.at_high), bottom + 31, chart.x_title, "class=\"tick\" text-anchor=\"middle\"");
+}
+
+/// The sign above a panel: up for gained, down for lost, a rhomb for the rest.
+std::string event_sign(ChartEvent::Kind kind, double x, double y) {
+  const char* shape = kind == ChartEvent::Kind::gained ? "M{0:.1f} {1:.1f}l4 7h-8z"
+                      : kind == ChartEvent::Kind::lost ? "M{0:.1f} {2:.1f}l4 -7h-8z"
+                                                       : "M{0:.1f} {1:.1f}l4 4l-4 4l-4 -4z";
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind == ChartEvent::Kind::lost ? "hollow" : "sign",
+                     fmt::format(fmt::runtime(shape), x, y, y + 7));
+}
+
+std::string draw_events(const Chart& chart, const Axis& x, double top) {
+  std::string out;
+  for (const ChartEvent& e : chart.events) {
+    if (!std::isfinite(e.from) || !std::isfinite(e.to)) continue;
+    const double from = std::clamp(x(std::min(e.from, e.to)), x.at_low, x.at_high),
+                 to = std::clamp(x(std::max(e.from, e.to)), x.at_low, x.at_high);
+    out += "<g><title>" + escaped(e.text) + "</title>\n";
+    if (e.kind == ChartEvent::Kind::window) {
+      out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", from, top,
+                         std::max(to - from, 1.5), kPlotHeight);
+    } else {
+      out += line_at(from, top, from, top + kPlotHeight, "event") + event_sign(e.kind, from, top - 8);
+    }
+    out += "</g>\n";
+  }
+  return out;
+}
+
+std::string draw_crossings(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y) {
+  std::string out;
+  if (!panel.mark_zero_crossings || panel.series.empty()) return out;
+  const std::vector<double>& v = panel.series.front().y;
+  for (std::size_t k = 1; k < std::min(v.size(), chart.x.size()); ++k) {
+    if (!std::isfinite(v[k - 1]) || !std::isfinite(v[k]) || (v[k - 1] < 0) == (v[k] < 0)) continue;
+    const double at = chart.x[k - 1] + v[k - 1] / (v[k - 1] - v[k]) * (chart.x[k] - chart.x[k - 1]);
+    out += fmt::format("<circle class=\"crossing\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>\n", x(at), y(0));
+    out += text_at(x(at) + 8, y(0) - 7, fmt::format("0 at {:.4g}", at), "class=\"tick\"");
+  }
+  return out;
+}
+
+std::string draw_panel(const Chart& chart, const ChartPanel& panel, double left, double top) {
+  const Axis x = horizontal(chart, left), y = vertical(panel, top);
+  return draw_events(chart, x, top) + draw_axes(chart, panel, x, y, top) + draw_lines(chart, panel, x, y, top) +
+         draw_crossings(chart, panel, x, y);
+}
+
+std::string list_events(const Chart& chart, double top) {
+  std::string out;
+  const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const ChartEvent& e = chart.events[k];
+    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth, y = top + kLine * static_cast<double>(k / kColumns);
+    if (e.kind == ChartEvent::Kind::window)
+      out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"9\"/>\n", left - 4, y - 8);
+    else
+      out += event_sign(e.kind, left, y - 7.5);
+    const bool more = k + 1 == shown && chart.events.size() > shown;
+    out += text_at(left + 10, y, more ? fmt::format("and {} more: see events.csv", chart.events.size() - k) : e.text,
+                   "class=\"tick\"");
+  }
+  return out;
+}
+
+constexpr const char* kStyle =
+    "text{font:11.5px 'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;fill-opacity:1}"
+    ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}.tick{fill:#444}"
+    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.grid{stroke:#e6e6e6}.zero{stroke:#9a9a9a}.axis{stroke:#444}"
+    ".event{stroke:#777;stroke-dasharray:2 3}.sign{fill:#333}.hollow{fill:#fff;stroke:#333}.window{fill:#ddd}"
+    ".crossing{fill:none;stroke:#000;stroke-width:1.5}";
+
+}  // namespace
+
+std::vector<double> round_ticks(double low, double high, int wanted) {
+  if (!std::isfinite(low) || !std::isfinite(high)) low = 0, high = 1;
+  const double middle = 0.5 * (low + high), least = std::max(1e-3, 1e-6 * std::abs(middle));
+  if (high - low < least) low = middle - least, high = middle + least;
+  const double raw = (high - low) / std::max(1, wanted), power = std::pow(10, std::floor(std::log10(raw)));
+  const double ratio = raw / power;
+  const double step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+  const double first = std::floor(low / step + 1e-9), last = std::ceil(high / step - 1e-9);
+  std::vector<double> ticks;
+  for (double k = first; k <= last; ++k) ticks.push_back(k * step);
+  return ticks;
+}
+
+std::string to_svg(const Chart& chart) {
+  const auto rows = static_cast<double>((chart.panels.size() + kColumns - 1) / kColumns);
+  const auto lines = static_cast<double>((std::min(chart.events.size(), kMostEventLines) + kColumns - 1) / kColumns);
+  const double width = 2 * kMargin + kColumns * kPanelWidth;
+  const double height = kHeader + rows * kPanelHeight + lines * kLine + kMargin;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n"
+      "<style>{2}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+      width, height, kStyle);
+  out += text_at(kMargin, 26, chart.title, "class=\"title\"");
+  for (std::size_t k = 0; k < chart.panels.size(); ++k) {
+    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth;
+    out += draw_panel(chart, chart.panels[k], left, kHeader + kAbove + static_cast<double>(k / kColumns) * kPanelHeight);
+  }
+  return out + list_events(chart, kHeader + rows * kPanelHeight + kLine - 4) + "</svg>\n";
+}
+
+}  // namespace genu

@@ -1,0 +1,42 @@
+// Small multiples over one axis as a self-contained SVG: lines that are named at their right end, axes with round
+// ticks, and marks of events through all panels. Knows nothing of joints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace genu {
+
+struct ChartSeries {
+  std::string name;
+  std::vector<double> y;  ///< one for each x of the chart; NaN interrupts the line
+};
+
+struct ChartPanel {
+  std::string title;  ///< with the unit in brackets
+  std::vector<ChartSeries> series;
+  bool mark_zero_crossings = false;  ///< circles where the first series changes its sign
+};
+
+struct ChartEvent {
+  enum class Kind { gained, lost, window, other };
+  Kind kind = Kind::other;
+  double from = 0, to = 0;  ///< on the x axis; equal but for a window
+  std::string text;         ///< for the list below the panels
+};
+
+struct Chart {
+  std::string title, x_title;
+  std::vector<double> x;
+  std::vector<ChartPanel> panels;
+  std::vector<ChartEvent> events;
+};
+
+/// Ticks at round numbers (1, 2 or 5 times a power of ten), about `wanted` of them, the outer ones at or just outside
+/// of [low, high]. Ends that are equal or not finite are moved apart.
+std::vector<double> round_ticks(double low, double high, int wanted);
+
+/// The picture. Words are escaped, numbers have fixed decimals: the same chart gives the same bytes.
+std::string to_svg(const Chart& chart);
+
+}  // namespace genu

@@ -1,0 +1,197 @@
+#include "genu/results/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+constexpr std::size_t kMostLigaments = 8;
+
+double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? 180 / std::numbers::pi : 1e3); }
+const char* unit(const CoordinateRef& c) { return c.index < 3 ? "deg" : "mm"; }
+
+std::vector<double> column(const ResultTable& poses, const std::string& name) {
+  std::vector<double> values(poses.rows(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; poses.has_column(name) && row < poses.rows(); ++row) values[row] = poses.number(row, name);
+  return values;
+}
+
+bool one_way(const std::vector<double>& values) {
+  if (values.size() < 2) return false;
+  const double sign = values[1] > values[0] ? 1 : -1;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (!(sign * (values[k] - values[k - 1]) > 0)) return false;
+  return true;
+}
+
+class Curves {
+ public:
+  Curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses)
+      : scene_(scene), steps_(steps), poses_(poses) {
+    for (const StepPlan& step : steps)
+      for (const auto& p : step.prescribed)
+        if (std::find(prescribed_.begin(), prescribed_.end(), p.coordinate) == prescribed_.end())
+          prescribed_.push_back(p.coordinate);
+  }
+
+  Chart draw(const std::vector<PathEvent>& events) {
+    chart_.title = scene_.title.empty() ? scene_.file : scene_.title;
+    choose_x();
+    add("Rotations [deg]", coordinates(0));
+    add("Translations [mm]", coordinates(3));
+    add("Contact force [N]", contact_forces());
+    add("Ligament force [N]", ligament_forces());
+    add("Reaction moment [N m]", reactions(true));
+    add("Reaction force [N]", reactions(false));
+    add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}});
+    chart_.panels.back().mark_zero_crossings = true;
+    for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
+    return std::move(chart_);
+  }
+
+ private:
+  std::string coordinate_column(const CoordinateRef& c) const { return coordinate_name(scene_, c) + "_" + unit(c); }
+
+  void choose_x() {
+    for (const CoordinateRef& c : prescribed_) {
+      chart_.x = column(poses_, coordinate_column(c));
+      if (!one_way(chart_.x)) continue;
+      x_ = c;
+      chart_.x_title = fmt::format("{} [{}]", coordinate_name(scene_, c), unit(c));
+      return;
+    }
+    chart_.x_title = "row of results.csv";
+    chart_.x.resize(poses_.rows());
+    for (std::size_t k = 0; k < chart_.x.size(); ++k) chart_.x[k] = static_cast<double>(k + 1);
+  }
+
+  void add(const char* title, std::vector<ChartSeries> series) {
+    if (!series.empty()) chart_.panels.push_back({title, std::move(series), false});
+  }
+
+  /// "adduction", with the joint's name where there are several.
+  std::string short_name(const CoordinateRef& c) const {
+    const std::string name = coordinate_name(scene_, c);
+    return scene_.joints.size() > 1 ? name : name.substr(name.find('.') + 1);
+  }
+
+  std::vector<ChartSeries> coordinates(int first) const {
+    std::vector<ChartSeries> out;
+    for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
+      for (int i = first; i < first + 3; ++i) {
+        const CoordinateRef c{j, i};
+        if (x_ == c) continue;
+        out.push_back({short_name(c), column(poses_, coordinate_column(c))});
+      }
+    }
+    return out;
+  }
+
+  std::vector<ChartSeries> contact_forces() const {
+    std::vector<ChartSeries> out;
+    for (const ContactDef& contact : scene_.contacts) {
+      for (const RegionDef& region : contact.regions) {
+        const std::string name = contact.name + "." + region.name;
+        out.push_back({scene_.contacts.size() > 1 ? name : region.name, column(poses_, name + ".force_N")});
+      }
+      const bool whole = contact.regions.empty() || scene_.contacts.size() > 1;
+      out.push_back({whole ? contact.name : "whole pair", column(poses_, contact.name + ".force_N")});
+    }
+    return out;
+  }
+
+  std::vector<ChartSeries> reactions(bool moments) const {
+    std::vector<ChartSeries> out;
+    for (const CoordinateRef& c : prescribed_) {
+      if ((c.index < 3) != moments) continue;
+      out.push_back({short_name(c), column(poses_, coordinate_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
+    }
+    return out;
+  }
+
+  /// Fibres of one ligament, told by their names (ACLam1 ... ACLam6), are added up.
+  std::vector<ChartSeries> ligament_forces() const {
+    std::vector<ChartSeries> groups;
+    for (const LigamentDef& l : scene_.ligaments) {
+      const std::size_t end = l.name.find_last_not_of("0123456789");
+      const std::string stem = l.name.substr(0, end == std::string::npos ? l.name.size() : end + 1);
+      const std::vector<double> force = column(poses_, l.name + ".force_N");
+      const auto same = [&](const ChartSeries& g) { return g.name == stem; };
+      const auto group = std::find_if(groups.begin(), groups.end(), same);
+      if (group == groups.end()) {
+        groups.push_back({stem, force});
+        continue;
+      }
+      for (std::size_t k = 0; k < force.size(); ++k) group->y[k] += force[k];
+    }
+    const auto peak = [](const ChartSeries& g) {
+      double most = 0;
+      for (const double f : g.y) most = std::max(most, std::isfinite(f) ? std::abs(f) : 0);
+      return most;
+    };
+    std::stable_sort(groups.begin(), groups.end(),
+                     [&](const ChartSeries& a, const ChartSeries& b) { return peak(a) > peak(b); });
+    if (groups.size() > kMostLigaments) groups.resize(kMostLigaments);
+    return groups;
+  }
+
+  /// Where an event lies on the x axis.
+  double place(const PathEvent& event) const {
+    if (x_) {
+      for (const auto& p : event.target.prescribed)
+        if (p.coordinate == *x_) return shown(p.coordinate, p.value);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    double row = 1;  // the first row is the start of step 1
+    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k) row += steps_[k].increments;
+    const auto k = static_cast<std::size_t>(std::max(1, event.step)) - 1;
+    return row + (k < steps_.size() ? event.t * steps_[k].increments : 0);
+  }
+
+  std::string text(double x) const { return x_ ? fmt::format("{:.4g} {}", x, unit(*x_)) : fmt::format("row {:.4g}", x); }
+
+  void add_event(const std::vector<PathEvent>& events, std::size_t k) {
+    using Kind = PathEvent::Kind;
+    const PathEvent& e = events[k];
+    const double x = place(e);
+    if (e.kind == Kind::stepped_over) {  // they come in pairs: where the window begins and where it ends
+      if (window_from_) {
+        chart_.events.push_back({ChartEvent::Kind::window, *window_from_, x,
+                                 fmt::format("stepped over, {} to {}", text(*window_from_), text(x))});
+        window_from_.reset();
+      } else {
+        window_from_ = x;
+      }
+      return;
+    }
+    std::string word = to_string(e.kind);
+    std::replace(word.begin(), word.end(), '_', ' ');
+    const ChartEvent::Kind kind = e.kind == Kind::contact_gained ? ChartEvent::Kind::gained
+                                  : e.kind == Kind::contact_lost ? ChartEvent::Kind::lost
+                                                                 : ChartEvent::Kind::other;
+    chart_.events.push_back({kind, x, x, fmt::format("{} at {}{}{}", word, text(x), e.what.empty() ? "" : ": ", e.what)});
+  }
+
+  const Scene& scene_;
+  const std::vector<StepPlan>& steps_;
+  const ResultTable& poses_;
+  std::vector<CoordinateRef> prescribed_;
+  std::optional<CoordinateRef> x_;
+  std::optional<double> window_from_;
+  Chart chart_;
+};
+
+}  // namespace
+
+Chart curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
+             const std::vector<PathEvent>& events) {
+  return Curves(scene, steps, poses).draw(events);
+}
+
+}  // namespace genu
