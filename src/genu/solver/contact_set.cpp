@@ -1,37 +1,15 @@
 #include "genu/solver/contact_set.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
-
-#include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include "genu/solver/compliant_seed.h"
 
 namespace genu {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
-// Below this relative curvature (1/m) a contact may be about to split: look around it, the samples may miss its twin.
-constexpr double kNearSplit = 3;
-constexpr double kProbeRadii[] = {0.3e-3, 0.8e-3, 1.6e-3, 3e-3};  // m
-// A held contact and a refined minimum closer than this are the same one.
-constexpr double kSameContact = 2e-6;  // m
-// Samples overlap by at most this (m) beyond the deepest refined minimum, or something else is wrong.
-constexpr double kUnexplained = 1e-5;
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool same_place(const ContactGeometry& x, const ContactGeometry& y, double distance) {
-  return (x.a.p - y.a.p).norm() < distance && (x.b.p - y.b.p).norm() < distance;
-}
-
-std::string contact_label(const JointModel& model, const ActiveContact& contact) {
-  return fmt::format("{}.{}", model.pairs[at(contact.pair)].name, contact.number);
-}
 
 /// A contact set as a sorted list of (pair, number), to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
@@ -57,109 +35,19 @@ const char* to_string(PoseStatus status) {
 }
 
 ContactSetSolver::ContactSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
-    : model_(&model), field_(&field), options_(options), gap_tolerance_(1e-12 * model.scales.length), newton_(model) {
-  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
-  for (const Pose& pose : model.reference_poses)
-    gap_tolerance_ = std::max(gap_tolerance_, kRounding * (model.scales.length + pose.p.norm()));
-}
+    : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {}
 
 int ContactSetSolver::contact_limit(const Target& target) const {
   return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(target.prescribed.size()));
 }
 
-bool ContactSetSolver::held(const State& state, const Candidate& candidate) const {
-  return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
-    return c.pair == candidate.pair && same_place(c.geometry, candidate.minimum.contact, kSameContact);
-  });
-}
-
-void ContactSetSolver::inspect_contacts(const State& state, Findings& out) {
-  std::vector<LocalMinimum> found;
-  for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i) {
-    const ActiveContact& contact = state.contacts[at(i)];
-    const double scaled = contact.force / model_->scales.force;
-    out.worst = std::min(out.worst, scaled);
-    if (scaled < -kForceTolerance) out.pulling.push_back(i);
-    if (field_->edge_distance(contact.pair, contact.geometry) < 0) {
-      out.over_edge = true;
-      out.where = contact_label(*model_, contact);
-    }
-    const auto& pair = model_->pairs[at(contact.pair)];
-    const Mat2 curvature = relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
-    const double least = Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (curvature + curvature.transpose())).eigenvalues()[0];
-    if (least > kNearSplit) continue;
-    found.clear();
-    for (const double radius : kProbeRadii) field_->probe_around(state, contact.pair, contact.geometry, radius, found);
-    bool lower = false;
-    for (const LocalMinimum& m : found) {
-      if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, kSameContact)) continue;
-      const Candidate candidate{contact.pair, m};
-      lower = true;
-      if (least < 0) out.beside.push_back(candidate);
-      else if (!held(state, candidate)) out.overlapping.push_back(candidate);
-    }
-    // Flat to rounding (a plane on a plane) is a minimum; a saddle is one only if something beside it lies lower.
-    if (least < 0 && lower) out.not_minimal.push_back(i);
-  }
-  std::sort(out.pulling.begin(), out.pulling.end(),
-            [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
-}
-
-void ContactSetSolver::inspect(const State& state, Findings& out) {
-  out = {};
-  inspect_contacts(state, out);
-  field_->survey(state, survey_);
-  std::vector<double> explained(model_->pairs.size(), 0.0);
-  auto add = [&](const Candidate& c) {
-    const auto known = [&](const Candidate& k) {
-      return k.pair == c.pair && same_place(k.minimum.contact, c.minimum.contact, kSameContact);
-    };
-    if (std::none_of(out.overlapping.begin(), out.overlapping.end(), known)) out.overlapping.push_back(c);
-  };
-  for (const Candidate& c : survey_.minima) {
-    explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
-    if (held(state, c)) continue;
-    out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-    if (c.minimum.gap < -gap_tolerance_) add(c);
-  }
-  for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-  for (const Candidate& c : survey_.edges) {
-    if (!(c.minimum.gap < -gap_tolerance_) || held(state, c)) continue;
-    explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
-    out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-    out.over_edge = true;
-    out.where = model_->pairs[at(c.pair)].name;
-  }
-  for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {
-    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplained) continue;
-    out.deep_overlap = true;
-    out.worst = std::min(out.worst, survey_.smallest_gap[pair] / model_->scales.length);
-    out.where = fmt::format("{} by {:.3f} mm", model_->pairs[pair].name, -1e3 * survey_.smallest_gap[pair]);
-  }
-  std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
-                   [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
-}
-
-PoseReport ContactSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) {
+PoseReport ContactSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) const {
   PoseReport report;
   report.newton = newton;
   report.iterations = newton.iterations;
-  Certificate& c = report.certificate;
-  c.residual = newton.residual;
-  c.smallest_force = kInfinity;
-  c.smallest_gap = kInfinity;
-  c.edge_distance = kInfinity;
-  for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
-  for (const ActiveContact& contact : state.contacts) {
-    const auto& pair = model_->pairs[at(contact.pair)];
-    c.smallest_force = std::min(c.smallest_force, contact.force);
-    c.least_opposed = std::max(c.least_opposed, (state.poses[at(pair.body_a)].R * contact.geometry.a.n)
-                                                    .dot(state.poses[at(pair.body_b)].R * contact.geometry.b.n));
-    c.edge_distance = std::min(c.edge_distance, field_->edge_distance(contact.pair, contact.geometry));
-    c.smallest_gap = std::min(c.smallest_gap, 0.0);
-  }
+  report.certificate = inspector_.certify(state, newton.residual);
   report.status = PoseStatus::ok;
-  if (c.least_opposed > 0) {
+  if (report.certificate.least_opposed > 0) {
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
@@ -183,7 +71,7 @@ PoseReport ContactSetSolver::solve_held(Balanced& pose, const Target& target, Fi
     report.why = to_string(newton.outcome);
     return report;
   }
-  inspect(state, findings);
+  inspector_.inspect(state, findings);
   pose.state = std::move(state);
   return judge(pose.state, newton, findings);
 }
@@ -216,9 +104,9 @@ void ContactSetSolver::follow_open(Balanced& pose) {
     const auto descent = field_->follow(pose.state, open.pair, open.geometry);
     if (!descent || !descent->settled || field_->edge_distance(open.pair, descent->minimum.contact) < 0) continue;
     const Candidate candidate{open.pair, descent->minimum};
-    const bool merged = held(pose.state, candidate) ||
+    const bool merged = ContactInspector::held(pose.state, candidate) ||
                         std::any_of(still.begin(), still.end(), [&](const OpenContact& o) {
-                          return o.pair == open.pair && same_place(o.geometry, descent->minimum.contact, kSameContact);
+                          return o.pair == open.pair && same_place(o.geometry, descent->minimum.contact, ContactInspector::kSameContact);
                         });
     if (merged) continue;
     open.geometry = descent->minimum.contact;
@@ -233,7 +121,7 @@ bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findin
   if (!findings.not_minimal.empty()) {
     for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
     for (const Candidate& c : findings.beside)
-      if (!held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
+      if (!ContactInspector::held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
     return true;
   }
   if (!findings.overlapping.empty()) {

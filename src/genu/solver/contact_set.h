@@ -5,13 +5,11 @@
 // longer a minimum of the gap is replaced by the minima beside it.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "genu/model/contact_field.h"
+#include "genu/solver/contact_inspection.h"
 #include "genu/solver/newton.h"
-#include "genu/solver/stability.h"
 
 namespace genu {
 
@@ -34,29 +32,6 @@ struct Balanced {
 enum class PoseStatus { ok, no_equilibrium, over_edge, overlap, chatter, overconstrained, undetermined };
 const char* to_string(PoseStatus status);
 
-/// What was verified at an accepted pose, and by how much.
-struct Certificate {
-  double residual = 0;       ///< scaled
-  double smallest_force = 0; ///< N, +infinity without contact
-  double smallest_gap = 0;   ///< m, over the whole of every pair; +infinity when all are clear
-  double least_opposed = -1; ///< largest n_A . n_B of any contact, -1 is exactly opposed
-  double edge_distance = 0;  ///< m: least distance of a contact point to an edge of its patch
-};
-
-/// What is wrong with a converged state.
-struct Findings {
-  std::vector<int> pulling;             ///< active contacts with negative force, worst first
-  std::vector<Candidate> overlapping;   ///< minima with negative gap that are not held, deepest first
-  std::vector<int> not_minimal;         ///< active contacts at a saddle of the gap
-  std::vector<Candidate> beside;        ///< minima found beside those
-  bool over_edge = false;               ///< a contact point or an overlap lies past the edge of a patch
-  bool deep_overlap = false;            ///< samples overlap where no contact explains it
-  double worst = std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
-  std::string where;                    ///< for over_edge and deep_overlap, in words
-
-  bool none() const { return pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge && !deep_overlap; }
-};
-
 struct PoseReport {
   PoseStatus status = PoseStatus::no_equilibrium;
   std::string why;
@@ -67,11 +42,6 @@ struct PoseReport {
 
 class ContactSetSolver {
  public:
-  /// An overlap below this (m) is none: 1e-12 of the characteristic length, and what rounding makes of the distance of
-  /// the bodies from the world's origin. Two contacts about to merge turn an overlap of 1 nm into 0.001 deg.
-  double gap_tolerance() const { return gap_tolerance_; }
-  static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a pull below this is none
-
   ContactSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options);
 
   /// Newton with the contacts of `pose` as they are; checks, but changes no contact.
@@ -101,18 +71,15 @@ class ContactSetSolver {
   ContactField& field() { return *field_; }
 
  private:
-  void inspect(const State& state, Findings& out);
-  void inspect_contacts(const State& state, Findings& out);
-  bool held(const State& state, const Candidate& candidate) const;
   bool change(Balanced& pose, const Target& target, const Findings& findings) const;
-  PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings);
+  PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
   void close_touching(Balanced& pose, const Target& target, double below);
 
   const JointModel* model_;
   ContactField* field_;
   NewtonOptions options_;
-  double gap_tolerance_;
   Newton newton_;
+  ContactInspector inspector_;
   Survey survey_;
 };
 

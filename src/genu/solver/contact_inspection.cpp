@@ -1,0 +1,136 @@
+#include "genu/solver/contact_inspection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Below this relative curvature (1/m) a contact may be about to split: look around it, the samples may miss its twin.
+constexpr double kNearSplit = 3;
+constexpr double kProbeRadii[] = {0.3e-3, 0.8e-3, 1.6e-3, 3e-3};  // m
+// Samples overlap by at most this (m) beyond the deepest refined minimum, or something else is wrong.
+constexpr double kUnexplained = 1e-5;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact) {
+  const auto& pair = model.pairs[at(contact.pair)];
+  const Mat2 curvature = relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
+  return Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (curvature + curvature.transpose())).eigenvalues()[0];
+}
+
+void add_distinct(std::vector<Candidate>& list, const Candidate& candidate) {
+  const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& k) {
+    return k.pair == candidate.pair &&
+           same_place(k.minimum.contact, candidate.minimum.contact, ContactInspector::kSameContact);
+  });
+  if (!known) list.push_back(candidate);
+}
+
+}  // namespace
+
+bool same_place(const ContactGeometry& x, const ContactGeometry& y, double distance) {
+  return (x.a.p - y.a.p).norm() < distance && (x.b.p - y.b.p).norm() < distance;
+}
+
+ContactInspector::ContactInspector(const JointModel& model, ContactField& field)
+    : model_(&model), field_(&field), gap_tolerance_(1e-12 * model.scales.length) {
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+  for (const Pose& pose : model.reference_poses)
+    gap_tolerance_ = std::max(gap_tolerance_, kRounding * (model.scales.length + pose.p.norm()));
+}
+
+bool ContactInspector::held(const State& state, const Candidate& candidate) {
+  return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
+    return c.pair == candidate.pair && same_place(c.geometry, candidate.minimum.contact, kSameContact);
+  });
+}
+
+void ContactInspector::inspect(const State& state, Findings& out) {
+  out = {};
+  inspect_held(state, out);
+  look_everywhere(state, out);
+  for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
+  std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
+}
+
+void ContactInspector::inspect_held(const State& state, Findings& out) {
+  for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i) {
+    const ActiveContact& contact = state.contacts[at(i)];
+    const double scaled = contact.force / model_->scales.force;
+    out.worst = std::min(out.worst, scaled);
+    if (scaled < -kForceTolerance) out.pulling.push_back(i);
+    if (field_->edge_distance(contact.pair, contact.geometry) < 0) {
+      out.over_edge = true;
+      out.where = fmt::format("{}.{}", model_->pairs[at(contact.pair)].name, contact.number);
+    }
+    look_beside(state, i, out);
+  }
+  std::sort(out.pulling.begin(), out.pulling.end(),
+            [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
+}
+
+void ContactInspector::look_beside(const State& state, int i, Findings& out) {
+  const ActiveContact& contact = state.contacts[at(i)];
+  const double least = least_curvature(*model_, state, contact);
+  if (least > kNearSplit) return;
+  beside_.clear();
+  for (const double radius : kProbeRadii) field_->probe_around(state, contact.pair, contact.geometry, radius, beside_);
+  bool lower = false;
+  for (const LocalMinimum& m : beside_) {
+    if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, kSameContact)) continue;
+    const Candidate candidate{contact.pair, m};
+    lower = true;
+    if (least < 0) out.beside.push_back(candidate);
+    else if (!held(state, candidate)) out.overlapping.push_back(candidate);
+  }
+  // Flat to rounding (a plane on a plane) is a minimum; a saddle is none only if something beside it lies lower.
+  if (least < 0 && lower) out.not_minimal.push_back(i);
+}
+
+void ContactInspector::look_everywhere(const State& state, Findings& out) {
+  field_->survey(state, survey_);
+  std::vector<double> explained(model_->pairs.size(), 0.0);
+  for (const Candidate& c : survey_.minima) {
+    explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
+    if (held(state, c)) continue;
+    out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
+    if (c.minimum.gap < -gap_tolerance_) add_distinct(out.overlapping, c);
+  }
+  for (const Candidate& c : survey_.edges) {
+    if (!(c.minimum.gap < -gap_tolerance_) || held(state, c)) continue;
+    explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
+    out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
+    out.over_edge = true;
+    out.where = model_->pairs[at(c.pair)].name;
+  }
+  for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {
+    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplained) continue;
+    out.deep_overlap = true;
+    out.worst = std::min(out.worst, survey_.smallest_gap[pair] / model_->scales.length);
+    out.where = fmt::format("{} by {:.3f} mm", model_->pairs[pair].name, -1e3 * survey_.smallest_gap[pair]);
+  }
+}
+
+Certificate ContactInspector::certify(const State& state, double residual) const {
+  Certificate c;
+  c.residual = residual;
+  c.smallest_force = c.smallest_gap = c.edge_distance = kInfinity;
+  for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
+  for (const ActiveContact& contact : state.contacts) {
+    const auto& pair = model_->pairs[at(contact.pair)];
+    c.smallest_force = std::min(c.smallest_force, contact.force);
+    c.least_opposed = std::max(c.least_opposed, (state.poses[at(pair.body_a)].R * contact.geometry.a.n)
+                                                    .dot(state.poses[at(pair.body_b)].R * contact.geometry.b.n));
+    c.edge_distance = std::min(c.edge_distance, field_->edge_distance(contact.pair, contact.geometry));
+  }
+  return c;
+}
+
+}  // namespace genu
