@@ -1,7 +1,7 @@
 #include "genu/contact/far_distance.h"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -24,10 +24,12 @@ class FeatureNormals {
  public:
   explicit FeatureNormals(const Mesh& mesh) : mesh_(mesh), vertex_(mesh.vertices.size(), Vec3::Zero()),
                                               open_vertex_(mesh.vertices.size(), false) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh.triangles[t]);
-    for (const auto& [key, edge] : edges_) {
+    edges_.reserve(3 * mesh.triangles.size());
+    for (const auto& t : mesh.triangles) add_triangle(t);
+    join_edges();
+    for (const Edge& edge : edges_) {
       if (edge.faces != 1) continue;
-      open_vertex_[static_cast<std::size_t>(key.first)] = open_vertex_[static_cast<std::size_t>(key.second)] = true;
+      open_vertex_[static_cast<std::size_t>(edge.i)] = open_vertex_[static_cast<std::size_t>(edge.j)] = true;
     }
   }
 
@@ -49,18 +51,39 @@ class FeatureNormals {
       open = open_vertex_[v];
       return vertex_[v];
     }
-    const auto it = edges_.find(edge_key(t[(zero + 1) % 3], t[(zero + 2) % 3]));
-    open = it->second.faces == 1;
-    return it->second.normal;
+    const Edge& edge = edge_between(t[(zero + 1) % 3], t[(zero + 2) % 3]);
+    open = edge.faces == 1;
+    return edge.normal;
   }
 
  private:
   struct Edge {
-    Vec3 normal = Vec3::Zero();
-    int faces = 0;
+    int i, j;  // i < j
+    Vec3 normal;
+    int faces;
+    bool operator<(const Edge& other) const { return std::pair(i, j) < std::pair(other.i, other.j); }
   };
 
-  static std::pair<int, int> edge_key(int i, int j) { return i < j ? std::pair(i, j) : std::pair(j, i); }
+  const Edge& edge_between(int i, int j) const {
+    return *std::lower_bound(edges_.begin(), edges_.end(), Edge{std::min(i, j), std::max(i, j), {}, 0});
+  }
+
+  /// Sorts the sides of all triangles and joins those that are the same edge.
+  void join_edges() {
+    std::stable_sort(edges_.begin(), edges_.end());
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < edges_.size(); ++k) {
+      if (!(edges_[last] < edges_[k])) {
+        edges_[last].normal += edges_[k].normal;
+        ++edges_[last].faces;
+      } else {
+        edges_[++last] = edges_[k];
+      }
+    }
+    if (!edges_.empty()) edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(last) + 1, edges_.end());
+    edges_.shrink_to_fit();
+  }
+
   const Vec3& vertex(int i) const { return mesh_.vertices[static_cast<std::size_t>(i)]; }
 
   Vec3 face_normal(const std::array<int, 3>& t) const {
@@ -73,9 +96,8 @@ class FeatureNormals {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 e1 = vertex(t[(k + 1) % 3]) - vertex(t[k]), e2 = vertex(t[(k + 2) % 3]) - vertex(t[k]);
       vertex_[static_cast<std::size_t>(t[k])] += std::atan2(e1.cross(e2).norm(), e1.dot(e2)) * normal;
-      Edge& edge = edges_[edge_key(t[k], t[(k + 1) % 3])];
-      edge.normal += normal;
-      ++edge.faces;
+      const int i = t[k], j = t[(k + 1) % 3];
+      edges_.push_back({std::min(i, j), std::max(i, j), normal, 1});
     }
   }
 
@@ -90,7 +112,7 @@ class FeatureNormals {
   const Mesh& mesh_;
   std::vector<Vec3> vertex_;
   std::vector<bool> open_vertex_;
-  std::map<std::pair<int, int>, Edge> edges_;
+  std::vector<Edge> edges_;  // by (i, j)
 };
 
 }  // namespace

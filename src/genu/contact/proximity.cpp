@@ -20,6 +20,8 @@ constexpr double kNearContact = 1.5e-4;  // m
 constexpr double kHopeless = 3e-5;  // m
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
 constexpr double kMerge = 1e-4;  // m
+// Outward normals within 60 degrees of each other: the sides cannot touch.
+constexpr double kSameSide = 0.5;
 
 /// The farthest that a point of the sphere (centre, radius) has moved between two poses.
 double largest_motion(const Pose& from, const Pose& to, const Vec3& centre, double radius) {
@@ -116,13 +118,12 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) cons
     if (direction == nullptr && *gap > 0) return *gap;
     if (!queried_->project(x, foot)) return kInfinity;
     if (direction != nullptr) *direction = foot.n;
-    // Seen from behind, or beyond the edge of an open sheet: not an overlap of the two outer sides.
-    if (*gap < 0 && (foot.n.dot(normal) > 0 || queried_->edge_distance(foot.p) < 0)) return kInfinity;
+    // The back of a thin shell, or a place beyond the edge of an open sheet: not an overlap of the two outer sides.
+    if (*gap < 0 && (foot.n.dot(normal) > kSameSide || queried_->edge_distance(foot.p) < 0)) return kInfinity;
     return *gap;
   }
   const FarDistance::Nearest nearest = far_.nearest(x);
   if (direction != nullptr) *direction = nearest.direction;
-  if (nearest.distance < 0 && nearest.direction.dot(normal) > 0) return kInfinity;
   return nearest.distance;
 }
 

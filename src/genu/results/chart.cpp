@@ -13,7 +13,7 @@ namespace genu {
 namespace {
 
 // Pixels. Two panels side by side, the names of the lines to the right of each.
-constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbove = 34, kBelow = 44;
+constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbove = 38, kBelow = 44;
 constexpr double kPanelWidth = kLeft + kPlotWidth + kNames, kPanelHeight = kAbove + kPlotHeight + kBelow;
 constexpr double kMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12;
 constexpr int kColumns = 2;
@@ -88,6 +88,7 @@ Axis horizontal(const Chart& chart, double left) {
 Axis vertical(const ChartPanel& panel, double top) {
   std::vector<double> all;
   for (const ChartSeries& s : panel.series) all.insert(all.end(), s.y.begin(), s.y.end());
+  if (panel.from_zero) all.push_back(0);
   const auto [low, high] = range(all);
   Axis axis;
   axis.ticks = round_ticks(low, high, 5);
@@ -166,7 +167,7 @@ std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& 
 }
 
 std::string draw_axes(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y, double top) {
-  std::string out = text_at(x.at_low, top - 12, panel.title, "class=\"panel\"");
+  std::string out = text_at(x.at_low, top - 16, panel.title, "class=\"panel\"");
   const double bottom = top + kPlotHeight;
   for (const double t : y.ticks) {
     out += line_at(x.at_low, y(t), x.at_high, y(t), std::abs(t) < 0.5 * y.step() ? "zero" : "grid");

@@ -15,6 +15,7 @@ struct ChartSeries {
 struct ChartPanel {
   std::string title;  ///< with the unit in brackets
   std::vector<ChartSeries> series;
+  bool from_zero = false;            ///< the y axis shows 0
   bool mark_zero_crossings = false;  ///< circles where the first series changes its sign
 };
 

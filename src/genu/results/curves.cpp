@@ -43,13 +43,13 @@ class Curves {
   Chart draw(const std::vector<PathEvent>& events) {
     chart_.title = scene_.title.empty() ? scene_.file : scene_.title;
     choose_x();
-    add("Rotations [deg]", coordinates(0));
-    add("Translations [mm]", coordinates(3));
-    add("Contact force [N]", contact_forces());
-    add("Ligament force [N]", ligament_forces());
-    add("Reaction moment [N m]", reactions(true));
-    add("Reaction force [N]", reactions(false));
-    add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}});
+    add("Rotations [deg]", coordinates(0), false);
+    add("Translations [mm]", coordinates(3), false);
+    add("Contact force [N]", contact_forces(), true);
+    add("Ligament force [N]", ligament_forces(), true);
+    add("Reaction moment [N m]", reactions(true), true);
+    add("Reaction force [N]", reactions(false), true);
+    add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}}, true);
     chart_.panels.back().mark_zero_crossings = true;
     for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
     return std::move(chart_);
@@ -71,8 +71,8 @@ class Curves {
     for (std::size_t k = 0; k < chart_.x.size(); ++k) chart_.x[k] = static_cast<double>(k + 1);
   }
 
-  void add(const char* title, std::vector<ChartSeries> series) {
-    if (!series.empty()) chart_.panels.push_back({title, std::move(series), false});
+  void add(const char* title, std::vector<ChartSeries> series, bool from_zero) {
+    if (!series.empty()) chart_.panels.push_back({title, std::move(series), from_zero, false});
   }
 
   /// "adduction", with the joint's name where there are several.

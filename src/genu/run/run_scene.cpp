@@ -96,7 +96,7 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
     good = false;
     out.add({.file = prepared.scene.file, .line = def.where.line, .column = def.where.column, .key = "contact." + def.name,
              .found = {},
-             .rule = fmt::format("the surfaces overlap by {:.1f} mm in the reference pose, at most {:.0f} mm can be "
+             .rule = fmt::format("the surfaces overlap by {:.4g} mm in the reference pose, at most {:.0f} mm can be "
                                  "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
                                  "units of the meshes", -kMillimetre * gap, kMillimetre * kLargestOverlap)});
   }

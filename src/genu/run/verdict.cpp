@@ -29,7 +29,7 @@ std::string advice(PoseStatus status) {
     case PoseStatus::overlap:
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `reference`.";
     case PoseStatus::overconstrained:
-      return "More contacts are needed than the prescribed coordinates leave room for: prescribe fewer coordinates.";
+      return "Prescribe fewer coordinates.";
     case PoseStatus::undetermined:
       return "Prescribe the free motion, or add the ligament or load that holds it.";
     case PoseStatus::chatter:
@@ -64,6 +64,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   const Scene& scene = prepared.scene;
   if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
     out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable.", summary.poses_stable, summary.poses_solved));
+  else if (summary.poses_solved == 0)
+    out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else
     out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved, summary.poses_asked));
   say_windows(scene, events, out);
@@ -71,6 +73,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::turns_back)
       out.push_back(fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
                                 "Prescribe another coordinate to follow it round.", place(scene, e.target)));
+    if (e.kind == PathEvent::Kind::snaps)
+      out.push_back(fmt::format("From {} the joint would snap {}: start a scene there (`reference`) to follow it on.",
+                                place(scene, e.target), e.what));
     if (e.kind == PathEvent::Kind::stability_changed)
       out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(scene, e.target)));
     if (e.kind == PathEvent::Kind::over_edge)

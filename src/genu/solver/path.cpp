@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -118,6 +120,13 @@ class PathRun {
             "no equilibrium beyond: the prescribed path turns back here"});
       report.why = "the path turns back before this pose";
     }
+    const auto [distance, angle] = walker_.snap();
+    if (distance > 0 || angle > 0) {
+      emit({PathEvent::Kind::snaps, step_, walker_.t(), step.target(walker_.t()),
+            fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI)});
+      report.status = PoseStatus::no_equilibrium;
+      report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+    }
     fail(step, k, t, report, "");
   }
 
@@ -190,6 +199,7 @@ const char* to_string(PathEvent::Kind kind) {
     case PathEvent::Kind::over_edge: return "over_edge";
     case PathEvent::Kind::overlap: return "overlap";
     case PathEvent::Kind::turns_back: return "turns_back";
+    case PathEvent::Kind::snaps: return "snaps";
     case PathEvent::Kind::stability_changed: return "stability_changed";
     case PathEvent::Kind::stopped: return "stopped";
   }

@@ -26,7 +26,7 @@ struct PosePoint {
 
 /// Something that happened between rows, located on the path.
 struct PathEvent {
-  enum class Kind { contact_gained, contact_lost, stepped_over, over_edge, overlap, turns_back, stability_changed, stopped };
+  enum class Kind { contact_gained, contact_lost, stepped_over, over_edge, overlap, turns_back, snaps, stability_changed, stopped };
   Kind kind = Kind::stopped;
   int step = 0;
   double t = 0;

@@ -70,13 +70,13 @@ Walker::Attempt Walker::attempt(double t) {
   return out;
 }
 
-bool Walker::jumped(const Attempt& attempt, double h) const {
+bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
   const double L = solver_.model().scales.length;
   double moved = 0, expected = 0;
   for (std::size_t i = 0; i < pose_.state.poses.size(); ++i) {
-    const Pose &from = pose_.state.poses[i], &to = attempt.pose.state.poses[i];
+    const Pose &from = pose_.state.poses[i], &to = state.poses[i];
     moved += (to.p - from.p).norm() / L + log_rotation(to.R * from.R.transpose()).norm();
   }
   for (Eigen::Index i = 0; i < tangent_.twist.size(); i += 6)
@@ -90,13 +90,13 @@ bool Walker::walk_to(double t_end) {
     const double t = std::min(t_end, t_ + h);
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
-    if (solved && trial.valid() && !jumped(trial, t - t_)) {
+    if (solved && trial.valid() && !jumped(trial.pose.state, t - t_)) {
       solver_.follow_open(trial.pose);
       accept(t, std::move(trial.pose), trial.report);
       h *= 2;
       continue;
     }
-    if (solved && !trial.findings.none() && !jumped(trial, t - t_)) {
+    if (solved && !trial.findings.none() && !jumped(trial.pose.state, t - t_)) {
       if (!pass_event(t, std::move(trial))) return false;
       h = std::max(h, (t_end - t_) / 4);
       continue;
@@ -170,20 +170,28 @@ void Walker::report_changes(const Balanced& before, const Balanced& after) {
     if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
 }
 
+bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
+  for (const bool seeded : {false, true}) {
+    next = pose_;
+    report = seeded ? solver_.settle_from_seed(next, plan_.target(t)) : solver_.settle(next, plan_.target(t));
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    if (!jumped(next.state, t - t_)) return true;
+    const Pose &from = pose_.state.poses.back(), &to = next.state.poses.back();
+    snap_ = {(to.p - from.p).norm(), log_rotation(to.R * from.R.transpose()).norm()};
+  }
+  return false;
+}
+
 bool Walker::step_over(double window) {
   const double from = t_;
+  snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);
-    Balanced next = pose_;
-    PoseReport report = solver_.settle(next, plan_.target(t));
-    iterations_ += report.iterations;
-    if (report.status != PoseStatus::ok) {
-      next = pose_;
-      report = solver_.settle_from_seed(next, plan_.target(t));
-      iterations_ += report.iterations;
-    }
-    if (report.status == PoseStatus::ok) {
+    Balanced next;
+    PoseReport report;
+    if (balance_at(t, next, report)) {
       const Balanced before = pose_;
       emit(PathEvent::Kind::stepped_over, "from here");
       accept(t, std::move(next), report);

@@ -1,6 +1,8 @@
 // Walks along one step: from a solved pose to the next one asked for, however many substeps that takes.
 #pragma once
 
+#include <utility>
+
 #include "genu/solver/path.h"
 
 namespace genu {
@@ -17,7 +19,8 @@ class Walker {
   bool walk_to(double t);
 
   /// After walk_to() failed: tries to go on beyond a short stretch without solution, at most `window` of t long, but not
-  /// past t = 1. True with the pose solved again at some t() > the old one.
+  /// past t = 1. True with the pose solved again at some t() > the old one, near where it was: a pose far away lies on
+  /// another path, to which the joint would snap, and is not taken.
   bool step_over(double window);
 
   double t() const { return t_; }
@@ -27,6 +30,8 @@ class Walker {
   /// Why walk_to() failed.
   const PoseReport& failure() const { return failure_; }
   bool turning_back() const;
+  /// The last step_over() found an equilibrium, but far away (m and rad of the body that moves most); 0, 0 otherwise.
+  std::pair<double, double> snap() const { return snap_; }
   int substeps() const { return substeps_; }
   int iterations() const { return iterations_; }
 
@@ -40,7 +45,8 @@ class Walker {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report);
-  bool jumped(const Attempt& attempt, double h) const;
+  bool jumped(const State& state, double h) const;
+  bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
@@ -57,6 +63,7 @@ class Walker {
   Stability stability_;
   Correction tangent_;  // per unit of t
   Linearization here_;
+  std::pair<double, double> snap_{0, 0};
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
   int substeps_ = 0, iterations_ = 0;
 };
