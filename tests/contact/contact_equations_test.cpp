@@ -64,7 +64,8 @@ void for_random_contacts(Check check) {
   const auto surfaces = some_surfaces();
   for (const auto& a : surfaces)
     for (const auto& b : surfaces)
-      for (int repeat = 0; repeat < 3; ++repeat) check(random_contact(*a.surface, *b.surface, random), a.name + " on " + b.name);
+      for (int repeat = 0; repeat < 3; ++repeat)
+        check(random_contact(*a.surface, *b.surface, random), a.name + " on " + b.name);
 }
 
 TEST(ContactEquations, ResidualsDerivatives) {
@@ -90,10 +91,11 @@ TEST(ContactEquations, WrenchesDerivatives) {
     const ContactBlock block = c.block();
     MatX exact(12, 16);
     exact << block.wrench_d_twist, block.wrench_d_surface;
-    const MatX difference = test::jacobian(
-        [&](const VecX& x) { return VecX(kForce * c.moved(x).block().direction); }, VecX::Zero(16), kStep);
+    const MatX difference = test::jacobian([&](const VecX& x) { return VecX(kForce * c.moved(x).block().direction); },
+                                           VecX::Zero(16), kStep);
     for (const int part : {0, 3, 6, 9}) {  // forces and moments by themselves
-      const double scale = std::max(exact.middleRows<3>(part).cwiseAbs().maxCoeff(), kForce * (part % 6 == 0 ? 1 : 0.01));
+      const double scale =
+          std::max(exact.middleRows<3>(part).cwiseAbs().maxCoeff(), kForce * (part % 6 == 0 ? 1 : 0.01));
       const double error = (exact - difference).middleRows<3>(part).cwiseAbs().maxCoeff() / scale;
       ASSERT_LT(error, 1e-8) << what << ", rows from " << part;
     }
@@ -149,7 +151,10 @@ void for_minimal_contacts(Check check) {
   for (const auto& a : surfaces)
     for (const auto& b : surfaces)
       for (int repeat = 0; repeat < 4; ++repeat) {
-        Contact c{a.surface.get(), b.surface.get(), random_pose(random, 0.05), {},
+        Contact c{a.surface.get(),
+                  b.surface.get(),
+                  random_pose(random, 0.05),
+                  {},
                   {random_point(*a.surface, random), random_point(*b.surface, random)}};
         c.X_Wb = c.X_Wa * touching(c.geometry.a, c.geometry.b, 0.7);
         const Eigen::SelfAdjointEigenSolver<Mat2> eigen(relative_curvature(c.X_Wa, c.X_Wb, c.geometry));
@@ -163,13 +168,15 @@ TEST(ContactEquations, GapGradientIsThatOfTheRefinedGap) {
     EliminatedContact contact;
     ASSERT_TRUE(contact.factor(c.block(), 0.02)) << what;
     const auto gap = [&](const Pose& X_Wa, const Pose& X_Wb) -> VecX {
-      const auto descent = descend_gap(*c.A, *c.B, X_Wa.inverse() * X_Wb, c.geometry.b.p, 1e-3);
+      const auto descent = descend_gap(*c.A, *c.B, X_Wa.inverse() * X_Wb, c.geometry.b.p, {.max_step = 1e-3});
       EXPECT_TRUE(descent && descent->settled) << what;
       return VecX::Constant(1, descent ? descent->minimum.gap : NAN);
     };
     const MatX difference = test::twist_difference(gap, c.X_Wa, c.X_Wb, 5e-5);
     EXPECT_LT((contact.gap_gradient.transpose() - difference).cwiseAbs().maxCoeff(), 1e-8)
-        << what << "\n" << contact.gap_gradient.transpose() << "\n" << difference;
+        << what << "\n"
+        << contact.gap_gradient.transpose() << "\n"
+        << difference;
     ++checked;
   });
   EXPECT_GT(checked, 30);
@@ -205,7 +212,8 @@ Mat2 curvature_at(const Surface& a, const Vec3& at_a, const Surface& b, const Ve
 Vec2 eigenvalues(const Mat2& m) { return Eigen::SelfAdjointEigenSolver<Mat2>(m).eigenvalues(); }
 
 TEST(ContactEquations, RelativeCurvatureInClosedForm) {
-  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false), socket = make_sphere({}, 0.025, true);
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false),
+             socket = make_sphere({}, 0.025, true);
   const auto torus = make_torus({}, 0.015, 0.005, false), cylinder = make_cylinder({}, 0.01, false);
   const auto expect = [](const Mat2& m, double low, double high) {
     EXPECT_NEAR(eigenvalues(m)[0], low, 1e-11);
@@ -227,7 +235,8 @@ TEST(ContactEquations, RelativeCurvatureInClosedForm) {
 }
 
 TEST(ContactEquations, VanishingRelativeCurvatureIsNamedSingular) {
-  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false), cylinder = make_cylinder({}, 0.01, false);
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false),
+             cylinder = make_cylinder({}, 0.01, false);
   const auto matching = make_sphere({}, 0.02, true);
   const auto regular = [&](const Surface& a, const Surface& b) {
     ContactGeometry contact;

@@ -28,8 +28,8 @@ inline std::vector<NamedSurface> some_surfaces() {
   out.push_back({"socket", make_sphere(tilted, 31e-3, true)});
   out.push_back({"torus", make_torus(tilted, 15e-3, 5e-3, false)});
   out.push_back({"ellipsoid", make_ellipsoid(tilted, {15e-3, 20e-3, 27e-3}, false)});
-  out.push_back({"polynomial", make_polynomial(tilted, {{2, 0, 12}, {1, 1, 5}, {0, 2, -8}, {3, 0, 150}, {1, 2, -90}},
-                                               false)});
+  out.push_back(
+      {"polynomial", make_polynomial(tilted, {{2, 0, 12}, {1, 1, 5}, {0, 2, -8}, {3, 0, 150}, {1, 2, -90}}, false)});
   return out;
 }
 

@@ -21,7 +21,8 @@ Pose at(double x, double y, double z) { return {Mat3::Identity(), {x, y, z}}; }
 TEST(LocalMinimum, SphereOverPlane) {
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
   for (const double height : {0.03, 0.02, 0.005}) {
-    const auto d = descend_gap(*plane, *sphere, {exp_rotation({1, 2, 3}), {0.1, -0.2, height}}, {0.01, 0.01, 0.01}, kStep);
+    const auto d = descend_gap(*plane, *sphere, {exp_rotation({1, 2, 3}), {0.1, -0.2, height}}, {0.01, 0.01, 0.01},
+                               {.max_step = kStep});
     ASSERT_TRUE(d && d->settled);
     EXPECT_NEAR(d->minimum.gap, height - 0.02, 1e-15);
     EXPECT_NEAR((d->minimum.contact.a.p - Vec3(0.1, -0.2, 0)).norm(), 0, 1e-12);
@@ -32,19 +33,21 @@ TEST(LocalMinimum, TorusOverPlane) {
   const auto plane = make_plane({}, false), torus = make_torus({}, 0.015, 0.005, false);
   // Its axis tilted from the plane's normal by b: the lowest point is R sin b + r below the centre.
   for (const double b : {0.2, 0.9, 1.5707963}) {
-    const auto d = descend_gap(*plane, *torus, {exp_rotation({b, 0, 0}), {0, 0, 0.03}}, {0.003, -0.02, 0}, kStep);
+    const auto d =
+        descend_gap(*plane, *torus, {exp_rotation({b, 0, 0}), {0, 0, 0.03}}, {0.003, -0.02, 0}, {.max_step = kStep});
     ASSERT_TRUE(d && d->settled) << b;
     EXPECT_NEAR(d->minimum.gap, 0.03 - 0.015 * std::sin(b) - 0.005, 1e-15) << b;
   }
 }
 
 TEST(LocalMinimum, SphereAgainstSphereAndInSocket) {
-  const auto ball = make_sphere({}, 0.01, false), other = make_sphere({}, 0.02, false), cup = make_sphere({}, 0.02, true);
+  const auto ball = make_sphere({}, 0.01, false), other = make_sphere({}, 0.02, false),
+             cup = make_sphere({}, 0.02, true);
   const Vec3 centre(0.001, 0.004, 0.002);
-  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, kStep);
+  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, {.max_step = kStep});
   ASSERT_TRUE(apart && apart->settled);
   EXPECT_NEAR(apart->minimum.gap, Vec3(0.02, 0.03, 0.01).norm() - 0.03, 1e-15);
-  const auto inside = descend_gap(*cup, *ball, {exp_rotation({0.3, 1, 2}), centre}, {0, 0, 0.01}, kStep);
+  const auto inside = descend_gap(*cup, *ball, {exp_rotation({0.3, 1, 2}), centre}, {0, 0, 0.01}, {.max_step = kStep});
   ASSERT_TRUE(inside && inside->settled);
   EXPECT_NEAR(inside->minimum.gap, 0.02 - 0.01 - centre.norm(), 1e-15);
 }
@@ -52,12 +55,13 @@ TEST(LocalMinimum, SphereAgainstSphereAndInSocket) {
 TEST(LocalMinimum, LeavesMaximaAndSaddles) {
   // Started exactly on a stationary point that is no minimum, where the gradient says nothing.
   constexpr double kFar = 5e-3;  // m
-  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false), torus = make_torus({}, 0.015, 0.005, false);
-  const auto top = descend_gap(*plane, *sphere, at(0, 0, 0.03), {0, 0, 0.02}, kFar);
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false),
+             torus = make_torus({}, 0.015, 0.005, false);
+  const auto top = descend_gap(*plane, *sphere, at(0, 0, 0.03), {0, 0, 0.02}, {.max_step = kFar});
   ASSERT_TRUE(top);
   EXPECT_NEAR(top->minimum.gap, 0.01, 1e-14);
   const Pose upright{exp_rotation({1.5707963267948966, 0, 0}), {0, 0, 0.03}};
-  const auto inner = descend_gap(*plane, *torus, upright, {0, 0.01, 0}, kFar);
+  const auto inner = descend_gap(*plane, *torus, upright, {0, 0.01, 0}, {.max_step = kFar});
   ASSERT_TRUE(inner);
   EXPECT_NEAR(inner->minimum.gap, 0.01, 1e-14);
 }
@@ -74,7 +78,7 @@ TEST(LocalMinimum, NeverRaisesTheGap) {
         X_ab.p += 2e-3 * on_a.n;
         const SurfacePoint start = test::random_point(*b.surface, random);
         const auto before = a.surface->gap(X_ab * start.p);
-        const auto d = descend_gap(*a.surface, *b.surface, X_ab, start.p, kStep);
+        const auto d = descend_gap(*a.surface, *b.surface, X_ab, start.p, {.max_step = kStep});
         if (!before || !d) continue;
         ++started;
         settled += d->settled ? 1 : 0;
@@ -91,7 +95,8 @@ TEST(LocalMinimum, NeverRaisesTheGap) {
 TEST(LocalMinimum, FallsOffTheEndOfAnUnboundedSlope) {
   // A tilted plane over a plane has no minimum: the descent must not claim one.
   const auto plane = make_plane({}, false), over = make_plane({}, true);
-  const auto d = descend_gap(*plane, *over, {exp_rotation({0.1, 0, 0}), {0, 0, 0.01}}, Vec3::Zero(), kStep);
+  const auto d =
+      descend_gap(*plane, *over, {exp_rotation({0.1, 0, 0}), {0, 0, 0.01}}, Vec3::Zero(), {.max_step = kStep});
   EXPECT_TRUE(!d || !d->settled);
 }
 
@@ -116,14 +121,16 @@ TEST(LocalMinimum, NothingLiesLowerOnAGrid) {
   std::mt19937 random(4);
   const auto torus = make_torus({}, 0.015, 0.005, false), ellipsoid = make_ellipsoid({}, {0.012, 0.018, 0.025}, false);
   const double fine = 0.4e-3;
-  const auto coarse_samples = ellipsoid->samples(4e-3, Vec3::Zero(), 1), grid = ellipsoid->samples(fine, Vec3::Zero(), 1);
+  const auto coarse_samples = ellipsoid->samples(4e-3, Vec3::Zero(), 1),
+             grid = ellipsoid->samples(fine, Vec3::Zero(), 1);
   for (int i = 0; i < 12; ++i) {
     Pose X_ab = random_pose(random, 1e-3);
     X_ab.p += 0.04 * Vec3(std::cos(i), std::sin(i), 0.3 * std::cos(3 * i)).normalized();
     double lowest = std::numeric_limits<double>::infinity(), refined = lowest;
     for (const Vec3& p : grid.points) lowest = std::min(lowest, torus->gap(X_ab * p).value_or(lowest));
     for (const Vec3& p : coarse_samples.points)
-      if (const auto d = descend_gap(*torus, *ellipsoid, X_ab, p, kStep)) refined = std::min(refined, d->minimum.gap);
+      if (const auto d = descend_gap(*torus, *ellipsoid, X_ab, p, {.max_step = kStep}))
+        refined = std::min(refined, d->minimum.gap);
     EXPECT_LE(refined, lowest + 1e-15) << i;
     const double sagitta = fine * fine / 2 * (1 / 0.005 + 0.025 / (0.012 * 0.012));
     EXPECT_GT(refined, lowest - sagitta) << i;

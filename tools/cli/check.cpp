@@ -4,18 +4,25 @@
 #include <memory>
 #include <string>
 
+#include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 #include "commands.h"
+#include "genu/geometry/mesh_intersections.h"
 #include "genu/run/run_scene.h"
 
 namespace genu::cli {
 namespace {
 
-void describe(const SurfaceNote& note) {
+std::string self_intersections(const Surface& surface) {
+  if (!built_with_cgal()) return "not checked (built without CGAL)";
+  const auto count = count_self_intersections(surface.triangles(0, Vec3::Zero(), 0));
+  return count ? fmt::format("{}", *count) : "not checked (not a manifold)";
+}
+
+void describe(const SurfaceNote& note, const Surface& surface) {
   fmt::print("  {}: {}\n", note.name, note.text);
   if (!note.mesh) return;
   const MeshReport& m = *note.mesh;
@@ -28,6 +35,7 @@ void describe(const SurfaceNote& note) {
   line("non-manifold edges", fmt::format("{}", m.non_manifold_edges));
   line("flipped triangles", fmt::format("{}{}", m.flipped, m.orientable ? "" : " (no winding agrees everywhere)"));
   line("degenerate, slivers", fmt::format("{}, {}", m.degenerate, m.slivers));
+  line("self-intersections", self_intersections(surface));
 }
 
 int check(const std::string& scene) {
@@ -37,7 +45,7 @@ int check(const std::string& scene) {
   if (good) {
     ContactField field(prepared->model);
     good = check_start(*prepared, field, diagnostics);
-    for (const SurfaceNote& note : prepared->notes) describe(note);
+    for (std::size_t i = 0; i < prepared->notes.size(); ++i) describe(prepared->notes[i], *prepared->surfaces[i]);
   }
   print(diagnostics);
   if (good) fmt::print("{}: no errors\n", scene);

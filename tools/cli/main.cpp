@@ -16,7 +16,7 @@ constexpr int kRefused = 2;
 int run(int argc, char** argv) {
   CLI::App app{
       "genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n"
-      "  genu run SCENE --out DIR      solve a scene, write results.csv, events.csv, summary.json\n"
+      "  genu run SCENE --out DIR      solve a scene, write results.csv, curves.svg, ...\n"
       "  genu check SCENE              say everything that is wrong with a scene and its meshes\n"
       "  genu mesh SCENE --edge 1      write the analytic surfaces of a scene as STL",
       "genu"};
@@ -46,7 +46,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("genu: out of memory; no result was written, earlier results are untouched\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "genu: internal error: %s; no result was written, earlier results are untouched\n", error.what());
+    std::fprintf(stderr, "genu: internal error: %s; no result was written, earlier results are untouched\n",
+                 error.what());
   }
   return 1;
 }

@@ -3,6 +3,7 @@
 //   2. cut each surface that has a formula (or only those named) into triangles
 //   3. write DIR/<surface>.stl, in the frame of the surface's body
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -27,6 +28,15 @@ namespace {
 
 constexpr int kOk = 0, kFailed = 1, kRefused = 2;
 constexpr double kReach = 0.05;  // m
+
+/// CLI11's own check for positive numbers lets nan and inf pass.
+const CLI::Validator kPositive(
+    [](std::string& text) {
+      double value = 0;
+      const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+      return good ? std::string() : text + " is no positive number";
+    },
+    "POSITIVE");
 
 struct MeshOptions {
   std::string scene, folder, unit = "mm";
@@ -114,13 +124,13 @@ void add_mesh(CLI::App& app, int& exit_code) {
   command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
   command
       ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
-      ->check(CLI::PositiveNumber)
+      ->check(kPositive)
       ->required();
   command->add_option("--unit", options->unit, "unit of --edge, --reach and the files")
       ->check(CLI::IsMember({"mm", "m"}))
       ->capture_default_str();
   command->add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command->add_option("--out", options->folder, "folder for the files, made if need be")->required();
   command->footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
   command->callback([options, &exit_code] { exit_code = mesh_scene(*options); });

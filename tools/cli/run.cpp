@@ -1,19 +1,20 @@
 // genu run knee.toml --out out/knee
 //   1. read scene and meshes; refuse with every error at once
 //   2. solve pose after pose
-//   3. write results.csv, events.csv, summary.json; print a short table and the verdict
+//   3. write results.csv, events.csv, curves.svg, summary.json; print a short table and the verdict
 #include <atomic>
+#include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <unistd.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
-#include <unistd.h>
 
 #include "commands.h"
 #include "genu/core/timer.h"
@@ -59,11 +60,14 @@ std::vector<std::string> short_columns(const ResultTable& table) {
     const std::string& name = table.columns()[c];
     const bool coordinate = ends_with(name, "_deg") || (ends_with(name, "_mm") && name.find('.') == name.rfind('.') &&
                                                         !ends_with(name, ".gap_mm") && !ends_with(name, ".length_mm"));
-    const bool numbered = name.find(".1.") != std::string::npos || name.find(".2.") != std::string::npos;
-    const bool contact_force = ends_with(name, ".force_N") && !numbered &&
-                               table.has_column(name.substr(0, name.size() - 8) + ".gap_mm");
-    const bool region_force = ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 8) + ".points");
-    if (coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos) columns.push_back(name);
+    const bool numbered = name.size() > 8 && std::isdigit(static_cast<unsigned char>(name[name.size() - 9])) != 0 &&
+                          name[name.find_last_not_of("0123456789", name.size() - 9)] == '.';
+    const bool contact_force =
+        ends_with(name, ".force_N") && !numbered && table.has_column(name.substr(0, name.size() - 8) + ".gap_mm");
+    const bool region_force =
+        ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 8) + ".points");
+    if (coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos)
+      columns.push_back(name);
   }
   columns.push_back("stability");
   columns.push_back("status");
@@ -87,7 +91,8 @@ int run(const std::string& scene, const std::string& folder, bool quiet) {
     fmt::print("{}\n\n{}\n", solution.summary.title, to_text(solution.poses, short_columns(solution.poses), 4, kRows));
     fmt::print("{}", to_text(solution.summary));
   }
-  if (code != kExitFailed && !quiet) fmt::print("  {:<12}{}/results.csv, events.csv, summary.json\n", "written", folder);
+  if (code != kExitFailed && !quiet)
+    fmt::print("  {:<12}{}/results.csv, events.csv, curves.svg, summary.json\n", "written", folder);
   return code;
 }
 
@@ -103,7 +108,8 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
   command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = run(arguments->scene, arguments->folder, arguments->quiet); });
+  command->callback(
+      [arguments, &exit_code] { exit_code = run(arguments->scene, arguments->folder, arguments->quiet); });
 }
 
 }  // namespace genu::cli

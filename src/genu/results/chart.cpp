@@ -20,16 +20,22 @@ constexpr int kColumns = 2;
 constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
 
 // Okabe and Ito (2008), told apart with every kind of colour vision; without its yellow, too pale for a line on white.
-constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#888888"};
+constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                 "#56B4E9", "#E69F00", "#000000", "#888888"};
 
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20) out += c;  // XML 1.0 has no control characters
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;  // XML 1.0 has no control characters
   }
   return out;
 }
@@ -100,13 +106,15 @@ Axis vertical(const ChartPanel& panel, double top) {
 }
 
 /// The line of a series; a value between two gaps becomes a dot. Long series are thinned to what a screen can show.
-std::string draw_series(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y, const char* colour) {
+std::string draw_series(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y,
+                        const char* colour) {
   std::string path, dots;
   const std::size_t n = std::min(chart.x.size(), series.y.size()), stride = 1 + n / kMostPoints;
   int run = 0;
   double last_x = 0, last_y = 0;
   const auto end_run = [&] {
-    if (run == 1) dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", last_x, last_y, colour);
+    if (run == 1)
+      dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", last_x, last_y, colour);
     run = 0;
   };
   for (std::size_t k = 0; k < n; ++k) {
@@ -159,8 +167,8 @@ std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& 
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
     const char* colour = kColours[k % kColours.size()];
     out += draw_series(chart, panel.series[k], x, y, colour);
-    out += fmt::format("<path fill=\"none\" stroke=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", colour, right + 2, ends[k],
-                       right + 11, heights[k]);
+    out += fmt::format("<path fill=\"none\" stroke=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", colour, right + 2,
+                       ends[k], right + 11, heights[k]);
     out += text_at(right + 14, heights[k] + 3.5, panel.series[k].name, fmt::format("fill=\"{}\"", colour).c_str());
   }
   return out;
@@ -178,7 +186,8 @@ std::string draw_axes(const Chart& chart, const ChartPanel& panel, const Axis& x
     out += text_at(x(t), bottom + 16, tick_text(t, x.step()), "class=\"tick\" text-anchor=\"middle\"");
   }
   out += line_at(x.at_low, bottom, x.at_high, bottom, "axis");
-  return out + text_at(0.5 * (x.at_low + x.at_high), bottom + 31, chart.x_title, "class=\"tick\" text-anchor=\"middle\"");
+  return out +
+         text_at(0.5 * (x.at_low + x.at_high), bottom + 31, chart.x_title, "class=\"tick\" text-anchor=\"middle\"");
 }
 
 /// The sign above a panel: up for gained, down for lost, a rhomb for the rest.
@@ -198,8 +207,8 @@ std::string draw_events(const Chart& chart, const Axis& x, double top) {
                  to = std::clamp(x(std::max(e.from, e.to)), x.at_low, x.at_high);
     out += "<g><title>" + escaped(e.text) + "</title>\n";
     if (e.kind == ChartEvent::Kind::window) {
-      out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", from, top,
-                         std::max(to - from, 1.5), kPlotHeight);
+      out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                         from, top, std::max(to - from, 1.5), kPlotHeight);
     } else {
       out += line_at(from, top, from, top + kPlotHeight, "event") + event_sign(e.kind, from, top - 8);
     }
@@ -232,9 +241,11 @@ std::string list_events(const Chart& chart, double top) {
   const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
   for (std::size_t k = 0; k < shown; ++k) {
     const ChartEvent& e = chart.events[k];
-    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth, y = top + kLine * static_cast<double>(k / kColumns);
+    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth,
+                 y = top + kLine * static_cast<double>(k / kColumns);
     if (e.kind == ChartEvent::Kind::window)
-      out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"9\"/>\n", left - 4, y - 8);
+      out +=
+          fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"9\"/>\n", left - 4, y - 8);
     else
       out += event_sign(e.kind, left, y - 7.5);
     const bool more = k + 1 == shown && chart.events.size() > shown;
@@ -247,7 +258,8 @@ std::string list_events(const Chart& chart, double top) {
 constexpr const char* kStyle =
     "text{font:11.5px 'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;fill-opacity:1}"
     ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}.tick{fill:#444}"
-    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.grid{stroke:#e6e6e6}.zero{stroke:#9a9a9a}.axis{stroke:#444}"
+    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.grid{stroke:#e6e6e6}.zero{stroke:#9a9a9a}.axis{stroke:#"
+    "444}"
     ".event{stroke:#777;stroke-dasharray:2 3}.sign{fill:#333}.hollow{fill:#fff;stroke:#333}.window{fill:#ddd}"
     ".crossing{fill:none;stroke:#000;stroke-width:1.5}";
 
@@ -272,13 +284,15 @@ std::string to_svg(const Chart& chart) {
   const double width = 2 * kMargin + kColumns * kPanelWidth;
   const double height = kHeader + rows * kPanelHeight + lines * kLine + kMargin;
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n"
       "<style>{2}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       width, height, kStyle);
   out += text_at(kMargin, 26, chart.title, "class=\"title\"");
   for (std::size_t k = 0; k < chart.panels.size(); ++k) {
     const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth;
-    out += draw_panel(chart, chart.panels[k], left, kHeader + kAbove + static_cast<double>(k / kColumns) * kPanelHeight);
+    out +=
+        draw_panel(chart, chart.panels[k], left, kHeader + kAbove + static_cast<double>(k / kColumns) * kPanelHeight);
   }
   return out + list_events(chart, kHeader + rows * kPanelHeight + kLine - 4) + "</svg>\n";
 }

@@ -110,7 +110,8 @@ class Curves {
     std::vector<ChartSeries> out;
     for (const CoordinateRef& c : prescribed_) {
       if ((c.index < 3) != moments) continue;
-      out.push_back({short_name(c), column(poses_, coordinate_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
+      out.push_back(
+          {short_name(c), column(poses_, coordinate_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
     }
     return out;
   }
@@ -149,12 +150,15 @@ class Curves {
       return std::numeric_limits<double>::quiet_NaN();
     }
     double row = 1;  // the first row is the start of step 1
-    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k) row += steps_[k].increments;
+    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k)
+      row += steps_[k].increments;
     const auto k = static_cast<std::size_t>(std::max(1, event.step)) - 1;
     return row + (k < steps_.size() ? event.t * steps_[k].increments : 0);
   }
 
-  std::string text(double x) const { return x_ ? fmt::format("{:.4g} {}", x, unit(*x_)) : fmt::format("row {:.4g}", x); }
+  std::string text(double x) const {
+    return x_ ? fmt::format("{:.4g} {}", x, unit(*x_)) : fmt::format("row {:.4g}", x);
+  }
 
   void add_event(const std::vector<PathEvent>& events, std::size_t k) {
     using Kind = PathEvent::Kind;
@@ -175,7 +179,8 @@ class Curves {
     const ChartEvent::Kind kind = e.kind == Kind::contact_gained ? ChartEvent::Kind::gained
                                   : e.kind == Kind::contact_lost ? ChartEvent::Kind::lost
                                                                  : ChartEvent::Kind::other;
-    chart_.events.push_back({kind, x, x, fmt::format("{} at {}{}{}", word, text(x), e.what.empty() ? "" : ": ", e.what)});
+    chart_.events.push_back(
+        {kind, x, x, fmt::format("{} at {}{}{}", word, text(x), e.what.empty() ? "" : ": ", e.what)});
   }
 
   const Scene& scene_;

@@ -158,9 +158,12 @@ class PoseTable {
     }
     table_.set(name + ".force_N", total.force);
     table_.set(name + ".gap_mm", kMillimetre * total.gap);
-    if (total.force > 0) set_point(name, pair, total.a / total.force, total.b / total.force);
-    else if (nearest != nullptr) set_point(name, pair, nearest->a, nearest->b);
-    for (const RegionDef& region : scene_.contacts[pair].regions) set_region(name + "." + region.name, region, contacts);
+    if (total.force > 0)
+      set_point(name, pair, total.a / total.force, total.b / total.force);
+    else if (nearest != nullptr)
+      set_point(name, pair, nearest->a, nearest->b);
+    for (const RegionDef& region : scene_.contacts[pair].regions)
+      set_region(name + "." + region.name, region, contacts);
   }
 
   void set_region(const std::string& name, const RegionDef& region, const std::map<int, ShownContact>& contacts) {

@@ -39,6 +39,7 @@ class ResultTable {
 };
 
 /// Columns aligned for a terminal: numbers to the right with `digits` decimals, at most `most_rows` rows spread evenly.
-std::string to_text(const ResultTable& table, const std::vector<std::string>& columns, int digits, std::size_t most_rows);
+std::string to_text(const ResultTable& table, const std::vector<std::string>& columns, int digits,
+                    std::size_t most_rows);
 
 }  // namespace genu

@@ -22,7 +22,8 @@ std::string to_json(const RunSummary& s) {
   j["title"] = s.title;
   j["verdict"] = s.verdict;
   j["exit_code"] = s.exit_code;
-  for (const auto& e : s.effects) j["effects"].push_back({{"name", e.name}, {"count", e.count}, {"unknowns", e.unknowns}});
+  for (const auto& e : s.effects)
+    j["effects"].push_back({{"name", e.name}, {"count", e.count}, {"unknowns", e.unknowns}});
   for (const auto& f : s.surfaces) j["surfaces"].push_back({{"name", f.name}, {"facts", f.text}});
   j["scales"] = {{"length_mm", 1e3 * s.length_scale}, {"force_N", s.force_scale}};
   j["poses"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}, {"stable", s.poses_stable}};
@@ -38,17 +39,23 @@ std::string to_json(const RunSummary& s) {
 
 std::string to_text(const RunSummary& s) {
   std::string out;
-  const auto line = [&](const std::string& name, const std::string& text) { out += fmt::format("  {:<12}{}\n", name, text); };
-  for (const auto& e : s.effects) line(&e == &s.effects.front() ? "effects" : "", fmt::format("{:<24}{:>4}   {}", e.name, e.count, e.unknowns));
+  const auto line = [&](const std::string& name, const std::string& text) {
+    out += fmt::format("  {:<12}{}\n", name, text);
+  };
+  for (const auto& e : s.effects)
+    line(&e == &s.effects.front() ? "effects" : "", fmt::format("{:<24}{:>4}   {}", e.name, e.count, e.unknowns));
   for (const auto& f : s.surfaces) line(&f == &s.surfaces.front() ? "surfaces" : "", f.name + ": " + f.text);
   line("poses", fmt::format("{} of {} solved, {} of them stable; {} to {} contacts", s.poses_solved, s.poses_asked,
                             s.poses_stable, s.fewest_contacts, s.most_contacts));
-  line("newton", fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps, s.worst_residual));
+  line("newton",
+       fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps, s.worst_residual));
   if (std::isfinite(s.smallest_gap))
-    line("certificate", fmt::format("smallest gap anywhere {:.1e} mm, smallest contact force {}", 1e3 * s.smallest_gap,
-                                    std::isfinite(s.smallest_force) ? fmt::format("{:.3f} N", s.smallest_force) : "none"));
+    line("certificate",
+         fmt::format("smallest gap anywhere {:.1e} mm, smallest contact force {}", 1e3 * s.smallest_gap,
+                     std::isfinite(s.smallest_force) ? fmt::format("{:.3f} N", s.smallest_force) : "none"));
   std::string times;
-  for (const auto& [stage, seconds] : s.seconds) times += fmt::format("{}{} {:.3f} s", times.empty() ? "" : ", ", stage, seconds);
+  for (const auto& [stage, seconds] : s.seconds)
+    times += fmt::format("{}{} {:.3f} s", times.empty() ? "" : ", ", stage, seconds);
   line("time", times);
   for (const std::string& sentence : s.verdict) line(&sentence == &s.verdict.front() ? "verdict" : "", sentence);
   return out;

@@ -28,8 +28,8 @@ struct RunSummary {
   int fewest_contacts = 0, most_contacts = 0;
   int iterations = 0, substeps = 0;
   double worst_residual = 0;
-  double smallest_force = 0;   ///< N, +infinity without contact
-  double smallest_gap = 0;     ///< m, +infinity without contact
+  double smallest_force = 0;                            ///< N, +infinity without contact
+  double smallest_gap = 0;                              ///< m, +infinity without contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
   int exit_code = 0;

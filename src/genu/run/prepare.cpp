@@ -75,8 +75,10 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
   const Timer timer;
   for (const SurfaceDef& def : scene.surfaces) {
     SurfaceNote note{def.name, "closed form", std::nullopt};
-    if (def.shape == SurfaceDef::Shape::mesh) surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
-    else surfaces.push_back(make_analytic_surface(def));
+    if (def.shape == SurfaceDef::Shape::mesh)
+      surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
+    else
+      surfaces.push_back(make_analytic_surface(def));
     notes.push_back(std::move(note));
   }
   seconds.emplace_back("reading meshes", read);

@@ -52,8 +52,8 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   if (prescribed > 0)
     summary.effects.push_back({"prescribed coordinates", static_cast<int>(prescribed), "1 multiplier each"});
   if (!scene.contacts.empty())
-    summary.effects.push_back({"rigid contact pairs", static_cast<int>(scene.contacts.size()),
-                               "5 unknowns for each contact point found"});
+    summary.effects.push_back(
+        {"rigid contact pairs", static_cast<int>(scene.contacts.size()), "5 unknowns for each contact point found"});
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
@@ -94,11 +94,16 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
     if (!(gap < -kLargestOverlap)) continue;
     const ContactDef& def = prepared.scene.contacts[pair];
     good = false;
-    out.add({.file = prepared.scene.file, .line = def.where.line, .column = def.where.column, .key = "contact." + def.name,
-             .found = {},
-             .rule = fmt::format("the surfaces overlap by {:.4g} mm in the reference pose, at most {:.0f} mm can be "
-                                 "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
-                                 "units of the meshes", -kMillimetre * gap, kMillimetre * kLargestOverlap)});
+    out.add(
+        {.file = prepared.scene.file,
+         .line = def.where.line,
+         .column = def.where.column,
+         .key = "contact." + def.name,
+         .found = {},
+         .rule = fmt::format("the surfaces overlap by {:.4g} mm in the reference pose, at most {:.0f} mm can be "
+                             "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
+                             "units of the meshes",
+                             -kMillimetre * gap, kMillimetre * kLargestOverlap)});
   }
   return good;
 }

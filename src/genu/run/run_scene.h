@@ -32,8 +32,8 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
 /// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options);
 
-/// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg and summary.json. Returns the exit code; `out` holds what was
-/// refused, `solution` (may be null) gets what was found.
+/// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg and summary.json. Returns the exit code; `out`
+/// holds what was refused, `solution` (may be null) gets what was found.
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution);
 

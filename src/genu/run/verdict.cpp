@@ -35,7 +35,8 @@ std::string advice(PoseStatus status) {
     case PoseStatus::chatter:
       return "Two sets of contacts exclude each other here: smaller increments or another `fit_radius` may part them.";
     case PoseStatus::no_equilibrium:
-      return "Try smaller increments or another `fit_radius`; if the path turns back here, prescribe another coordinate.";
+      return "Try smaller increments or another `fit_radius`; if the path turns back here, prescribe another "
+             "coordinate.";
     case PoseStatus::ok:
       break;
   }
@@ -50,8 +51,9 @@ void say_windows(const Scene& scene, const std::vector<PathEvent>& events, std::
       from = &e;
       continue;
     }
-    out.push_back(fmt::format("Stepped over a window without a rigid solution from {} to {}: one contact splits in two there.",
-                              place(scene, from->target), place(scene, e.target)));
+    out.push_back(
+        fmt::format("Stepped over a window without a rigid solution from {} to {}: one contact splits in two there.",
+                    place(scene, from->target), place(scene, e.target)));
     from = nullptr;
   }
 }
@@ -63,16 +65,20 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   std::vector<std::string> out;
   const Scene& scene = prepared.scene;
   if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
-    out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable.", summary.poses_stable, summary.poses_solved));
+    out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable.", summary.poses_stable,
+                              summary.poses_solved));
   else if (summary.poses_solved == 0)
     out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else
-    out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved, summary.poses_asked));
+    out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved,
+                              summary.poses_asked));
   say_windows(scene, events, out);
   for (const PathEvent& e : events) {
     if (e.kind == PathEvent::Kind::turns_back)
-      out.push_back(fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
-                                "Prescribe another coordinate to follow it round.", place(scene, e.target)));
+      out.push_back(
+          fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
+                      "Prescribe another coordinate to follow it round.",
+                      place(scene, e.target)));
     if (e.kind == PathEvent::Kind::snaps)
       out.push_back(fmt::format("From {} the joint would snap {}: start a scene there (`reference`) to follow it on.",
                                 place(scene, e.target), e.what));

@@ -151,7 +151,7 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
     Findings findings;
     report = solve_held(trial, target, findings);
     report.iterations = iterations += report.iterations;
-    if (!report.newton.converged()) return report;
+    if (!report.newton.converged()) return settle_without_one(pose, trial, target, report);
     if (findings.none()) {
       if (report.status != PoseStatus::ok) return report;
       follow_open(trial);
@@ -172,6 +172,26 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
     report.why = "more contacts are needed than the prescribed coordinates leave room for";
   }
   return report;
+}
+
+PoseReport ContactSetSolver::settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
+                                                const PoseReport& failure) {
+  // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one of
+  // them has to go before the other can come.
+  if (failure.newton.full_rank || failed.state.contacts.size() < 2) return failure;
+  int iterations = failure.iterations;
+  for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {
+    Balanced trial = failed;
+    release(trial, i);
+    Findings findings;
+    PoseReport report = solve_held(trial, target, findings);
+    report.iterations = iterations += report.iterations;
+    if (report.status != PoseStatus::ok || !findings.none()) continue;
+    follow_open(trial);
+    pose = std::move(trial);
+    return report;
+  }
+  return failure;
 }
 
 void ContactSetSolver::close_touching(Balanced& pose, const Target& target, double below) {

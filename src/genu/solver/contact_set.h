@@ -71,6 +71,8 @@ class ContactSetSolver {
   ContactField& field() { return *field_; }
 
  private:
+  PoseReport settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
+                                const PoseReport& failure);
   bool change(Balanced& pose, const Target& target, const Findings& findings) const;
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
   void close_touching(Balanced& pose, const Target& target, double below);

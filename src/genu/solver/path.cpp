@@ -10,6 +10,8 @@
 namespace genu {
 namespace {
 
+constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
+
 /// The walk from where the joint is to where a step begins, loads as they are there.
 StepPlan approach(const StepPlan& step, const State& state) {
   StepPlan plan = step;
@@ -61,7 +63,7 @@ class PathRun {
       return false;
     }
     if (is_trivial(plan)) return true;
-    walker_.begin(plan, step_, pose_, report_);
+    walker_.begin(plan, kApproach, pose_, report_);
     while (!walker_.walk_to(1)) {
       if (walker_.step_over(window(plan))) continue;
       fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");

@@ -28,7 +28,7 @@ struct PosePoint {
 struct PathEvent {
   enum class Kind { contact_gained, contact_lost, stepped_over, over_edge, overlap, turns_back, snaps, stability_changed, stopped };
   Kind kind = Kind::stopped;
-  int step = 0;
+  int step = 0;     ///< 0 on the way from the reference pose (or the last step's end) to a step's start
   double t = 0;
   Target target;    ///< where: prescribed coordinates and load factors
   std::string what; ///< e.g. "medial.2"

@@ -1,0 +1,136 @@
+// The signed distance far from a surface, against every triangle one by one.
+#include "genu/contact/far_distance.h"
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_pairs.h"
+#include "support/brute_force.h"
+
+namespace genu {
+namespace {
+
+/// A mesh as a surface that knows nothing but its triangles.
+class Facets final : public Surface {
+ public:
+  explicit Facets(Mesh mesh) : mesh_(std::move(mesh)) {}
+  bool project(const Vec3&, SurfacePoint&) const override { return false; }
+  std::optional<double> gap(const Vec3&) const override { return std::nullopt; }
+  Mesh triangles(double, const Vec3&, double) const override { return mesh_; }
+  bool is_global() const override { return false; }
+  const Mesh& mesh() const { return mesh_; }
+
+ private:
+  Mesh mesh_;
+};
+
+Facets facets_of(const Surface& surface, double edge) { return Facets(surface.triangles(edge, Vec3::Zero(), 0.03)); }
+
+/// A flat square sheet of half side `half` (m), outward +z.
+Facets sheet(double half, int cells) {
+  Mesh mesh;
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i)
+      mesh.vertices.emplace_back(half * (2.0 * i / cells - 1), half * (2.0 * j / cells - 1), 0);
+  const int row = cells + 1;
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      const int v = j * row + i;
+      mesh.triangles.push_back({v, v + 1, v + row});
+      mesh.triangles.push_back({v + 1, v + row + 1, v + row});
+    }
+  return Facets(mesh);
+}
+
+/// Distance, sign and direction at random points within `reach` (m) of the origin.
+void expect_brute_force(const Facets& facets, double reach, int points) {
+  const FarDistance far(facets);
+  std::mt19937 random(6);
+  double worst = 0;
+  int inside = 0;
+  for (int i = 0; i < points; ++i) {
+    const Vec3 x = test::random_vector(random, reach);
+    const Vec3 foot = test::nearest_on_mesh(facets.mesh(), x);
+    const double winding = test::winding_number(facets.mesh(), x);
+    ASSERT_LT(std::abs(winding - std::round(winding)), 1e-9);
+    const double exact = (winding > 0.5 ? -1 : 1) * (x - foot).norm();
+    inside += exact < 0 ? 1 : 0;
+    const FarDistance::Nearest found = far.nearest(x);
+    worst = std::max(worst, std::abs(found.distance - exact));
+    ASSERT_NEAR(found.distance, exact, 1e-8) << "at " << x.transpose();
+    EXPECT_FALSE(found.beyond_edge);
+    EXPECT_NEAR(found.direction.norm(), 1, 1e-12);
+    // Where two feet are equally near, either direction is right: walking along it changes the distance by as much.
+    const Vec3 on = x - found.distance * found.direction;
+    EXPECT_LT((test::nearest_on_mesh(facets.mesh(), on) - on).norm(), 1e-8);
+  }
+  EXPECT_GT(inside, points / 50);
+  EXPECT_LT(inside, points - points / 50);
+  EXPECT_LT(worst, 1e-8);
+}
+
+TEST(FarDistance, ClosedSphereMesh) { expect_brute_force(facets_of(*make_sphere({}, 0.02, false), 4e-3), 0.03, 400); }
+
+TEST(FarDistance, ClosedTorusMesh) {
+  expect_brute_force(facets_of(*make_torus({}, 0.015, 0.005, false), 2.5e-3), 0.025, 600);
+}
+
+TEST(FarDistance, TurnedInsideOutTheSignTurns) {
+  const Facets out = facets_of(*make_torus({}, 0.015, 0.005, false), 2.5e-3);
+  const Facets in = facets_of(*make_torus({}, 0.015, 0.005, true), 2.5e-3);
+  const FarDistance far_out(out), far_in(in);
+  std::mt19937 random(9);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 x = test::random_vector(random, 0.025);
+    EXPECT_NEAR(far_out.nearest(x).distance, -far_in.nearest(x).distance, 1e-8);
+  }
+}
+
+TEST(FarDistance, FineSphereMeshApproachesTheSphere) {
+  const auto sphere = make_sphere({}, 0.02, false);
+  const double edge = 1e-3;
+  const Facets mesh = facets_of(*sphere, edge);
+  const FarDistance far(mesh);
+  std::mt19937 random(12);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 x = test::random_vector(random, 0.04);
+    EXPECT_NEAR(far.nearest(x).distance, *sphere->gap(x), edge * edge / (2 * 0.02));
+  }
+}
+
+TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
+  const double half = 0.01;
+  const Facets mesh = sheet(half, 6);
+  const FarDistance far(mesh);
+  std::mt19937 random(1);
+  int beyond = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 x = test::random_vector(random, 0.02);
+    const FarDistance::Nearest found = far.nearest(x);
+    const bool over = std::abs(x.x()) < half && std::abs(x.y()) < half;
+    EXPECT_EQ(found.beyond_edge, !over) << x.transpose();
+    const double unsigned_distance = (x - test::nearest_on_mesh(mesh.mesh(), x)).norm();
+    EXPECT_NEAR(found.distance, over ? x.z() : unsigned_distance, 1e-8) << x.transpose();
+    EXPECT_TRUE(!over || (found.direction - Vec3::UnitZ()).norm() < 1e-6) << x.transpose();
+    beyond += over ? 0 : 1;
+  }
+  EXPECT_GT(beyond, 100);
+  EXPECT_LT(beyond, 450);
+}
+
+TEST(FarDistance, SurfacesKnownEverywhereAnswerThemselves) {
+  std::mt19937 random(10);
+  for (const auto& s : test::some_surfaces()) {
+    const FarDistance far(*s.surface);
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 x = test::random_vector(random, 0.04);
+      SurfacePoint foot;
+      if (!s.surface->project(x, foot)) continue;
+      EXPECT_EQ(far.nearest(x).distance, *s.surface->gap(x)) << s.name;
+      EXPECT_EQ(far.nearest(x).direction, foot.n) << s.name;
+      EXPECT_FALSE(far.nearest(x).beyond_edge) << s.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace genu

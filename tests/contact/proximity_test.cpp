@@ -1,0 +1,246 @@
+// Every local minimum of the gap over a whole pair of surfaces, against a fine grid; the memory that makes scans cheap,
+// against scans without any.
+#include "genu/contact/proximity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "contact/contact_pairs.h"
+#include "genu/geometry/blend_surface.h"
+#include "support/brute_force.h"
+
+namespace genu {
+namespace {
+
+const Proximity::Options kOptions{.spacing = 0.7e-3, .reach = 0.03, .max_step = 0.7e-3};
+
+/// z = -a T10(x / l) - k y^2: a sheet with five bumps in a row.
+std::unique_ptr<Surface> wavy(double a = 0.4e-3, double l = 0.02, double k = 100) {
+  const double c[] = {-1, 0, 50, 0, -400, 0, 1120, 0, -1280, 0, 512};  // Chebyshev's T10
+  std::vector<PolynomialTerm> terms{{0, 2, -k}};
+  for (int i = 0; i <= 10; i += 2) terms.push_back({i, 0, -a * c[i] / std::pow(l, i)});
+  return make_polynomial({}, terms, false);
+}
+
+/// A plane looking down, `height` (m) over z = 0.
+std::unique_ptr<Surface> ceiling(double height) {
+  return make_plane({exp_rotation({3.14159265358979312, 0, 0}), {0, 0, height}}, false);
+}
+
+/// Each minimum of the scan answers one of the grid and the other way round.
+void expect_grid(const Surface& a, const Surface& b, const Pose& X_ab, double window, std::size_t count,
+                 const Proximity::Options& options = kOptions) {
+  Proximity proximity(a, b, options);
+  ProximityScan scan;
+  proximity.scan(X_ab, window, scan);
+  const bool on_b = proximity.samples_b();
+  const Surface &queried = on_b ? a : b, &sampled = on_b ? b : a;
+  const double fine = 0.3e-3;
+  const auto grid = test::grid_minima(queried, sampled.samples(fine, Vec3::Zero(), options.reach),
+                                      on_b ? X_ab : X_ab.inverse(), window);
+  EXPECT_EQ(scan.minima.size(), count);
+  for (const auto& g : grid) {
+    double nearest = 1;
+    for (const LocalMinimum& m : scan.minima)
+      nearest = std::min(nearest, ((on_b ? m.contact.b : m.contact.a).p - g.point).norm());
+    EXPECT_LT(nearest, 3 * fine) << "a grid minimum of " << g.gap << " m at " << g.point.transpose() << " was missed";
+  }
+  for (const LocalMinimum& m : scan.minima) {
+    double nearest = 1;
+    for (const auto& g : grid) nearest = std::min(nearest, ((on_b ? m.contact.b : m.contact.a).p - g.point).norm());
+    EXPECT_LT(nearest, 3 * fine) << "a minimum of " << m.gap << " m is none on the grid";
+  }
+  EXPECT_TRUE(std::is_sorted(scan.minima.begin(), scan.minima.end(), [](auto& x, auto& y) { return x.gap < y.gap; }));
+}
+
+TEST(Proximity, FiveBumpsUnderAPlane) {
+  const auto bumps = wavy(), top = ceiling(0.45e-3);
+  expect_grid(*top, *bumps, {}, 0.5e-3, 5);
+  expect_grid(*top, *bumps, {exp_rotation({0, 0.002, 0}), Vec3::Zero()}, 0.5e-3, 5);
+}
+
+TEST(Proximity, BallBetweenBumps) {
+  // The closest point of a wavy patch is reached by descent and may not be the nearest of all: no contact may be lost
+  // by that, wherever the ball hangs between two bumps (steep ones, 4 mm high).
+  const auto bumps = wavy(2e-3, 0.02, 2), ball = make_sphere({}, 3.5e-3, false);
+  const SampleSet sheet = bumps->samples(0.3e-3, Vec3::Zero(), 0.021);
+  for (const double x : {-0.012, -0.0082, -0.0031, 0.0, 0.0047, 0.0063, 0.0118}) {
+    SCOPED_TRACE(x);
+    const auto lowest_gap = [&](double z) {
+      double lowest = 1;
+      for (const Vec3& p : sheet.points) lowest = std::min(lowest, (p - Vec3(x, 0, z)).norm() - 3.5e-3);
+      return lowest;
+    };
+    double z = 0.01;
+    for (int i = 0; i < 30; ++i) z -= 0.5 * lowest_gap(z);  // until it touches
+    Proximity proximity(*bumps, *ball, kOptions);
+    ProximityScan scan;
+    proximity.scan({exp_rotation({1, 2, x}), {x, 0, z}}, 3e-4, scan);
+    ASSERT_GE(scan.minima.size(), 1u);
+    EXPECT_NEAR(scan.minima[0].gap, lowest_gap(z), 2e-5);
+  }
+}
+
+TEST(Proximity, WheelInATrough) {
+  // A torus on its edge across a trough narrower than itself touches both flanks.
+  const auto wheel = make_torus({exp_rotation({1.5707963267948966, 0, 0}), Vec3::Zero()}, 0.015, 0.005, false);
+  const auto trough = make_polynomial({}, {{2, 0, 60}}, false);  // radius 8.3 mm at its bottom
+  // Deepest where the flank's normal points at the centre: x^2 + (60 x^2 - h)^2 is least.
+  const double h = 0.0245;
+  expect_grid(*wheel, *trough, {Mat3::Identity(), {0, 0, -h}}, 1e-3, 2);
+}
+
+TEST(Proximity, EggInARing) {
+  // An ellipsoid in the hole of a torus: two contacts on opposite sides.
+  const auto torus = make_torus({}, 0.015, 0.005, false), egg = make_ellipsoid({}, {0.0096, 0.006, 0.03}, false);
+  expect_grid(*torus, *egg, {}, 2e-3, 2);
+}
+
+/// Motions of a few tenths of a millimetre and a degree, there and back, with a jump now and then.
+std::vector<Pose> random_walk(const Pose& start, int steps) {
+  std::mt19937 random(21);
+  std::vector<Pose> walk;
+  Pose pose = start;
+  for (int i = 0; i < steps; ++i) {
+    Vec6 twist;
+    twist << test::random_vector(random, i % 5 == 4 ? 3e-3 : 2e-4),
+        test::random_vector(random, i % 5 == 4 ? 0.2 : 0.01);
+    pose = retract(i % 7 == 6 ? start : pose, twist);
+    walk.push_back(pose);
+  }
+  return walk;
+}
+
+bool identical(const std::vector<LocalMinimum>& x, const std::vector<LocalMinimum>& y) {
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const LocalMinimum& p, const LocalMinimum& q) {
+    return p.gap == q.gap && p.contact.a.p == q.contact.a.p && p.contact.b.p == q.contact.b.p;
+  });
+}
+
+void expect_no_memory(const Surface& a, const Surface& b, const Pose& start, double window, int steps = 10) {
+  Proximity lasting(a, b, kOptions);
+  ProximityScan cheap, fresh;
+  int seen = 0;
+  for (const Pose& X_ab : random_walk(start, steps)) {
+    lasting.scan(X_ab, window, cheap);
+    Proximity(a, b, kOptions).scan(X_ab, window, fresh);
+    ASSERT_TRUE(identical(cheap.minima, fresh.minima)) << cheap.minima.size() << " against " << fresh.minima.size();
+    ASSERT_TRUE(identical(cheap.edge, fresh.edge));
+    if (std::min(cheap.smallest_sample_gap, fresh.smallest_sample_gap) < window) {
+      ASSERT_EQ(cheap.smallest_sample_gap, fresh.smallest_sample_gap);
+      ASSERT_EQ(cheap.deepest.point, fresh.deepest.point);
+    }
+    seen += static_cast<int>(fresh.minima.size());
+  }
+  EXPECT_GT(seen, 5);
+}
+
+TEST(Proximity, RememberedScansAreFreshScans) {
+  const auto torus = make_torus({}, 0.015, 0.005, false), egg = make_ellipsoid({}, {0.0096, 0.006, 0.03}, false);
+  expect_no_memory(*torus, *egg, {}, 5e-4);
+  const auto bumps = wavy(), top = ceiling(0.45e-3);
+  expect_no_memory(*top, *bumps, {}, 5e-4, 6);
+}
+
+std::unique_ptr<BlendSurface> meshed(const Surface& surface, double edge) {
+  Diagnostics diagnostics;
+  auto out = BlendSurface::build(surface.triangles(edge, Vec3::Zero(), 1), {}, "mesh", diagnostics);
+  EXPECT_TRUE(out) << (diagnostics.items().empty() ? "" : to_string(diagnostics.items().front()));
+  return out;
+}
+
+TEST(Proximity, RememberedScansOfMeshesAreFreshScans) {
+  const auto ball = meshed(*make_sphere({}, 0.02, false), 2e-3), cup = meshed(*make_sphere({}, 0.024, true), 2.4e-3);
+  expect_no_memory(*cup, *ball, {Mat3::Identity(), {0.0038, 0, 0}}, 3e-4);
+}
+
+TEST(Proximity, MeshFindsWhatItsSphereFinds) {
+  const auto sphere = make_sphere({}, 0.02, false), plane = make_plane({}, false);
+  const auto ball = meshed(*sphere, 2e-3);
+  Proximity proximity(*plane, *ball, kOptions);
+  ProximityScan scan;
+  for (const double height : {0.0201, 0.02, 0.0199, 0.018}) {
+    proximity.scan({exp_rotation({1, 2, height}), {0, 0, height}}, 2e-4, scan);
+    ASSERT_EQ(scan.minima.size(), 1u) << height;
+    EXPECT_NEAR(scan.minima[0].gap, height - 0.02, 2e-6);
+  }
+}
+
+TEST(Proximity, SeesOverlapFarBeyondTheBand) {
+  const auto small = meshed(*make_sphere({}, 0.015, false), 1.8e-3),
+             large = meshed(*make_sphere({}, 0.045, false), 4e-3);
+  ProximityScan scan;
+  Proximity proximity(*large, *small, kOptions);
+  // Centres 30 mm apart: the lowest point of the small sphere is 30 mm under the surface of the large one.
+  proximity.scan({exp_rotation({1, 2, 3}), {0, 0, 0.03}}, 2e-4, scan);
+  EXPECT_NEAR(scan.smallest_sample_gap, -0.03, 5e-4);
+  EXPECT_NEAR(scan.deepest.gap, scan.smallest_sample_gap, 0);
+  EXPECT_GT(scan.deepest.direction.z(), 0.98);
+  // Against a closed form: a plane 30 mm above the lowest point.
+  const auto plane = make_plane({}, false);
+  Proximity over(*plane, *small, kOptions);
+  over.scan({Mat3::Identity(), {0, 0, -0.015}}, 2e-4, scan);
+  EXPECT_NEAR(scan.smallest_sample_gap, -0.03, 1e-4);
+  ASSERT_GE(scan.minima.size(), 1u);
+  EXPECT_NEAR(scan.minima[0].gap, -0.03, 5e-6);
+}
+
+TEST(Proximity, SwappedSurfacesGiveTheSameContactsMirrored) {
+  const auto torus = make_torus({}, 0.015, 0.005, false), egg = make_ellipsoid({}, {0.0096, 0.006, 0.03}, false);
+  const auto bumps = wavy(), top = ceiling(0.45e-3);
+  const Pose tilted{exp_rotation({0, 0.001, 0}), {0, 1e-4, 0}};
+  const auto expect_mirrored = [&](const Surface& a, const Surface& b) {
+    ProximityScan ab, ba;
+    Proximity(a, b, kOptions).scan(tilted, 5e-4, ab);
+    Proximity(b, a, kOptions).scan(tilted.inverse(), 5e-4, ba);
+    ASSERT_EQ(ab.minima.size(), ba.minima.size());
+    EXPECT_GE(ab.minima.size(), 2u);
+    // Not index by index: minima that are equally deep may come in either order.
+    for (const LocalMinimum& m : ab.minima) {
+      const auto twin = std::find_if(ba.minima.begin(), ba.minima.end(), [&](const LocalMinimum& o) {
+        return (m.contact.a.p - o.contact.b.p).norm() < 1e-8 && (m.contact.b.p - o.contact.a.p).norm() < 1e-8;
+      });
+      ASSERT_NE(twin, ba.minima.end()) << m.gap;
+      EXPECT_NEAR(m.gap, twin->gap, 1e-13);
+    }
+  };
+  expect_mirrored(*torus, *egg);
+  expect_mirrored(*top, *bumps);
+}
+
+TEST(Proximity, NearSamplesAreAllThatOverlap) {
+  const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
+  Proximity proximity(*plane, *sphere, kOptions);
+  std::vector<NearSample> near;
+  const double depth = 1e-3;
+  proximity.near_samples({exp_rotation({2, 1, 0}), {0, 0, 0.02 - depth}}, 0, near);
+  double area = 0, volume = 0;
+  for (const NearSample& s : near) {
+    EXPECT_LT(s.gap, 0);
+    EXPECT_EQ(s.direction, Vec3::UnitZ());
+    area += s.area;
+    volume -= s.gap * s.area;
+  }
+  EXPECT_NEAR(area, 2 * M_PI * 0.02 * depth, 0.05 * area);
+  EXPECT_NEAR(volume, M_PI * 0.02 * depth * depth, 0.05 * volume);
+}
+
+TEST(Proximity, ProbesFindTheTwinNextDoor) {
+  const auto bumps = wavy(), top = ceiling(0.45e-3);
+  Proximity proximity(*top, *bumps, kOptions);
+  ProximityScan scan;
+  proximity.scan({}, 5e-4, scan);
+  ASSERT_EQ(scan.minima.size(), 5u);
+  std::vector<LocalMinimum> found;
+  for (const LocalMinimum& m : scan.minima) proximity.probe_around({}, m.contact, 6e-3, found);
+  std::size_t known = 0;
+  for (const LocalMinimum& m : found)
+    for (const LocalMinimum& s : scan.minima) known += (m.contact.b.p - s.contact.b.p).norm() < 2e-6 ? 1 : 0;
+  EXPECT_EQ(known, found.size());
+  EXPECT_GE(found.size(), 5u);
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,72 @@
+#include "genu/run/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "genu/scene/reader.h"
+#include "run/scenes.h"
+
+namespace genu {
+namespace {
+
+/// A scene with one coordinate prescribed at 41.2 deg, and what is said of it.
+class Verdict : public testing::Test {
+ protected:
+  void SetUp() override {
+    Diagnostics out;
+    prepared.scene = *read_scene(test::dortmans_file(), out);
+    target.prescribed.push_back({{0, 0}, 41.2 * M_PI / 180});
+    summary.poses_asked = 3;
+    summary.poses_solved = summary.poses_stable = 2;
+    summary.exit_code = 3;
+  }
+  std::string said() const {
+    std::string text;
+    for (const std::string& sentence : verdict_sentences(prepared, records, events, summary)) text += sentence + "\n";
+    return text;
+  }
+  void expect_said(const std::string& piece) const { EXPECT_NE(said().find(piece), std::string::npos) << said(); }
+
+  Prepared prepared;
+  Target target;
+  std::vector<PoseRecord> records;
+  std::vector<PathEvent> events;
+  RunSummary summary;
+};
+
+TEST_F(Verdict, AllWell) {
+  summary.poses_solved = 3;
+  summary.exit_code = 0;
+  EXPECT_EQ(said(), "Every pose is solved and certified; 2 of 3 stable.\n");
+}
+
+TEST_F(Verdict, EveryFailureSaysWhichWhereAndWhatToDo) {
+  for (const PoseStatus status : {PoseStatus::no_equilibrium, PoseStatus::over_edge, PoseStatus::overlap,
+                                  PoseStatus::chatter, PoseStatus::overconstrained, PoseStatus::undetermined}) {
+    PoseRecord record;
+    record.point.target = target;
+    record.point.report.status = status;
+    record.point.report.why = "reason";
+    records = {record};
+    expect_said(std::string(to_string(status)) + " at knee.flexion = 41.2 deg: reason. ");
+    EXPECT_GT(said().size() - said().find("reason. "), 20u) << "no advice: " << said();
+    expect_said("2 of 3 poses are solved");
+  }
+}
+
+TEST_F(Verdict, EventsAreTold) {
+  using Kind = PathEvent::Kind;
+  Target later = target;
+  later.prescribed[0].value = 0.75;
+  events = {{Kind::stepped_over, 1, 0.1, target, ""},
+            {Kind::stepped_over, 1, 0.2, later, ""},
+            {Kind::turns_back, 1, 0.3, target, ""},
+            {Kind::stability_changed, 1, 0.4, target, "unstable"},
+            {Kind::over_edge, 1, 0.5, target, "medial.1"}};
+  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718 deg");
+  expect_said("turns back at knee.flexion = 41.2 deg");
+  expect_said("becomes unstable at knee.flexion = 41.2 deg");
+  expect_said("medial.1 reaches the edge");
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,196 @@
+// Eigenvalues of the tangent stiffness in closed form, and as the answer of the balanced joint to a small load.
+#include "genu/solver/stability.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "solver/solved.h"
+
+namespace genu {
+namespace {
+
+using test::bone_on_ground;
+using test::contact;
+using test::load;
+using test::step;
+using test::surface;
+using Verdict = Stability::Verdict;
+
+constexpr double kMetric = 0.01;  // m of translation count as 1 rad
+
+/// The stability of a scene that is balanced as it stands, with pairs held closed at the points `at` (m, world).
+Stability stability_of(const std::string& text, const std::vector<Vec3>& at = {}) {
+  const auto s = test::scene_model(text);
+  State state = reference_state(s.model);
+  for (std::size_t i = 0; i < at.size(); ++i) test::hold(s.model, state, static_cast<int>(i), at[i]);
+  const Target target = test::target_of(s.scene);
+  Newton newton(s.model);
+  const NewtonReport report = newton.solve(state, target, {});
+  EXPECT_TRUE(report.converged()) << to_string(report.outcome);
+  EXPECT_LE(report.iterations, 2);
+  Linearization here;
+  linearize(s.model, state, target, here);
+  return assess_stability(here, s.model.scales.length);
+}
+
+/// All coordinates prescribed at 0 but the one named.
+std::string all_but(const std::string& free) {
+  std::string out;
+  for (const char* name : {"x", "y", "z", "a", "b", "c"})
+    if (free.find(name) == std::string::npos) out += (out.empty() ? "" : ", ") + std::string("\"j.") + name + "\" = 0";
+  return step("prescribe = { " + out + " }");
+}
+
+TEST(Stability, SpringAlone) {
+  const auto s = stability_of(bone_on_ground() + test::spring("s", "[0, 0, 0]", "[0, 0, 0]", 3, 0) + all_but("z"));
+  EXPECT_EQ(s.free_motions, 1);
+  EXPECT_NEAR(s.smallest, 3000 * kMetric * kMetric, 1e-13);
+  EXPECT_EQ(s.verdict, Verdict::stable);
+  EXPECT_FALSE(s.flutter);
+  EXPECT_NEAR(std::abs(s.mode[2]), 1, 1e-12);
+}
+
+TEST(Stability, PendulumHangsStandsOrFloats) {
+  // A weight of 50 N at the height h over its hinge: stiffness -50 N h.
+  const auto pendulum = [](const std::string& h) {
+    return stability_of(bone_on_ground() + load("w", "force = [0, 0, -50]\npoint = [0, 0, " + h + "]") + all_but("b"));
+  };
+  EXPECT_NEAR(pendulum("-30").smallest, 1.5, 1e-13);
+  EXPECT_EQ(pendulum("-30").verdict, Verdict::stable);
+  EXPECT_NEAR(pendulum("30").smallest, -1.5, 1e-13);
+  EXPECT_EQ(pendulum("30").verdict, Verdict::unstable);
+  EXPECT_EQ(pendulum("0").verdict, Verdict::neutral);
+}
+
+TEST(Stability, BallOnABallAndInABowl) {
+  // The centre moves on a sphere of R + r or R - r: stiffness -+W / radius, with the contact's curvature in it.
+  const double weight = 40;
+  const auto on =
+      stability_of(bone_on_ground("{ z = 30 }") + surface("ball", "bone", "sphere", "radius = 10") +
+                       surface("hill", "ground", "sphere", "radius = 20") + contact("c", "ball", "hill") +
+                       load("w", "force = [0, 0, -40]") + step("prescribe = { \"j.y\" = 0, " + test::kNoTurn + " }"),
+                   {{0, 0, 0.02}});
+  EXPECT_EQ(on.free_motions, 1);
+  EXPECT_NEAR(on.smallest, -weight / 0.03 * kMetric * kMetric, 1e-12);
+  EXPECT_EQ(on.verdict, Verdict::unstable);
+  const auto in = stability_of(bone_on_ground("{ z = -15 }") + surface("ball", "bone", "sphere", "radius = 10") +
+                                   surface("bowl", "ground", "sphere", "radius = 25\ninside = true") +
+                                   contact("c", "ball", "bowl") + load("w", "force = [0, 0, -40]") +
+                                   step("prescribe = { \"j.y\" = 0, " + test::kNoTurn + " }"),
+                               {{0, 0, -0.025}});
+  EXPECT_NEAR(in.smallest, weight / 0.015 * kMetric * kMetric, 1e-12);
+  EXPECT_EQ(in.verdict, Verdict::stable);
+}
+
+TEST(Stability, RockingEggFollowsItsRollingRadius) {
+  // An ellipse of half axes a (across) and c (upright) rocks over its radius a^2 / c with its centre c high: stiffness
+  // W (a^2 / c - c), whichever way it is weighted.
+  for (const double a : {12.0, 20.0, 31.0}) {
+    const double c = 20;
+    const auto s = stability_of(bone_on_ground("{ z = 20 }") +
+                                    surface("egg", "bone", "ellipsoid", "radii = [" + std::to_string(a) + ", 15, 20]") +
+                                    surface("floor", "ground", "plane") + contact("c", "egg", "floor") +
+                                    load("w", "force = [0, 0, -40]") + all_but("bz"),
+                                {Vec3::Zero()});
+    EXPECT_EQ(s.free_motions, 1);
+    const double exact = 40 * 1e-3 * (a * a / c - c);
+    EXPECT_NEAR(s.smallest, exact, 1e-12) << a;
+    EXPECT_EQ(s.verdict, exact == 0 ? Verdict::neutral : exact > 0 ? Verdict::stable : Verdict::unstable) << a;
+  }
+}
+
+TEST(Stability, RockingCylinderOnACylinder) {
+  // Rocking stone: radius r on radius R, centre of gravity h over the contact. Frictionless, x held: only the turn
+  // about the roll's own axis is free, with the weight h - r over it.
+  for (const double h : {3.0, 17.0}) {
+    const auto s = stability_of(
+        bone_on_ground("{ z = 30 }") +
+            surface("roll", "bone", "cylinder", "z_axis = [0, 1, 0]\nx_axis = [1, 0, 0]\nradius = 10") +
+            surface("base", "ground", "cylinder", "z_axis = [0, 1, 0]\nx_axis = [1, 0, 0]\nradius = 20") +
+            contact("c", "roll", "base") +
+            load("w", "force = [0, 0, -40]\npoint = [0, 0, " + std::to_string(h - 10) + "]") + all_but("bz"),
+        {{0, 0, 0.02}});
+    EXPECT_NEAR(s.smallest, -40e-3 * (h - 10), 1e-12) << h;
+  }
+}
+
+TEST(Stability, FollowerLoadFlutters) {
+  // Free: x and the turn b, held by a spring k at the height h; a load P along the body's own axis. In the metric
+  //   K = [ k m^2, (k h -+ P) m; k h m, k h^2 ],   here [ 1, 1 -+ 3; 1, 1 ]: 1 +- i sqrt 2 or 1 +- 2.
+  const auto follower = [](const std::string& p) {
+    return stability_of(bone_on_ground() + test::spring("s", "[0, 0, 10]", "[0, 0, 10]", 10, 0) +
+                        load("p", "force = [0, 0, " + p + "]\nframe = \"body\"") + all_but("bx"));
+  };
+  const Stability push = follower("300"), pull = follower("-300");
+  EXPECT_TRUE(push.flutter);
+  EXPECT_NEAR(push.smallest, 1, 1e-12);
+  EXPECT_FALSE(pull.flutter);
+  EXPECT_NEAR(pull.smallest, -1, 1e-12);
+  EXPECT_EQ(pull.verdict, Verdict::unstable);
+  // The same load constant in the world turns no force: the plain spring, singular about its own point, is left.
+  EXPECT_FALSE(follower("0").flutter);
+}
+
+TEST(Stability, NothingFreeIsStable) {
+  const auto model = test::scene_model(bone_on_ground() + all_but("z"));
+  State state = reference_state(model.model);
+  Target target = test::target_of(model.scene);
+  target.prescribed.push_back({{0, 5}, 0});
+  state.multipliers.assign(6, 0);
+  Linearization here;
+  linearize(model.model, state, target, here);
+  const Stability s = assess_stability(here, model.model.scales.length);
+  EXPECT_EQ(s.free_motions, 0);
+  EXPECT_EQ(s.smallest, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(s.verdict, Verdict::stable);
+  EXPECT_STREQ(to_string(s.verdict), "stable");
+}
+
+/// The joint pushed along its softest mode by a small load must yield by load / eigenvalue: contacts and the multiplier
+/// of the prescribed angle curve on the way, so that an eigenvalue that leaves one of them out shows.
+void expect_answer_to_a_load(const std::string& joint, const test::SceneModel& s, State state, const Target& target) {
+  const auto metric = [](Eigen::Index i) { return i % 6 < 3 ? kMetric : 1.0; };
+  Newton newton(s.model);
+  ASSERT_TRUE(newton.solve(state, target, {}).converged());
+  Linearization here;
+  linearize(s.model, state, target, here);
+  const Stability stability = assess_stability(here, s.model.scales.length);
+  ASSERT_FALSE(stability.flutter);
+  const double size = 1e-5;
+  Vec6 motion;
+  Pose moved[2];
+  for (const int sign : {0, 1}) {
+    JointModel pushed = s.model;
+    LoadDef push;
+    push.body = 1;
+    Vec6 wrench;
+    for (Eigen::Index i = 0; i < 6; ++i)
+      wrench[i] = (sign == 0 ? -size : size) * stability.smallest * stability.mode[i] / metric(i);
+    push.force = wrench.head<3>();
+    push.moment = wrench.tail<3>();
+    pushed.loads.push_back(push);
+    Target more = target;
+    more.load_factors.push_back(1);
+    State after = state;
+    Newton again(pushed);
+    ASSERT_TRUE(again.solve(after, more, {}).converged());
+    moved[sign] = after.poses[1];
+  }
+  motion << (moved[1].p - moved[0].p) / (2 * size), log_rotation(moved[1].R * moved[0].R.transpose()) / (2 * size);
+  for (Eigen::Index i = 0; i < 6; ++i)
+    EXPECT_NEAR(motion[i] / metric(i), stability.mode[i], 1e-5)
+        << joint << ", component " << i << " of " << stability.mode.transpose();
+}
+
+TEST(Stability, EigenvalueIsTheAnswerToALoad) {
+  for (const double flexion : {10.0, 60.0}) {
+    const auto k = test::solved_knee(flexion);
+    EXPECT_GT(std::abs(k.pose.state.multipliers[0]), 0.1);  // N m: its curvature matters
+    expect_answer_to_a_load("knee at " + std::to_string(flexion), k.scene, k.pose.state, k.target);
+  }
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,45 @@
+#include "genu/solver/step_plan.h"
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+StepPlan some_plan() {
+  StepPlan plan;
+  plan.prescribed = {{{0, 1}, 0.1, 0.7}, {{0, 2}, 0.3, -0.9}, {{0, 4}, 0.02, 5}};
+  plan.factors = {{1, 1}, {0, 0.3}};
+  return plan;
+}
+
+TEST(StepPlan, IsExactAtItsEndsAndLinearBetween) {
+  const StepPlan plan = some_plan();
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(plan.target(0).prescribed[i].value, plan.prescribed[i].from);
+    EXPECT_EQ(plan.target(1).prescribed[i].value, plan.prescribed[i].to);
+    EXPECT_EQ(plan.target(0.5).prescribed[i].coordinate, plan.prescribed[i].coordinate);
+    EXPECT_NEAR(plan.target(0.25).prescribed[i].value, 0.75 * plan.prescribed[i].from + 0.25 * plan.prescribed[i].to,
+                1e-16);
+  }
+  EXPECT_EQ(plan.target(1).load_factors[1], 0.3);
+  EXPECT_EQ(plan.target(0.123).load_factors[0], 1);
+}
+
+TEST(StepPlan, RateIsItsDerivative) {
+  const StepPlan plan = some_plan();
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(plan.rate().prescribed[i].value,
+                (plan.target(0.6).prescribed[i].value - plan.target(0.4).prescribed[i].value) / 0.2, 1e-13);
+  EXPECT_EQ(plan.rate().load_factors[0], 0);
+  EXPECT_EQ(plan.rate().load_factors[1], 0.3);
+}
+
+TEST(StepPlan, AngleRangeLeavesTranslationsOut) {
+  EXPECT_NEAR(some_plan().angle_range(), 1.2, 1e-15);
+  StepPlan translation;
+  translation.prescribed = {{{0, 3}, 0, 5}};
+  EXPECT_EQ(translation.angle_range(), 0);
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,70 @@
+// One step of the path by itself: substeps, located events, and the end of a path.
+#include "genu/solver/walker.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/solved.h"
+
+namespace genu {
+namespace {
+
+struct Walking {
+  test::SceneModel scene;
+  PathOptions options;
+  ContactField field;
+  ContactSetSolver solver;
+  std::vector<PathEvent> events;
+  std::function<void(PathEvent)> record = [this](PathEvent e) { events.push_back(e); };
+  Walker walker;
+
+  explicit Walking(const std::string& text)
+      : scene(test::scene_model(text)),
+        field(scene.model),
+        solver(scene.model, field, options.newton),
+        walker(solver, options, record) {
+    Balanced pose;
+    pose.state = reference_state(scene.model);
+    pose.last_number.assign(scene.model.pairs.size(), 0);
+    const StepPlan plan = test::plans_of(scene.scene).front();
+    const PoseReport report = solver.settle_cold(pose, plan.target(0));
+    EXPECT_EQ(report.status, PoseStatus::ok) << report.why;
+    walker.begin(plan, 1, pose, report);
+  }
+};
+
+TEST(Walker, PassesALiftOffInsideItsStep) {
+  Walking w(test::held_ball(test::step("prescribe = { " + test::kNoTurn + " }\nload = { lift = [0, 100] }")));
+  ASSERT_TRUE(w.walker.walk_to(1));
+  EXPECT_EQ(w.walker.t(), 1);
+  ASSERT_EQ(w.events.size(), 1u);
+  EXPECT_EQ(w.events[0].kind, PathEvent::Kind::contact_lost);
+  EXPECT_NEAR(100 * w.events[0].t, test::kLiftOff, 1e-6);
+  EXPECT_TRUE(w.walker.pose().state.contacts.empty());
+  EXPECT_EQ(w.walker.stability().verdict, Stability::Verdict::stable);
+}
+
+TEST(Walker, StopsShortOfALimitPointWithTheLastGoodPose) {
+  Walking w(test::bone_on_ground("{ z = 12 }") +
+            test::ligament("l", "[0, 0, 0]", "[-40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+            test::ligament("r", "[0, 0, 0]", "[40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+            test::load("w", "force = [0, 0, -1]") +
+            test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + test::kNoTurn + " }\nload = { w = [0, 25] }"));
+  EXPECT_FALSE(w.walker.walk_to(1));
+  EXPECT_NEAR(25 * w.walker.t(), 19.899833915489113, 1e-4);
+  EXPECT_TRUE(w.walker.turning_back());
+  EXPECT_NE(w.walker.failure().status, PoseStatus::ok);
+  EXPECT_EQ(w.walker.report().status, PoseStatus::ok);
+  EXPECT_LT(w.walker.report().newton.residual, NewtonOptions{}.residual_floor);
+}
+
+TEST(Walker, PredictionFollowsASmoothPathInFewIterations) {
+  Walking w(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\n"));
+  const int before = w.walker.iterations();
+  for (int k = 1; k <= 60; ++k) ASSERT_TRUE(w.walker.walk_to(k / 60.0)) << k;
+  EXPECT_LE(w.walker.iterations() - before, 4 * 60);  // a degree each
+  EXPECT_TRUE(w.events.empty());
+  EXPECT_FALSE(w.walker.turning_back());
+}
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,87 @@
+// Scenes for tests of the program, and the program run as a user runs it.
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "support/temporary_folder.h"
+
+namespace genu::test {
+
+/// A ball on a plate, held by a spring at each side: its equilibria are known.
+inline const std::string kBall = R"(format = 1
+title = "ball on a plate"
+units = { length = "mm", angle = "deg" }
+[body.tibia]
+fixed = true
+[body.femur]
+[joint.knee]
+type = "free"
+parent = "tibia"
+child = "femur"
+rotations = ["flexion x", "adduction y", "rotation z"]
+translations = ["x", "y", "z"]
+reference = { z = 20 }
+[surface.ball]
+body = "femur"
+shape = "sphere"
+radius = 20
+[surface.plate]
+body = "tibia"
+shape = "plane"
+[contact.medial]
+surfaces = ["ball", "plate"]
+model = "rigid"
+[ligament.front]
+from = { body = "femur", point = [0, 20, 0] }
+to = { body = "tibia", point = [5, 30, -20] }
+law = "quadratic"
+stiffness = 20000
+reference_strain = 0.05
+[ligament.back]
+from = { body = "femur", point = [0, -20, 0] }
+to = { body = "tibia", point = [5, -30, -20] }
+law = "quadratic"
+stiffness = 20000
+reference_strain = 0.05
+[ligament.side]
+from = { body = "femur", point = [20, 0, 5] }
+to = { body = "tibia", point = [30, 0, -20] }
+law = "quadratic"
+stiffness = 20000
+reference_strain = 0.05
+[ligament.far]
+from = { body = "femur", point = [-20, 0, 5] }
+to = { body = "tibia", point = [-30, 0, -20] }
+law = "quadratic"
+stiffness = 20000
+reference_strain = 0.05
+[[step]]
+prescribe = { "knee.flexion" = [0, 10] }
+increments = 5
+)";
+
+/// `text` with the first `piece` replaced.
+inline std::string replaced(const std::string& text, const std::string& piece, const std::string& replacement) {
+  const std::size_t at = text.find(piece);
+  EXPECT_NE(at, std::string::npos) << "no " << piece;
+  return at == std::string::npos ? text : text.substr(0, at) + replacement + text.substr(at + piece.size());
+}
+
+struct Outcome {
+  int exit_code = -1;  ///< -1: ended by a signal
+  std::string out, err;
+};
+
+/// Runs `genu ARGUMENTS`; longer than 20 s counts as a hang (exit code 124).
+inline Outcome genu(const std::string& arguments) {
+  const TemporaryFolder folder;
+  const int status = std::system(
+      ("timeout 20 " GENU_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
+}
+
+}  // namespace genu::test

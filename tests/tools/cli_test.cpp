@@ -1,0 +1,232 @@
+// genu, run as a user runs it: what works, what is refused and how, and what is kept of a run that stops.
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/cli_scenes.h"
+
+namespace genu::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+TEST(Cli, SaysWhatItIs) {
+  EXPECT_EQ(genu("").exit_code, 2);
+  EXPECT_TRUE(contains(genu("").out, "genu run SCENE --out DIR"));
+  for (const char* command : {"", "run ", "check ", "mesh "})
+    EXPECT_EQ(genu(std::string(command) + "--help").exit_code, 0) << command;
+  EXPECT_EQ(genu("--version").exit_code, 0);
+  EXPECT_EQ(genu("--version").out.rfind("genu ", 0), 0u);
+}
+
+TEST(Cli, SolvesChecksAndMeshes) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall);
+  const Outcome run = genu("run " + scene + " --out " + (folder / "deep/er/out"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "Every pose is solved and certified")) << run.out;
+  for (const char* file : {"results.csv", "events.csv", "curves.svg", "summary.json"})
+    EXPECT_TRUE(std::filesystem::file_size(folder / (std::string("deep/er/out/") + file)) > 0) << file;
+  EXPECT_EQ(genu("run " + scene + " --quiet --out " + (folder / "out")).out, "");
+  const Outcome check = genu("check " + scene);
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_TRUE(contains(check.out, "no errors"));
+  EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
+}
+
+struct Refusal {
+  const char* piece;  ///< of the ball's scene
+  const char* replacement;
+  const char* said;  ///< part of the message, which also names the file, line and column
+};
+
+class CliRefuses : public testing::TestWithParam<Refusal> {};
+
+TEST_P(CliRefuses, WithThePlaceAndLeavesTheEarlierResult) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), out = folder / "out";
+  ASSERT_EQ(genu("run " + scene + " --out " + out).exit_code, 0);
+  const std::string before = read_file(out + "/results.csv");
+  const auto age = std::filesystem::last_write_time(out + "/results.csv");
+  folder.write("ball.toml", replaced(kBall, GetParam().piece, GetParam().replacement));
+  for (const std::string& command : {"run " + scene + " --out " + out, "check " + scene}) {
+    const Outcome refused = genu(command);
+    EXPECT_EQ(refused.exit_code, 2) << command << "\n" << refused.out << refused.err;
+    EXPECT_TRUE(contains(refused.err, GetParam().said)) << refused.err;
+    const std::size_t place = refused.err.find("ball.toml:");
+    ASSERT_NE(place, std::string::npos) << refused.err;
+    EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(refused.err[place + 10]))) << refused.err;
+  }
+  EXPECT_EQ(read_file(out + "/results.csv"), before);
+  EXPECT_EQ(std::filesystem::last_write_time(out + "/results.csv"), age);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / ""), {}), 2) << "something was left behind";
+}
+
+constexpr const char* kSphere = "shape = \"sphere\"\nradius = 20";
+const Refusal kRefusals[] = {
+    {"radius = 20", "radios = 20", "did you mean \"radius\""},
+    {"radius = 20", "radius = \"20\"", "surface.ball.radius"},
+    {"radius = 20", "radius = -20", "surface.ball.radius = -20"},
+    {"radius = 20", "radius = 0", "surface.ball.radius = 0"},
+    {"radius = 20", "radius = nan", "finite"},
+    {"radius = 20", "radius = inf", "finite"},
+    {"radius = 20", "radius = 1e400", "ball.toml:"},
+    {"length = \"mm\"", "length = \"inch\"", "units.length"},
+    {"stiffness = 20000", "stiffness = -2", "must be > 0"},
+    {"point = [5, 30, -20]", "point = [5, nan, -20]", "finite"},
+    {"point = [5, 30, -20]", "point = [5, 30]", "ligament.front.to.point"},
+    {"from = { body = \"femur\", point = [0, 20, 0] }", "from = { body = \"fmur\", point = [0, 20, 0] }", "fmur"},
+    {"point = [5, 30, -20]", "point = [0, 20, 20]", "ligament.front"},
+    {"[ligament.back]", "[ligament.front]", "ball.toml:"},
+    {"prescribe = { \"knee.flexion\" = [0, 10] }",
+     "prescribe = { \"knee.flexion\" = 0, \"knee.adduction\" = 0, \"knee.rotation\" = 0, \"knee.x\" = 0, \"knee.y\" = "
+     "0 }",
+     "5"},
+    {"prescribe = { \"knee.flexion\" = [0, 10] }", "prescribe = { \"knee.flexion\" = [0, inf] }", "finite"},
+    {"prescribe = { \"knee.flexion\" = [0, 10] }", "prescribe = { \"knee.bend\" = [0, 10] }", "knee.bend"},
+    {"increments = 5", "increments = 0", "step[1].increments"},
+    {"increments = 5", "increments = 5.0", "step[1].increments"},
+    {"format = 1", "format = 2", "format"},
+    {"format = 1", "", "format"},
+    {"title = \"ball on a plate\"", "title = \"ball", "ball.toml:2"},
+    {"reference = { z = 20 }", "reference = { z = 14.9 }", "overlap by 5.1 mm"},
+    {kSphere, "shape = \"mesh\"\nfile = \"none.stl\"\nunits = \"mm\"", "none.stl"},
+    {kSphere, "shape = \"mesh\"\nfile = \".\"\nunits = \"mm\"", "surface.ball.file"},
+    {"[[step]]", "[dynamics]\nduration = 1\n[[step]]", "not built yet"},
+    {"model = \"rigid\"", "model = \"cartilage\"\nmodulus = 5", "not built yet"},
+    {"child = \"femur\"", "child = \"tibia\"", "joint.knee"},
+};
+INSTANTIATE_TEST_SUITE_P(Input, CliRefuses, testing::ValuesIn(kRefusals));
+
+/// Meshes that no one can use, each as the ball's surface.
+TEST(Cli, RefusesMeshesThatAreNone) {
+  TemporaryFolder folder;
+  std::string header(80, ' ');
+  const std::string binary_without_triangles = header + std::string("\xe8\x03\0\0", 4) + std::string(100, '\1');
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const std::pair<const char*, std::string> files[] = {{"noise.stl", "no mesh at all"},
+                                                       {"empty.stl", ""},
+                                                       {"none.stl", "solid a\nendsolid a\n"},
+                                                       {"cut.stl", "solid a\n" + facet.substr(0, 60)},
+                                                       {"binary.stl", binary_without_triangles},
+                                                       {"single.stl", "solid a\n" + facet + "endsolid a\n"},
+                                                       {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"},
+                                                       {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
+                                                       {"zeros.ply", std::string(1000, '\0')}};
+  for (const auto& [name, bytes] : files) {
+    folder.write(name, bytes);
+    const std::string scene = folder.write(
+        "ball.toml",
+        replaced(kBall, kSphere, std::string("shape = \"mesh\"\nfile = \"") + name + "\"\nunits = \"mm\""));
+    const Outcome refused = genu("run " + scene + " --out " + (folder / "out"));
+    EXPECT_EQ(refused.exit_code, 2) << name << "\n" << refused.out << refused.err;
+    EXPECT_TRUE(contains(refused.err, "ball.toml:17:") && contains(refused.err, name)) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << name;
+  }
+}
+
+TEST(Cli, RefusesAMeshInTheWrongUnit) {
+  TemporaryFolder folder;
+  const std::string ball = folder.write("ball.toml", kBall);
+  ASSERT_EQ(genu("mesh " + ball + " ball --edge 2 --unit mm --out " + (folder / "mm")).exit_code, 0);
+  ASSERT_EQ(genu("mesh " + ball + " ball --edge 0.002 --unit m --out " + (folder / "m")).exit_code, 0);
+  const auto with = [&](const std::string& file, const std::string& unit) {
+    const std::string mesh = "shape = \"mesh\"\nfile = \"" + file + "/ball.stl\"\nunits = \"" + unit + "\"";
+    return genu("run " + folder.write("mesh.toml", replaced(kBall, kSphere, mesh)) + " --quiet --out " +
+                (folder / "out"));
+  };
+  EXPECT_EQ(with("mm", "m").exit_code, 2);
+  const Outcome small = with("m", "mm");
+  EXPECT_EQ(small.exit_code, 2);
+  EXPECT_TRUE(contains(small.err, "mesh.toml:17:")) << small.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(with("mm", "mm").exit_code, 0) << with("mm", "mm").err;
+  EXPECT_EQ(with("m", "m").exit_code, 0);
+}
+
+TEST(Cli, RefusesArguments) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), file = folder.write("file", "kept");
+  std::filesystem::create_directory(folder / "foreign");
+  folder.write("foreign/thesis.txt", "years of work");
+  const std::string bad[] = {"run " + scene,
+                             "run --out " + (folder / "out"),
+                             "run " + scene + " --out",
+                             "run " + scene + " --out ''",
+                             "run " + scene + " --out " + file,
+                             "run " + scene + " --out " + file + "/under",
+                             "run " + scene + " --out " + (folder / "foreign"),
+                             "run " + scene + " --out /",
+                             "run " + scene + " --out /proc/genu",
+                             "run " + scene + " --fast --out " + (folder / "out"),
+                             "run " + scene + " " + scene + " --out " + (folder / "out"),
+                             "run " + (folder / "none.toml") + " --out " + (folder / "out"),
+                             "run " + (folder / "") + " --out " + (folder / "out"),
+                             "run /dev/null --out " + (folder / "out"),
+                             "check " + (folder / "none.toml"),
+                             "mesh " + scene + " --edge nan --out " + (folder / "out"),
+                             "mesh " + scene + " --edge -1 --out " + (folder / "out"),
+                             "swim"};
+  for (const std::string& arguments : bad) {
+    const Outcome refused = genu(arguments);
+    EXPECT_EQ(refused.exit_code, 2) << arguments << "\n" << refused.out << refused.err;
+    EXPECT_FALSE(refused.err.empty()) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
+  }
+  EXPECT_EQ(read_file(file), "kept");
+  EXPECT_EQ(read_file(folder / "foreign/thesis.txt"), "years of work");
+}
+
+TEST(Cli, StopsWhereContactRunsOverTheEdgeOfAMesh) {
+  TemporaryFolder folder;
+  const std::string ball = folder.write("ball.toml", kBall);
+  ASSERT_EQ(genu("mesh " + ball + " plate --edge 1 --reach 8 --out " + (folder / "m")).exit_code, 0);
+  const std::string patch =
+      replaced(kBall, "shape = \"plane\"", "shape = \"mesh\"\nfile = \"m/plate.stl\"\nunits = \"mm\"");
+  const std::string scene = folder.write("patch.toml", replaced(patch, "[0, 10]", "0, \"knee.x\" = [0, 20]"));
+  const Outcome stopped = genu("run " + scene + " --out " + (folder / "out"));
+  EXPECT_EQ(stopped.exit_code, 3) << stopped.out << stopped.err;
+  EXPECT_TRUE(contains(stopped.out, "3 of 6 poses are solved")) << stopped.out;  // x = 0, 4 and 8 mm
+  EXPECT_TRUE(contains(stopped.out, "reaches the edge of its surface at knee.flexion = 0 deg, knee.x = 8 mm"))
+      << stopped.out;
+  EXPECT_TRUE(contains(read_file(folder / "out/results.csv"), ",over_edge,"));
+}
+
+struct Unsolved {
+  const char* name;
+  std::string scene;
+  const char* status;
+};
+
+TEST(Cli, KeepsTheRowsOfARunThatStopsAndSaysWhy) {
+  TemporaryFolder folder;
+  std::string loose = kBall;  // nothing but a load that lifts
+  loose.erase(loose.find("[ligament.front]"), loose.find("[[step]]") - loose.find("[ligament.front]"));
+  const Unsolved cases[] = {
+      {"loose", replaced(loose, "[[step]]", "[load.pull]\nbody = \"femur\"\nforce = [0, 0, 5]\n[[step]]"),
+       "no_equilibrium"},
+      {"valley",
+       replaced(replaced(replaced(kBall, "shape = \"plane\"", "shape = \"polynomial\"\nterms = [[2, 0, 0.05]]"),
+                         "z = 20", "z = 24"),
+                "= [0, 10]", "= [0, 10], \"knee.adduction\" = 0, \"knee.rotation\" = 0, \"knee.y\" = 0"),
+       "overconstrained"},
+      {"sliding", replaced(loose, "[[step]]", "[load.push]\nbody = \"femur\"\nforce = [1, 0, -5]\n[[step]]"),
+       "no_equilibrium"},
+  };
+  for (const Unsolved& c : cases) {
+    const std::string scene = folder.write("scene.toml", c.scene), out = folder / c.name;
+    const Outcome stopped = genu("run " + scene + " --out " + out);
+    EXPECT_EQ(stopped.exit_code, 3) << c.name << "\n" << stopped.out << stopped.err;
+    EXPECT_TRUE(contains(stopped.out, "of 6 poses are solved")) << stopped.out;
+    const std::string csv = read_file(out + "/results.csv");
+    EXPECT_TRUE(contains(csv, c.status) || contains(csv, "undetermined")) << csv;
+    EXPECT_FALSE(contains(csv, "nan") || contains(csv, "inf")) << csv;
+  }
+}
+
+}  // namespace
+}  // namespace genu::test
