@@ -23,6 +23,22 @@ constexpr double kMerge = 1e-4;  // m
 // Outward normals within 60 degrees of each other: the sides cannot touch.
 constexpr double kSameSide = 0.5;
 
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Which surface to sample: one that is bounded by itself, as a plane can be asked anywhere but has no natural extent;
+/// between two closed forms or two meshes the second.
+bool samples_second(const Surface& a, const Surface& b) {
+  return a.is_unbounded() || !(b.is_unbounded() || (!a.is_global() && b.is_global()));
+}
+
+/// Samples of a fine mesh stand much closer together than contacts have to be told apart.
+bool too_dense(const SampleSet& samples, double spacing) {
+  double area = 0;
+  for (const double a : samples.areas) area += a;
+  constexpr double kDense = 0.5;  // of one sample for each square of the spacing's side
+  return samples.size() > 1000 && area / samples.size() < kDense * spacing * spacing;
+}
+
 /// The farthest that a point of the sphere (centre, radius) has moved between two poses.
 double largest_motion(const Pose& from, const Pose& to, const Vec3& centre, double radius) {
   return (to * centre - from * centre).norm() + (to.R - from.R).norm() / std::sqrt(2.0) * radius;
@@ -44,54 +60,64 @@ LocalMinimum oriented(LocalMinimum m, bool samples_b) {
 }  // namespace
 
 Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
-    : queried_(&a), sampled_(&b), samples_b_(true), max_step_(options.max_step), far_(a) {
-  // Sample the surface that is bounded by itself; a plane can be asked anywhere but has no natural extent. Between two
-  // closed forms or two meshes the second is sampled.
-  const bool a_global = a.is_global(), b_global = b.is_global();
-  if (!a.is_unbounded() && (b.is_unbounded() || (!a_global && b_global))) {
-    std::swap(queried_, sampled_);
-    samples_b_ = false;
-    far_ = FarDistance(b);
-  }
+    : queried_(samples_second(a, b) ? &a : &b), sampled_(samples_second(a, b) ? &b : &a),
+      samples_b_(samples_second(a, b)), max_step_(options.max_step), far_(*queried_) {
   samples_ = sampled_->samples(options.spacing, Vec3::Zero(), options.reach);
+  if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
   build_groups();
+}
+
+Proximity::Group Proximity::sphere_round(int first, int last, int& axis) const {
+  Vec3 low = Vec3::Constant(kInfinity), high = -low;
+  const auto point = [&](int k) -> const Vec3& { return samples_.points[at(order_[at(k)])]; };
+  for (int k = first; k < last; ++k) low = low.cwiseMin(point(k)), high = high.cwiseMax(point(k));
+  Group group;
+  group.first = first;
+  group.last = last;
+  group.centre = 0.5 * (low + high);
+  for (int k = first; k < last; ++k) group.radius = std::max(group.radius, (point(k) - group.centre).norm());
+  Eigen::Index longest = 0;
+  (high - low).maxCoeff(&longest);
+  axis = static_cast<int>(longest);
+  return group;
 }
 
 void Proximity::build_groups() {
   order_.resize(samples_.points.size());
   std::iota(order_.begin(), order_.end(), 0);
-  struct Range {
-    int first, last;
-  };
-  std::vector<Range> open{{0, static_cast<int>(order_.size())}};
-  auto point = [&](int i) -> const Vec3& { return samples_.points[static_cast<std::size_t>(i)]; };
-  while (!open.empty()) {
-    const Range range = open.back();
-    open.pop_back();
-    if (range.first == range.last) continue;
-    Vec3 low = Vec3::Constant(kInfinity), high = -low;
-    for (int k = range.first; k < range.last; ++k) {
-      low = low.cwiseMin(point(order_[static_cast<std::size_t>(k)]));
-      high = high.cwiseMax(point(order_[static_cast<std::size_t>(k)]));
-    }
-    if (range.last - range.first <= kGroupSize) {
-      Group group;
-      group.first = range.first;
-      group.last = range.last;
-      group.centre = 0.5 * (low + high);
-      for (int k = range.first; k < range.last; ++k)
-        group.radius = std::max(group.radius, (point(order_[static_cast<std::size_t>(k)]) - group.centre).norm());
-      groups_.push_back(group);
+  if (order_.empty()) return;
+  std::vector<int> axes(1);
+  groups_.push_back(sphere_round(0, static_cast<int>(order_.size()), axes[0]));
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group group = groups_[g];
+    if (group.last - group.first <= kGroupSize) continue;
+    const int middle = (group.first + group.last) / 2, axis = axes[g];
+    const auto coordinate = [&](int i) { return std::pair(samples_.points[at(i)][axis], i); };
+    std::nth_element(order_.begin() + group.first, order_.begin() + middle, order_.begin() + group.last,
+                     [&](int i, int j) { return coordinate(i) < coordinate(j); });
+    groups_[g].children = static_cast<int>(groups_.size());
+    axes.resize(axes.size() + 2);
+    groups_.push_back(sphere_round(group.first, middle, axes[axes.size() - 2]));
+    groups_.push_back(sphere_round(middle, group.last, axes[axes.size() - 1]));
+  }
+}
+
+/// Calls visit(sample) for the samples of all leaves that are not known to be clear of the other surface by `window`.
+template <typename Visit>
+void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
+  if (groups_.empty()) return;
+  open_.assign(1, 0);
+  while (!open_.empty()) {
+    Group& group = groups_[at(open_.back())];
+    open_.pop_back();
+    if (clear(group, X_qs, window)) continue;
+    if (group.children >= 0) {
+      open_.push_back(group.children + 1);
+      open_.push_back(group.children);
       continue;
     }
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
-    const int middle = (range.first + range.last) / 2;
-    std::nth_element(order_.begin() + range.first, order_.begin() + middle, order_.begin() + range.last,
-                     [&](int i, int j) { return std::pair(point(i)[axis], i) < std::pair(point(j)[axis], j); });
-    open.push_back({range.first, middle});
-    open.push_back({middle, range.last});
+    for (int k = group.first; k < group.last; ++k) visit(order_[at(k)]);
   }
 }
 
@@ -130,14 +156,10 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) cons
 void Proximity::measure(const Pose& X_qs, double window) {
   for (const int i : measured_) gap_[static_cast<std::size_t>(i)] = kInfinity;
   measured_.clear();
-  for (Group& group : groups_) {
-    if (clear(group, X_qs, window)) continue;
-    for (int k = group.first; k < group.last; ++k) {
-      const int i = order_[static_cast<std::size_t>(k)];
-      gap_[static_cast<std::size_t>(i)] = sample_gap(X_qs, i, nullptr);
-      measured_.push_back(i);
-    }
-  }
+  visit_near(X_qs, window, [&](int i) {
+    gap_[at(i)] = sample_gap(X_qs, i, nullptr);
+    measured_.push_back(i);
+  });
 }
 
 std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) const {
@@ -213,16 +235,11 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
 void Proximity::near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out) {
   out.clear();
   const Pose X_qs = query_from_samples(X_ab);
-  for (Group& group : groups_) {
-    if (clear(group, X_qs, window)) continue;
-    for (int k = group.first; k < group.last; ++k) {
-      const int sample = order_[static_cast<std::size_t>(k)];
-      const auto i = static_cast<std::size_t>(sample);
-      NearSample near{samples_.points[i], Vec3::Zero(), 0, samples_.areas[i]};
-      near.gap = sample_gap(X_qs, sample, &near.direction);
-      if (near.gap < window) out.push_back(near);
-    }
-  }
+  visit_near(X_qs, window, [&](int sample) {
+    NearSample near{samples_.points[at(sample)], Vec3::Zero(), 0, samples_.areas[at(sample)]};
+    near.gap = sample_gap(X_qs, sample, &near.direction);
+    if (near.gap < window) out.push_back(near);
+  });
 }
 
 std::optional<Descent> Proximity::follow(const Pose& X_ab, const ContactGeometry& contact) const {

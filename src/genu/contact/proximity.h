@@ -1,8 +1,8 @@
 // Where two surfaces are near or overlap, over the whole of both: candidates for contact, and the proof that there is
 // no other.
 //
-// One surface is sampled, the other is asked for the signed distance. The samples stand in small groups, each within a
-// sphere; a group whose sphere is known to be clear is skipped until the bodies have moved by as much as it was clear.
+// One surface is sampled, the other is asked for the signed distance. The samples stand in a tree of spheres; a sphere
+// that is known to be clear is skipped, with all it holds, until the bodies have moved by as much as it was clear.
 // What is left is looked at sample by sample, and every local minimum among neighbouring samples is refined on the
 // smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest triangle.
 #pragma once
@@ -61,8 +61,10 @@ class Proximity {
   double edge_distance(const ContactGeometry& contact) const;
 
  private:
+  /// A node of the tree of spheres round the samples order_[first .. last).
   struct Group {
-    int first = 0, last = 0;  ///< into order_
+    int first = 0, last = 0;
+    int children = -1;  ///< index of the first of two, -1 for a leaf
     Vec3 centre;
     double radius = 0;
     double clearance = -1;  ///< m, known at `measured`
@@ -77,6 +79,9 @@ class Proximity {
   void measure(const Pose& X_qs, double window);
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;
   void build_groups();
+  Group sphere_round(int first, int last, int& axis) const;
+  template <typename Visit>
+  void visit_near(const Pose& X_qs, double window, Visit visit);
 
   const Surface* queried_;
   const Surface* sampled_;
@@ -85,7 +90,8 @@ class Proximity {
   FarDistance far_;
   SampleSet samples_;
   std::vector<int> order_;
-  std::vector<Group> groups_;
+  std::vector<Group> groups_;  // the root first
+  std::vector<int> open_;
   std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
   std::vector<int> measured_;  // the samples that have one
   std::vector<int> starts_;    // of descents, by gap

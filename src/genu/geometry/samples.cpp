@@ -3,9 +3,40 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Geometry>
+#include "genu/geometry/cell_lists.h"
 
 namespace genu {
+
+namespace {
+
+constexpr double kSameSide = 0.3;  // cosine of the angle between normals: the same side of a thin sheet
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool same_side(const SampleSet& set, std::size_t i, std::size_t j) {
+  return set.normals[i].dot(set.normals[j]) > kSameSide;
+}
+
+/// For each sample the kept one it belongs to, as an index into `kept`.
+std::vector<int> choose_kept(const SampleSet& set, const CellLists& cells, double spacing, std::vector<int>& kept) {
+  std::vector<int> owner(set.points.size(), -1);
+  std::vector<double> nearest(set.points.size(), spacing * spacing);
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    if (owner[i] >= 0) continue;
+    owner[i] = static_cast<int>(kept.size());
+    nearest[i] = 0;
+    for (const int j : cells.at(set.points[i])) {
+      const double square = (set.points[at(j)] - set.points[i]).squaredNorm();
+      if (square >= nearest[at(j)] || !same_side(set, i, at(j))) continue;
+      nearest[at(j)] = square;
+      owner[at(j)] = static_cast<int>(kept.size());
+    }
+    kept.push_back(static_cast<int>(i));
+  }
+  return owner;
+}
+
+}  // namespace
 
 SampleSet vertex_samples(const Mesh& mesh) {
   SampleSet out;
@@ -36,6 +67,30 @@ SampleSet vertex_samples(const Mesh& mesh) {
   for (std::size_t i = 0; i < n; ++i) out.first_neighbour[i + 1] += out.first_neighbour[i];
   out.neighbours.reserve(edges.size());
   for (const auto& e : edges) out.neighbours.push_back(e.second);
+  return out;
+}
+
+SampleSet thin_samples(const SampleSet& set, double spacing) {
+  std::vector<int> kept;
+  const CellLists cells(set.points, std::span(&spacing, 1), spacing);
+  const std::vector<int> owner = choose_kept(set, cells, spacing, kept);
+  SampleSet out;
+  for (const int i : kept) {
+    out.points.push_back(set.points[at(i)]);
+    out.normals.push_back(set.normals[at(i)]);
+  }
+  out.areas.assign(kept.size(), 0.0);
+  for (std::size_t i = 0; i < owner.size(); ++i) out.areas[at(owner[i])] += set.areas[i];
+  const double reach = 2 * spacing;
+  const CellLists near(out.points, std::span(&reach, 1), spacing);
+  out.first_neighbour.push_back(0);
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    for (const int j : near.at(out.points[i])) {
+      const bool close = (out.points[at(j)] - out.points[i]).squaredNorm() < reach * reach;
+      if (at(j) != i && close && same_side(out, i, at(j))) out.neighbours.push_back(j);
+    }
+    out.first_neighbour.push_back(static_cast<int>(out.neighbours.size()));
+  }
   return out;
 }
 

@@ -21,4 +21,8 @@ struct SampleSet {
 /// The vertices of a mesh as samples: a third of the area of each triangle to each of its corners.
 SampleSet vertex_samples(const Mesh& mesh);
 
+/// A part of the samples that keep `spacing` (m) from each other on the same side of the surface, chosen in their order;
+/// areas go to the nearest that is kept, neighbours are those within twice the spacing.
+SampleSet thin_samples(const SampleSet& set, double spacing);
+
 }  // namespace genu

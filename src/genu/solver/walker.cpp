@@ -70,23 +70,41 @@ Walker::Attempt Walker::attempt(double t) {
   return out;
 }
 
+double Walker::distance(const State& from, const State& to) const {
+  const double L = solver_.model().scales.length;
+  double sum = 0;
+  for (std::size_t i = 0; i < from.poses.size(); ++i)
+    sum += (to.poses[i].p - from.poses[i].p).norm() / L +
+           log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm();
+  return sum;
+}
+
+double Walker::speed() const {
+  const double L = solver_.model().scales.length;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < tangent_.twist.size(); i += 6)
+    sum += tangent_.twist.segment<3>(i).norm() / L + tangent_.twist.segment<3>(i + 3).norm();
+  return sum;
+}
+
 bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
-  const double L = solver_.model().scales.length;
-  double moved = 0, expected = 0;
-  for (std::size_t i = 0; i < pose_.state.poses.size(); ++i) {
-    const Pose &from = pose_.state.poses[i], &to = state.poses[i];
-    moved += (to.p - from.p).norm() / L + log_rotation(to.R * from.R.transpose()).norm();
-  }
-  for (Eigen::Index i = 0; i < tangent_.twist.size(); i += 6)
-    expected += h * (tangent_.twist.segment<3>(i).norm() / L + tangent_.twist.segment<3>(i + 3).norm());
-  return moved > kFactor * expected + kSlack;
+  return distance(pose_.state, state) > kFactor * h * speed() + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
   double h = t_end - t_;
   while (t_ < t_end) {
+    // Toward a limit point the tangent grows without bound: a step may move the bodies so far and no farther, or the
+    // solution found at its end may lie on another branch.
+    constexpr double kFarthest = 0.25;  // characteristic lengths, rad
+    h = std::min(h, kFarthest / std::max(speed(), 1e-300));
+    if (h < options_.smallest_increment) {
+      failure_ = {};
+      failure_.why = "the path becomes infinitely steep";
+      return false;
+    }
     const double t = std::min(t_end, t_ + h);
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();

@@ -45,6 +45,8 @@ class Walker {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report);
+  double distance(const State& from, const State& to) const;
+  double speed() const;
   bool jumped(const State& state, double h) const;
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
