@@ -137,8 +137,8 @@ struct FarDistance::Triangles {
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
 
-FarDistance::FarDistance(const Surface& surface) : surface_(&surface) {
-  if (!surface.is_global()) triangles_ = std::make_unique<Triangles>(surface.triangles(0, Vec3::Zero(), 0));
+FarDistance::FarDistance(const Surface& surface, double edge, double reach) : surface_(&surface) {
+  if (!surface.knows_distance()) triangles_ = std::make_unique<Triangles>(surface.triangles(edge, Vec3::Zero(), reach));
 }
 FarDistance::~FarDistance() = default;
 FarDistance::FarDistance(FarDistance&&) noexcept = default;

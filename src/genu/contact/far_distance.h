@@ -1,5 +1,5 @@
-// Signed distance of a point to a surface wherever the point is: outside the band of a meshed surface FCL finds the
-// closest triangle, and the surface's own angle-weighted normals tell the side.
+// Signed distance of a point to a surface wherever the point is. Where the surface does not know it (a mesh outside the
+// band of its smooth surface, a polynomial), FCL finds the closest triangle and angle-weighted normals tell the side.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@ namespace genu {
 
 class FarDistance {
  public:
-  explicit FarDistance(const Surface& surface);
+  /// `edge` and `reach` (m) bound the triangles of closed forms that do not know their distance (Surface::triangles).
+  explicit FarDistance(const Surface& surface, double edge = 1e-3, double reach = 0.1);
   ~FarDistance();
   FarDistance(FarDistance&&) noexcept;
   FarDistance& operator=(FarDistance&&) noexcept;
@@ -25,7 +26,7 @@ class FarDistance {
  private:
   struct Triangles;  // FCL lives behind this
   const Surface* surface_;
-  std::unique_ptr<Triangles> triangles_;  // null for surfaces known everywhere
+  std::unique_ptr<Triangles> triangles_;  // null for surfaces that know their distance
 };
 
 }  // namespace genu

@@ -61,7 +61,8 @@ LocalMinimum oriented(LocalMinimum m, bool samples_b) {
 
 Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
     : queried_(samples_second(a, b) ? &a : &b), sampled_(samples_second(a, b) ? &b : &a),
-      samples_b_(samples_second(a, b)), max_step_(options.max_step), far_(*queried_) {
+      samples_b_(samples_second(a, b)), max_step_(options.max_step), far_(*queried_, options.spacing, options.reach),
+      reserve_(0.5 * options.spacing) {
   samples_ = sampled_->samples(options.spacing, Vec3::Zero(), options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
@@ -124,14 +125,14 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   if (group.clearance - largest_motion(group.measured, X_qs, group.centre, group.radius) > window) return true;
   const Vec3 centre = X_qs * group.centre;
-  // Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third in reserve.
-  constexpr double kReserve = 2.0 / 3;
   group.measured = X_qs;
-  if (const auto gap = queried_->gap(centre)) {
-    group.clearance = (queried_->is_global() ? *gap : kReserve * *gap) - group.radius;
-  } else {
-    group.clearance = far_.nearest(centre).distance - group.radius;
-  }
+  const auto gap = queried_->is_global() && !queried_->knows_distance() ? std::nullopt : queried_->gap(centre);
+  // Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the distance
+  // is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
+  constexpr double kFirstOrder = 2.0 / 3;
+  if (gap && queried_->knows_distance()) group.clearance = *gap - group.radius;
+  else if (gap) group.clearance = kFirstOrder * *gap - group.radius;
+  else group.clearance = far_.nearest(centre).distance - group.radius - reserve_;
   return group.clearance > window;
 }
 

@@ -88,6 +88,7 @@ class Proximity {
   bool samples_b_;
   double max_step_;
   FarDistance far_;
+  double reserve_;  // m: what facets may lie off the smooth surface
   SampleSet samples_;
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first

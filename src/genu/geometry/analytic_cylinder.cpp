@@ -7,6 +7,7 @@ namespace {
 /// Axis z, without ends.
 struct Cylinder {
   static constexpr bool kUnbounded = true;
+  static constexpr bool kKnowsDistance = true;
   double radius;
 
   bool project(const Vec3& x, SurfacePoint& out) const {

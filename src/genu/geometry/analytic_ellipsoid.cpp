@@ -7,6 +7,7 @@ namespace {
 /// (x/a)^2 + (y/b)^2 + (z/c)^2 = 1.
 struct Ellipsoid {
   static constexpr bool kUnbounded = false;
+  static constexpr bool kKnowsDistance = true;
   Vec3 a;
 
   // The foot point of x is p_i = a_i^2 x_i / (t + a_i^2), with t the root of |q(t)| = 1, q_i = a_i x_i / (t + a_i^2),

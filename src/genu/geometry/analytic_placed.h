@@ -4,7 +4,7 @@
 //   bool project(const Vec3& x, SurfacePoint& out) const
 //   std::optional<double> gap(const Vec3& x) const
 //   Mesh start_mesh(double edge, const Vec3& centre, double reach) const   (to be refined where it is too coarse)
-//   static constexpr bool kUnbounded
+//   static constexpr bool kUnbounded, kKnowsDistance  (see Surface::is_unbounded, knows_distance)
 // and, where it has a better one than the default, bool retract(const SurfacePoint&, const Vec2&, SurfacePoint&) const.
 #pragma once
 
@@ -78,6 +78,7 @@ class Placed final : public Surface {
   }
 
   bool is_unbounded() const override { return Shape::kUnbounded; }
+  bool knows_distance() const override { return Shape::kKnowsDistance; }
 
  private:
   Vec3 to_shape(const Vec3& x) const { return X_BS_.R.transpose() * (x - X_BS_.p); }

@@ -7,6 +7,7 @@ namespace {
 /// z = 0, outward +z.
 struct Plane {
   static constexpr bool kUnbounded = true;
+  static constexpr bool kKnowsDistance = true;
 
   bool project(const Vec3& x, SurfacePoint& out) const {
     out.p = Vec3(x.x(), x.y(), 0);

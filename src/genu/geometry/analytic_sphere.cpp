@@ -6,6 +6,7 @@ namespace {
 
 struct Sphere {
   static constexpr bool kUnbounded = false;
+  static constexpr bool kKnowsDistance = true;
   double radius;
 
   bool project(const Vec3& x, SurfacePoint& out) const {

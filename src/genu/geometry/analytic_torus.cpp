@@ -9,6 +9,7 @@ namespace {
 /// changes sign between the outer and the inner half) and c z - s e (curvature 1 / r).
 struct Torus {
   static constexpr bool kUnbounded = false;
+  static constexpr bool kKnowsDistance = true;
   double R, r;
 
   bool project(const Vec3& x, SurfacePoint& out) const {

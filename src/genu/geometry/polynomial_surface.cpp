@@ -72,6 +72,8 @@ constexpr double kSufficientDecrease = 1e-4;  // Armijo's constant
 template <class Chart>
 struct ChartSurface : Chart {
   static constexpr bool kUnbounded = true;
+  // its foot points are descents from above: near the surface the nearest, far away only one of several
+  static constexpr bool kKnowsDistance = false;
 
   /// Newton on the squared distance |p(u, v) - x|^2 / 2 from the point above x, on its convex part; where it is not
   /// convex, Gauss-Newton (whose matrix is the metric, always definite); every step must lower the distance.

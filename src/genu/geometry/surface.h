@@ -54,6 +54,9 @@ class Surface {
   /// True for a surface whose project() and gap() hold everywhere (a closed form), not in a band alone.
   virtual bool is_global() const { return true; }
 
+  /// True where gap() is the distance to the whole surface, however far x is: a sphere that large about x is clear of it.
+  virtual bool knows_distance() const { return is_global(); }
+
   /// True for a shape without an extent of its own (a plane, a cylinder, a polynomial).
   virtual bool is_unbounded() const { return false; }
 };

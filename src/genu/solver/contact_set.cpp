@@ -230,10 +230,11 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     pose = std::move(trial);
     return report;
   }
-  const int iterations = report.iterations;
-  report = settle_from_seed(pose, target);
-  report.iterations += iterations;
-  return report;
+  PoseReport seeded = settle_from_seed(pose, target);
+  seeded.iterations += report.iterations;
+  // Of two failures the one that names a cause says more.
+  const bool vague = seeded.status == PoseStatus::no_equilibrium;
+  return vague && report.status != PoseStatus::no_equilibrium ? report : seeded;
 }
 
 }  // namespace genu
