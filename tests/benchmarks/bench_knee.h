@@ -20,7 +20,8 @@ inline Mesh torus_mesh(double R, double r, std::size_t triangles) {
   constexpr double kPi = std::numbers::pi;
   // columns * rows * 2 triangles with columns : rows = 2 pi R : 2 pi r / kRowSpacing.
   const double aspect = R / (r / kRowSpacing);
-  const int rows = 2 * std::max(3, static_cast<int>(std::lround(std::sqrt(static_cast<double>(triangles) / (2 * aspect)) / 2)));
+  const int rows =
+      2 * std::max(3, static_cast<int>(std::lround(std::sqrt(static_cast<double>(triangles) / (2 * aspect)) / 2)));
   const int columns = static_cast<int>(std::lround(static_cast<double>(triangles) / (2.0 * rows)));
   return grid_mesh({columns, true}, {rows, true}, [&](double u, double v) {
     const double phi = 2 * kPi * u, theta = 2 * kPi * v, around = R + r * std::cos(theta);

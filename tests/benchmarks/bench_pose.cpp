@@ -13,9 +13,9 @@
 #include <map>
 #include <random>
 
-#include <Eigen/LU>
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include "bench_knee.h"
 #include "genu/geometry/mesh_reader.h"
@@ -85,8 +85,10 @@ void newton_only(benchmark::State& state, std::size_t triangles) {
 
 void read_stl(benchmark::State& state, std::size_t triangles) {
   const Mesh mesh = torus_mesh(0.015, 0.005, triangles);
-  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("genu-bench-{}.stl", getpid())).string();
-  if (const std::string error = write_stl(mesh, file, 1e-3, "bench"); !error.empty()) return state.SkipWithError(error.c_str());
+  const std::string file =
+      (std::filesystem::temp_directory_path() / fmt::format("genu-bench-{}.stl", getpid())).string();
+  if (const std::string error = write_stl(mesh, file, 1e-3, "bench"); !error.empty())
+    return state.SkipWithError(error.c_str());
   for (auto _ : state) {
     Diagnostics problems;
     if (!read_mesh(file, 1e-3, problems)) return state.SkipWithError("the file was not read");

@@ -33,9 +33,8 @@ TEST(BlendNodes, AreSpacedAndCoverLargeFacetsToo) {
 
 TEST(BlendNodes, FitsNarrowWhereTheSurfaceIsSharp) {
   // A bump of radius of curvature 0.02 on a plane: fits there must narrow, fits on the plane must not.
-  const Mesh mesh = test::jittered_patch(0.2, 0.004, [](double x, double y) {
-    return 0.02 * std::exp(-(x * x + y * y) / (2 * 0.02 * 0.02));
-  });
+  const Mesh mesh = test::jittered_patch(
+      0.2, 0.004, [](double x, double y) { return 0.02 * std::exp(-(x * x + y * y) / (2 * 0.02 * 0.02)); });
   const VertexGraph graph = vertex_graph(mesh);
   const auto seeds = sample_nodes(mesh, graph, 0.01);
   const auto fits = fit_nodes(mesh, graph, seeds, 0.04, 0.012, 3);

@@ -27,11 +27,13 @@ TEST(BlendSurface, ProjectsOntoItselfAndFollowsTangentSteps) {
     ASSERT_TRUE(gap);
     worst_value = std::max(worst_value, std::abs(*gap));
     for (int axis = 0; axis < 2; ++axis) {
-      const Vec3 slope = test::derivative([&](double s) {
-        SurfacePoint to;
-        EXPECT_TRUE(surface->retract(point, s * Vec2::Unit(axis), to));
-        return Vec3(to.n);
-      }, 1e-5);
+      const Vec3 slope = test::derivative(
+          [&](double s) {
+            SurfacePoint to;
+            EXPECT_TRUE(surface->retract(point, s * Vec2::Unit(axis), to));
+            return Vec3(to.n);
+          },
+          1e-5);
       worst_normal = std::max(worst_normal, (slope + point.T * point.S.col(axis)).norm());
     }
   }
@@ -57,10 +59,11 @@ TEST(BlendSurface, SmoothsANoisySphere) {
   }
   position = std::sqrt(position / facts.node_count);
   curvature = std::sqrt(curvature / facts.node_count) * radius;
-  std::printf("h %.2f mm, fit radius %.2f mm, noise seen %.1f um, position error %.1f um, relative curvature error %.3f"
-              " (%s)\n",
-              1e3 * facts.median_edge, 1e3 * facts.fit_radius, 1e6 * facts.noise_rms, 1e6 * position, curvature,
-              facts.why.c_str());
+  std::printf(
+      "h %.2f mm, fit radius %.2f mm, noise seen %.1f um, position error %.1f um, relative curvature error %.3f"
+      " (%s)\n",
+      1e3 * facts.median_edge, 1e3 * facts.fit_radius, 1e6 * facts.noise_rms, 1e6 * position, curvature,
+      facts.why.c_str());
   EXPECT_NEAR(facts.noise_rms, noise, 0.2 * noise);
   EXPECT_LT(position, 0.5 * noise);
   EXPECT_LT(curvature, 0.15);

@@ -55,7 +55,9 @@ TEST(LocalFit, GivesBackAPolynomialOfItsDegree) {
   const Mesh flat = test::jittered_patch(0.3, 0.02, [](double x, double y) { return 0.2 * x - 0.1 * y; });
   const int middle = static_cast<int>(flat.vertices.size()) / 2;
   const HeightFit plane = fit_at(flat, middle, 0.08, 2);
-  EXPECT_LT(worst_error(plane, [](double x, double y) { return 0.2 * x - 0.1 * y; }, 0.05), 1e-14);
+  EXPECT_LT(worst_error(
+                plane, [](double x, double y) { return 0.2 * x - 0.1 * y; }, 0.05),
+            1e-14);
   EXPECT_LT(plane.residual_rms, 1e-14);
   const Mesh curved = test::jittered_patch(0.3, 0.02, quadric);
   const double cubic = worst_error(fit_at(curved, middle, 0.08, 3), quadric, 0.05);

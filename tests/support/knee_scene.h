@@ -29,7 +29,8 @@ inline std::string lenhart_scene(const std::string& resolution, double from, dou
   text = replaced(text, "../data/lenhart2015/", data_path("lenhart2015/"));
   text = replaced(text, "-cart.stl", "-cart" + resolution + ".stl");
   std::ostringstream step;
-  step << "[[step]]\nprescribe = { \"knee.flexion\" = [" << from << ", " << to << "] }\nincrements = " << increments << "\n";
+  step << "[[step]]\nprescribe = { \"knee.flexion\" = [" << from << ", " << to << "] }\nincrements = " << increments
+       << "\n";
   return text.substr(0, text.find("[[step]]")) + step.str();
 }
 

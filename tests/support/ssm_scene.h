@@ -1,5 +1,5 @@
-// Scenes of the statistical shape model's knees (Clouthier et al. 2019): meshes as published, ligaments between vertices of
-// the bone meshes, which correspond from knee to knee.
+// Scenes of the statistical shape model's knees (Clouthier et al. 2019): meshes as published, ligaments between
+// vertices of the bone meshes, which correspond from knee to knee.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +60,8 @@ inline std::string ssm_scene(const std::string& subject, int degrees, int increm
   text = text.substr(0, text.find("[ligament."));
   const std::string axes = "units = \"mm\"\nx_axis = [0, 0, 1]\nz_axis = [0, 1, 0]\n";
   text = replaced(text, "units = \"m\"\n", axes);
-  text = replaced(text, data_path("lenhart2015/ACLC01-R-femur-cart.stl"), data_path("ssm/" + subject + "_Femur_Cartilage.ply"));
+  text = replaced(text, data_path("lenhart2015/ACLC01-R-femur-cart.stl"),
+                  data_path("ssm/" + subject + "_Femur_Cartilage.ply"));
   text = replaced(text, data_path("lenhart2015/ACLC01-R-tibia-cart.stl"),
                   data_path("ssm/" + subject + "_Tibia_Cartilage" + tail + ".ply"));
   std::ostringstream out;

@@ -47,7 +47,8 @@ class CaseScene {
         "[joint.j]\ntype = \"free\"\nparent = \"fixed\"\nchild = \"moving\"\n"
         "rotations = [\"flexion x\", \"adduction y\", \"rotation z\"]\ntranslations = [\"tx\", \"ty\", \"tz\"]\n"
         "reference = {{ tx = {:.17g}, ty = {:.17g}, tz = {:.17g}, flexion = {:.17g}, adduction = {:.17g}, "
-        "rotation = {:.17g} }}\n", pose[0], pose[1], pose[2], pose[3], pose[4], pose[5]);
+        "rotation = {:.17g} }}\n",
+        pose[0], pose[1], pose[2], pose[3], pose[4], pose[5]);
     const Json surfaces = scene_.value("surfaces", Json::object());
     for (const auto& [name, surface] : surfaces.items()) out += surface_text(name, surface);
     for (const auto& [pair, names] : pairs()) out += pair_text(pair);
@@ -97,8 +98,8 @@ class CaseScene {
 
   static std::string surface_text(const std::string& name, const Json& s) {
     const std::string type = first_of(s, {"type", "shape"}).get<std::string>();
-    std::string out = fmt::format("[surface.{}]\nbody = \"{}\"\nshape = \"{}\"\n", name, s.at("body").get<std::string>(),
-                                  type == "polynomial_patch" ? "polynomial" : type);
+    std::string out = fmt::format("[surface.{}]\nbody = \"{}\"\nshape = \"{}\"\n", name,
+                                  s.at("body").get<std::string>(), type == "polynomial_patch" ? "polynomial" : type);
     for (const char* key : {"origin", "center", "centre", "position"})
       if (s.contains(key)) out += "origin = " + list(s.at(key)) + "\n";
     if (s.contains("axes")) out += "x_axis = " + list(s.at("axes")[0]) + "\nz_axis = " + list(s.at("axes")[2]) + "\n";
@@ -131,16 +132,17 @@ class CaseScene {
   static std::string spring_text(const Json& s) {
     const Json& law = s.at("law");
     const std::string type = law.at("type").get<std::string>();
-    std::string out = fmt::format("[ligament.{}]\nfrom = {{ body = \"moving\", point = {} }}\n"
-                                  "to = {{ body = \"fixed\", point = {} }}\n", s.at("name").get<std::string>(),
-                                  list(s.at("moving")), list(s.at("fixed")));
+    std::string out = fmt::format(
+        "[ligament.{}]\nfrom = {{ body = \"moving\", point = {} }}\n"
+        "to = {{ body = \"fixed\", point = {} }}\n",
+        s.at("name").get<std::string>(), list(s.at("moving")), list(s.at("fixed")));
     // "_abs" laws know the elongation, the others the strain.
     static const std::map<std::string, std::string> names{
-        {"quadratic", "quadratic"},     {"linear", "linear"},   {"linear_strain", "linear"}, {"linear_abs", "spring"},
-        {"spring", "spring"},           {"bilateral", "spring"}, {"blankevoort", "blankevoort"},
-        {"wismans", "blankevoort"},     {"quadratic_linear", "blankevoort"}, {"piecewise", "blankevoort"},
-        {"toe", "blankevoort"},         {"abdel-rahman", "abdel-rahman"},    {"abdel_rahman", "abdel-rahman"},
-        {"table", "table"}};
+        {"quadratic", "quadratic"},       {"linear", "linear"},       {"linear_strain", "linear"},
+        {"linear_abs", "spring"},         {"spring", "spring"},       {"bilateral", "spring"},
+        {"blankevoort", "blankevoort"},   {"wismans", "blankevoort"}, {"quadratic_linear", "blankevoort"},
+        {"piecewise", "blankevoort"},     {"toe", "blankevoort"},     {"abdel-rahman", "abdel-rahman"},
+        {"abdel_rahman", "abdel-rahman"}, {"table", "table"}};
     const auto known = names.find(type);
     if (known == names.end()) throw std::out_of_range("the law " + type + " is not known here");
     out += "law = \"" + known->second + "\"\n";

@@ -48,9 +48,12 @@ struct Counterpart {
 };
 
 std::map<std::string, Counterpart> counterparts() {
-  std::map<std::string, Counterpart> of{{"flexion", {"knee.flexion_deg"}},     {"adduction", {"knee.adduction_deg"}},
-                                        {"rotation", {"knee.rotation_deg"}},   {"tx", {"knee.x_mm"}},
-                                        {"ty", {"knee.y_mm"}},                 {"tz", {"knee.z_mm"}},
+  std::map<std::string, Counterpart> of{{"flexion", {"knee.flexion_deg"}},
+                                        {"adduction", {"knee.adduction_deg"}},
+                                        {"rotation", {"knee.rotation_deg"}},
+                                        {"tx", {"knee.x_mm"}},
+                                        {"ty", {"knee.y_mm"}},
+                                        {"tz", {"knee.z_mm"}},
                                         {"torque_Nmm", {"knee.flexion.reaction_Nm", 1e3}},
                                         {"eig1", {"stability.min_eigenvalue_Nmm"}}};
   for (const std::string side : {"medial", "lateral"}) {

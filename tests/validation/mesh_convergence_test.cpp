@@ -39,13 +39,15 @@ Study run(const MeshStudy& knee, const MeshStudyOptions& options) {
 
 /// A table in Markdown.
 std::string to_table(const Study& study) {
-  std::string out = "| edge mm | triangles a torus | position mm | rotation deg | contact force N | build s | ms a pose |\n"
-                    "|---:|---:|---:|---:|---:|---:|---:|\n";
+  std::string out =
+      "| edge mm | triangles a torus | position mm | rotation deg | contact force N | build s | ms a pose |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const MeshStudyRow& r : study.rows)
     out += fmt::format("| {:.2f} | {} | {:.2e} | {:.2e} | {:.2e} | {:.2f} | {:.2f} |\n", 1e3 * r.edge, r.triangles,
                        1e3 * r.position_error, r.rotation_error / units::kDegree, r.force_error, r.build_seconds,
                        1e3 * r.pose_seconds);
-  return out + fmt::format("| observed order | | {:.1f} | {:.1f} | {:.1f} | | |\n", study.position, study.rotation, study.force);
+  return out + fmt::format("| observed order | | {:.1f} | {:.1f} | {:.1f} | | |\n", study.position, study.rotation,
+                           study.force);
 }
 
 const MeshStudy& knee() {
@@ -67,7 +69,9 @@ void expect_order(const std::string& title, const MeshStudyOptions& options) {
   EXPECT_GE(study.position, kOrder);
 }
 
-TEST(MeshConvergence, ToriFromFiles) { expect_order("Tori from STL files on planes in closed form, default options", {}); }
+TEST(MeshConvergence, ToriFromFiles) {
+  expect_order("Tori from STL files on planes in closed form, default options", {});
+}
 
 TEST(MeshConvergence, ToriInMemory) {
   expect_order("The same tori without the STL's single precision", {MeshRoute::memory, false, 3});

@@ -33,7 +33,7 @@ struct MeshStudyOptions {
 
 /// One edge length of the study. Errors are the largest over all poses.
 struct MeshStudyRow {
-  double edge = 0;       ///< m, as asked for
+  double edge = 0;  ///< m, as asked for
   double median_edge = 0;
   std::size_t triangles = 0;  ///< of one torus
   double position_error = 0;  ///< m
@@ -70,8 +70,10 @@ class MeshStudy {
     p.steps = exact_->steps;
     Diagnostics problems;
     const Timer building;
-    if (options.route == MeshRoute::file) build_from_files(edge, options, p, row, problems);
-    else build_in_memory(edge, options, p, row, problems);
+    if (options.route == MeshRoute::file)
+      build_from_files(edge, options, p, row, problems);
+    else
+      build_in_memory(edge, options, p, row, problems);
     row.build_seconds = building.seconds();
     if (!problems.has_errors()) {
       if (auto model = build_model(p.scene, p.surfaces, problems)) p.model = std::move(*model);

@@ -15,8 +15,8 @@
 namespace genu {
 namespace {
 
-#define GENU_NEEDS_KNEES()                            \
-  GENU_NEEDS_DATA("../scenes/lenhart_knee.toml");     \
+#define GENU_NEEDS_KNEES()                               \
+  GENU_NEEDS_DATA("../scenes/lenhart_knee.toml");        \
   GENU_NEEDS_DATA("lenhart2015/lenhart_ligaments.json"); \
   GENU_NEEDS_DATA("ssm/mean_ligaments.json")
 
@@ -63,7 +63,8 @@ double step_norm(const Pose& from, const Pose& to) {
 
 TEST(RealKnee, ForwardAndBackwardAgree) {
   GENU_NEEDS_KNEES();
-  const KneeRun forward = run_text(test::lenhart_scene("", 0, 90, 90)), backward = run_text(test::lenhart_scene("", 90, 0, 90));
+  const KneeRun forward = run_text(test::lenhart_scene("", 0, 90, 90)),
+                backward = run_text(test::lenhart_scene("", 90, 0, 90));
   expect_certified(forward);
   expect_certified(backward);
   double worst = 0;
@@ -82,7 +83,8 @@ TEST(RealKnee, PosesMoveSmoothly) {
   expect_certified(run);
   std::vector<double> steps;
   for (std::size_t i = 1; i < run.solution.records.size(); ++i)
-    steps.push_back(step_norm(state_of(run.solution.records[i - 1]).poses[1], state_of(run.solution.records[i]).poses[1]));
+    steps.push_back(
+        step_norm(state_of(run.solution.records[i - 1]).poses[1], state_of(run.solution.records[i]).poses[1]));
   std::vector<double> sorted = steps;
   std::sort(sorted.begin(), sorted.end());
   const double median = sorted[sorted.size() / 2];
@@ -102,7 +104,9 @@ Vec6 independent_wrench(const Prepared& p, const PosePoint& point) {
   for (const LigamentDef& l : p.scene.ligaments) {
     const Vec3 line = l.from.point - X * l.to.point;  // the femur is fixed at the world's origin
     const double strain = line.norm() / l.rest_value - 1, toe = l.transition_strain;
-    const double force = strain <= 0 ? 0 : strain <= toe ? l.stiffness * strain * strain / (2 * toe) : l.stiffness * (strain - toe / 2);
+    const double force = strain <= 0     ? 0
+                         : strain <= toe ? l.stiffness * strain * strain / (2 * toe)
+                                         : l.stiffness * (strain - toe / 2);
     add(force * line.normalized(), X * l.to.point);
   }
   for (const LoadDef& load : p.scene.loads) add(X.R * load.force, X * load.point);
@@ -168,18 +172,22 @@ TEST(RealKnee, ResolutionsDifferAsTheReadmeSays) {
   const KneeRun full = run_text(test::lenhart_scene("", 0, 90, 90));
   expect_certified(full);
   // Largest differences accepted: twice what the README's table lists.
-  const std::map<std::string, std::array<double, 2>> most{{"-medium", {0.4, 2.0}}, {"-coarse", {0.8, 4.0}}, {"-wicked-coarse", {2.5, 10}}};
+  const std::map<std::string, std::array<double, 2>> most{
+      {"-medium", {0.4, 2.0}}, {"-coarse", {0.8, 4.0}}, {"-wicked-coarse", {2.5, 10}}};
   std::printf("against full resolution:   adduction  rotation (deg)      x      y      z (mm)   force (N)\n");
   for (const auto& [resolution, bound] : most) {
     const KneeRun run = run_text(test::lenhart_scene(resolution, 0, 90, 90));
     expect_certified(run);
     ASSERT_EQ(run.solution.poses.rows(), full.solution.poses.rows());
     std::map<std::string, double> worst;
-    for (const char* column : {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm", "tibiofemoral.force_N"})
+    for (const char* column :
+         {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm", "tibiofemoral.force_N"})
       for (std::size_t row = 0; row < run.solution.poses.rows(); ++row)
-        worst[column] = std::max(worst[column], std::abs(run.solution.poses.number(row, column) - full.solution.poses.number(row, column)));
+        worst[column] = std::max(
+            worst[column], std::abs(run.solution.poses.number(row, column) - full.solution.poses.number(row, column)));
     std::printf("%-24s %12.3f %9.3f %14.3f %6.3f %6.3f %15.1f\n", resolution.c_str() + 1, worst["knee.adduction_deg"],
-                worst["knee.rotation_deg"], worst["knee.x_mm"], worst["knee.y_mm"], worst["knee.z_mm"], worst["tibiofemoral.force_N"]);
+                worst["knee.rotation_deg"], worst["knee.x_mm"], worst["knee.y_mm"], worst["knee.z_mm"],
+                worst["tibiofemoral.force_N"]);
     EXPECT_LE(worst["knee.adduction_deg"], bound[0]) << resolution;
     EXPECT_LE(worst["knee.rotation_deg"], bound[1]) << resolution;
   }

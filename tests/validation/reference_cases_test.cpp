@@ -106,11 +106,13 @@ class ReferenceCase : public testing::TestWithParam<std::string> {
 
   void compare(const std::string& what, const Vec3& found, const Json& expected) {
     for (std::size_t i = 0; i < 3; ++i)
-      compare(fmt::format("{} {}", what, "xyz"[i]), found[static_cast<Eigen::Index>(i)] / units::kMillimetre, expected[i]);
+      compare(fmt::format("{} {}", what, "xyz"[i]), found[static_cast<Eigen::Index>(i)] / units::kMillimetre,
+              expected[i]);
   }
 
   void compare_pose(const Solved& solved, const Json& expected) {
-    constexpr const char* kColumns[] = {"j.tx_mm", "j.ty_mm", "j.tz_mm", "j.flexion_deg", "j.adduction_deg", "j.rotation_deg"};
+    constexpr const char* kColumns[] = {"j.tx_mm",       "j.ty_mm",         "j.tz_mm",
+                                        "j.flexion_deg", "j.adduction_deg", "j.rotation_deg"};
     for (std::size_t i = 0; i < 6; ++i)
       compare(kColumns[i], solved.table().number(solved.last_row(), kColumns[i]), expected[i]);
   }
@@ -173,12 +175,15 @@ std::optional<Vec3> point_of(const Json& surface, double u, double v) {
   const std::string type = surface.at("type").get<std::string>();
   const double a = u * units::kDegree, b = v * units::kDegree;
   Vec3 local;
-  if (type == "plane") local = Vec3(u, v, 0);
-  else if (type == "sphere") local = number(surface.at("radius")) * Vec3(cos(b) * cos(a), cos(b) * sin(a), sin(b));
+  if (type == "plane")
+    local = Vec3(u, v, 0);
+  else if (type == "sphere")
+    local = number(surface.at("radius")) * Vec3(cos(b) * cos(a), cos(b) * sin(a), sin(b));
   else if (type == "torus") {
     const double R = number(surface.at("major")), r = number(surface.at("minor")), around = R + r * cos(b);
     local = Vec3(around * cos(a), around * sin(a), r * sin(b));
-  } else return std::nullopt;
+  } else
+    return std::nullopt;
   Mat3 rows = Mat3::Identity();
   Vec3 origin = Vec3::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -199,7 +204,8 @@ void spell_out_surface_coordinates(const Json& scene, Json& expected) {
       if (contact.at("name") != name) continue;
       for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         const std::string body = side == 0 ? "fixed" : "moving";
-        const auto p = point_of(scene.at("surfaces").at(contact.at(body).get<std::string>()), uv[2 * side], uv[2 * side + 1]);
+        const auto p =
+            point_of(scene.at("surfaces").at(contact.at(body).get<std::string>()), uv[2 * side], uv[2 * side + 1]);
         ASSERT_TRUE(p) << "surface coordinates of this shape are not known here";
         if (!expected["point_" + body].contains(name)) expected["point_" + body][name] = {p->x(), p->y(), p->z()};
       }
@@ -211,8 +217,9 @@ void ReferenceCase::solve_one_pose(const Json& json) {
   const Json& scene = json.at("scene");
   Json expected = json.at("expected");
   spell_out_surface_coordinates(scene, expected);
-  static const std::set<std::string> known{"pose", "contact_forces", "spring_lengths", "spring_forces", "point_fixed",
-                                           "point_moving", "surface_coordinates", "multipliers", "active"};
+  static const std::set<std::string> known{"pose",        "contact_forces", "spring_lengths",      "spring_forces",
+                                           "point_fixed", "point_moving",   "surface_coordinates", "multipliers",
+                                           "active"};
   for (const auto& [key, value] : expected.items()) EXPECT_TRUE(known.contains(key)) << key << " is not compared";
   const Solved solved(scene, "[[step]]\n" + CaseScene(scene).prescribed());
   ASSERT_TRUE(solved.good());
@@ -220,7 +227,8 @@ void ReferenceCase::solve_one_pose(const Json& json) {
   if (expected.contains("pose")) compare_pose(solved, expected.at("pose"));
   compare_contacts(solved, expected);
   compare_springs(solved, expected);
-  if (expected.contains("multipliers")) compare_multipliers(solved, scene.at("constraints"), expected.at("multipliers"));
+  if (expected.contains("multipliers"))
+    compare_multipliers(solved, scene.at("constraints"), expected.at("multipliers"));
 }
 
 void ReferenceCase::follow_to_limit_point(const Json& json) {
@@ -241,8 +249,8 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
   ASSERT_TRUE(branch.good());
   ASSERT_EQ(branch.solution().summary.exit_code, kExitOk);
   for (std::size_t i = 0; i < expected.at("branch").size(); ++i)
-    compare(fmt::format("z at P = {}", number(expected.at("branch")[i].at("P"))), branch.table().number(i + 2, "j.tz_mm"),
-            expected.at("branch")[i].at("z"));
+    compare(fmt::format("z at P = {}", number(expected.at("branch")[i].at("P"))),
+            branch.table().number(i + 2, "j.tz_mm"), expected.at("branch")[i].at("z"));
 
   // Beyond the critical load there is no equilibrium on this branch: the run stops there and says so, wherever the
   // increments fall. 12 of them put a pose on the limit point itself, up to rounding.
@@ -255,7 +263,8 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
     const auto& events = beyond.solution().events;
     const auto turn = std::find_if(events.begin(), events.end(),
                                    [](const PathEvent& e) { return e.kind == PathEvent::Kind::turns_back; });
-    EXPECT_NE(turn, events.end()) << "no event turns_back; z is " << beyond.table().number(beyond.last_row(), "j.tz_mm");
+    EXPECT_NE(turn, events.end()) << "no event turns_back; z is "
+                                  << beyond.table().number(beyond.last_row(), "j.tz_mm");
     if (turn != events.end()) compare("critical load", turn->t * target, expected.at("critical_load"), 1e-6);
     for (const PathEvent& e : events)
       fmt::print("  {}: {} at P = {:.9f}: {}\n", increments, to_string(e.kind), e.t * target, e.what);
@@ -266,7 +275,8 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
   constexpr double kFirst = 0.01;  // s of the nearest pose; the others at 2, 3 and 4 times that
   steps = head + text.scaled_loads(0, (1 - 16 * kFirst * kFirst) * critical);
   for (const int k : {3, 2, 1})
-    steps += head + text.scaled_loads((1 - (k + 1) * (k + 1) * kFirst * kFirst) * critical, (1 - k * k * kFirst * kFirst) * critical);
+    steps += head + text.scaled_loads((1 - (k + 1) * (k + 1) * kFirst * kFirst) * critical,
+                                      (1 - k * k * kFirst * kFirst) * critical);
   const Solved near(scene, steps);
   ASSERT_EQ(near.solution().summary.exit_code, kExitOk);
   ASSERT_EQ(near.table().rows(), 5u);
@@ -280,8 +290,10 @@ TEST_P(ReferenceCase, AgreesInEveryEntry) {
   std::ifstream in(file);
   const Json json = Json::parse(in);
   try {
-    if (json.value("kind", std::string()) == "limit_point") follow_to_limit_point(json);
-    else solve_one_pose(json);
+    if (json.value("kind", std::string()) == "limit_point")
+      follow_to_limit_point(json);
+    else
+      solve_one_pose(json);
   } catch (const std::exception& unknown) {
     FAIL() << "the case says something that is not known here: " << unknown.what();
   }
@@ -291,7 +303,8 @@ TEST_P(ReferenceCase, AgreesInEveryEntry) {
 
 INSTANTIATE_TEST_SUITE_P(All, ReferenceCase, testing::ValuesIn(case_files()), [](const auto& parameter) {
   std::string name = parameter.param;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 });
 

@@ -63,9 +63,9 @@ void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry&
   const Vec3 arm_b_of_a = arm_a + X_Wa.p - X_Wb.p;  // x_A seen from b's origin
   out.direction << -n_a, -arm_a.cross(n_a), n_a, arm_b_of_a.cross(n_a);
 
-  const Mat3 dn_da = -skew(n_a);                         // d n_A / d w_a
-  const Mat32 dn_ds = -T_a * contact.a.S;                // d n_A / d s_A
-  Eigen::Matrix<double, 3, 6> dx_da;                     // d x_A / d twist_a
+  const Mat3 dn_da = -skew(n_a);           // d n_A / d w_a
+  const Mat32 dn_ds = -T_a * contact.a.S;  // d n_A / d s_A
+  Eigen::Matrix<double, 3, 6> dx_da;       // d x_A / d twist_a
   dx_da << Mat3::Identity(), -skew(arm_a);
   const Mat3 N = skew(n_a);
   out.wrench_d_twist.setZero();

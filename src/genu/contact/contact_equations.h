@@ -23,11 +23,11 @@ struct ContactGeometry {
 /// Residual and derivatives of one contact. Twist columns: [v_a, w_a, v_b, w_b] in world axes, each about its body's
 /// origin; surface columns: [ds_A, ds_B]. Rows of `residual`: closure 0-1, gap 2, tangency 3-4.
 struct ContactBlock {
-  Vec5 residual;                            ///< m, m, m, 1, 1
+  Vec5 residual;  ///< m, m, m, 1, 1
   Eigen::Matrix<double, 5, 12> d_twist;
   Eigen::Matrix<double, 5, 4> d_surface;
-  Vec12 direction;                          ///< wrench on [a; b] of a unit normal force, about each body's origin
-  Mat12 wrench_d_twist;                     ///< of force * direction
+  Vec12 direction;       ///< wrench on [a; b] of a unit normal force, about each body's origin
+  Mat12 wrench_d_twist;  ///< of force * direction
   Eigen::Matrix<double, 12, 4> wrench_d_surface;
 };
 
@@ -43,8 +43,8 @@ class EliminatedContact {
   static constexpr double kSingular = 1e-8;
 
   /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. Returns false where it is singular to
-  /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the dense
-  /// route serves then.
+  /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the
+  /// dense route serves then.
   bool factor(const ContactBlock& block, double length);
 
   /// The same where the block is singular: surface coordinates move by the least that the rows determine. For stability
@@ -54,12 +54,12 @@ class EliminatedContact {
   /// Sets gap, surface_offset and wrench_offset for the given residual, which may be that of another state.
   void set_residual(const Vec5& residual);
 
-  double rcond = 0;                            ///< reciprocal condition of the 4x4 block; 0 is singular
-  double gap = 0;                              ///< residual of the gap row after elimination, m
-  Vec12 gap_gradient = Vec12::Zero();          ///< d gap / d twist
-  Vec12 wrench_offset = Vec12::Zero();         ///< change of the wrench that the surface offset alone causes
-  Mat12 stiffness = Mat12::Zero();             ///< d wrench / d twist
-  Vec4 surface_offset = Vec4::Zero();          ///< m
+  double rcond = 0;                     ///< reciprocal condition of the 4x4 block; 0 is singular
+  double gap = 0;                       ///< residual of the gap row after elimination, m
+  Vec12 gap_gradient = Vec12::Zero();   ///< d gap / d twist
+  Vec12 wrench_offset = Vec12::Zero();  ///< change of the wrench that the surface offset alone causes
+  Mat12 stiffness = Mat12::Zero();      ///< d wrench / d twist
+  Vec4 surface_offset = Vec4::Zero();   ///< m
   Eigen::Matrix<double, 4, 12> surface_gain;
 
  private:

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
+#include <Eigen/Geometry>
 
 namespace genu {
 namespace {
@@ -22,8 +22,8 @@ using Bvh = fcl::BVHModel<fcl::OBBRSSd>;
 /// (x - nearest) . normal is the side of x whatever feature is nearest.
 class FeatureNormals {
  public:
-  explicit FeatureNormals(const Mesh& mesh) : mesh_(mesh), vertex_(mesh.vertices.size(), Vec3::Zero()),
-                                              open_vertex_(mesh.vertices.size(), false) {
+  explicit FeatureNormals(const Mesh& mesh)
+      : mesh_(mesh), vertex_(mesh.vertices.size(), Vec3::Zero()), open_vertex_(mesh.vertices.size(), false) {
     edges_.reserve(3 * mesh.triangles.size());
     for (const auto& t : mesh.triangles) add_triangle(t);
     join_edges();

@@ -17,9 +17,9 @@ class FarDistance {
   FarDistance& operator=(FarDistance&&) noexcept;
 
   struct Nearest {
-    double distance = 0;          ///< m, positive outside; of facets where the surface is a mesh: error O(h^2)
-    Vec3 direction = Vec3::Zero(); ///< unit, outward: where the distance grows
-    bool beyond_edge = false;     ///< the nearest point lies on an edge of an open sheet: no side, distance unsigned
+    double distance = 0;            ///< m, positive outside; of facets where the surface is a mesh: error O(h^2)
+    Vec3 direction = Vec3::Zero();  ///< unit, outward: where the distance grows
+    bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: no side, distance unsigned
   };
   Nearest nearest(const Vec3& x) const;
 

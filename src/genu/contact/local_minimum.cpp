@@ -98,8 +98,8 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
   GapJet jet;
   if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
   constexpr int kIterations = 60;
-  constexpr double kFlat = 1e-13;     // gradient (a sine) at which the normals are parallel to rounding
-  constexpr double kShortest = 1e-14; // m: steps below this no longer change the point
+  constexpr double kFlat = 1e-13;      // gradient (a sine) at which the normals are parallel to rounding
+  constexpr double kShortest = 1e-14;  // m: steps below this no longer change the point
   double radius = limits.max_step;
   bool settled = false;
   for (int i = 0; i < kIterations && radius > kShortest; ++i) {

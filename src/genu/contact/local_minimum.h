@@ -14,9 +14,9 @@ struct LocalMinimum {
   double gap = 0;  ///< m, along A's normal, negative where the surfaces overlap
 };
 
-/// The point of `surface` nearest to x (frame of its body), starting from the point `foot`: unlike Surface::project this
-/// is the true closest point to rounding, where the surface's curvature allows one. Returns false when the search leaves
-/// the surface.
+/// The point of `surface` nearest to x (frame of its body), starting from the point `foot`: unlike Surface::project
+/// this is the true closest point to rounding, where the surface's curvature allows one. Returns false when the search
+/// leaves the surface.
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot);
 
 struct Descent {

@@ -13,8 +13,8 @@ constexpr int kGroupSize = 12;
 // Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
 // tenths of millimetres stand well above.
 constexpr double kSamePoint = 2e-6;  // m
-// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 1/(5 mm) times the square
-// of a sample's distance to it, 1.2 mm at most.
+// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 1/(5 mm) times the
+// square of a sample's distance to it, 1.2 mm at most.
 constexpr double kNearContact = 1.5e-4;  // m
 // Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
 constexpr double kHopeless = 3e-5;  // m
@@ -60,8 +60,11 @@ LocalMinimum oriented(LocalMinimum m, bool samples_b) {
 }  // namespace
 
 Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
-    : queried_(samples_second(a, b) ? &a : &b), sampled_(samples_second(a, b) ? &b : &a),
-      samples_b_(samples_second(a, b)), max_step_(options.max_step), far_(*queried_, options.spacing, options.reach),
+    : queried_(samples_second(a, b) ? &a : &b),
+      sampled_(samples_second(a, b) ? &b : &a),
+      samples_b_(samples_second(a, b)),
+      max_step_(options.max_step),
+      far_(*queried_, options.spacing, options.reach),
       reserve_(0.5 * options.spacing) {
   samples_ = sampled_->samples(options.spacing, Vec3::Zero(), options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
@@ -127,12 +130,15 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
   const auto gap = queried_->is_global() && !queried_->knows_distance() ? std::nullopt : queried_->gap(centre);
-  // Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the distance
-  // is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
+  // Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the
+  // distance is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
   constexpr double kFirstOrder = 2.0 / 3;
-  if (gap && queried_->knows_distance()) group.clearance = *gap - group.radius;
-  else if (gap) group.clearance = kFirstOrder * *gap - group.radius;
-  else group.clearance = far_.nearest(centre).distance - group.radius - reserve_;
+  if (gap && queried_->knows_distance())
+    group.clearance = *gap - group.radius;
+  else if (gap)
+    group.clearance = kFirstOrder * *gap - group.radius;
+  else
+    group.clearance = far_.nearest(centre).distance - group.radius - reserve_;
   return group.clearance > window;
 }
 
@@ -180,13 +186,14 @@ bool Proximity::lowest_of_neighbours(int sample) const {
 }
 
 void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out) {
-  // A minimum between samples can hide beside a deeper one a few samples away: near contact every sample is a start, not
-  // only the lowest among its neighbours. Most starts end after one evaluation, their model being hopeless or leading to
-  // what is known.
+  // A minimum between samples can hide beside a deeper one a few samples away: near contact every sample is a start,
+  // not only the lowest among its neighbours. Most starts end after one evaluation, their model being hopeless or
+  // leading to what is known.
   starts_.clear();
   for (const int sample : measured_) {
     const double gap = gap_[static_cast<std::size_t>(sample)];
-    if (gap < std::min(window, kNearContact) || (gap < window && lowest_of_neighbours(sample))) starts_.push_back(sample);
+    if (gap < std::min(window, kNearContact) || (gap < window && lowest_of_neighbours(sample)))
+      starts_.push_back(sample);
   }
   std::sort(starts_.begin(), starts_.end(), [&](int i, int j) {
     return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);

@@ -4,7 +4,8 @@
 // One surface is sampled, the other is asked for the signed distance. The samples stand in a tree of spheres; a sphere
 // that is known to be clear is skipped, with all it holds, until the bodies have moved by as much as it was clear.
 // What is left is looked at sample by sample, and every local minimum among neighbouring samples is refined on the
-// smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest triangle.
+// smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest
+// triangle.
 #pragma once
 
 #include <memory>
@@ -17,10 +18,10 @@ namespace genu {
 
 /// A sample that overlaps or is near: for compliant seeds and for saying where surfaces overlap.
 struct NearSample {
-  Vec3 point;      ///< m, in the frame of the sampled body
-  Vec3 direction;  ///< unit, in the frame of the other body, where its distance grows
-  double gap = 0;  ///< m
-  double area = 0; ///< m^2
+  Vec3 point;       ///< m, in the frame of the sampled body
+  Vec3 direction;   ///< unit, in the frame of the other body, where its distance grows
+  double gap = 0;   ///< m
+  double area = 0;  ///< m^2
 };
 
 struct ProximityScan {
@@ -93,9 +94,9 @@ class Proximity {
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;
-  std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
-  std::vector<int> measured_;  // the samples that have one
-  std::vector<int> starts_;    // of descents, by gap
+  std::vector<double> gap_;        // of each sample at the last measurement; infinity where clear
+  std::vector<int> measured_;      // the samples that have one
+  std::vector<int> starts_;        // of descents, by gap
   std::vector<LocalMinimum> raw_;  // as descended: a of the asked surface, b of the sampled one
 };
 

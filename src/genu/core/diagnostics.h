@@ -11,8 +11,8 @@ struct Diagnostic {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
   std::string file;
-  int line = 0;    ///< 1-based; 0 where there is none
-  int column = 0;  ///< 1-based; 0 where there is none
+  int line = 0;       ///< 1-based; 0 where there is none
+  int column = 0;     ///< 1-based; 0 where there is none
   std::string key;    ///< key path, e.g. "ligament.AAC.stiffness"; may be empty
   std::string found;  ///< the value as found, e.g. "-2"; may be empty
   std::string rule;   ///< what is allowed, or what is wrong, in words

@@ -143,9 +143,12 @@ bool BlendField::sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) co
 template <int Order>
 bool BlendField::dispatch(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const {
   switch (degree_) {
-    case 2: return sum<2, Order>(x, f, gradient, hessian);
-    case 3: return sum<3, Order>(x, f, gradient, hessian);
-    default: return sum<4, Order>(x, f, gradient, hessian);
+    case 2:
+      return sum<2, Order>(x, f, gradient, hessian);
+    case 3:
+      return sum<3, Order>(x, f, gradient, hessian);
+    default:
+      return sum<4, Order>(x, f, gradient, hessian);
   }
 }
 

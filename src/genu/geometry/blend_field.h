@@ -44,7 +44,7 @@ class BlendField {
   std::vector<double> records_;  ///< for each node: centre (3), axes u, v, n (9), coefficients
   std::vector<int> sheet_;
   CellLists cells_;
-  std::vector<char> mixed_;      ///< cells that more than one sheet reaches into
+  std::vector<char> mixed_;  ///< cells that more than one sheet reaches into
 };
 
 }  // namespace genu

@@ -13,10 +13,10 @@
 namespace genu {
 namespace {
 
-constexpr double kSameSide = 0.3;       // cosine: nodes that face more alike than this thin each other out
-constexpr double kOpposite = -0.2;      // cosine: nodes that face less alike than this never share a sheet
-constexpr double kWorthwhile = 0.95;    // a fit is repeated only where it gets narrower than this
-constexpr double kTies = 1 - 1e-9;      // equal distances are equal whatever the frame's rounding
+constexpr double kSameSide = 0.3;     // cosine: nodes that face more alike than this thin each other out
+constexpr double kOpposite = -0.2;    // cosine: nodes that face less alike than this never share a sheet
+constexpr double kWorthwhile = 0.95;  // a fit is repeated only where it gets narrower than this
+constexpr double kTies = 1 - 1e-9;    // equal distances are equal whatever the frame's rounding
 
 /// Accepts points that keep their distance from the accepted ones of the same side and component.
 class Thinner {

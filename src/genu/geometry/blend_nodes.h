@@ -9,9 +9,9 @@
 namespace genu {
 
 struct NodeSeed {
-  Vec3 position = Vec3::Zero();    ///< m, on the mesh
-  Vec3 normal = Vec3::UnitZ();     ///< outward
-  std::array<int, 3> vertices{};   ///< where a walk from here starts; entry 0 is repeated for a vertex
+  Vec3 position = Vec3::Zero();   ///< m, on the mesh
+  Vec3 normal = Vec3::UnitZ();    ///< outward
+  std::array<int, 3> vertices{};  ///< where a walk from here starts; entry 0 is repeated for a vertex
   int component = 0;
 };
 

@@ -14,10 +14,10 @@
 namespace genu {
 namespace {
 
-constexpr double kBlendRadius = 0.7;     // of the fit radius
-constexpr double kSpacing = 0.25;        // of the fit radius
-constexpr double kNodeReach = 1.4;       // of the blend radius: nodes that one point of the surface may see together
-constexpr double kLinkReach = 2;         // of the spacing
+constexpr double kBlendRadius = 0.7;  // of the fit radius
+constexpr double kSpacing = 0.25;     // of the fit radius
+constexpr double kNodeReach = 1.4;    // of the blend radius: nodes that one point of the surface may see together
+constexpr double kLinkReach = 2;      // of the spacing
 constexpr int kMaxIterations = 20;
 constexpr double kLongestStep = 0.5;     // of the blend radius
 constexpr double kSettled = 1e-11;       // of the blend radius: a step this short leaves the derivatives as they are

@@ -32,8 +32,8 @@ struct BlendFacts {
   double node_spacing = 0;  ///< m
   int node_count = 0;
   int sheet_count = 0;
-  double median_edge = 0;   ///< m
-  double noise_rms = 0;     ///< m, of the mesh's vertices about the surface; 0 where none is seen
+  double median_edge = 0;  ///< m
+  double noise_rms = 0;    ///< m, of the mesh's vertices about the surface; 0 where none is seen
   std::string why;
 };
 

@@ -20,9 +20,9 @@ class BoundaryEdges {
 
  private:
   struct Edge {
-    Vec3 a, b;            ///< m, the surface on the left
-    Vec3 normal;          ///< of the facet
-    Vec3 outward;         ///< unit, in the facet's plane, away from the surface
+    Vec3 a, b;                  ///< m, the surface on the left
+    Vec3 normal;                ///< of the facet
+    Vec3 outward;               ///< unit, in the facet's plane, away from the surface
     Vec3 outward_a, outward_b;  ///< at the ends: the mean of the two edges that meet there
     int component;
   };

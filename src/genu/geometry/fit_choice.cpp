@@ -22,12 +22,12 @@ constexpr double kPartner = 0.7;       // radii between two fits that are compar
 // From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
 // degree 3, the curvature's standard deviation; correlated noise shows in the disagreement itself.
 constexpr double kGain = 2.8;
-constexpr double kTolerated = 0.15;    // error of the curvature beside the flat parts' mean curvature
+constexpr double kTolerated = 0.15;  // error of the curvature beside the flat parts' mean curvature
 // Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
 // about the radii that served them best (5 and 8 mm).
 constexpr double kFlatPart = 0.1;
-constexpr double kMostOfSheet = 0.3;      // of the root of a component's mean area: no wider
-constexpr double kNegligible = 1e-4;      // noise in curvature times the fit radius: single precision shows as much
+constexpr double kMostOfSheet = 0.3;  // of the root of a component's mean area: no wider
+constexpr double kNegligible = 1e-4;  // noise in curvature times the fit radius: single precision shows as much
 constexpr int kProbes = 200;
 constexpr int kRounds = 4;
 constexpr double kSettled = 0.05;
@@ -52,27 +52,29 @@ class Probe {
 
   double residual(double radius) {
     return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
-      const HeightFit fit = at(fitter, vertices_[i], radius);
-      out = fit.residual_rms;
-      return fit.degree > 0;
-    }), 0.5);
+                      const HeightFit fit = at(fitter, vertices_[i], radius);
+                      out = fit.residual_rms;
+                      return fit.degree > 0;
+                    }),
+                    0.5);
   }
 
   /// Median square of the disagreement about curvature, 1/m^2.
   double disagreement(double radius) {
     return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
-      const int v = vertices_[i];
-      const HeightFit a = at(fitter, v, radius);
-      if (a.degree == 0) return false;
-      const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
-      const int partner = walk_toward(v, target);
-      if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
-      const HeightFit b = at(fitter, partner, radius);
-      if (b.degree == 0) return false;
-      const Vec3 middle = 0.5 * (a.origin + b.origin);
-      out = 0.5 * (a.curvature(middle) - b.curvature(middle)).squaredNorm();
-      return true;
-    }), 0.5);
+                      const int v = vertices_[i];
+                      const HeightFit a = at(fitter, v, radius);
+                      if (a.degree == 0) return false;
+                      const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
+                      const int partner = walk_toward(v, target);
+                      if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
+                      const HeightFit b = at(fitter, partner, radius);
+                      if (b.degree == 0) return false;
+                      const Vec3 middle = 0.5 * (a.origin + b.origin);
+                      out = 0.5 * (a.curvature(middle) - b.curvature(middle)).squaredNorm();
+                      return true;
+                    }),
+                    0.5);
   }
 
   /// Quantiles of |mean curvature| (flat parts) and of the curvature's norm (median), 1/m.

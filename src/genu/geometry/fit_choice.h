@@ -19,9 +19,9 @@ namespace genu {
 
 struct FitChoice {
   int degree = 3;
-  double radius = 0;     ///< m
+  double radius = 0;        ///< m
   double least_radius = 0;  ///< m: a sharply curved place may be fitted as narrowly as this
-  double noise_rms = 0;  ///< m, of the vertices about the narrowest fits; correlated noise counts in part only
+  double noise_rms = 0;     ///< m, of the vertices about the narrowest fits; correlated noise counts in part only
   std::string why;
 };
 

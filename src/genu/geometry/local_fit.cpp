@@ -10,9 +10,9 @@
 namespace genu {
 namespace {
 
-constexpr double kConeCosine = 0.42;       // vertices that face more than 65 degrees away belong to another sheet
+constexpr double kConeCosine = 0.42;  // vertices that face more than 65 degrees away belong to another sheet
 constexpr double kSamplesPerCoefficient = 1.6;
-constexpr double kIndependence = 0.03;     // a monomial must keep this fraction of its norm beside the earlier ones
+constexpr double kIndependence = 0.03;  // a monomial must keep this fraction of its norm beside the earlier ones
 constexpr double kRadiusGrowth = 1.2;
 constexpr double kLargestGrowth = 2.6;
 
@@ -22,10 +22,14 @@ double kernel(double squared_distance, double radius) { return 1 - squared_dista
 
 Height HeightFit::height(double u, double v) const {
   switch (degree) {
-    case 2: return evaluate_height<2, 2>(coefficients.data(), u, v);
-    case 3: return evaluate_height<3, 2>(coefficients.data(), u, v);
-    case 4: return evaluate_height<4, 2>(coefficients.data(), u, v);
-    default: return {};
+    case 2:
+      return evaluate_height<2, 2>(coefficients.data(), u, v);
+    case 3:
+      return evaluate_height<3, 2>(coefficients.data(), u, v);
+    case 4:
+      return evaluate_height<4, 2>(coefficients.data(), u, v);
+    default:
+      return {};
   }
 }
 

@@ -17,13 +17,13 @@
 namespace genu {
 
 struct HeightFit {
-  Vec3 origin = Vec3::Zero();     ///< m
-  Mat3 axes = Mat3::Identity();   ///< columns u, v and the outward normal of the local frame
-  int degree = 0;                 ///< 0: no fit was possible
+  Vec3 origin = Vec3::Zero();                           ///< m
+  Mat3 axes = Mat3::Identity();                         ///< columns u, v and the outward normal of the local frame
+  int degree = 0;                                       ///< 0: no fit was possible
   std::array<double, kMaxCoefficients> coefficients{};  ///< of z(u, v), all in m, packed for `degree`
-  double radius = 0;              ///< m, what the vertices were taken from
+  double radius = 0;                                    ///< m, what the vertices were taken from
   int samples = 0;
-  double residual_rms = 0;        ///< m, unbiased for white noise
+  double residual_rms = 0;  ///< m, unbiased for white noise
 
   /// Height of order 2 at local (u, v), whatever the degree.
   Height height(double u, double v) const;
@@ -38,11 +38,11 @@ constexpr double kMostOfCurvature = 0.7;
 /// What is wanted of a fit.
 struct FitRequest {
   Vec3 origin = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();   ///< outward, a first guess (the frame's normal is averaged from the vertices)
-  std::span<const int> seeds;    ///< vertices to walk from
-  double radius = 0;             ///< m
+  Vec3 normal = Vec3::UnitZ();  ///< outward, a first guess (the frame's normal is averaged from the vertices)
+  std::span<const int> seeds;   ///< vertices to walk from
+  double radius = 0;            ///< m
   int degree = 3;
-  bool may_adapt = true;         ///< enlarge the radius, then lower the degree, where the vertices are too few
+  bool may_adapt = true;  ///< enlarge the radius, then lower the degree, where the vertices are too few
 };
 
 /// Fits heights to a mesh; keeps its work space, so use one for each thread.

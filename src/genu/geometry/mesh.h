@@ -9,8 +9,8 @@
 namespace genu {
 
 struct Mesh {
-  std::vector<Vec3> vertices;                ///< m, in the frame of the body that carries the surface
-  std::vector<std::array<int, 3>> triangles; ///< vertex indices; the outward normal follows the right-hand rule
+  std::vector<Vec3> vertices;                 ///< m, in the frame of the body that carries the surface
+  std::vector<std::array<int, 3>> triangles;  ///< vertex indices; the outward normal follows the right-hand rule
 
   bool empty() const { return triangles.empty(); }
 };

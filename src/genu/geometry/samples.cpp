@@ -48,8 +48,8 @@ SampleSet vertex_samples(const Mesh& mesh) {
   edges.reserve(6 * mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const Vec3& p = mesh.vertices[static_cast<std::size_t>(t[0])];
-    const Vec3 cross = (mesh.vertices[static_cast<std::size_t>(t[1])] - p)
-                           .cross(mesh.vertices[static_cast<std::size_t>(t[2])] - p);
+    const Vec3 cross =
+        (mesh.vertices[static_cast<std::size_t>(t[1])] - p).cross(mesh.vertices[static_cast<std::size_t>(t[2])] - p);
     for (int k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(t[static_cast<std::size_t>(k)]);
       out.normals[v] += cross;

@@ -18,10 +18,10 @@ namespace genu {
 
 /// A point of a surface, in the frame of the body that carries it.
 struct SurfacePoint {
-  Vec3 p = Vec3::Zero();   ///< position, m
-  Vec3 n = Vec3::UnitZ();  ///< outward unit normal
-  Mat32 T = Mat32::Zero(); ///< orthonormal tangent basis, T.col(0) x T.col(1) = n
-  Mat2 S = Mat2::Zero();   ///< shape operator in that basis, 1/m, symmetric: dn = -T S ds
+  Vec3 p = Vec3::Zero();    ///< position, m
+  Vec3 n = Vec3::UnitZ();   ///< outward unit normal
+  Mat32 T = Mat32::Zero();  ///< orthonormal tangent basis, T.col(0) x T.col(1) = n
+  Mat2 S = Mat2::Zero();    ///< shape operator in that basis, 1/m, symmetric: dn = -T S ds
 };
 
 class Surface {
@@ -54,7 +54,8 @@ class Surface {
   /// True for a surface whose project() and gap() hold everywhere (a closed form), not in a band alone.
   virtual bool is_global() const { return true; }
 
-  /// True where gap() is the distance to the whole surface, however far x is: a sphere that large about x is clear of it.
+  /// True where gap() is the distance to the whole surface, however far x is: a sphere that large about x is clear of
+  /// it.
   virtual bool knows_distance() const { return is_global(); }
 
   /// True for a shape without an extent of its own (a plane, a cylinder, a polynomial).

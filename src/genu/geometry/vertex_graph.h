@@ -10,15 +10,15 @@
 namespace genu {
 
 struct VertexGraph {
-  std::vector<Vec3> normals;      ///< outward unit normal at each vertex (area weighted); zero where no triangle is
-  std::vector<double> areas;      ///< m^2, a third of the area of the triangles round each vertex
-  std::vector<int> component;     ///< connected component of each vertex; -1 where no triangle is
-  std::vector<int> first;         ///< vertices + 1 entries: the neighbours of v are adjacent[first[v] .. first[v + 1])
-  std::vector<int> adjacent;      ///< ascending for each vertex
+  std::vector<Vec3> normals;   ///< outward unit normal at each vertex (area weighted); zero where no triangle is
+  std::vector<double> areas;   ///< m^2, a third of the area of the triangles round each vertex
+  std::vector<int> component;  ///< connected component of each vertex; -1 where no triangle is
+  std::vector<int> first;      ///< vertices + 1 entries: the neighbours of v are adjacent[first[v] .. first[v + 1])
+  std::vector<int> adjacent;   ///< ascending for each vertex
   /// Edges with one triangle: {from, to, triangle}, the triangle on the left.
   std::vector<std::array<int, 3>> boundary;
-  double median_edge = 0;         ///< m
-  double area = 0;                ///< m^2
+  double median_edge = 0;  ///< m
+  double area = 0;         ///< m^2
 
   std::span<const int> neighbours(int v) const;
 };

@@ -92,7 +92,8 @@ double ContactField::add_foundation(const State& state, double modulus, Lineariz
       if (moving[i] < 0) continue;
       out.wrench.segment<6>(6 * moving[i]) += total.segment<6>(6 * i);
       for (int j = 0; j < 2; ++j)
-        if (moving[j] >= 0) out.stiffness.block<6, 6>(6 * moving[i], 6 * moving[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
+        if (moving[j] >= 0)
+          out.stiffness.block<6, 6>(6 * moving[i], 6 * moving[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
     }
   }
   return deepest;

@@ -16,9 +16,9 @@ struct Candidate {
 };
 
 struct Survey {
-  std::vector<Candidate> minima;       ///< below the window, pair by pair, by gap
-  std::vector<Candidate> edges;        ///< the gap falls across the edge of a patch
-  std::vector<double> smallest_gap;    ///< of each pair, m: samples and minima; +infinity when clear beyond the window
+  std::vector<Candidate> minima;     ///< below the window, pair by pair, by gap
+  std::vector<Candidate> edges;      ///< the gap falls across the edge of a patch
+  std::vector<double> smallest_gap;  ///< of each pair, m: samples and minima; +infinity when clear beyond the window
 };
 
 class ContactField {

@@ -28,8 +28,7 @@ JointModel::Scales choose_scales(const JointModel& model) {
   if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
 
   double force = 0;
-  for (const auto& load : model.loads)
-    force = std::max({force, load.force.norm(), load.moment.norm() / scales.length});
+  for (const auto& load : model.loads) force = std::max({force, load.force.norm(), load.moment.norm() / scales.length});
   constexpr double kTypicalStrain = 0.01;
   for (const auto& l : model.ligaments) {
     const double slack = l.ligament.law.slack_length();
@@ -62,8 +61,7 @@ std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vec
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out) {
   JointModel model;
-  for (const BodyDef& body : scene.bodies)
-    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++});
+  for (const BodyDef& body : scene.bodies) model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++});
   std::vector<JointValues> reference;
   for (const JointDef& joint : scene.joints) {
     model.joints.push_back({joint.name, joint.parent, joint.child, JointCoordinates(joint), joint.reference});
@@ -74,13 +72,18 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   bool good = true;
   for (const LigamentDef& def : scene.ligaments) {
     const double length = (model.reference_poses[at(def.to.body)] * def.to.point -
-                           model.reference_poses[at(def.from.body)] * def.from.point).norm();
+                           model.reference_poses[at(def.from.body)] * def.from.point)
+                              .norm();
     std::string why;
     const auto law = make_law(def, length, why);
     if (!law) {
       good = false;
-      out.add({.file = scene.file, .line = def.where.line, .column = def.where.column, .key = "ligament." + def.name,
-               .found = {}, .rule = why});
+      out.add({.file = scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "ligament." + def.name,
+               .found = {},
+               .rule = why});
       continue;
     }
     model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
@@ -89,7 +92,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   for (const ContactDef& contact : scene.contacts) {
     const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
     const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];
-    model.pairs.push_back({contact.name, a.body, b.body, surfaces[at(contact.surface_a)], surfaces[at(contact.surface_b)]});
+    model.pairs.push_back(
+        {contact.name, a.body, b.body, surfaces[at(contact.surface_a)], surfaces[at(contact.surface_b)]});
   }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);

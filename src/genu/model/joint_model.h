@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "genu/core/diagnostics.h"
 #include "genu/geometry/surface.h"
 #include "genu/model/joint_coordinates.h"
 #include "genu/model/ligament.h"
-#include "genu/core/diagnostics.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -51,8 +51,8 @@ struct JointModel {
   Scales scales;
 };
 
-/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces. What the scene's laws cannot be
-/// is added to `out`, and the result is empty.
+/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces. What the scene's laws cannot
+/// be is added to `out`, and the result is empty.
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out);
 

@@ -76,7 +76,8 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
     const auto& pair = model.pairs[at(contact.pair)];
     ContactBlock& block = out.contacts[c];
     out.contact_bodies[c] = {model.bodies[at(pair.body_a)].moving, model.bodies[at(pair.body_b)].moving};
-    evaluate_contact(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry, contact.force, block);
+    evaluate_contact(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry, contact.force,
+                     block);
     const TwoBodyScatter scatter(model, pair.body_a, pair.body_b);
     scatter.add_wrench(contact.force * block.direction, out.wrench);
     scatter.add_stiffness(block.wrench_d_twist, out.stiffness);

@@ -26,10 +26,10 @@ struct Linearization {
 
 /// A change of the unknowns.
 struct Correction {
-  VecX twist;                   ///< 6B
-  VecX multipliers;             ///< M
-  std::vector<Vec4> surface;    ///< ds_A, ds_B of each contact
-  VecX forces;                  ///< N
+  VecX twist;                 ///< 6B
+  VecX multipliers;           ///< M
+  std::vector<Vec4> surface;  ///< ds_A, ds_B of each contact
+  VecX forces;                ///< N
 
   void resize(int moving_bodies, int constraints, int contacts);
 };

@@ -8,10 +8,10 @@ namespace {
 
 // Pa/m: from 10 MPa cartilage, 6 mm thick, to a layer in which 100 N on 50 mm^2 sink in by 20 micrometres.
 constexpr double kModuli[] = {5e9, 2e10, 1e11};
-constexpr int kIterations = 80;          // of each stage
-constexpr double kBalanced = 1e-5;       // scaled residual: a seed, not a result
-constexpr double kMaxTranslation = 2e-3; // m an iteration
-constexpr double kMaxRotation = 0.05;    // rad an iteration
+constexpr int kIterations = 80;           // of each stage
+constexpr double kBalanced = 1e-5;        // scaled residual: a seed, not a result
+constexpr double kMaxTranslation = 2e-3;  // m an iteration
+constexpr double kMaxRotation = 0.05;     // rad an iteration
 
 /// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
 class Stage {

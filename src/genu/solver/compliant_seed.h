@@ -1,5 +1,6 @@
-// A balanced pose of the same joint with its surfaces lying on an elastic foundation, stiffened until it is nearly rigid.
-// It can be solved from almost anywhere (overlapping, apart, another contact set) and tells rigid contact where to begin.
+// A balanced pose of the same joint with its surfaces lying on an elastic foundation, stiffened until it is nearly
+// rigid. It can be solved from almost anywhere (overlapping, apart, another contact set) and tells rigid contact where
+// to begin.
 #pragma once
 
 #include "genu/model/contact_field.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 namespace genu {
 namespace {
@@ -20,7 +20,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact) {
   const auto& pair = model.pairs[at(contact.pair)];
-  const Mat2 curvature = relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
+  const Mat2 curvature =
+      relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
   return Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (curvature + curvature.transpose())).eigenvalues()[0];
 }
 
@@ -87,8 +88,10 @@ void ContactInspector::look_beside(const State& state, int i, Findings& out) {
     if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, kSameContact)) continue;
     const Candidate candidate{contact.pair, m};
     lower = true;
-    if (least < 0) out.beside.push_back(candidate);
-    else if (!held(state, candidate)) out.overlapping.push_back(candidate);
+    if (least < 0)
+      out.beside.push_back(candidate);
+    else if (!held(state, candidate))
+      out.overlapping.push_back(candidate);
   }
   // Flat to rounding (a plane on a plane) is a minimum; a saddle is none only if something beside it lies lower.
   if (least < 0 && lower) out.not_minimal.push_back(i);

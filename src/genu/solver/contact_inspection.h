@@ -11,25 +11,28 @@ namespace genu {
 
 /// What was verified at an accepted pose, and by how much.
 struct Certificate {
-  double residual = 0;       ///< scaled
-  double smallest_force = 0; ///< N, +infinity without contact
-  double smallest_gap = 0;   ///< m, over the whole of every pair; +infinity when all are clear
-  double least_opposed = -1; ///< largest n_A . n_B of any contact, -1 is exactly opposed
-  double edge_distance = 0;  ///< m: least distance of a contact point to an edge of its patch
+  double residual = 0;        ///< scaled
+  double smallest_force = 0;  ///< N, +infinity without contact
+  double smallest_gap = 0;    ///< m, over the whole of every pair; +infinity when all are clear
+  double least_opposed = -1;  ///< largest n_A . n_B of any contact, -1 is exactly opposed
+  double edge_distance = 0;   ///< m: least distance of a contact point to an edge of its patch
 };
 
 /// What is wrong with a converged state.
 struct Findings {
-  std::vector<int> pulling;             ///< active contacts with negative force, worst first
-  std::vector<Candidate> overlapping;   ///< minima with negative gap that are not held, deepest first
-  std::vector<int> not_minimal;         ///< active contacts at a saddle of the gap
-  std::vector<Candidate> beside;        ///< minima found beside those
-  bool over_edge = false;               ///< a contact point or an overlap lies past the edge of a patch
-  bool deep_overlap = false;            ///< samples overlap where no contact explains it
-  double worst = std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
-  std::string where;                    ///< for over_edge and deep_overlap, in words
+  std::vector<int> pulling;            ///< active contacts with negative force, worst first
+  std::vector<Candidate> overlapping;  ///< minima with negative gap that are not held, deepest first
+  std::vector<int> not_minimal;        ///< active contacts at a saddle of the gap
+  std::vector<Candidate> beside;       ///< minima found beside those
+  bool over_edge = false;              ///< a contact point or an overlap lies past the edge of a patch
+  bool deep_overlap = false;           ///< samples overlap where no contact explains it
+  double worst =
+      std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
+  std::string where;                            ///< for over_edge and deep_overlap, in words
 
-  bool none() const { return pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge && !deep_overlap; }
+  bool none() const {
+    return pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge && !deep_overlap;
+  }
 };
 
 /// Whether two contact geometries of one pair are nearer to each other than `distance` (m) on both surfaces.
@@ -38,7 +41,7 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 class ContactInspector {
  public:
   /// A held contact and a refined minimum closer than this are the same one.
-  static constexpr double kSameContact = 2e-6;    // m
+  static constexpr double kSameContact = 2e-6;     // m
   static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a pull below this is none
 
   ContactInspector(const JointModel& model, ContactField& field);

@@ -23,13 +23,20 @@ std::vector<std::pair<int, int>> signature(const State& state) {
 
 const char* to_string(PoseStatus status) {
   switch (status) {
-    case PoseStatus::ok: return "ok";
-    case PoseStatus::no_equilibrium: return "no_equilibrium";
-    case PoseStatus::over_edge: return "over_edge";
-    case PoseStatus::overlap: return "overlap";
-    case PoseStatus::chatter: return "chatter";
-    case PoseStatus::overconstrained: return "overconstrained";
-    case PoseStatus::undetermined: return "undetermined";
+    case PoseStatus::ok:
+      return "ok";
+    case PoseStatus::no_equilibrium:
+      return "no_equilibrium";
+    case PoseStatus::over_edge:
+      return "over_edge";
+    case PoseStatus::overlap:
+      return "overlap";
+    case PoseStatus::chatter:
+      return "chatter";
+    case PoseStatus::overconstrained:
+      return "overconstrained";
+    case PoseStatus::undetermined:
+      return "undetermined";
   }
   return "";
 }
@@ -106,7 +113,8 @@ void ContactSetSolver::follow_open(Balanced& pose) {
     const Candidate candidate{open.pair, descent->minimum};
     const bool merged = ContactInspector::held(pose.state, candidate) ||
                         std::any_of(still.begin(), still.end(), [&](const OpenContact& o) {
-                          return o.pair == open.pair && same_place(o.geometry, descent->minimum.contact, ContactInspector::kSameContact);
+                          return o.pair == open.pair &&
+                                 same_place(o.geometry, descent->minimum.contact, ContactInspector::kSameContact);
                         });
     if (merged) continue;
     open.geometry = descent->minimum.contact;
@@ -121,7 +129,8 @@ bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findin
   if (!findings.not_minimal.empty()) {
     for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
     for (const Candidate& c : findings.beside)
-      if (!ContactInspector::held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
+      if (!ContactInspector::held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target))
+        close(pose, c);
     return true;
   }
   if (!findings.overlapping.empty()) {
@@ -176,8 +185,8 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
 
 PoseReport ContactSetSolver::settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                                 const PoseReport& failure) {
-  // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one of
-  // them has to go before the other can come.
+  // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one
+  // of them has to go before the other can come.
   if (failure.newton.full_rank || failed.state.contacts.size() < 2) return failure;
   int iterations = failure.iterations;
   for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {

@@ -1,8 +1,8 @@
-// Which contacts carry load: the search for the set that satisfies every condition at one pose, and the certificate that
-// it does.
+// Which contacts carry load: the search for the set that satisfies every condition at one pose, and the certificate
+// that it does.
 //
-// Dortmans 1984: a contact whose force turns negative is dropped. A gap that turns negative is added; a contact that is no
-// longer a minimum of the gap is replaced by the minima beside it.
+// Dortmans 1984: a contact whose force turns negative is dropped. A gap that turns negative is added; a contact that is
+// no longer a minimum of the gap is replaced by the minima beside it.
 #pragma once
 
 #include <string>

@@ -7,11 +7,16 @@ namespace genu {
 
 std::string to_string(NewtonReport::Outcome outcome) {
   switch (outcome) {
-    case NewtonReport::Outcome::converged: return "converged";
-    case NewtonReport::Outcome::iterations_used_up: return "no convergence within the iterations allowed";
-    case NewtonReport::Outcome::no_descent: return "no step reduces the error";
-    case NewtonReport::Outcome::left_the_surface: return "a contact point leaves its surface";
-    case NewtonReport::Outcome::not_finite: return "the equations are not finite";
+    case NewtonReport::Outcome::converged:
+      return "converged";
+    case NewtonReport::Outcome::iterations_used_up:
+      return "no convergence within the iterations allowed";
+    case NewtonReport::Outcome::no_descent:
+      return "no step reduces the error";
+    case NewtonReport::Outcome::left_the_surface:
+      return "a contact point leaves its surface";
+    case NewtonReport::Outcome::not_finite:
+      return "the equations are not finite";
   }
   return "";
 }

@@ -24,10 +24,10 @@ struct NewtonReport {
   enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite };
   Outcome outcome = Outcome::not_finite;
   int iterations = 0;
-  double residual = 0;  ///< scaled, at the state returned
-  double rcond = 0;     ///< of the last Jacobian, scaled
-  bool full_rank = true;      ///< of the last Jacobian
-  bool minimum_norm = false;  ///< the last Jacobian was too ill-conditioned for LU
+  double residual = 0;                     ///< scaled, at the state returned
+  double rcond = 0;                        ///< of the last Jacobian, scaled
+  bool full_rank = true;                   ///< of the last Jacobian
+  bool minimum_norm = false;               ///< the last Jacobian was too ill-conditioned for LU
   double residual_history[3] = {0, 0, 0};  ///< the last three, oldest first
 
   bool converged() const { return outcome == Outcome::converged; }
@@ -35,8 +35,8 @@ struct NewtonReport {
 
 std::string to_string(NewtonReport::Outcome outcome);
 
-/// Newton with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004,
-/// section 3.3). Keeps its memory between solves.
+/// Newton with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems,
+/// 2004, section 3.3). Keeps its memory between solves.
 class Newton {
  public:
   explicit Newton(const JointModel& model) : model_(&model), step_(model) {}

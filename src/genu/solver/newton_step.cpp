@@ -76,9 +76,8 @@ void NewtonStep::assemble_eliminated(const Linearization& at) {
     const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
     const int row = twists_ + constraints_ + c;
     for_moving(bodies_[k], [&](int from, int to) {
-      for_moving(bodies_[k], [&](int from2, int to2) {
-        matrix_.block<6, 6>(to, to2) += added.block<6, 6>(from, from2);
-      });
+      for_moving(bodies_[k],
+                 [&](int from2, int to2) { matrix_.block<6, 6>(to, to2) += added.block<6, 6>(from, from2); });
       matrix_.block<6, 1>(to, row) = at.contacts[k].direction.segment<6>(from);
       matrix_.block<1, 6>(row, to) = contact.gap_gradient.segment<6>(from).transpose();
     });
@@ -92,8 +91,10 @@ bool NewtonStep::factor(const Linearization& at, const Target& target, Route rou
   bodies_ = at.contact_bodies;
   route_ = Route::dense;
   if (route != Route::dense) {
-    if (eliminate(at)) route_ = Route::eliminated;
-    else if (route == Route::eliminated) return false;
+    if (eliminate(at))
+      route_ = Route::eliminated;
+    else if (route == Route::eliminated)
+      return false;
   }
   set_scales(target);
   matrix_.setZero(row_scale_.size(), row_scale_.size());
@@ -173,8 +174,8 @@ double NewtonStep::norm(const Correction& correction, const Target& target) cons
   for (Eigen::Index i = 0; i < correction.twist.size(); ++i)
     square += std::pow(correction.twist[i] / (i % 6 < 3 ? L : 1), 2);
   for (Eigen::Index m = 0; m < correction.multipliers.size(); ++m)
-    square += std::pow(correction.multipliers[m] /
-                       (is_rotation(target.prescribed[static_cast<std::size_t>(m)]) ? F * L : F), 2);
+    square += std::pow(
+        correction.multipliers[m] / (is_rotation(target.prescribed[static_cast<std::size_t>(m)]) ? F * L : F), 2);
   for (const Vec4& ds : correction.surface) square += ds.squaredNorm() / (L * L);
   square += correction.forces.squaredNorm() / (F * F);
   return std::sqrt(square);

@@ -1,7 +1,8 @@
 // The Newton step of a linearization, by two routes to the same numbers.
 //
-//   dense       all 6B + M + 5N unknowns at once: the reference, and the way out where a contact's own block is singular
-//   eliminated  each contact's four surface coordinates first (Schur complement), then 6B + M + N: the fast one
+//   dense       all 6B + M + 5N unknowns at once: the reference, and the way out where a contact's own block is
+//   singular eliminated  each contact's four surface coordinates first (Schur complement), then 6B + M + N: the fast
+//   one
 // Rows and columns are scaled by the model's characteristic length and force.
 #pragma once
 

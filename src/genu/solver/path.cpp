@@ -17,7 +17,8 @@ StepPlan approach(const StepPlan& step, const State& state) {
   StepPlan plan = step;
   for (auto& p : plan.prescribed) {
     p.to = p.from;
-    p.from = state.coordinates[static_cast<std::size_t>(p.coordinate.joint)][static_cast<std::size_t>(p.coordinate.index)];
+    p.from =
+        state.coordinates[static_cast<std::size_t>(p.coordinate.joint)][static_cast<std::size_t>(p.coordinate.index)];
   }
   for (auto& f : plan.factors) f.to = f.from;
   plan.increments = 1;
@@ -32,7 +33,10 @@ class PathRun {
  public:
   PathRun(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps, const PathOptions& options,
           const PathObserver& observer)
-      : steps_(steps), options_(options), observer_(observer), solver_(model, field, options.newton),
+      : steps_(steps),
+        options_(options),
+        observer_(observer),
+        solver_(model, field, options.newton),
         walker_(solver_, options_, emit_) {
     pose_.state = reference_state(model);
     pose_.last_number.assign(model.pairs.size(), 0);
@@ -152,7 +156,8 @@ class PathRun {
     observer_.pose(point);
   }
 
-  void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what, bool last = true) {
+  void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,
+            bool last = true) {
     PosePoint point;
     point.step = step_;
     point.increment = k;
@@ -164,7 +169,8 @@ class PathRun {
     result_.complete = false;
     if (!last) return;
     const double where = walker_.substeps() > 0 ? walker_.t() : 0;
-    emit({PathEvent::Kind::stopped, step_, where, step.target(where), what.empty() ? report.why : what + ": " + report.why});
+    emit({PathEvent::Kind::stopped, step_, where, step.target(where),
+          what.empty() ? report.why : what + ": " + report.why});
     stop();
   }
 
@@ -195,15 +201,24 @@ class PathRun {
 
 const char* to_string(PathEvent::Kind kind) {
   switch (kind) {
-    case PathEvent::Kind::contact_gained: return "contact_gained";
-    case PathEvent::Kind::contact_lost: return "contact_lost";
-    case PathEvent::Kind::stepped_over: return "stepped_over";
-    case PathEvent::Kind::over_edge: return "over_edge";
-    case PathEvent::Kind::overlap: return "overlap";
-    case PathEvent::Kind::turns_back: return "turns_back";
-    case PathEvent::Kind::snaps: return "snaps";
-    case PathEvent::Kind::stability_changed: return "stability_changed";
-    case PathEvent::Kind::stopped: return "stopped";
+    case PathEvent::Kind::contact_gained:
+      return "contact_gained";
+    case PathEvent::Kind::contact_lost:
+      return "contact_lost";
+    case PathEvent::Kind::stepped_over:
+      return "stepped_over";
+    case PathEvent::Kind::over_edge:
+      return "over_edge";
+    case PathEvent::Kind::overlap:
+      return "overlap";
+    case PathEvent::Kind::turns_back:
+      return "turns_back";
+    case PathEvent::Kind::snaps:
+      return "snaps";
+    case PathEvent::Kind::stability_changed:
+      return "stability_changed";
+    case PathEvent::Kind::stopped:
+      return "stopped";
   }
   return "";
 }

@@ -1,5 +1,5 @@
-// Pose after pose along the steps of a scene: prediction along the tangent, adaptive increments, contacts gained and lost
-// where it happens, and every pose certified.
+// Pose after pose along the steps of a scene: prediction along the tangent, adaptive increments, contacts gained and
+// lost where it happens, and every pose certified.
 #pragma once
 
 #include <functional>
@@ -26,12 +26,22 @@ struct PosePoint {
 
 /// Something that happened between rows, located on the path.
 struct PathEvent {
-  enum class Kind { contact_gained, contact_lost, stepped_over, over_edge, overlap, turns_back, snaps, stability_changed, stopped };
+  enum class Kind {
+    contact_gained,
+    contact_lost,
+    stepped_over,
+    over_edge,
+    overlap,
+    turns_back,
+    snaps,
+    stability_changed,
+    stopped
+  };
   Kind kind = Kind::stopped;
-  int step = 0;     ///< 0 on the way from the reference pose (or the last step's end) to a step's start
+  int step = 0;  ///< 0 on the way from the reference pose (or the last step's end) to a step's start
   double t = 0;
-  Target target;    ///< where: prescribed coordinates and load factors
-  std::string what; ///< e.g. "medial.2"
+  Target target;     ///< where: prescribed coordinates and load factors
+  std::string what;  ///< e.g. "medial.2"
 };
 const char* to_string(PathEvent::Kind kind);
 

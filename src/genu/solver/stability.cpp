@@ -34,9 +34,8 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
     const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
     for_moving(at.contact_bodies[k], [&](int from, int to) {
       held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();
-      for_moving(at.contact_bodies[k], [&](int from2, int to2) {
-        stiffness.block<6, 6>(to, to2) += added.block<6, 6>(from, from2);
-      });
+      for_moving(at.contact_bodies[k],
+                 [&](int from2, int to2) { stiffness.block<6, 6>(to, to2) += added.block<6, 6>(from, from2); });
     });
   }
   VecX metric(n);
@@ -62,9 +61,12 @@ MatX free_basis(const MatX& held, Eigen::Index n) {
 
 const char* to_string(Stability::Verdict verdict) {
   switch (verdict) {
-    case Stability::Verdict::stable: return "stable";
-    case Stability::Verdict::unstable: return "unstable";
-    case Stability::Verdict::neutral: return "neutral";
+    case Stability::Verdict::stable:
+      return "stable";
+    case Stability::Verdict::unstable:
+      return "unstable";
+    case Stability::Verdict::neutral:
+      return "neutral";
   }
   return "";
 }

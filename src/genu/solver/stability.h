@@ -1,4 +1,5 @@
-// Whether an equilibrium is stable: the eigenvalues of its tangent stiffness on what constraints and contacts leave free.
+// Whether an equilibrium is stable: the eigenvalues of its tangent stiffness on what constraints and contacts leave
+// free.
 #pragma once
 
 #include "genu/model/linearization.h"
@@ -11,8 +12,9 @@ struct Stability {
   /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
   /// 10 mm and rotations in rad, twist about each moving body's origin. +infinity where nothing is free to move.
   double smallest = 0;
-  bool flutter = false;  ///< the smallest belongs to a complex pair: loads that follow the body can drive an oscillation
-  VecX mode;             ///< 6B: its motion in that metric, unit norm (real part)
+  bool flutter =
+      false;  ///< the smallest belongs to a complex pair: loads that follow the body can drive an oscillation
+  VecX mode;  ///< 6B: its motion in that metric, unit norm (real part)
   int free_motions = 0;
 };
 

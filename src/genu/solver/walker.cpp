@@ -11,9 +11,8 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool contains(const State& state, const ActiveContact& contact) {
-  return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
-    return c.pair == contact.pair && c.number == contact.number;
-  });
+  return std::any_of(state.contacts.begin(), state.contacts.end(),
+                     [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
 }
 
 }  // namespace
@@ -25,9 +24,7 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   accept(0, std::move(pose), report);
 }
 
-void Walker::emit(PathEvent::Kind kind, const std::string& what) {
-  event_({kind, step_, t_, plan_.target(t_), what});
-}
+void Walker::emit(PathEvent::Kind kind, const std::string& what) { event_({kind, step_, t_, plan_.target(t_), what}); }
 
 void Walker::compute_tangent() {
   const JointModel& model = solver_.model();
@@ -74,8 +71,8 @@ double Walker::distance(const State& from, const State& to) const {
   const double L = solver_.model().scales.length;
   double sum = 0;
   for (std::size_t i = 0; i < from.poses.size(); ++i)
-    sum += (to.poses[i].p - from.poses[i].p).norm() / L +
-           log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm();
+    sum +=
+        (to.poses[i].p - from.poses[i].p).norm() / L + log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm();
   return sum;
 }
 

@@ -18,9 +18,9 @@ class Walker {
   /// Walks to t. False where the path ends before; the pose then stays the last good one, at t().
   bool walk_to(double t);
 
-  /// After walk_to() failed: tries to go on beyond a short stretch without solution, at most `window` of t long, but not
-  /// past t = 1. True with the pose solved again at some t() > the old one, near where it was: a pose far away lies on
-  /// another path, to which the joint would snap, and is not taken.
+  /// After walk_to() failed: tries to go on beyond a short stretch without solution, at most `window` of t long, but
+  /// not past t = 1. True with the pose solved again at some t() > the old one, near where it was: a pose far away lies
+  /// on another path, to which the joint would snap, and is not taken.
   bool step_over(double window);
 
   double t() const { return t_; }
