@@ -14,7 +14,7 @@
 namespace genu {
 namespace {
 
-const Proximity::Options kOptions{.spacing = 0.7e-3, .reach = 0.03, .max_step = 0.7e-3};
+const Proximity::Options kOptions{.spacing = 0.7e-3, .reach = 0.03};
 
 /// z = -a T10(x / l) - k y^2: a sheet with five bumps in a row.
 std::unique_ptr<Surface> wavy(double a = 0.4e-3, double l = 0.02, double k = 100) {

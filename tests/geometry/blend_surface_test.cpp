@@ -107,7 +107,9 @@ TEST(BlendSurface, FacesOfAThinShellDoNotMix) {
     EXPECT_NEAR(*under, 0.1e-3, 2e-6);
   }
   std::printf("shell against its upper face alone: %.1e m\n", worst);
-  EXPECT_LT(worst, 1e-15);
+  // Nodes stand elsewhere on the shell than on its face alone: the same surface to the order of the fits. A face that
+  // mixed with the other one would err by a millimetre.
+  EXPECT_LT(worst, 1e-8);
 }
 
 TEST(BlendSurface, DoesNotDependOnTheFrame) {

@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include "genu/geometry/analytic.h"
+#include "genu/geometry/stl_writer.h"
 #include "genu/scene/reader.h"
 #include "run/scenes.h"
 
@@ -63,6 +66,40 @@ TEST(RunScene, ColumnsAreThoseOfTheSceneReference) {
       "lateral.inner.force_N lateral.inner.points lateral.inner.x_mm lateral.inner.y_mm lateral.inner.z_mm "
       "AAC.length_mm AAC.strain AAC.force_N stability.min_eigenvalue_Nmm stability newton.iterations residual ";
   EXPECT_TRUE(columns.ends_with(end)) << columns;
+}
+
+/// A meshed ball in a meshed bowl, rolled by 4 deg while a spring and a load press it down.
+std::string meshed_scene(const test::TemporaryFolder& folder) {
+  const auto mesh = [&](const std::string& name, double radius) {
+    const Mesh ball = make_ellipsoid({}, {radius, 1.1 * radius, 0.95 * radius}, false)->triangles(1.5e-3, {}, 0.1);
+    EXPECT_EQ(write_stl(ball, folder / (name + ".stl"), 1e-3, name), "");
+    return "[surface." + name + "]\nshape = \"mesh\"\nfile = \"" + name + ".stl\"\nunits = \"mm\"\n";
+  };
+  return folder.write("scene.toml",
+                      "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.ground]\nfixed = true\n"
+                      "[body.bone]\n[joint.j]\ntype = \"free\"\nparent = \"ground\"\nchild = \"bone\"\n"
+                      "rotations = [\"a x\", \"b y\", \"c z\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
+                      "reference = { z = -9.5 }\n" +
+                          mesh("ball", 0.01) + "body = \"bone\"\n" + mesh("bowl", 0.02) +
+                          "body = \"ground\"\ninside = true\n"
+                          "[contact.foot]\nsurfaces = [\"ball\", \"bowl\"]\nmodel = \"rigid\"\n"
+                          "[load.weight]\nbody = \"bone\"\nforce = [0, 0, -10]\n"
+                          "[[step]]\nprescribe = { \"j.a\" = [0, 4], \"j.b\" = 0, \"j.c\" = 0 }\nincrements = 4\n");
+}
+
+TEST(RunScene, WritesTheSameBytesWhateverTheNumberOfThreads) {
+  const test::TemporaryFolder folder;
+  const std::string scene = meshed_scene(folder);
+  std::string csv[2];
+  for (const std::size_t threads : {1, 2}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const std::string out_folder = folder / std::to_string(threads);
+    Diagnostics out;
+    ASSERT_EQ(run(scene, out_folder, out), kExitOk) << test::messages(out);
+    csv[threads - 1] = read_file(out_folder + "/results.csv");
+  }
+  EXPECT_EQ(std::count(csv[0].begin(), csv[0].end(), '\n'), 6);
+  EXPECT_TRUE(csv[0] == csv[1]);
 }
 
 TEST(RunScene, ARefusedSceneLeavesTheEarlierResult) {

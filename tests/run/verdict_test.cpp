@@ -14,6 +14,7 @@ class Verdict : public testing::Test {
   void SetUp() override {
     Diagnostics out;
     prepared.scene = *read_scene(test::dortmans_file(), out);
+    prepared.steps = plan_steps(prepared.scene);
     target.prescribed.push_back({{0, 0}, 41.2 * M_PI / 180});
     summary.poses_asked = 3;
     summary.poses_solved = summary.poses_stable = 2;
@@ -43,6 +44,7 @@ TEST_F(Verdict, EveryFailureSaysWhichWhereAndWhatToDo) {
   for (const PoseStatus status : {PoseStatus::no_equilibrium, PoseStatus::over_edge, PoseStatus::overlap,
                                   PoseStatus::chatter, PoseStatus::overconstrained, PoseStatus::undetermined}) {
     PoseRecord record;
+    record.point.step = 1;
     record.point.target = target;
     record.point.report.status = status;
     record.point.report.why = "reason";

@@ -137,8 +137,8 @@ struct FarDistance::Triangles {
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
 
-FarDistance::FarDistance(const Surface& surface, double edge, double reach) : surface_(&surface) {
-  if (!surface.knows_distance()) triangles_ = std::make_unique<Triangles>(surface.triangles(edge, Vec3::Zero(), reach));
+FarDistance::FarDistance(const Surface& surface, double edge, const Vec3& centre, double reach) : surface_(&surface) {
+  if (!surface.knows_distance()) triangles_ = std::make_unique<Triangles>(surface.triangles(edge, centre, reach));
 }
 FarDistance::~FarDistance() = default;
 FarDistance::FarDistance(FarDistance&&) noexcept = default;

@@ -10,8 +10,10 @@ namespace genu {
 
 class FarDistance {
  public:
-  /// `edge` and `reach` (m) bound the triangles of closed forms that do not know their distance (Surface::triangles).
-  explicit FarDistance(const Surface& surface, double edge = 1e-3, double reach = 0.1);
+  /// `edge`, `centre` and `reach` (m) bound the triangles of closed forms that do not know their distance
+  /// (Surface::triangles).
+  explicit FarDistance(const Surface& surface, double edge = 1e-3, const Vec3& centre = Vec3::Zero(),
+                       double reach = 0.1);
   ~FarDistance();
   FarDistance(FarDistance&&) noexcept;
   FarDistance& operator=(FarDistance&&) noexcept;

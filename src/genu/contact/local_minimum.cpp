@@ -65,8 +65,16 @@ bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.
 /// How far below the gap here the minimum of a convex model lies.
 double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hessian.inverse() * jet.gradient); }
 
+/// Whether the descent ends where one has ended already: near a known minimum, or on a plateau (plane on plane) where
+/// every point is one.
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
-  if (limits.known == nullptr || !is_convex(jet) || step.norm() > limits.same) return false;
+  if (limits.known == nullptr) return false;
+  const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
+  if (plateau) {
+    return std::any_of(limits.known->begin(), limits.known->end(),
+                       [&](const LocalMinimum& m) { return std::abs(m.gap - jet.value) <= 1e-9 * limits.same; });
+  }
+  if (!is_convex(jet) || step.norm() > limits.same) return false;
   const Vec3 end = jet.b.p + jet.b.T * step;
   return std::any_of(limits.known->begin(), limits.known->end(), [&](const LocalMinimum& m) {
     return (m.contact.b.p - end).squaredNorm() < limits.same * limits.same;
@@ -106,6 +114,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     const bool flat = jet.gradient.norm() <= kFlat;
     const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
     if (flat && !off_saddle) {
+      if (leads_to_known(jet, Vec2::Zero(), limits)) return std::nullopt;
       settled = true;
       break;
     }

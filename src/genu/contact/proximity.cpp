@@ -10,16 +10,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kGroupSize = 12;
+// What follows are fractions of the samples' spacing, so that a joint of any size is looked at alike.
 // Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
-// tenths of millimetres stand well above.
-constexpr double kSamePoint = 2e-6;  // m
-// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 1/(5 mm) times the
-// square of a sample's distance to it, 1.2 mm at most.
-constexpr double kNearContact = 1.5e-4;  // m
+// tenths of the spacing stand well above.
+constexpr double kSamePoint = 2e-3;
+// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 0.2 / spacing times
+// the square of a sample's distance to it, 1.2 spacings at most.
+constexpr double kNearContact = 0.15;
 // Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
-constexpr double kHopeless = 3e-5;  // m
+constexpr double kHopeless = 0.03;
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
-constexpr double kMerge = 1e-4;  // m
+constexpr double kMerge = 0.1;
 // Outward normals within 60 degrees of each other: the sides cannot touch.
 constexpr double kSameSide = 0.5;
 
@@ -44,10 +45,9 @@ double largest_motion(const Pose& from, const Pose& to, const Vec3& centre, doub
   return (to * centre - from * centre).norm() + (to.R - from.R).norm() / std::sqrt(2.0) * radius;
 }
 
-void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found) {
+void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found, double same) {
   for (const LocalMinimum& known : list)
-    if ((known.contact.a.p - found.contact.a.p).norm() < kSamePoint &&
-        (known.contact.b.p - found.contact.b.p).norm() < kSamePoint)
+    if ((known.contact.a.p - found.contact.a.p).norm() < same && (known.contact.b.p - found.contact.b.p).norm() < same)
       return;
   list.push_back(found);
 }
@@ -63,10 +63,10 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
     : queried_(samples_second(a, b) ? &a : &b),
       sampled_(samples_second(a, b) ? &b : &a),
       samples_b_(samples_second(a, b)),
-      max_step_(options.max_step),
-      far_(*queried_, options.spacing, options.reach),
+      spacing_(options.spacing),
+      far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
       reserve_(0.5 * options.spacing) {
-  samples_ = sampled_->samples(options.spacing, Vec3::Zero(), options.reach);
+  samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
   build_groups();
@@ -170,7 +170,7 @@ void Proximity::measure(const Pose& X_qs, double window) {
 }
 
 std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) const {
-  auto descent = descend_gap(*queried_, *sampled_, X_qs, start, {.max_step = max_step_});
+  auto descent = descend_gap(*queried_, *sampled_, X_qs, start, {.max_step = spacing_});
   if (descent) descent->minimum = oriented(descent->minimum, samples_b_);
   return descent;
 }
@@ -192,7 +192,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   starts_.clear();
   for (const int sample : measured_) {
     const double gap = gap_[static_cast<std::size_t>(sample)];
-    if (gap < std::min(window, kNearContact) || (gap < window && lowest_of_neighbours(sample)))
+    if (gap < std::min(window, kNearContact * spacing_) || (gap < window && lowest_of_neighbours(sample)))
       starts_.push_back(sample);
   }
   std::sort(starts_.begin(), starts_.end(), [&](int i, int j) {
@@ -201,16 +201,17 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   raw_.clear();
   for (const int sample : starts_) {
     const auto i = static_cast<std::size_t>(sample);
-    const DescentLimits limits{max_step_, &raw_, kMerge, lowest_of_neighbours(sample) ? window : kHopeless};
+    const DescentLimits limits{spacing_, &raw_, kMerge * spacing_,
+                               lowest_of_neighbours(sample) ? window : kHopeless * spacing_};
     const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_.points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);
     // A minimum past the edge matters only where the surface inside its edge is already reached.
     if (descent->settled && edge_distance(found.contact) >= 0) {
       raw_.push_back(descent->minimum);
-      insert_distinct(out.minima, found);
+      insert_distinct(out.minima, found, kSamePoint * spacing_);
     } else if (gap_[i] < 0) {
-      insert_distinct(out.edge, found);
+      insert_distinct(out.edge, found, kSamePoint * spacing_);
     }
   }
 }
@@ -271,7 +272,7 @@ void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, d
     if (!sampled_->retract(from, radius * Vec2(std::cos(angle), std::sin(angle)), start)) continue;
     const auto descent = descend(X_qs, start.p);
     if (descent && descent->settled && edge_distance(descent->minimum.contact) >= 0)
-      insert_distinct(out, descent->minimum);
+      insert_distinct(out, descent->minimum, kSamePoint * spacing_);
   }
 }
 

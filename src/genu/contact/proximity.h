@@ -34,11 +34,12 @@ struct ProximityScan {
 class Proximity {
  public:
   /// `spacing` (m) of samples on surfaces without samples of their own; `reach` (m) bounds unbounded shapes around
-  /// `centre` (frame of b's body).
+  /// where the joint is.
   struct Options {
     double spacing = 1e-3;
     double reach = 0.1;
-    double max_step = 1e-3;  ///< m: trust radius of the refinement
+    Vec3 centre_a = Vec3::Zero();  ///< m: where the joint is, in the frame of a's body
+    Vec3 centre_b = Vec3::Zero();  ///< the same in b's
   };
   Proximity(const Surface& a, const Surface& b, const Options& options);
 
@@ -87,7 +88,7 @@ class Proximity {
   const Surface* queried_;
   const Surface* sampled_;
   bool samples_b_;
-  double max_step_;
+  double spacing_;
   FarDistance far_;
   double reserve_;  // m: what facets may lie off the smooth surface
   SampleSet samples_;

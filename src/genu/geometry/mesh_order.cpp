@@ -1,14 +1,24 @@
 #include "genu/geometry/mesh_order.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 namespace genu {
 namespace {
 
-Vec3 centroid(const std::vector<Vec3>& points) {
+/// An order that only the places themselves decide, and that a mirror in a coordinate plane keeps where it can.
+bool before_in_space(const Vec3& x, const Vec3& y) {
+  const auto key = [](const Vec3& v) {
+    return std::array{std::abs(v.x()), std::abs(v.y()), std::abs(v.z()), v.x(), v.y(), v.z()};
+  };
+  return key(x) < key(y);
+}
+
+Vec3 centroid(const std::vector<Vec3>& points, const std::vector<int>& order) {
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& p : points) sum += p;
+  for (const int i : order) sum += points[static_cast<std::size_t>(i)];
   return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
 }
 
@@ -26,12 +36,16 @@ bool before(const std::array<int, 3>& x, const std::array<int, 3>& y) {
 }  // namespace
 
 void sort_canonically(Mesh& mesh) {
-  const Vec3 centre = centroid(mesh.vertices);
+  std::vector<int> order(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto vertex = [&](int i) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(i)]; };
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return before_in_space(vertex(i), vertex(j)); });
+  // Equal distances (a sphere, a square) keep this order; it also makes the sum, and so the centroid, the file's no
+  // more.
+  const Vec3 centre = centroid(mesh.vertices, order);
   std::vector<double> distance;
   distance.reserve(mesh.vertices.size());
   for (const Vec3& v : mesh.vertices) distance.push_back((v - centre).squaredNorm());
-  std::vector<int> order(mesh.vertices.size());
-  std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
     return distance[static_cast<std::size_t>(i)] < distance[static_cast<std::size_t>(j)];
   });

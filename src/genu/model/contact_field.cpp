@@ -9,19 +9,46 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Unbounded shapes are sampled within this many characteristic lengths of their own origin.
+/// Unbounded shapes are sampled within this many characteristic lengths of where the joint is.
 constexpr double kReach = 10;
+
+/// Where the joint is, in the world: the mean of all ligament ends in the reference pose; the origin without ligaments.
+Vec3 joint_centre(const JointModel& model) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& l : model.ligaments)
+    sum += model.reference_poses[at(l.body_a)] * l.ligament.p_A + model.reference_poses[at(l.body_b)] * l.ligament.p_B;
+  return model.ligaments.empty() ? sum : Vec3(sum / (2.0 * static_cast<double>(model.ligaments.size())));
+}
+
+double diagonal(const Surface& surface, double edge) {
+  const Mesh mesh = surface.triangles(edge, Vec3::Zero(), edge);
+  if (mesh.vertices.empty()) return std::numeric_limits<double>::infinity();
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return (high - low).norm();
+}
+
+double choose_spacing(const JointModel& model) {
+  double spacing = model.scales.length / 30;
+  for (const auto& pair : model.pairs)
+    for (const auto& surface : {pair.a, pair.b})
+      if (!surface->is_unbounded()) spacing = std::min(spacing, diagonal(*surface, model.scales.length) / 60);
+  return spacing;
+}
 
 }  // namespace
 
-ContactField::ContactField(const JointModel& model) : model_(&model) {
-  const double length = model.scales.length;
-  Proximity::Options options;
-  options.spacing = std::min(1e-3, length / 10);
-  options.reach = kReach * length;
-  options.max_step = options.spacing;
+ContactField::ContactField(const JointModel& model) : model_(&model), spacing_(choose_spacing(model)) {
+  const Vec3 centre = joint_centre(model);
   pairs_.reserve(model.pairs.size());
-  for (const auto& pair : model.pairs) pairs_.emplace_back(*pair.a, *pair.b, options);
+  for (const auto& pair : model.pairs) {
+    Proximity::Options options;
+    options.spacing = spacing_;
+    options.reach = kReach * model.scales.length;
+    options.centre_a = model.reference_poses[at(pair.body_a)].inverse() * centre;
+    options.centre_b = model.reference_poses[at(pair.body_b)].inverse() * centre;
+    pairs_.emplace_back(*pair.a, *pair.b, options);
+  }
 }
 
 Pose ContactField::relative(const State& state, int pair) const {
@@ -34,7 +61,7 @@ void ContactField::survey(const State& state, Survey& out) {
   out.edges.clear();
   out.smallest_gap.assign(pairs_.size(), std::numeric_limits<double>::infinity());
   for (int pair = 0; pair < static_cast<int>(pairs_.size()); ++pair) {
-    pairs_[at(pair)].scan(relative(state, pair), kWindow, scan_);
+    pairs_[at(pair)].scan(relative(state, pair), window(), scan_);
     double& smallest = out.smallest_gap[at(pair)];
     smallest = scan_.smallest_sample_gap;
     for (const LocalMinimum& m : scan_.minima) {
@@ -59,11 +86,11 @@ double ContactField::edge_distance(int pair, const ContactGeometry& contact) con
 }
 
 double ContactField::smallest_gap(const State& state, int pair) {
-  for (double window = kWindow; window < 100 * model_->scales.length; window *= 8) {
-    pairs_[at(pair)].scan(relative(state, pair), window, scan_);
+  for (double within = window(); within < 100 * model_->scales.length; within *= 8) {
+    pairs_[at(pair)].scan(relative(state, pair), within, scan_);
     double smallest = scan_.smallest_sample_gap;
     for (const LocalMinimum& m : scan_.minima) smallest = std::min(smallest, m.gap);
-    if (smallest < window) return smallest;
+    if (smallest < within) return smallest;
   }
   return std::numeric_limits<double>::infinity();
 }

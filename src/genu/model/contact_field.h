@@ -23,10 +23,14 @@ struct Survey {
 
 class ContactField {
  public:
-  /// Candidates are looked for below this gap; open contacts beyond it are not followed.
-  static constexpr double kWindow = 2e-4;  // m
-
   explicit ContactField(const JointModel& model);
+
+  /// Points that stand for a surface are about this far apart (m): 1/30 of the characteristic length, 1/60 of the
+  /// smallest surface. Every length in the search for contacts is a fraction of it.
+  double spacing() const { return spacing_; }
+
+  /// Candidates are looked for below this gap (m); open contacts beyond it are not followed.
+  double window() const { return 0.2 * spacing_; }
 
   /// Looks at the whole of every pair.
   void survey(const State& state, Survey& out);
@@ -51,6 +55,7 @@ class ContactField {
   Pose relative(const State& state, int pair) const;
 
   const JointModel* model_;
+  double spacing_;
   std::vector<Proximity> pairs_;
   ProximityScan scan_;
   std::vector<NearSample> near_;

@@ -101,9 +101,8 @@ class PoseTable {
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
     set_ligaments(point);
     table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
-    table_.set("stability", std::string(point.stability.flutter && point.stability.smallest < 0
-                                            ? "unstable"
-                                            : to_string(point.stability.verdict)));
+    const Stability& stability = point.stability;
+    table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
     table_.set("residual", point.report.certificate.residual);
   }

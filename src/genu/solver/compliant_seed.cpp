@@ -6,11 +6,15 @@
 namespace genu {
 namespace {
 
-// Pa/m: from 10 MPa cartilage, 6 mm thick, to a layer in which 100 N on 50 mm^2 sink in by 20 micrometres.
-constexpr double kModuli[] = {5e9, 2e10, 1e11};
+// The first stage in force / length^3 (characteristic): for a knee about 10 MPa cartilage, 6 mm thick. Each stage is
+// that much stiffer, until the overlap left is a small part of the characteristic length.
+constexpr double kFirstModulus = 1.3e3;
+constexpr double kStiffer = 4.5;
+constexpr int kStages = 6;
+constexpr double kLittleOverlap = 1e-3;
 constexpr int kIterations = 80;           // of each stage
 constexpr double kBalanced = 1e-5;        // scaled residual: a seed, not a result
-constexpr double kMaxTranslation = 2e-3;  // m an iteration
+constexpr double kMaxTranslation = 0.06;  // characteristic lengths an iteration
 constexpr double kMaxRotation = 0.05;     // rad an iteration
 
 /// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
@@ -64,7 +68,7 @@ class Stage {
   double admissible() const {
     double excess = 1;
     for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
-      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / kMaxTranslation);
+      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / (kMaxTranslation * model_.scales.length));
       excess = std::max(excess, correction_.twist.segment<3>(i + 3).norm() / kMaxRotation);
     }
     return 1 / excess;
@@ -87,11 +91,13 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
   SeedReport report;
   state.contacts.clear();
   state.multipliers.resize(target.prescribed.size(), 0.0);
-  for (const double modulus : kModuli) {
+  const double L = model.scales.length;
+  double modulus = kFirstModulus * model.scales.force / (L * L * L);
+  for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
     Stage stage(model, field, target, modulus);
     report.balanced = stage.run(state, report);
     report.deepest = stage.deepest();
-    if (!report.balanced) break;
+    if (!report.balanced || report.deepest < kLittleOverlap * L) break;
   }
   return report;
 }

@@ -10,11 +10,13 @@ namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Below this relative curvature (1/m) a contact may be about to split: look around it, the samples may miss its twin.
-constexpr double kNearSplit = 3;
-constexpr double kProbeRadii[] = {0.3e-3, 0.8e-3, 1.6e-3, 3e-3};  // m
-// Samples overlap by at most this (m) beyond the deepest refined minimum, or something else is wrong.
-constexpr double kUnexplained = 1e-5;
+// Below this relative curvature, in 1/spacing, a contact may be about to split: look around it, the samples may miss
+// its twin.
+constexpr double kNearSplit = 3e-3;
+constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
+// Samples overlap by at most this part of the characteristic length beyond the deepest refined minimum, or something
+// else is wrong: samples lie on the surfaces to rounding, and each that overlaps starts a descent.
+constexpr double kUnexplained = 1e-6;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -25,10 +27,9 @@ double least_curvature(const JointModel& model, const State& state, const Active
   return Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (curvature + curvature.transpose())).eigenvalues()[0];
 }
 
-void add_distinct(std::vector<Candidate>& list, const Candidate& candidate) {
+void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, double same) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& k) {
-    return k.pair == candidate.pair &&
-           same_place(k.minimum.contact, candidate.minimum.contact, ContactInspector::kSameContact);
+    return k.pair == candidate.pair && same_place(k.minimum.contact, candidate.minimum.contact, same);
   });
   if (!known) list.push_back(candidate);
 }
@@ -46,9 +47,9 @@ ContactInspector::ContactInspector(const JointModel& model, ContactField& field)
     gap_tolerance_ = std::max(gap_tolerance_, kRounding * (model.scales.length + pose.p.norm()));
 }
 
-bool ContactInspector::held(const State& state, const Candidate& candidate) {
+bool ContactInspector::held(const State& state, const Candidate& candidate) const {
   return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
-    return c.pair == candidate.pair && same_place(c.geometry, candidate.minimum.contact, kSameContact);
+    return c.pair == candidate.pair && same_place(c.geometry, candidate.minimum.contact, same_contact());
   });
 }
 
@@ -80,12 +81,14 @@ void ContactInspector::inspect_held(const State& state, Findings& out) {
 void ContactInspector::look_beside(const State& state, int i, Findings& out) {
   const ActiveContact& contact = state.contacts[at(i)];
   const double least = least_curvature(*model_, state, contact);
-  if (least > kNearSplit) return;
+  const double spacing = field_->spacing();
+  if (least > kNearSplit / spacing) return;
   beside_.clear();
-  for (const double radius : kProbeRadii) field_->probe_around(state, contact.pair, contact.geometry, radius, beside_);
+  for (const double radius : kProbeRadii)
+    field_->probe_around(state, contact.pair, contact.geometry, radius * spacing, beside_);
   bool lower = false;
   for (const LocalMinimum& m : beside_) {
-    if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, kSameContact)) continue;
+    if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, same_contact())) continue;
     const Candidate candidate{contact.pair, m};
     lower = true;
     if (least < 0)
@@ -104,7 +107,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     if (held(state, c)) continue;
     out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-    if (c.minimum.gap < -gap_tolerance_) add_distinct(out.overlapping, c);
+    if (c.minimum.gap < -gap_tolerance_) add_distinct(out.overlapping, c, same_contact());
   }
   for (const Candidate& c : survey_.edges) {
     if (!(c.minimum.gap < -gap_tolerance_) || held(state, c)) continue;
@@ -114,7 +117,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
     out.where = model_->pairs[at(c.pair)].name;
   }
   for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {
-    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplained) continue;
+    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplained * model_->scales.length) continue;
     out.deep_overlap = true;
     out.worst = std::min(out.worst, survey_.smallest_gap[pair] / model_->scales.length);
     out.where = fmt::format("{} by {:.3f} mm", model_->pairs[pair].name, -1e3 * survey_.smallest_gap[pair]);

@@ -40,8 +40,6 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 
 class ContactInspector {
  public:
-  /// A held contact and a refined minimum closer than this are the same one.
-  static constexpr double kSameContact = 2e-6;     // m
   static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a pull below this is none
 
   ContactInspector(const JointModel& model, ContactField& field);
@@ -50,13 +48,16 @@ class ContactInspector {
   /// the bodies from the world's origin. Two contacts about to merge turn an overlap of 1 nm into 0.001 deg.
   double gap_tolerance() const { return gap_tolerance_; }
 
+  /// A held contact and a refined minimum closer than this (m) are the same one.
+  double same_contact() const { return 2e-3 * field_->spacing(); }
+
   void inspect(const State& state, Findings& out);
 
   /// The facts at the state inspected last.
   Certificate certify(const State& state, double residual) const;
 
   /// Whether a contact of `state` is this candidate.
-  static bool held(const State& state, const Candidate& candidate);
+  bool held(const State& state, const Candidate& candidate) const;
 
  private:
   void inspect_held(const State& state, Findings& out);

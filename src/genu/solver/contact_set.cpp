@@ -84,10 +84,11 @@ PoseReport ContactSetSolver::solve_held(Balanced& pose, const Target& target, Fi
 }
 
 void ContactSetSolver::close(Balanced& pose, const Candidate& candidate) const {
-  constexpr double kSameOpen = 1e-4;  // m: an open contact is followed by descent and lands where the survey does
+  // An open contact is followed by descent and lands where the survey does.
+  const double same_open = 0.1 * field_->spacing();
   ActiveContact contact{candidate.pair, 0, candidate.minimum.contact, 0};
   for (auto it = pose.open.begin(); it != pose.open.end(); ++it) {
-    if (it->pair != candidate.pair || !same_place(it->geometry, contact.geometry, kSameOpen)) continue;
+    if (it->pair != candidate.pair || !same_place(it->geometry, contact.geometry, same_open)) continue;
     contact.number = it->number;
     pose.open.erase(it);
     break;
@@ -111,11 +112,10 @@ void ContactSetSolver::follow_open(Balanced& pose) {
     const auto descent = field_->follow(pose.state, open.pair, open.geometry);
     if (!descent || !descent->settled || field_->edge_distance(open.pair, descent->minimum.contact) < 0) continue;
     const Candidate candidate{open.pair, descent->minimum};
-    const bool merged = ContactInspector::held(pose.state, candidate) ||
-                        std::any_of(still.begin(), still.end(), [&](const OpenContact& o) {
-                          return o.pair == open.pair &&
-                                 same_place(o.geometry, descent->minimum.contact, ContactInspector::kSameContact);
-                        });
+    const bool merged =
+        inspector_.held(pose.state, candidate) || std::any_of(still.begin(), still.end(), [&](const OpenContact& o) {
+          return o.pair == open.pair && same_place(o.geometry, descent->minimum.contact, inspector_.same_contact());
+        });
     if (merged) continue;
     open.geometry = descent->minimum.contact;
     open.gap = descent->minimum.gap;
@@ -129,8 +129,7 @@ bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findin
   if (!findings.not_minimal.empty()) {
     for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
     for (const Candidate& c : findings.beside)
-      if (!ContactInspector::held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target))
-        close(pose, c);
+      if (!inspector_.held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
     return true;
   }
   if (!findings.overlapping.empty()) {
@@ -232,8 +231,8 @@ PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& targ
 
 PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   Balanced trial = pose;
-  constexpr double kTouching = 5e-5;  // m
-  close_touching(trial, target, kTouching);
+  const double touching = 0.05 * field_->spacing();
+  close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
   if (report.status == PoseStatus::ok) {
     pose = std::move(trial);

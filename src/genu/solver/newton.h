@@ -14,9 +14,9 @@ struct NewtonOptions {
   double residual_floor = 1e-8;
   int max_iterations = 40;
   double smallest_damping = 1.0 / 1024;
-  double max_translation = 5e-3;  ///< m: cap on one iteration's motion of a body's origin
+  double max_translation = 0.15;  ///< cap on one iteration's motion of a body's origin, characteristic lengths
   double max_rotation = 0.1;      ///< rad
-  double max_slide = 2e-3;        ///< m: cap on one iteration's motion of a contact point over its surface
+  double max_slide = 0.06;        ///< cap on one iteration's motion of a contact point, characteristic lengths
   NewtonStep::Route route = NewtonStep::Route::automatic;
 };
 

@@ -13,20 +13,22 @@ namespace {
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 
 /// The walk from where the joint is to where a step begins, loads as they are there.
-StepPlan approach(const StepPlan& step, const State& state) {
+StepPlan approach(const StepPlan& step, const State& state, const std::vector<double>& factors) {
   StepPlan plan = step;
   for (auto& p : plan.prescribed) {
     p.to = p.from;
     p.from =
         state.coordinates[static_cast<std::size_t>(p.coordinate.joint)][static_cast<std::size_t>(p.coordinate.index)];
   }
-  for (auto& f : plan.factors) f.to = f.from;
+  for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
   plan.increments = 1;
   return plan;
 }
 
 bool is_trivial(const StepPlan& plan) {
-  return std::all_of(plan.prescribed.begin(), plan.prescribed.end(), [](const auto& p) { return p.from == p.to; });
+  const auto held = [](const auto& x) { return x.from == x.to; };
+  return std::all_of(plan.prescribed.begin(), plan.prescribed.end(), held) &&
+         std::all_of(plan.factors.begin(), plan.factors.end(), held);
 }
 
 class PathRun {
@@ -57,7 +59,10 @@ class PathRun {
  private:
   /// Balances the joint where it stands, then walks to the first values of the step.
   bool reach_start(const StepPlan& step) {
-    const StepPlan plan = approach(step, pose_.state);
+    if (step_ == 1) factors_ = step.target(0).load_factors;
+    const StepPlan plan = approach(step, pose_.state, factors_);
+    factors_ = step.target(1).load_factors;
+    approaching_ = true;
     const Target start = plan.target(0);
     report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : solver_.settle(pose_, start);
     result_.iterations += report_.iterations;
@@ -66,7 +71,10 @@ class PathRun {
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
       return false;
     }
-    if (is_trivial(plan)) return true;
+    if (is_trivial(plan)) {
+      approaching_ = false;
+      return true;
+    }
     walker_.begin(plan, kApproach, pose_, report_);
     while (!walker_.walk_to(1)) {
       if (walker_.step_over(window(plan))) continue;
@@ -75,6 +83,7 @@ class PathRun {
     }
     pose_ = walker_.pose();
     report_ = walker_.report();
+    approaching_ = false;
     return true;
   }
 
@@ -168,8 +177,8 @@ class PathRun {
     observer_.pose(point);
     result_.complete = false;
     if (!last) return;
-    const double where = walker_.substeps() > 0 ? walker_.t() : 0;
-    emit({PathEvent::Kind::stopped, step_, where, step.target(where),
+    const double where = approaching_ ? 0 : walker_.t();
+    emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
           what.empty() ? report.why : what + ": " + report.why});
     stop();
   }
@@ -193,6 +202,8 @@ class PathRun {
   PoseReport report_;
   PathResult result_;
   int step_ = 0;
+  std::vector<double> factors_;  // of the loads where the path stands
+  bool approaching_ = false;
   int handed_over_ = 0;
   bool stopped_ = false;
 };
@@ -215,6 +226,8 @@ const char* to_string(PathEvent::Kind kind) {
       return "turns_back";
     case PathEvent::Kind::snaps:
       return "snaps";
+    case PathEvent::Kind::flutter:
+      return "flutter";
     case PathEvent::Kind::stability_changed:
       return "stability_changed";
     case PathEvent::Kind::stopped:

@@ -34,6 +34,7 @@ struct PathEvent {
     overlap,
     turns_back,
     snaps,
+    flutter,
     stability_changed,
     stopped
   };

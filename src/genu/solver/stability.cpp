@@ -87,11 +87,13 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   eigen.eigenvalues().real().minCoeff(&first);
   const std::complex<double> value = eigen.eigenvalues()[first];
   const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
+  out.complex_pair = eigen.eigenvalues().imag().cwiseAbs().maxCoeff() > kReal * largest;
   out.smallest = value.real();
-  out.flutter = std::abs(value.imag()) > 1e-9 * largest;
+  out.flutter = std::abs(value.imag()) > kReal * largest;
   out.mode = basis * eigen.eigenvectors().col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
-  if (std::abs(value.real()) <= kNeutral * std::max(largest, stiffness.cwiseAbs().maxCoeff()))
+  if (std::abs(value.real()) <= kNeutral * largest)
     out.verdict = Stability::Verdict::neutral;
   else
     out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;

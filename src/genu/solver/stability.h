@@ -12,9 +12,9 @@ struct Stability {
   /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
   /// 10 mm and rotations in rad, twist about each moving body's origin. +infinity where nothing is free to move.
   double smallest = 0;
-  bool flutter =
-      false;  ///< the smallest belongs to a complex pair: loads that follow the body can drive an oscillation
-  VecX mode;  ///< 6B: its motion in that metric, unit norm (real part)
+  bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
+  bool flutter = false;       ///< the smallest belongs to one
+  VecX mode;                  ///< 6B: its motion in that metric, unit norm (real part)
   int free_motions = 0;
 };
 

@@ -21,47 +21,56 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   plan_ = plan;
   step_ = step;
   stiffest_seen_ = 0;
+  stepped_over_ = 0;
   accept(0, std::move(pose), report);
 }
 
 void Walker::emit(PathEvent::Kind kind, const std::string& what) { event_({kind, step_, t_, plan_.target(t_), what}); }
 
-void Walker::compute_tangent() {
+void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
-  const Target target = plan_.target(t_), rate = plan_.rate();
-  linearize(model, pose_.state, target, here_);
-  stability_ = assess_stability(here_, model.scales.length);
-  stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability_.smallest));
+  const Target target = plan_.target(t), rate = plan_.rate();
+  linearize(model, state, target, here_);
+  out.stability = assess_stability(here_, model.scales.length);
   NewtonStep& step = solver_.newton().step();
   if (!step.factor(here_, target)) {
-    tangent_.resize(0, 0, 0);
+    out.motion.resize(0, 0, 0);
     return;
   }
   VecX constraint_rate(static_cast<Eigen::Index>(rate.prescribed.size()));
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
-  step.solve_rates(load_wrench(model, pose_.state, rate.load_factors), constraint_rate, tangent_);
+  step.solve_rates(load_wrench(model, state, rate.load_factors), constraint_rate, out.motion);
 }
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report) {
-  const auto before = stability_.verdict;
+  compute_tangent(pose.state, t, next_);
+  take(t, std::move(pose), report);
+}
+
+void Walker::take(double t, Balanced pose, const PoseReport& report) {
+  const Stability before = tangent_.stability;
   const bool first = substeps_ == 0;
   t_ = t;
   pose_ = std::move(pose);
   report_ = report;
+  std::swap(tangent_, next_);
   ++substeps_;
-  compute_tangent();
-  if (!first && stability_.verdict != before) emit(PathEvent::Kind::stability_changed, to_string(stability_.verdict));
+  stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
+  if (stability().complex_pair && (first || !before.complex_pair))
+    emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
+  if (!first && stability().verdict != before.verdict)
+    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
 }
 
 Walker::Attempt Walker::attempt(double t) {
   Attempt out;
   out.pose = pose_;
-  const bool predictable = tangent_.twist.size() > 0 && tangent_.twist.allFinite();
-  if (predictable) {
-    State predicted;
-    if (retract(solver_.model(), pose_.state, tangent_, t - t_, predicted)) out.pose.state = std::move(predicted);
-  }
+  const bool predictable = tangent_.motion.twist.size() > 0 && tangent_.motion.twist.allFinite();
+  if (predictable && retract(solver_.model(), pose_.state, tangent_.motion, t - t_, out.predicted))
+    out.pose.state = out.predicted;
+  else
+    out.predicted = pose_.state;
   out.report = solver_.solve_held(out.pose, plan_.target(t), out.findings);
   iterations_ += out.report.iterations;
   return out;
@@ -76,18 +85,34 @@ double Walker::distance(const State& from, const State& to) const {
   return sum;
 }
 
-double Walker::speed() const {
+double Walker::speed(const Tangent& tangent) const {
   const double L = solver_.model().scales.length;
+  const VecX& twist = tangent.motion.twist;
   double sum = 0;
-  for (Eigen::Index i = 0; i < tangent_.twist.size(); i += 6)
-    sum += tangent_.twist.segment<3>(i).norm() / L + tangent_.twist.segment<3>(i + 3).norm();
+  for (Eigen::Index i = 0; i < twist.size(); i += 6)
+    sum += twist.segment<3>(i).norm() / L + twist.segment<3>(i + 3).norm();
   return sum;
+}
+
+bool Walker::passes_a_fold(const Tangent& next, double h) const {
+  // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
+  // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
+  constexpr double kRatio = 4, kShortest = 1e-4, kStill = 1e-3;
+  const double before = speed(tangent_), after = speed(next);
+  if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
+  return std::max(before, after) > kRatio * std::min(before, after);
+}
+
+bool Walker::far_from_predicted(const Attempt& attempt) const {
+  // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
+  constexpr double kShare = 0.5, kSlack = 1e-5;
+  return distance(attempt.predicted, attempt.pose.state) > kShare * distance(pose_.state, attempt.predicted) + kSlack;
 }
 
 bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
-  return distance(pose_.state, state) > kFactor * h * speed() + kSlack;
+  return distance(pose_.state, state) > kFactor * h * speed(tangent_) + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
@@ -96,7 +121,7 @@ bool Walker::walk_to(double t_end) {
     // Toward a limit point the tangent grows without bound: a step may move the bodies so far and no farther, or the
     // solution found at its end may lie on another branch.
     constexpr double kFarthest = 0.25;  // characteristic lengths, rad
-    h = std::min(h, kFarthest / std::max(speed(), 1e-300));
+    h = std::min(h, kFarthest / std::max(speed(tangent_), 1e-300));
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
@@ -105,18 +130,22 @@ bool Walker::walk_to(double t_end) {
     const double t = std::min(t_end, t_ + h);
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
-    if (solved && trial.valid() && !jumped(trial.pose.state, t - t_)) {
-      solver_.follow_open(trial.pose);
-      accept(t, std::move(trial.pose), trial.report);
-      h *= 2;
-      continue;
+    if (solved && trial.valid() && !far_from_predicted(trial)) {
+      compute_tangent(trial.pose.state, t, next_);
+      if (!passes_a_fold(next_, t - t_)) {
+        solver_.follow_open(trial.pose);
+        take(t, std::move(trial.pose), trial.report);
+        h *= 2;
+        continue;
+      }
     }
-    if (solved && !trial.findings.none() && !jumped(trial.pose.state, t - t_)) {
+    if (solved && !trial.findings.none() && !far_from_predicted(trial)) {
       if (!pass_event(t, std::move(trial))) return false;
       h = std::max(h, (t_end - t_) / 4);
       continue;
     }
     failure_ = trial.report;
+    if (solved && failure_.why.empty()) failure_.why = "the solution found lies on another branch";
     h = (t - t_) / 2;
     if (h < options_.smallest_increment) return false;
   }
@@ -165,6 +194,11 @@ bool Walker::pass_event(double t, Attempt violated) {
     report = solver_.settle_from_seed(next, plan_.target(t));
     iterations_ += report.iterations;
   }
+  if (report.status == PoseStatus::ok && jumped(next.state, t - t_)) {
+    note_snap(next.state);
+    report.status = PoseStatus::no_equilibrium;
+    report.why = "the equilibrium that was followed ends where its contacts change";
+  }
   if (report.status != PoseStatus::ok) {
     failure_ = report;
     return false;
@@ -185,6 +219,11 @@ void Walker::report_changes(const Balanced& before, const Balanced& after) {
     if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
 }
 
+void Walker::note_snap(const State& state) {
+  const Pose &from = pose_.state.poses.back(), &to = state.poses.back();
+  snap_ = {(to.p - from.p).norm(), log_rotation(to.R * from.R.transpose()).norm()};
+}
+
 bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
   for (const bool seeded : {false, true}) {
     next = pose_;
@@ -192,8 +231,7 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
     iterations_ += report.iterations;
     if (report.status != PoseStatus::ok) continue;
     if (!jumped(next.state, t - t_)) return true;
-    const Pose &from = pose_.state.poses.back(), &to = next.state.poses.back();
-    snap_ = {(to.p - from.p).norm(), log_rotation(to.R * from.R.transpose()).norm()};
+    note_snap(next.state);
   }
   return false;
 }
@@ -201,6 +239,10 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
 bool Walker::step_over(double window) {
   const double from = t_;
   snap_ = {0, 0};
+  // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
+  // has to be stepped over again and again is no path.
+  constexpr int kMost = 30;
+  if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);
@@ -223,7 +265,7 @@ bool Walker::turning_back() const {
   // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance; the path was followed
   // until that distance was the smallest increment.
   constexpr double kVanishing = 0.02;
-  return std::isfinite(stability_.smallest) && std::abs(stability_.smallest) < kVanishing * stiffest_seen_;
+  return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishing * stiffest_seen_;
 }
 
 }  // namespace genu

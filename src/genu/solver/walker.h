@@ -26,7 +26,7 @@ class Walker {
   double t() const { return t_; }
   const Balanced& pose() const { return pose_; }
   const PoseReport& report() const { return report_; }
-  const Stability& stability() const { return stability_; }
+  const Stability& stability() const { return tangent_.stability; }
   /// Why walk_to() failed.
   const PoseReport& failure() const { return failure_; }
   bool turning_back() const;
@@ -36,7 +36,13 @@ class Walker {
   int iterations() const { return iterations_; }
 
  private:
+  /// Where the path leads from a pose, per unit of t, and whether the pose is stable.
+  struct Tangent {
+    Correction motion;
+    Stability stability;
+  };
   struct Attempt {
+    State predicted;
     Balanced pose;
     PoseReport report;
     Findings findings;
@@ -46,13 +52,17 @@ class Walker {
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report);
   double distance(const State& from, const State& to) const;
-  double speed() const;
+  double speed(const Tangent& tangent) const;
+  bool passes_a_fold(const Tangent& next, double h) const;
+  bool far_from_predicted(const Attempt& attempt) const;
   bool jumped(const State& state, double h) const;
+  void note_snap(const State& state);
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
-  void compute_tangent();
+  void compute_tangent(const State& state, double t, Tangent& out);
+  void take(double t, Balanced pose, const PoseReport& report);
 
   ContactSetSolver& solver_;
   const PathOptions& options_;
@@ -62,11 +72,11 @@ class Walker {
   double t_ = 0;
   Balanced pose_;
   PoseReport report_, failure_;
-  Stability stability_;
-  Correction tangent_;  // per unit of t
+  Tangent tangent_, next_;
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
+  int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;
 };
 
