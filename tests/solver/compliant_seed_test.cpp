@@ -17,8 +17,9 @@ TEST(CompliantSeed, BringsABallToItsFloor) {
     const SeedReport report = compliant_seed(s.model, field, test::target_of(s.scene), state);
     ASSERT_TRUE(report.balanced) << z;
     EXPECT_GT(report.iterations, 0);
-    // 61.7 N on a ball of 20 mm and 1e11 Pa/m: F = E pi R d^2 sinks in by 0.1 mm.
-    EXPECT_NEAR(report.deepest, std::sqrt(test::kLiftOff / (1e11 * M_PI * 0.02)), 5e-5) << z;
+    // Stiffened until little overlap is left, but some: it is what carries the ball.
+    EXPECT_GT(report.deepest, 0) << z;
+    EXPECT_LT(report.deepest, 2e-3 * s.model.scales.length) << z;
     EXPECT_NEAR(state.poses[1].p.z(), 0.02 - report.deepest, 3e-5) << z;
     EXPECT_TRUE(state.contacts.empty());
     EXPECT_EQ(state.multipliers.size(), 3u);

@@ -16,6 +16,14 @@ SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) con
   return vertex_samples(triangles(spacing, centre, reach));
 }
 
+double box_diagonal(const Surface& surface, double edge) {
+  const Mesh mesh = surface.triangles(edge, Vec3::Zero(), edge);
+  if (mesh.vertices.empty()) return 0;
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return (high - low).norm();
+}
+
 Mat32 tangent_basis(const Vec3& n) {
   // Duff et al. 2017, "Building an orthonormal basis, revisited": no branch, no cancellation, right-handed.
   const double sign = std::copysign(1.0, n.z());

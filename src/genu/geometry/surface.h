@@ -62,6 +62,9 @@ class Surface {
   virtual bool is_unbounded() const { return false; }
 };
 
+/// Diagonal (m) of the box round a bounded surface, seen with triangles of about `edge` (m).
+double box_diagonal(const Surface& surface, double edge);
+
 /// An orthonormal tangent basis for the unit normal n: the same for the same n, T.col(0) x T.col(1) = n.
 Mat32 tangent_basis(const Vec3& n);
 

@@ -20,19 +20,11 @@ Vec3 joint_centre(const JointModel& model) {
   return model.ligaments.empty() ? sum : Vec3(sum / (2.0 * static_cast<double>(model.ligaments.size())));
 }
 
-double diagonal(const Surface& surface, double edge) {
-  const Mesh mesh = surface.triangles(edge, Vec3::Zero(), edge);
-  if (mesh.vertices.empty()) return std::numeric_limits<double>::infinity();
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  return (high - low).norm();
-}
-
 double choose_spacing(const JointModel& model) {
   double spacing = model.scales.length / 30;
   for (const auto& pair : model.pairs)
     for (const auto& surface : {pair.a, pair.b})
-      if (!surface->is_unbounded()) spacing = std::min(spacing, diagonal(*surface, model.scales.length) / 60);
+      if (!surface->is_unbounded()) spacing = std::min(spacing, box_diagonal(*surface, model.scales.length) / 60);
   return spacing;
 }
 

@@ -26,6 +26,10 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const Vec3& p : ends) square += (p - mean).squaredNorm(), ++count;
   }
   if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
+  scales.size = scales.length;
+  for (const auto& pair : model.pairs)
+    for (const auto& surface : {pair.a, pair.b})
+      if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
 
   double force = 0;
   for (const auto& load : model.loads) force = std::max({force, load.force.norm(), load.moment.norm() / scales.length});

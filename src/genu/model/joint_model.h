@@ -38,7 +38,8 @@ struct JointModel {
   /// lengths never meet in one norm unscaled.
   struct Scales {
     double length = 0.01;  ///< m: root mean square distance of ligament ends from their body's mean end
-    double force = 1;      ///< N: the largest load, or what 1 % of strain costs in the stiffest ligament, at least 1 N
+    double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
+    double force = 1;    ///< N: the largest load, or what 1 % of strain costs in the stiffest ligament, at least 1 N
   };
 
   std::vector<Body> bodies;

@@ -84,6 +84,18 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
   }
 }
 
+/// Turns the tangent basis of `to` into that of `from` carried along: a surface's own choice of basis may switch
+/// between two neighbouring points, and a residual seen in two bases cannot be compared.
+void carry_basis(const SurfacePoint& from, SurfacePoint& to) {
+  Mat32 carried;
+  carried.col(0) = (from.T.col(0) - to.n * to.n.dot(from.T.col(0))).normalized();
+  carried.col(1) = to.n.cross(carried.col(0));
+  const Mat2 turn = to.T.transpose() * carried;
+  if (!turn.allFinite()) return;  // a quarter turn of the normal at once: keep the surface's own
+  to.S = turn.transpose() * to.S * turn;
+  to.T = carried;
+}
+
 }  // namespace
 
 void Correction::resize(int moving_bodies, int constraints, int contacts) {
@@ -142,6 +154,8 @@ bool retract(const JointModel& model, const State& state, const Correction& corr
     const Vec4 ds = fraction * correction.surface[c];
     if (!pair.a->retract(from.a, ds.head<2>(), contact.geometry.a)) return false;
     if (!pair.b->retract(from.b, ds.tail<2>(), contact.geometry.b)) return false;
+    carry_basis(from.a, contact.geometry.a);
+    carry_basis(from.b, contact.geometry.b);
     contact.force += fraction * correction.forces(static_cast<Eigen::Index>(c));
   }
   update_coordinates(model, out);

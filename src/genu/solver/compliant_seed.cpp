@@ -14,7 +14,7 @@ constexpr int kStages = 6;
 constexpr double kLittleOverlap = 1e-3;
 constexpr int kIterations = 80;           // of each stage
 constexpr double kBalanced = 1e-5;        // scaled residual: a seed, not a result
-constexpr double kMaxTranslation = 0.06;  // characteristic lengths an iteration
+constexpr double kMaxTranslation = 0.06;  // of the model's size, an iteration
 constexpr double kMaxRotation = 0.05;     // rad an iteration
 
 /// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
@@ -68,7 +68,7 @@ class Stage {
   double admissible() const {
     double excess = 1;
     for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
-      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / (kMaxTranslation * model_.scales.length));
+      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / (kMaxTranslation * model_.scales.size));
       excess = std::max(excess, correction_.twist.segment<3>(i + 3).norm() / kMaxRotation);
     }
     return 1 / excess;

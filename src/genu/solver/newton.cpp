@@ -23,14 +23,14 @@ std::string to_string(NewtonReport::Outcome outcome) {
 
 double Newton::admissible_fraction(const Correction& correction, const NewtonOptions& options) const {
   double excess = 1;
-  const double L = model_->scales.length;
+  const double size = model_->scales.size;
   for (Eigen::Index i = 0; i < correction.twist.size(); i += 6) {
-    excess = std::max(excess, correction.twist.segment<3>(i).norm() / (options.max_translation * L));
+    excess = std::max(excess, correction.twist.segment<3>(i).norm() / (options.max_translation * size));
     excess = std::max(excess, correction.twist.segment<3>(i + 3).norm() / options.max_rotation);
   }
   for (const Vec4& ds : correction.surface)
     excess = std::max(
-        {excess, ds.head<2>().norm() / (options.max_slide * L), ds.tail<2>().norm() / (options.max_slide * L)});
+        {excess, ds.head<2>().norm() / (options.max_slide * size), ds.tail<2>().norm() / (options.max_slide * size)});
   return 1 / excess;
 }
 

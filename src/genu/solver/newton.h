@@ -14,9 +14,9 @@ struct NewtonOptions {
   double residual_floor = 1e-8;
   int max_iterations = 40;
   double smallest_damping = 1.0 / 1024;
-  double max_translation = 0.15;  ///< cap on one iteration's motion of a body's origin, characteristic lengths
+  double max_translation = 0.15;  ///< cap on one iteration's motion of a body's origin, of the model's size
   double max_rotation = 0.1;      ///< rad
-  double max_slide = 0.06;        ///< cap on one iteration's motion of a contact point, characteristic lengths
+  double max_slide = 0.2;         ///< cap on one iteration's motion of a contact point, of the model's size
   NewtonStep::Route route = NewtonStep::Route::automatic;
 };
 
