@@ -91,7 +91,8 @@ Differences compare(const BlendSurface& surface, double radius, int degree, std:
   for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
     const std::vector<int> vertices = walk(mesh, graph, boundary, static_cast<int>(v), radius);
     SurfacePoint point;
-    if (vertices.empty()) continue;
+    // Fewer points than coefficients make no fit: CGAL asks for as many.
+    if (vertices.size() < static_cast<std::size_t>((degree + 1) * (degree + 2) / 2)) continue;
     EXPECT_TRUE(surface.project(mesh.vertices[v], point));
     const Jet blend = of_point(point), jet = jet_fit(mesh, vertices, degree, point.n);
     out.normal.push_back((blend.n - jet.n).norm());
@@ -99,6 +100,8 @@ Differences compare(const BlendSurface& surface, double radius, int degree, std:
     out.principal.push_back((blend.principal - jet.principal).cwiseAbs().maxCoeff());
     out.size.push_back(jet.S.norm());
     const std::vector<int> fewer = walk(mesh, graph, boundary, static_cast<int>(v), 0.7 * radius);
+    const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
+    if (fewer.size() < coefficients) continue;
     out.narrower.push_back((jet_fit(mesh, fewer, degree, point.n).S - jet.S).norm());
   }
   return out;
