@@ -1,3 +1,8 @@
+# Headers nearly every file includes, read once for all: a third of the time to build. Each file still includes what it
+# uses; -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
+set(genu_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <numbers>
+    <optional> <string> <vector> <Eigen/Core> <Eigen/Geometry> <Eigen/LU>)
+
 # genu_layer(NAME [LAYERS ...] [LIBRARIES ...] [PRIVATE ...]): the static library genu_NAME from src/genu/NAME/*.cpp.
 # LAYERS and LIBRARIES are part of its public face; PRIVATE libraries are seen by its .cpp files alone.
 function(genu_layer name)
@@ -7,6 +12,11 @@ function(genu_layer name)
   target_include_directories(genu_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   list(TRANSFORM arg_LAYERS PREPEND genu_)
   target_link_libraries(genu_${name} PUBLIC ${arg_LAYERS} ${arg_LIBRARIES} PRIVATE genu_options)
+  if(name STREQUAL "core")
+    target_precompile_headers(genu_core PRIVATE ${genu_common_headers} <fmt/format.h>)
+  else()
+    target_precompile_headers(genu_${name} REUSE_FROM genu_core)
+  endif()
   # Third-party headers are not ours to keep free of warnings.
   foreach(library ${arg_PRIVATE})
     target_link_libraries(genu_${name} PRIVATE ${library})
