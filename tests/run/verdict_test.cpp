@@ -37,7 +37,10 @@ class Verdict : public testing::Test {
 TEST_F(Verdict, AllWell) {
   summary.poses_solved = 3;
   summary.exit_code = 0;
-  EXPECT_EQ(said(), "Every pose is solved and certified; 2 of 3 stable.\n");
+  EXPECT_EQ(
+      said(),
+      "Every pose is solved and certified; 2 of 3 stable; left to itself the joint would leave the others (column "
+      "`stability`).\n");
 }
 
 TEST_F(Verdict, EveryFailureSaysWhichWhereAndWhatToDo) {
@@ -64,7 +67,7 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::turns_back, 1, 0.3, target, ""},
             {Kind::stability_changed, 1, 0.4, target, "unstable"},
             {Kind::over_edge, 1, 0.5, target, "medial.1"}};
-  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718 deg");
+  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718346 deg");
   expect_said("turns back at knee.flexion = 41.2 deg");
   expect_said("becomes unstable at knee.flexion = 41.2 deg");
   expect_said("medial.1 reaches the edge");

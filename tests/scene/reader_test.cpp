@@ -165,7 +165,7 @@ TEST(Reader, SceneOfTheReferencePageIsGood) {
   const std::size_t begin = text.find(fence) + fence.size(), end = text.find("```\n", begin);
   ASSERT_NE(end, std::string::npos);
   const Scene scene = good(text.substr(begin, end - begin));
-  EXPECT_EQ(scene.ligaments.size(), 1u);
+  EXPECT_EQ(scene.ligaments.size(), 2u);
 }
 
 std::optional<Scene> real_scene(const std::string& name) {

@@ -156,13 +156,23 @@ class PathRun {
     point.report.iterations = walker_.iterations() - handed_over_;
     handed_over_ = walker_.iterations();
     point.stability = walker_.stability();
-    if (point.stability.verdict == Stability::Verdict::neutral && !point.report.newton.full_rank) {
-      point.report.status = PoseStatus::undetermined;
-      point.report.why = "a motion costs no force: the pose is one of many";
-      result_.complete = false;
-    }
+    judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     observer_.pose(point);
+  }
+
+  /// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
+  void judge_uniqueness(PosePoint& point) {
+    constexpr double kSingular = 1e-13;  // reciprocal condition
+    const NewtonReport& newton = point.report.newton;
+    const bool motion =
+        point.stability.verdict == Stability::Verdict::neutral && (!newton.full_rank || newton.rcond < kSingular);
+    if (!motion && point.stability.redundant.empty()) return;
+    point.undetermined = find_undetermined(solver_.model(), point.pose.state, point.target, point.stability);
+    point.report.status = PoseStatus::undetermined;
+    point.report.why = motion ? "a motion costs no force: the pose is one of many"
+                              : "the same motion is held twice: how the force is shared is not determined";
+    result_.complete = false;
   }
 
   void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,
