@@ -52,7 +52,7 @@ MatX jacobian(const Linearization& at) {
 /// The residual after the change x of the unknowns, contact points' bases carried along.
 VecX residual_after(const JointModel& model, const State& state, const Target& target, const VecX& x) {
   Correction change;
-  const int m = static_cast<int>(target.prescribed.size()), c = static_cast<int>(state.contacts.size());
+  const int m = static_cast<int>(constraint_count(model, target)), c = static_cast<int>(state.contacts.size());
   change.resize(model.moving_count, m, c);
   const Eigen::Index n = 6 * model.moving_count;
   change.twist = x.head(n);
@@ -84,7 +84,7 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
     state.poses[b] = retract(state.poses[b], twist);
   }
   update_coordinates(model, state);
-  for (std::size_t m = 0; m < target.prescribed.size(); ++m) state.multipliers.push_back(20 * unit(random));
+  for (std::size_t m = 0; m < constraint_count(model, target); ++m) state.multipliers.push_back(20 * unit(random));
   for (int p = 0; p < static_cast<int>(model.pairs.size()); ++p) {
     const auto& pair = model.pairs[static_cast<std::size_t>(p)];
     const Pose &X_a = state.poses[static_cast<std::size_t>(pair.body_a)],
@@ -179,6 +179,67 @@ frame = "body"
 )";
   expect_exact(
       text + "[[step]]\nprescribe = { \"knee.flexion\" = 20, \"pf.spin\" = 3, \"pf.turn\" = [0, 9], \"pf.s\" = 1 }\n");
+}
+
+/// A bone on a hinge with a spring, a plate fixed to it, and a rod free against the plate.
+const char* const kChain = R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.ground]
+fixed = true
+[body.bone]
+[body.plate]
+[body.rod]
+[joint.hinge]
+type = "revolute"
+parent = "ground"
+child = "bone"
+origin = [20, -10, 30]
+axis = [1, 2, -2]
+stiffness = 0.4
+reference = { angle = 25 }
+[joint.weld]
+type = "fixed"
+parent = "bone"
+child = "plate"
+origin = [5, 40, -8]
+[joint.rod]
+type = "free"
+parent = "plate"
+child = "rod"
+rotations = ["a x", "b y", "c x"]
+translations = ["x", "y", "z"]
+reference = { b = 50, z = 15 }
+[combination.coupled]
+terms = { "hinge.angle" = 2, "rod.a" = -0.5, "rod.b" = 1.5 }
+[combination.apart]
+terms = { "rod.x" = 1, "rod.z" = -1 }
+[ligament.tie]
+from = { body = "rod", point = [3, 2, -14] }
+to = { body = "ground", point = [0, 20, -50] }
+law = "spring"
+stiffness = 3
+slack_length = 20
+[[step]]
+prescribe = { coupled = [10, 60], "rod.a" = 4, apart = 3 }
+)";
+
+TEST(Linearization, IsExactWithJointsAndCombinations) { expect_exact(std::string(kChain) + kLoads); }
+
+TEST(Linearization, ConstraintsAreSatisfiedAtTheReference) {
+  const test::SceneModel s = test::scene_model(kChain);
+  State state = reference_state(s.model);
+  Target target = test::target_of(s.scene);
+  for (auto& p : target.prescribed) p.value = quantity_value(s.model, state.coordinates, p.coordinate);
+  fit_multipliers(s.model, target, state);
+  Linearization at;
+  linearize(s.model, state, target, at);
+  ASSERT_EQ(at.constraint.size(), 3 + 5 + 6);
+  EXPECT_LT(at.constraint.cwiseAbs().maxCoeff(), 1e-15);
+  // The tie does not pull at the bone: its wrench is the hinge's spring alone.
+  const double angle = 25 * M_PI / 180, k = 0.4 * 180 / M_PI;
+  const Vec3 axis = Vec3(1, 2, -2) / 3;
+  EXPECT_LT((at.wrench.segment<3>(3) + k * angle * axis).norm(), 1e-13);
+  EXPECT_LT(at.wrench.segment<3>(0).norm(), 1e-13);
 }
 
 TEST(Linearization, InternalForcesDoNoNetWork) {

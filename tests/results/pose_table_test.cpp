@@ -149,6 +149,40 @@ TEST(PoseTable, ASpringWithoutSlackLengthHasNoStrain) {
   EXPECT_NEAR(t.number(0, "rope.force_N"), 10, 1e-12);
 }
 
+TEST(PoseTable, JointsShowWhatTheyLeaveAndWhatHoldsTheRest) {
+  const test::SceneModel s = test::scene_model(test::bone_on_ground() + R"([body.tool]
+[joint.hinge]
+type = "revolute"
+parent = "bone"
+child = "tool"
+axis = [0, 0, 1]
+origin = [10, 0, 0]
+[combination.mix]
+terms = { "j.c" = 1, "hinge.angle" = -3 }
+)");
+  StepPlan plan;
+  const QuantityRef mix{{0, 2}, 0};
+  plan.prescribed = {{mix, 0, 1}};
+  PoseRecord r;
+  r.point.report.status = PoseStatus::ok;
+  r.point.target.prescribed = {{mix, 0.1}};
+  r.point.pose.state = reference_state(s.model);
+  r.point.pose.state.coordinates[0][2] = 0.4;
+  r.point.pose.state.coordinates[1][0] = 0.1;
+  r.point.pose.state.multipliers = {7, 0, 0, 1, 2, 3};
+  const ResultTable t = pose_table(s.scene, s.model, {plan}, {r});
+  EXPECT_NEAR(t.number(0, "hinge.angle_deg"), 0.1 / kDegree, 1e-13);
+  EXPECT_NEAR(t.number(0, "mix_deg"), 0.1 / kDegree, 1e-13);
+  EXPECT_EQ(t.number(0, "mix.reaction_Nm"), 7);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_x_N"), 1, 1e-15);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_y_N"), 2, 1e-15);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_z_N"), 3, 1e-15);
+  EXPECT_EQ(t.number(0, "hinge.reaction.moment_x_Nm"), 0);
+  EXPECT_FALSE(t.has_column("hinge._deg"));
+  EXPECT_FALSE(t.has_column("hinge._mm"));
+  EXPECT_FALSE(t.has_column("j.reaction.force_x_N"));
+}
+
 TEST(PoseTable, AFailedPoseHasItsPrescribedCoordinatesAndNothingElse) {
   Bench bench;
   bench.add(1, 0, 1);

@@ -101,5 +101,45 @@ translations = ["u", "v", "w"]
   expect_one_error(text(ten + ", \"pf.v\" = 0"), "step[1].prescribe", "", "M + N = 11 + 1 = 12, at most 11");
 }
 
+TEST(ReadSteps, WhatJointsHoldCounts) {
+  const std::string chain = R"([body.shank]
+[body.foot]
+[joint.hinge]
+type = "revolute"
+parent = "femur"
+child = "shank"
+axis = [0, 0, 1]
+[joint.weld]
+type = "fixed"
+parent = "shank"
+child = "foot"
+)";
+  const auto text = [&](const std::string& coordinates) {
+    return edited(kPrescribe, "@prescribe = { " + coordinates + " }", kGoodScene + chain);
+  };
+  const std::string five = "\"knee.flexion\" = 0, \"knee.x\" = 0, \"knee.y\" = 0, \"knee.z\" = 0, \"hinge.angle\" = 0";
+  good(unmarked(text(five)).text);
+  expect_one_error(text(five + ", \"knee.rotation\" = 0"), "step[1].prescribe", "",
+                   "11 coordinates that joints hold, prescribed coordinates and rigid contact pairs M + N = 17 + 1 = "
+                   "18, at most 17");
+}
+
+TEST(ReadSteps, PrescribedValuesAreIndependent) {
+  const std::string combinations = R"([combination.sum]
+terms = { "knee.flexion" = 1, "knee.rotation" = 2 }
+[combination.difference]
+terms = { knee.flexion = 3, knee.rotation = -6 }
+)";
+  const auto text = [&](const std::string& entries) {
+    return edited(kPrescribe, "prescribe = { " + entries + " }", kGoodScene + combinations);
+  };
+  good(text("sum = 0, difference = 0"));
+  good(text("\"knee.flexion\" = 0, difference = 0"));
+  const std::string rule = "follows from what this step prescribes before it";
+  expect_one_error(text("\"knee.flexion\" = 0, \"knee.rotation\" = 0, @sum = 0"), "step[1].prescribe.sum", "", rule);
+  expect_one_error(text("sum = 0, difference = 0, knee.@flexion = 0"), "step[1].prescribe.knee.flexion", "", rule);
+  expect_one_error(text("sum = 0, @summ = 0"), "step[1].prescribe.summ", "", "did you mean \"sum\"?");
+}
+
 }  // namespace
 }  // namespace genu::scene_test

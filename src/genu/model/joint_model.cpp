@@ -20,6 +20,12 @@ JointModel::Scales choose_scales(const JointModel& model) {
     }
     for (const auto& l : model.loads)
       if (at(l.body) == body && !l.force.isZero()) ends.push_back(l.point);
+    for (const auto& held : model.held) {
+      if (held.coordinate.index != 3) continue;  // once a joint
+      const auto& joint = model.joints[at(held.coordinate.joint)];
+      if (at(joint.parent) == body) ends.emplace_back(joint.reference[3], joint.reference[4], joint.reference[5]);
+      if (at(joint.child) == body) ends.push_back(Vec3::Zero());
+    }
     if (ends.size() < 2) continue;
     Vec3 mean = Vec3::Zero();
     for (const Vec3& p : ends) mean += p / static_cast<double>(ends.size());
@@ -40,11 +46,27 @@ JointModel::Scales choose_scales(const JointModel& model) {
     const double value = std::abs(l.ligament.law.evaluate(stretched).force);
     if (std::isfinite(value)) force = std::max(force, value);
   }
+  for (const auto& spring : model.joint_springs)
+    force = std::max(force, kTypicalStrain * spring.stiffness / scales.length);
   scales.force = force > 0 ? force : 1.0;
   return scales;
 }
 
+void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
+  for (int i = 0; i < 6; ++i)
+    if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
+  if (joint.stiffness > 0) model.joint_springs.push_back({index, joint.stiffness});
+}
+
 }  // namespace
+
+double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
+                      const QuantityRef& quantity) {
+  double value = 0;
+  for_terms(model, quantity,
+            [&](const CoordinateRef& c, double factor) { value += factor * coordinates[at(c.joint)][at(c.index)]; });
+  return value;
+}
 
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates) {
   std::vector<Pose> poses(model.bodies.size());
@@ -70,7 +92,9 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   for (const JointDef& joint : scene.joints) {
     model.joints.push_back({joint.name, joint.parent, joint.child, JointCoordinates(joint), joint.reference});
     reference.push_back(joint.reference);
+    add_constraints_of(joint, static_cast<int>(model.joints.size()) - 1, model);
   }
+  model.combinations = scene.combinations;
   model.reference_poses = poses_from_coordinates(model, reference);
 
   bool good = true;

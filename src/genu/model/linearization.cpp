@@ -50,23 +50,57 @@ void add_loads(const JointModel& model, const State& state, const Target& target
   }
 }
 
-void add_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+JointPoint point_of(const JointModel& model, const State& state, int joint) {
+  const auto& j = model.joints[at(joint)];
+  return j.coordinates.evaluate(state.poses[at(j.parent)], state.poses[at(j.child)], state.coordinates[at(joint)]);
+}
+
+/// Adds `factor` times a coordinate to constraint `row`, and the wrench of its share of the multiplier.
+void add_coordinate(const JointModel& model, const State& state, const JointPoint& point, const CoordinateRef& c,
+                    double factor, Eigen::Index row, Linearization& out) {
+  const auto& joint = model.joints[at(c.joint)];
+  const JointPoint::Gradient gradient = factor * point.gradient(c.index);
+  out.constraint(row) += factor * point.values()[at(c.index)];
+  const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
+  if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) += gradient.head<6>();
+  if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) += gradient.tail<6>();
+  const double multiplier = state.multipliers[static_cast<std::size_t>(row)];
+  const TwoBodyScatter scatter(model, joint.parent, joint.child);
+  scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
+  scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
+}
+
+void add_prescribed(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
-    const auto& prescribed = target.prescribed[m];
-    const auto& joint = model.joints[at(prescribed.coordinate.joint)];
-    const JointPoint point = joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
-                                                        state.coordinates[at(prescribed.coordinate.joint)]);
-    const int i = prescribed.coordinate.index;
     const auto row = static_cast<Eigen::Index>(m);
-    out.constraint(row) = point.values()[at(i)] - prescribed.value;
-    const JointPoint::Gradient gradient = point.gradient(i);
-    const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
-    if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) = gradient.head<6>();
-    if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) = gradient.tail<6>();
-    const double multiplier = state.multipliers[m];
+    for_terms(model, target.prescribed[m].coordinate, [&](const CoordinateRef& c, double factor) {
+      add_coordinate(model, state, point_of(model, state, c.joint), c, factor, row, out);
+    });
+    out.constraint(row) -= target.prescribed[m].value;
+  }
+}
+
+void add_held(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  auto row = static_cast<Eigen::Index>(target.prescribed.size());
+  JointPoint point;
+  int evaluated = -1;
+  for (const auto& held : model.held) {
+    if (held.coordinate.joint != evaluated) point = point_of(model, state, evaluated = held.coordinate.joint);
+    add_coordinate(model, state, point, held.coordinate, 1, row, out);
+    out.constraint(row++) -= held.value;
+  }
+}
+
+void add_joint_springs(const JointModel& model, const State& state, Linearization& out) {
+  for (const auto& spring : model.joint_springs) {
+    const auto& joint = model.joints[at(spring.joint)];
+    const JointPoint point = point_of(model, state, spring.joint);
+    const JointPoint::Gradient gradient = point.gradient(0);
+    const double angle = point.values()[0];
     const TwoBodyScatter scatter(model, joint.parent, joint.child);
-    scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
-    scatter.add_stiffness(multiplier * point.hessian(i), out.stiffness);
+    scatter.add_wrench(-spring.stiffness * angle * gradient.transpose(), out.wrench);
+    scatter.add_stiffness(-spring.stiffness * (gradient.transpose() * gradient + angle * point.hessian(0)),
+                          out.stiffness);
   }
 }
 
@@ -107,7 +141,7 @@ void Correction::resize(int moving_bodies, int constraints, int contacts) {
 
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   const int n = 6 * model.moving_count;
-  const auto m = static_cast<Eigen::Index>(target.prescribed.size());
+  const auto m = static_cast<Eigen::Index>(constraint_count(model, target));
   out.wrench.setZero(n);
   out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);
@@ -116,7 +150,9 @@ void linearize(const JointModel& model, const State& state, const Target& target
   out.contact_bodies.resize(state.contacts.size());
   add_ligaments(model, state, out);
   add_loads(model, state, target, out);
-  add_constraints(model, state, target, out);
+  add_joint_springs(model, state, out);
+  add_prescribed(model, state, target, out);
+  add_held(model, state, target, out);
   add_contacts(model, state, out);
 }
 
@@ -128,6 +164,19 @@ VecX load_wrench(const JointModel& model, const State& state, const std::vector<
     wrench.segment<6>(6 * moving) +=
         evaluate_load(model.loads[i], state.poses[at(model.loads[i].body)], factors[i]).wrench;
   }
+  return wrench;
+}
+
+Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
+  const JointPoint point = point_of(model, state, joint);
+  const std::size_t first = state.multipliers.size() - model.held.size();
+  Vec6 wrench = Vec6::Zero();
+  for (std::size_t i = 0; i < model.held.size(); ++i)
+    if (model.held[i].coordinate.joint == joint)
+      wrench += state.multipliers[first + i] * point.gradient(model.held[i].coordinate.index).tail<6>().transpose();
+  const Mat3 to_parent = state.poses[at(model.joints[at(joint)].parent)].R.transpose();
+  wrench.head<3>() = (to_parent * wrench.head<3>()).eval();
+  wrench.tail<3>() = (to_parent * wrench.tail<3>()).eval();
   return wrench;
 }
 

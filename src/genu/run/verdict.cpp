@@ -19,9 +19,9 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   };
   for (std::size_t i = 0; i < target.prescribed.size(); ++i) {
     const auto& p = target.prescribed[i];
-    const bool angle = p.coordinate.index < 3;
+    const bool angle = p.coordinate.is_rotation();
     add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
-        fmt::format("{} = {:.6g} {}", coordinate_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+        fmt::format("{} = {:.6g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
                     angle ? "deg" : "mm"));
   }
   for (std::size_t i = 0; i < target.load_factors.size(); ++i)

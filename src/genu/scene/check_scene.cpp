@@ -116,10 +116,12 @@ class Columns {
 
 void add_joint(const JointDef& joint, Columns& columns) {
   const std::string object = "joint." + joint.name;
-  for (const auto& rotation : joint.rotations) {
-    columns.add(object, joint.where, joint.name + "." + rotation.name + "_deg");
+  for (int k = 0; k < 6; ++k) {
+    if (!joint.leaves(k)) continue;
+    const auto i = static_cast<std::size_t>(k);
+    columns.add(object, joint.where,
+                joint.name + "." + (k < 3 ? joint.rotations[i].name + "_deg" : joint.translations[i - 3] + "_mm"));
   }
-  for (const std::string& name : joint.translations) columns.add(object, joint.where, joint.name + "." + name + "_mm");
 }
 
 void add_contact(const Scene& scene, const ContactDef& contact, Columns& columns) {
@@ -140,6 +142,11 @@ void check_columns(ReadContext& context) {
   Columns columns(context);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     if (context.joint_understood[j]) add_joint(scene.joints[j], columns);
+  }
+  for (std::size_t k = 0; k < scene.combinations.size(); ++k) {
+    const CombinationDef& c = scene.combinations[k];
+    if (!context.combination_understood[k]) continue;
+    columns.add("combination." + c.name, c.where, c.name + (c.terms[0].coordinate.index < 3 ? "_deg" : "_mm"));
   }
   for (const ContactDef& contact : scene.contacts) add_contact(scene, contact, columns);
   for (const LigamentDef& ligament : scene.ligaments) {

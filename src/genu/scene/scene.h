@@ -24,10 +24,12 @@ struct BodyDef {
   SourceLocation where;
 };
 
-/// A free joint: it names the six coordinates of `child` in `parent` and constrains nothing.
-/// R_parent_child = R1 R2 R3 (successive rotations about the child's own axes); x = child's origin in the parent's
-/// axes.
+/// The six coordinates of `child` in `parent`: R_parent_child = R1 R2 R3 (successive rotations about the child's own
+/// axes); x = child's origin in the parent's axes. A free joint names all six and constrains nothing. A revolute joint
+/// leaves the first rotation, `angle` about its axis, a fixed joint none: they hold the others at `reference`, and
+/// these have no names.
 struct JointDef {
+  enum class Type { free, revolute, fixed };
   struct Rotation {
     std::string name;
     Vec3 axis = Vec3::UnitX();  ///< signed unit axis: "flexion -z" is (0, 0, -1)
@@ -38,7 +40,12 @@ struct JointDef {
   std::array<Rotation, 3> rotations;
   std::array<std::string, 3> translations;
   std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
+  Type type = Type::free;
+  double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
   SourceLocation where;
+
+  /// Whether coordinate i (0..2 rotations, 3..5 translations) may change.
+  bool leaves(int i) const { return type == Type::free || (type == Type::revolute && i == 0); }
 };
 
 struct SurfaceDef {
@@ -123,9 +130,33 @@ struct CoordinateRef {
   bool operator==(const CoordinateRef&) const = default;
 };
 
+/// sum of factor * coordinate, over coordinates of any joints; all are rotations or all are translations.
+struct CombinationDef {
+  struct Term {
+    CoordinateRef coordinate;
+    double factor = 1;
+  };
+  std::string name;
+  std::vector<Term> terms;
+  SourceLocation where;
+};
+
+/// What a step can prescribe: a coordinate, or a combination of some.
+struct QuantityRef {
+  CoordinateRef first;   ///< the coordinate, or the first one of the combination: the quantity has its unit
+  int combination = -1;  ///< index into Scene::combinations, -1 for a coordinate
+
+  QuantityRef() = default;
+  QuantityRef(CoordinateRef coordinate, int combination_index = -1)
+      : first(coordinate), combination(combination_index) {}
+  QuantityRef(int joint, int index) : first{joint, index} {}
+  bool is_rotation() const { return first.index < 3; }
+  bool operator==(const QuantityRef&) const = default;
+};
+
 struct StepDef {
   struct Prescribed {
-    CoordinateRef coordinate;
+    QuantityRef coordinate;
     double from = 0, to = 0;  ///< rad or m
   };
   struct Factor {
@@ -145,6 +176,7 @@ struct Scene {
   double angle_unit = 1;   ///< rad per unit of angle in the file
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;
+  std::vector<CombinationDef> combinations;
   std::vector<SurfaceDef> surfaces;
   std::vector<ContactDef> contacts;
   std::vector<LigamentDef> ligaments;
@@ -154,5 +186,8 @@ struct Scene {
 
 /// "knee.flexion"
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c);
+
+/// "knee.flexion", or the name of a combination
+std::string quantity_name(const Scene& scene, const QuantityRef& q);
 
 }  // namespace genu

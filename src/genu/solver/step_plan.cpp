@@ -24,7 +24,7 @@ Target StepPlan::rate() const {
 double StepPlan::angle_range() const {
   double range = 0;
   for (const Prescribed& p : prescribed)
-    if (p.coordinate.index < 3) range = std::max(range, std::abs(p.to - p.from));
+    if (p.coordinate.is_rotation()) range = std::max(range, std::abs(p.to - p.from));
   return range;
 }
 

@@ -9,7 +9,7 @@ namespace genu {
 
 struct StepPlan {
   struct Prescribed {
-    CoordinateRef coordinate;
+    QuantityRef coordinate;
     double from = 0, to = 0;  ///< rad or m
   };
   struct Factor {
