@@ -13,6 +13,7 @@ namespace genu::cli {
 
 void add_run(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_explain(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
 /// Every error and warning on standard error, then how many there were.

@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
       "genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n"
       "  genu run SCENE --out DIR      solve a scene, write results.csv, curves.svg, ...\n"
       "  genu check SCENE              say everything that is wrong with a scene and its meshes\n"
+      "  genu explain SCENE            say what system a scene asks for, before it is solved\n"
       "  genu mesh SCENE --edge 1      write the analytic surfaces of a scene as STL",
       "genu"};
   app.set_version_flag("--version", GENU_VERSION_TEXT);
@@ -25,6 +26,7 @@ int run(int argc, char** argv) {
   int exit_code = 0;
   genu::cli::add_run(app, exit_code);
   genu::cli::add_check(app, exit_code);
+  genu::cli::add_explain(app, exit_code);
   genu::cli::add_mesh(app, exit_code);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);
