@@ -66,16 +66,36 @@ class Explanation {
            body.name + (body.fixed ? ": fixed, its frame is the world's" : ": moves, 6 unknowns"));
   }
 
-  void joints() {
-    for (const JointDef& joint : scene_.joints) {
-      std::vector<std::string> names;
-      for (const auto& r : joint.rotations) names.push_back(fmt::format("{} about {}", r.name, axis_name(r.axis)));
-      line(&joint == &scene_.joints.front() ? "coordinates" : "",
-           fmt::format("{}: {} in {}, free", joint.name, scene_.bodies[at(joint.child)].name,
-                       scene_.bodies[at(joint.parent)].name));
-      line("", fmt::format("  angles {}; origin {}, {}, {}", joined(names, ", then "), joint.translations[0],
-                           joint.translations[1], joint.translations[2]));
+  static std::string coordinates(const JointDef& joint) {
+    if (joint.type == JointDef::Type::fixed) return "none, holds 6";
+    if (joint.type == JointDef::Type::revolute) {
+      const Vec3& axis = joint.rotations[0].axis;
+      return fmt::format("angle about ({:.4g}, {:.4g}, {:.4g}){}; holds the other 5", axis[0], axis[1], axis[2],
+                         joint.stiffness > 0 ? ", with a spring" : "");
     }
+    std::vector<std::string> names;
+    for (const auto& r : joint.rotations) names.push_back(fmt::format("{} about {}", r.name, axis_name(r.axis)));
+    return fmt::format("angles {}; origin {}, {}, {}", joined(names, ", then "), joint.translations[0],
+                       joint.translations[1], joint.translations[2]);
+  }
+
+  std::string terms(const CombinationDef& combination) const {
+    std::vector<std::string> parts;
+    for (const auto& t : combination.terms)
+      parts.push_back(fmt::format("{:g} {}", t.factor, coordinate_name(scene_, t.coordinate)));
+    return joined(parts, " + ");
+  }
+
+  void joints() {
+    constexpr const char* kTypes[] = {"free", "revolute", "fixed"};
+    for (const JointDef& joint : scene_.joints) {
+      line(&joint == &scene_.joints.front() ? "coordinates" : "",
+           fmt::format("{}: {} in {}, {}", joint.name, scene_.bodies[at(joint.child)].name,
+                       scene_.bodies[at(joint.parent)].name, kTypes[static_cast<int>(joint.type)]));
+      line("", "  " + coordinates(joint));
+    }
+    for (const CombinationDef& combination : scene_.combinations)
+      line("", combination.name + " = " + terms(combination));
   }
 
   void effect(const std::string& name, std::size_t count, const std::string& brings) {
@@ -108,10 +128,10 @@ class Explanation {
   }
 
   std::string value(const StepDef::Prescribed& p) const {
-    const bool angle = p.coordinate.index < 3;
+    const bool angle = p.coordinate.is_rotation();
     const double unit = angle ? 180 / M_PI : 1e3;
     const char* word = angle ? "deg" : "mm";
-    const std::string name = coordinate_name(scene_, p.coordinate);
+    const std::string name = quantity_name(scene_, p.coordinate);
     if (p.from == p.to) return fmt::format("{} held at {:.6g} {}", name, unit * p.to, word);
     return fmt::format("{} from {:.6g} to {:.6g} {}", name, unit * p.from, unit * p.to, word);
   }
@@ -142,11 +162,19 @@ class Explanation {
       row(6, fmt::format("twist of {}", body.name), 6, "its equilibrium: 3 forces, 3 moments");
     }
     for (const auto& p : s.prescribe) {
-      const std::string name = coordinate_name(scene_, p.coordinate);
-      row(1, fmt::format("reaction of {} ({})", name, p.coordinate.index < 3 ? "moment" : "force"), 1,
+      const std::string name = quantity_name(scene_, p.coordinate);
+      row(1, fmt::format("reaction of {} ({})", name, p.coordinate.is_rotation() ? "moment" : "force"), 1,
           name + " = its value");
     }
-    const std::size_t constraints = s.prescribe.size(), square = 6 * moving + constraints;
+    std::size_t constraints = s.prescribe.size();
+    for (const JointDef& joint : scene_.joints) {
+      if (joint.type == JointDef::Type::free) continue;
+      const std::size_t held = joint.type == JointDef::Type::fixed ? 6 : 5;
+      constraints += held;
+      row(held, fmt::format("reaction of {} (3 forces, {} moments)", joint.name, held - 3), held,
+          "what the joint holds = its value");
+    }
+    const std::size_t square = 6 * moving + constraints;
     if (scene_.contacts.empty()) {
       out_ += fmt::format("    {:>4}  in all\n", square);
       return;
