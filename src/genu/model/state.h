@@ -23,7 +23,7 @@ struct State {
   std::vector<ActiveContact> contacts;
 };
 
-/// What is asked of a pose: prescribed coordinates and load factors at one point of the path.
+/// What is asked of a pose: prescribed coordinates, load factors and time at one point of the path.
 struct Target {
   struct Prescribed {
     CoordinateRef coordinate;
@@ -31,6 +31,7 @@ struct Target {
   };
   std::vector<Prescribed> prescribed;
   std::vector<double> load_factors;  ///< one for each load
+  double time = 0;                   ///< s: only loads scaled over time see it
 };
 
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.

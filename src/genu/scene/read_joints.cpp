@@ -157,7 +157,7 @@ void read_joints(ReadContext& context, Section& root) {
 }
 
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name) {
+                                             const std::string& name, const std::string& found) {
   const Scene& scene = context.scene;
   std::vector<std::string> known;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
@@ -171,7 +171,7 @@ std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocatio
       if (known.back() == name) return c;
     }
   }
-  context.error(where, path, {}, unknown_name_rule("coordinate", name, known));
+  context.error(where, path, found, unknown_name_rule("coordinate", name, known));
   return {};
 }
 

@@ -6,7 +6,7 @@
 namespace genu {
 
 void read_header(ReadContext& context, Section& root);  ///< format, title, units
-void read_bodies(ReadContext& context, Section& root);
+void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
@@ -24,10 +24,13 @@ Pose read_placement(ReadContext& context, Section& section);
 /// "z < 0", "z >= 0 and x < 5" with lengths in the file's unit.
 std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item);
 
-/// The coordinate "JOINT.NAME"; where it does not exist an error is reported at `where` with `path`, unless the joint
-/// itself was not understood.
+/// `scale` of a load.
+std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item);
+
+/// The coordinate "JOINT.NAME"; where it does not exist an error is reported at `where` with `path` and `found`, unless
+/// the joint itself was not understood.
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name);
+                                             const std::string& name, const std::string& found = {});
 
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
 std::vector<Pose> reference_poses(const Scene& scene);
