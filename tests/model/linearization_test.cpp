@@ -101,9 +101,10 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
   return state;
 }
 
-void expect_exact(const std::string& text) {
+void expect_exact(const std::string& text, double time = 0) {
   const test::SceneModel s = test::scene_model(text);
-  const Target target = test::target_of(s.scene, 0.4);
+  Target target = test::target_of(s.scene, 0.4);
+  target.time = time;
   std::mt19937 random(17);
   for (int repeat = 0; repeat < 4; ++repeat) {
     const State state = shaken(s.model, target, random);
@@ -225,6 +226,22 @@ prescribe = { coupled = [10, 60], "rod.a" = 4, apart = 3 }
 
 TEST(Linearization, IsExactWithJointsAndCombinations) { expect_exact(std::string(kChain) + kLoads); }
 
+TEST(Linearization, IsExactWithLoadsOnAndOverHinges) {
+  std::string text = kChain;
+  text.insert(text.find("[body.ground]"), "gravity = [1, 3, -9.81]\n");
+  text.replace(text.find("[body.plate]"), 12, "[body.plate]\nmass = 4\ncentre_of_mass = [4, 5, 90]");
+  expect_exact(text + R"([load.muscle]
+on = "hinge.angle"
+value = 3
+scale = { over = "rod.b", table = [[-90, 1], [90, 3]] }
+[load.follow]
+body = "rod"
+force = [-7, 30, -60]
+frame = "body"
+scale = { over = "hinge.angle", table = [[-90, 1], [90, 3]] }
+)");
+}
+
 TEST(Linearization, ConstraintsAreSatisfiedAtTheReference) {
   const test::SceneModel s = test::scene_model(kChain);
   State state = reference_state(s.model);
@@ -259,17 +276,94 @@ TEST(Linearization, InternalForcesDoNoNetWork) {
   EXPECT_NEAR(at.constraint[0], there.constraint[0], 1e-14);
 }
 
-TEST(Linearization, LoadWrenchIsWhatLoadsAdd) {
-  const test::SceneModel s = test::scene_model(test::knee(kLoads));
-  Target with = test::target_of(s.scene), without = with;
-  with.load_factors = {0.7, -1.3};
-  without.load_factors = {0, 0};
+/// Loads of every kind with every scale; the follower's size depends on a coordinate that it does not drive.
+const char* const kScaledLoads = R"(
+[load.drop]
+body = "bone"
+force = [5, -60, -40]
+moment = [0.1, 0.2, -0.3]
+point = [3, 4, 5]
+frame = "body"
+scale = { over = "knee.rotation", table = [[-20, 0.5], [0, 1], [20, 3]] }
+[load.pull]
+body = "bone"
+point = [3, -4, 30]
+toward = { body = "ground", point = [10, 50, 60] }
+magnitude = 80
+scale = { over = "knee.y", table = [[-5, 1], [2, 2], [8, 0.5]] }
+[load.turn]
+on = "knee.adduction"
+value = 1.5
+scale = { over = "time", table = [[0, 0], [1, 2], [3, 1]] }
+[load.swing]
+on = "knee.x"
+value = -20
+scale = { sine = { amplitude = 2, frequency = 0.4, start = 0.1 } }
+)";
+
+/// The knee of these loads, heavy.
+std::string heavy_knee() {
+  std::string text = test::knee(kScaledLoads);
+  text.replace(text.find("[body.ground]"), 0, "gravity = [0, 3, -9.81]\n");
+  text.replace(text.find("[body.bone]"), 11, "[body.bone]\nmass = 2.5\ncentre_of_mass = [4, 5, 90]");
+  return text;
+}
+
+TEST(Linearization, IsExactWithLoadsOfEveryKind) {
+  expect_exact(heavy_knee() + "[[step]]\nprescribe = { \"knee.flexion\" = [10, 60] }\nload = { pull = -1.5 }\n", 0.6);
+}
+
+TEST(Linearization, IsExactWithLoadsBetweenMovingBodies) {
+  expect_exact(heavy_knee() + R"(
+[body.patella]
+mass = 0.1
+[joint.pf]
+type = "free"
+parent = "bone"
+child = "patella"
+rotations = ["tilt y", "spin x", "turn -z"]
+translations = ["s", "t", "u"]
+reference = { s = 2, t = 38, tilt = 5, turn = 8 }
+[load.tendon]
+body = "patella"
+point = [1, 2, -14]
+toward = { body = "bone", point = [0, 20, -50] }
+magnitude = 300
+scale = { over = "knee.adduction", table = [[-30, 1], [30, 2]] }
+[load.muscle]
+on = "pf.turn"
+scale = { over = "pf.s", table = [[-30, 1], [2, 5], [30, 2]] }
+[load.lift]
+on = "pf.u"
+value = 40
+[[step]]
+prescribe = { "pf.tilt" = 3, "knee.flexion" = 20 }
+)",
+               1.3);
+}
+
+TEST(Linearization, LoadRateIsTheWrenchsDerivativeAlongAStep) {
+  const test::SceneModel s = test::scene_model(heavy_knee() + test::step("load = { drop = [0.2, 2], turn = [1, -3] }"));
   const State state = reference_state(s.model);
-  Linearization a, b;
-  linearize(s.model, state, with, a);
-  linearize(s.model, state, without, b);
-  EXPECT_LT((a.wrench - b.wrench - load_wrench(s.model, state, with.load_factors)).norm(), 1e-11);
-  EXPECT_GT((a.wrench - b.wrench).norm(), 50);
+  constexpr double kStart = 0.3, kDuration = 1.7;
+  const auto target = [&](double t) {
+    Target out = test::target_of(s.scene, t);
+    out.time = kStart + kDuration * t;
+    return out;
+  };
+  Target rate = target(0);
+  rate.load_factors = {1.8, 0, -4, 0};
+  rate.time = kDuration;
+  const VecX fd = test::derivative(
+      [&](double h) {
+        Linearization at;
+        linearize(s.model, state, target(0.37 + h), at);
+        return VecX(at.wrench);
+      },
+      1e-3);
+  const VecX exact = load_rate(s.model, state, target(0.37), rate);
+  EXPECT_LT((exact - fd).cwiseAbs().maxCoeff(), 1e-8) << exact.transpose() << "\n" << fd.transpose();
+  EXPECT_GT(exact.norm(), 100);
 }
 
 }  // namespace

@@ -92,5 +92,22 @@ TEST(ReadHeldJoint, WhatIsHeldCannotBePrescribed) {
   refused(kWeld, "weld.angle", "joint.weld is fixed: it holds all its coordinates");
 }
 
+TEST(ReadHeldJoint, LoadsMayUseTheAngleAndNothingThatIsHeld) {
+  const auto on = [](const std::string& name) { return "[load.turn]\non = " + name + "\n"; };
+  const auto over = [](const std::string& name) {
+    return "[load.turn]\non = \"knee.x\"\nscale = { over = " + name + ", table = [[0, 1], [90, 2]] }\n";
+  };
+  const Scene scene = good(kGoodScene + kHinge + on("\"hinge.angle\"")),
+              scaled = good(kGoodScene + kHinge + over("\"hinge.angle\""));
+  EXPECT_EQ(scene.loads.at(1).coordinate, (CoordinateRef{1, 0}));
+  EXPECT_EQ(scaled.loads.at(1).scale.value_or(ScaleDef{}).coordinate, (CoordinateRef{1, 0}));
+  const std::string revolute = "joint.hinge is revolute: it holds all coordinates but \"hinge.angle\"";
+  expect_one_error(kGoodScene + kHinge + on("@\"hinge.x\""), "load.turn.on", "\"hinge.x\"", revolute);
+  expect_one_error(kGoodScene + kHinge + over("@\"hinge.x\""), "load.turn.scale.over", "\"hinge.x\"", revolute);
+  const std::string fixed = "joint.weld is fixed: it holds all its coordinates";
+  expect_one_error(kGoodScene + kWeld + on("@\"weld.angle\""), "load.turn.on", "\"weld.angle\"", fixed);
+  expect_one_error(kGoodScene + kWeld + over("@\"weld.angle\""), "load.turn.scale.over", "\"weld.angle\"", fixed);
+}
+
 }  // namespace
 }  // namespace genu::scene_test

@@ -66,6 +66,14 @@ TEST(ReadSteps, Increments) {
   expect_refused("increments = 70", "@increment = 70", "step[1].increment", "70", "did you mean \"increments\"?");
 }
 
+TEST(ReadSteps, Duration) {
+  EXPECT_EQ(good(kGoodScene).steps.at(0).duration, 1) << "s";
+  EXPECT_EQ(good(edited("increments = 70", "duration = 0.25")).steps.at(0).duration, 0.25);
+  for (const std::string bad : {"0", "-1"})
+    expect_refused("increments = 70", "duration = @" + bad, "step[1].duration", bad, "must be > 0 s");
+  expect_refused("increments = 70", "duration = @\"1 s\"", "step[1].duration", "\"1 s\"", "must be a number, in s");
+}
+
 TEST(ReadSteps, Form) {
   const std::string head = kGoodScene.substr(0, kGoodScene.find("[[step]]"));
   expect_one_error(head + "@[step]\nincrements = 3\n", "step", "a table", "steps are written [[step]]");

@@ -9,6 +9,7 @@
 #include "genu/geometry/surface.h"
 #include "genu/model/joint_coordinates.h"
 #include "genu/model/ligament.h"
+#include "genu/model/load.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -49,7 +50,8 @@ struct JointModel {
   struct Scales {
     double length = 0.01;  ///< m: root mean square distance of what pulls at a body (ligaments, joints) from its mean
     double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
-    double force = 1;  ///< N: the largest load, or what 1 % of strain (0.01 rad) costs in the stiffest ligament (joint)
+    /// N: the largest load or weight, or what 1 % of strain (0.01 rad) costs in the stiffest ligament (joint)
+    double force = 1;
   };
 
   std::vector<Body> bodies;
@@ -59,7 +61,8 @@ struct JointModel {
   std::vector<JointSpring> joint_springs;
   std::vector<CombinationDef> combinations;
   std::vector<LigamentBetween> ligaments;
-  std::vector<LoadDef> loads;
+  std::vector<Load> loads;
+  std::vector<Load> weights;  ///< of the moving bodies that have a mass, in a scene with gravity; no step scales them
   std::vector<Pair> pairs;
   std::vector<Pose> reference_poses;  ///< of every body in the world
   Scales scales;

@@ -1,7 +1,5 @@
 #include "genu/model/linearization.h"
 
-#include "genu/model/load.h"
-
 namespace genu {
 namespace {
 
@@ -11,20 +9,24 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class TwoBodyScatter {
  public:
   TwoBodyScatter(const JointModel& model, int body_a, int body_b)
-      : index_{model.bodies[at(body_a)].moving, model.bodies[at(body_b)].moving} {}
+      : index_{moving(model, body_a), moving(model, body_b)} {}
 
   void add_wrench(const Vec12& wrench, VecX& out) const {
     for (int i = 0; i < 2; ++i)
       if (index_[i] >= 0) out.segment<6>(6 * index_[i]) += wrench.segment<6>(6 * i);
   }
-  void add_stiffness(const Mat12& stiffness, MatX& out) const {
+  void add_stiffness(const Mat12& stiffness, MatX& out) const { add_stiffness(stiffness, *this, out); }
+  /// The same where the wrench depends on the twists of two other bodies.
+  void add_stiffness(const Mat12& stiffness, const TwoBodyScatter& twists, MatX& out) const {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        if (index_[i] >= 0 && index_[j] >= 0)
-          out.block<6, 6>(6 * index_[i], 6 * index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
+        if (index_[i] >= 0 && twists.index_[j] >= 0)
+          out.block<6, 6>(6 * index_[i], 6 * twists.index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
   }
 
  private:
+  static int moving(const JointModel& model, int body) { return body < 0 ? -1 : model.bodies[at(body)].moving; }
+
   int index_[2];
 };
 
@@ -40,19 +42,38 @@ void add_ligaments(const JointModel& model, const State& state, Linearization& o
   }
 }
 
-void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const int moving = model.bodies[at(model.loads[i].body)].moving;
-    if (moving < 0 || target.load_factors[i] == 0) continue;
-    const BodyWrench load = evaluate_load(model.loads[i], state.poses[at(model.loads[i].body)], target.load_factors[i]);
-    out.wrench.segment<6>(6 * moving) += load.wrench;
-    out.stiffness.block<6, 6>(6 * moving, 6 * moving) += load.stiffness;
-  }
+JointPoint joint_point(const JointModel& model, const State& state, int index) {
+  const auto& joint = model.joints[at(index)];
+  return joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
+                                    state.coordinates[at(index)]);
 }
 
-JointPoint point_of(const JointModel& model, const State& state, int joint) {
-  const auto& j = model.joints[at(joint)];
-  return j.coordinates.evaluate(state.poses[at(j.parent)], state.poses[at(j.child)], state.coordinates[at(joint)]);
+/// A load at the factor 1.
+LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load) {
+  if (load.kind == Load::Kind::coordinate) return load.on_coordinate(joint_point(model, state, load.coordinate.joint));
+  return load.between(state.poses[at(load.body_a)], load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
+}
+
+void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
+              Linearization& out) {
+  const LoadWrench unit = load_wrench(model, state, load);
+  const LoadScale::Value scale = load_scale(load, state, time);
+  const TwoBodyScatter scatter(model, load.body_a, load.body_b);
+  scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
+  scatter.add_stiffness(factor * scale.factor * unit.stiffness, out.stiffness);
+  if (scale.slope == 0 || !load.scale || !load.scale->coordinate()) return;
+  // The pose changes the factor too: wrench times d factor / d q times grad q.
+  const CoordinateRef& q = *load.scale->coordinate();
+  const JointPoint::Gradient gradient = joint_point(model, state, q.joint).gradient(q.index);
+  const auto& joint = model.joints[at(q.joint)];
+  scatter.add_stiffness(factor * scale.slope * unit.wrench * gradient, TwoBodyScatter(model, joint.parent, joint.child),
+                        out.stiffness);
+}
+
+void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    if (target.load_factors[i] != 0) add_load(model, state, model.loads[i], target.load_factors[i], target.time, out);
+  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
 }
 
 /// Adds `factor` times a coordinate to constraint `row`, and the wrench of its share of the multiplier.
@@ -74,7 +95,7 @@ void add_prescribed(const JointModel& model, const State& state, const Target& t
   for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
     for_terms(model, target.prescribed[m].coordinate, [&](const CoordinateRef& c, double factor) {
-      add_coordinate(model, state, point_of(model, state, c.joint), c, factor, row, out);
+      add_coordinate(model, state, joint_point(model, state, c.joint), c, factor, row, out);
     });
     out.constraint(row) -= target.prescribed[m].value;
   }
@@ -85,7 +106,7 @@ void add_held(const JointModel& model, const State& state, const Target& target,
   JointPoint point;
   int evaluated = -1;
   for (const auto& held : model.held) {
-    if (held.coordinate.joint != evaluated) point = point_of(model, state, evaluated = held.coordinate.joint);
+    if (held.coordinate.joint != evaluated) point = joint_point(model, state, evaluated = held.coordinate.joint);
     add_coordinate(model, state, point, held.coordinate, 1, row, out);
     out.constraint(row++) -= held.value;
   }
@@ -94,7 +115,7 @@ void add_held(const JointModel& model, const State& state, const Target& target,
 void add_joint_springs(const JointModel& model, const State& state, Linearization& out) {
   for (const auto& spring : model.joint_springs) {
     const auto& joint = model.joints[at(spring.joint)];
-    const JointPoint point = point_of(model, state, spring.joint);
+    const JointPoint point = joint_point(model, state, spring.joint);
     const JointPoint::Gradient gradient = point.gradient(0);
     const double angle = point.values()[0];
     const TwoBodyScatter scatter(model, joint.parent, joint.child);
@@ -156,19 +177,27 @@ void linearize(const JointModel& model, const State& state, const Target& target
   add_contacts(model, state, out);
 }
 
-VecX load_wrench(const JointModel& model, const State& state, const std::vector<double>& factors) {
+LoadScale::Value load_scale(const Load& load, const State& state, double time) {
+  if (!load.scale) return {};
+  const auto& q = load.scale->coordinate();
+  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : time);
+}
+
+VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate) {
   VecX wrench = VecX::Zero(6 * model.moving_count);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const int moving = model.bodies[at(model.loads[i].body)].moving;
-    if (moving < 0 || factors[i] == 0) continue;
-    wrench.segment<6>(6 * moving) +=
-        evaluate_load(model.loads[i], state.poses[at(model.loads[i].body)], factors[i]).wrench;
+    const Load& load = model.loads[i];
+    const LoadScale::Value scale = load_scale(load, state, target.time);
+    double speed = rate.load_factors[i] * scale.factor;
+    if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
+    if (speed == 0) continue;
+    TwoBodyScatter(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
   }
   return wrench;
 }
 
 Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
-  const JointPoint point = point_of(model, state, joint);
+  const JointPoint point = joint_point(model, state, joint);
   const std::size_t first = state.multipliers.size() - model.held.size();
   Vec6 wrench = Vec6::Zero();
   for (std::size_t i = 0; i < model.held.size(); ++i)

@@ -37,8 +37,12 @@ struct Correction {
 /// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
-/// Wrench on each moving body (6B) of the loads alone, times `factors`.
-VecX load_wrench(const JointModel& model, const State& state, const std::vector<double>& factors);
+/// What a load's scale is at a state and a time (s); 1 for a load without a scale.
+LoadScale::Value load_scale(const Load& load, const State& state, double time);
+
+/// How fast the wrench on each moving body (6B) changes with the path's parameter while the bodies stand still: by the
+/// factors of the steps and by scales over time. `rate` is the derivative of `target`.
+VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate);
 
 /// What a revolute or fixed joint exerts on its child to hold its coordinates: [force, moment about the child's origin]
 /// in the parent's axes (N, N m). The multipliers must be those of a solved state. The moment along a revolute axis

@@ -24,7 +24,8 @@ struct State {
   std::vector<ActiveContact> contacts;
 };
 
-/// What is asked of a pose: prescribed coordinates (or combinations of some) and load factors at one point of the path.
+/// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the
+/// path.
 struct Target {
   struct Prescribed {
     QuantityRef coordinate;
@@ -32,6 +33,7 @@ struct Target {
   };
   std::vector<Prescribed> prescribed;
   std::vector<double> load_factors;  ///< one for each load
+  double time = 0;                   ///< s: only loads scaled over time see it
 };
 
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.

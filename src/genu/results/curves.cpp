@@ -66,6 +66,13 @@ class Curves {
       chart_.x_title = fmt::format("{} [{}]", quantity_name(scene_, c), unit(c));
       return;
     }
+    const auto in_time = [](const LoadDef& l) { return l.in_time(); };
+    if (std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time)) {
+      over_time_ = true;
+      chart_.x = column(poses_, "time_s");
+      chart_.x_title = "time [s]";
+      return;
+    }
     chart_.x_title = "row of results.csv";
     chart_.x.resize(poses_.rows());
     for (std::size_t k = 0; k < chart_.x.size(); ++k) chart_.x[k] = static_cast<double>(k + 1);
@@ -149,6 +156,7 @@ class Curves {
         if (p.coordinate == *x_) return shown(p.coordinate, p.value);
       return std::numeric_limits<double>::quiet_NaN();
     }
+    if (over_time_) return event.target.time;
     double row = 1;  // the first row is the start of step 1
     for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k)
       row += steps_[k].increments;
@@ -157,6 +165,7 @@ class Curves {
   }
 
   std::string text(double x) const {
+    if (over_time_) return fmt::format("{:.4g} s", x);
     return x_ ? fmt::format("{:.4g} {}", x, unit(*x_)) : fmt::format("row {:.4g}", x);
   }
 
@@ -188,6 +197,7 @@ class Curves {
   const ResultTable& poses_;
   std::vector<QuantityRef> prescribed_;
   std::optional<QuantityRef> x_;
+  bool over_time_ = false;
   std::optional<double> window_from_;
   Chart chart_;
 };

@@ -79,6 +79,8 @@ class PoseTable {
     }
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.add_column(l.name + ".scale");
     for (const char* name : {"stability.min_eigenvalue_Nmm", "stability", "newton.iterations", "residual"})
       table_.add_column(name);
   }
@@ -106,6 +108,7 @@ class PoseTable {
     table_.add_row();
     table_.set("step", static_cast<long>(point.step));
     table_.set("increment", static_cast<long>(point.increment));
+    table_.set("time_s", point.target.time);
     table_.set("status", std::string(to_string(point.report.status)));
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
@@ -115,6 +118,8 @@ class PoseTable {
     set_coordinates(point);
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
     set_ligaments(point);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
     const Stability& stability = point.stability;
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
@@ -235,7 +240,7 @@ ResultTable pose_table(const Scene& scene, const JointModel& model, const std::v
 
 ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
   ResultTable table;
-  for (const char* name : {"step", "t", "event", "what"}) table.add_column(name);
+  for (const char* name : {"step", "t", "time_s", "event", "what"}) table.add_column(name);
   for (const StepPlan& step : steps)
     for (const auto& p : step.prescribed) table.add_column(coordinate_column(scene, p.coordinate));
   for (const LoadDef& load : scene.loads) table.add_column(load.name + ".factor");
@@ -243,6 +248,7 @@ ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, 
     table.add_row();
     table.set("step", static_cast<long>(event.step));
     table.set("t", event.t);
+    table.set("time_s", event.target.time);
     table.set("event", std::string(to_string(event.kind)));
     table.set("what", event.what);
     for (const auto& p : event.target.prescribed)

@@ -44,6 +44,34 @@ const char* law_name(LigamentDef::Law law) {
   return "";
 }
 
+/// What a load is, and what that means for the tangent.
+std::string kind_name(const Scene& scene, const LoadDef& load) {
+  switch (load.kind) {
+    case LoadDef::Kind::toward:
+      return fmt::format("toward a point of {}, {:g} N", scene.bodies[at(load.toward_body)].name, load.value);
+    case LoadDef::Kind::coordinate:
+      return fmt::format("on {}, {:g} {}", coordinate_name(scene, load.coordinate), load.value,
+                         load.coordinate.index < 3 ? "N m" : "N");
+    case LoadDef::Kind::wrench:
+      break;
+  }
+  const std::string body = scene.bodies[at(load.body)].name;
+  return load.frame == LoadDef::Frame::body ? "follows " + body + ": unsymmetric tangent" : "dead, on " + body;
+}
+
+std::string scale_name(const Scene& scene, const LoadDef& load) {
+  if (!load.scale) return {};
+  switch (load.scale->kind) {
+    case ScaleDef::Kind::over_coordinate:
+      return "; scaled over " + coordinate_name(scene, load.scale->coordinate);
+    case ScaleDef::Kind::over_time:
+      return "; scaled over time";
+    case ScaleDef::Kind::sine:
+      return fmt::format("; a sine of {:g} Hz in time", load.scale->frequency);
+  }
+  return {};
+}
+
 class Explanation {
  public:
   explicit Explanation(const Scene& scene) : scene_(scene) {}
@@ -120,10 +148,14 @@ class Explanation {
     }
     std::vector<std::string> loads;
     for (const LoadDef& l : scene_.loads)
-      loads.push_back(l.name + (l.frame == LoadDef::Frame::body ? " (follows its body: unsymmetric tangent)" : ""));
+      loads.push_back(fmt::format("{} ({}{})", l.name, kind_name(scene_, l), scale_name(scene_, l)));
+    std::vector<std::string> heavy;
+    for (const BodyDef& b : scene_.bodies)
+      if (scene_.gravity && b.mass > 0) heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
+    effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
     if (!off_.empty()) line("off", joined(off_) + ": not named by the scene, costs nothing");
   }
 
@@ -140,6 +172,15 @@ class Explanation {
     out_ += fmt::format("    {:>4}  {:<44}{:>4}  {}\n", unknowns, what, equations, balance);
   }
 
+  /// "time 0 to 2 s", where the file asks for a duration or a load changes in time.
+  std::string time_of(std::size_t i) const {
+    double start = 0;
+    for (std::size_t k = 0; k < i; ++k) start += scene_.steps[k].duration;
+    const auto in_time = [](const LoadDef& l) { return l.in_time(); };
+    const bool tells = scene_.steps[i].duration != 1 || std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time);
+    return tells ? fmt::format(", time {:g} to {:g} s", start, start + scene_.steps[i].duration) : std::string();
+  }
+
   void step(std::size_t i) {
     const StepDef& s = scene_.steps[i];
     std::vector<std::string> changes;
@@ -148,7 +189,7 @@ class Explanation {
       changes.push_back(f.from == f.to
                             ? fmt::format("load {} x {:g}", scene_.loads[at(f.load)].name, f.to)
                             : fmt::format("load {} x {:g} to {:g}", scene_.loads[at(f.load)].name, f.from, f.to));
-    out_ += fmt::format("\nstep {}: {}; {}\n", i + 1, plural(at(s.increments), "increment"),
+    out_ += fmt::format("\nstep {}: {}{}; {}\n", i + 1, plural(at(s.increments), "increment"), time_of(i),
                         changes.empty() ? "free equilibrium" : joined(changes));
     system(s);
   }

@@ -62,6 +62,8 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
+  if (!p.model.weights.empty())
+    summary.effects.push_back({"weights", static_cast<int>(p.model.weights.size()), "no unknowns"});
 }
 
 void note_pose(const PosePoint& point, RunSummary& s) {

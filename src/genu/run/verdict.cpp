@@ -27,6 +27,11 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   for (std::size_t i = 0; i < target.load_factors.size(); ++i)
     if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
       add(true, fmt::format("load {} x {:.9g}", scene.loads[i].name, target.load_factors[i]));
+  for (const LoadDef& load : scene.loads)
+    if (plan != nullptr && load.in_time()) {
+      add(true, fmt::format("time = {:.6g} s", target.time));
+      break;
+    }
   const std::string& text = varying.empty() ? held : varying;
   return (plan == nullptr ? "the way to a step's start, " : "") + (text.empty() ? "the start" : text);
 }
@@ -92,8 +97,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
       out.push_back(
-          fmt::format("From {} on the loads that follow the body can drive an oscillation (flutter): whether it "
-                      "grows depends on mass and damping, which a quasi-static run does not know.",
+          fmt::format("From {} on the loads that have no potential (they follow a body, or their size depends on a "
+                      "coordinate) can drive an oscillation (flutter): whether it grows depends on mass and damping, "
+                      "which a quasi-static run does not know.",
                       place(prepared, e.step, e.target)));
     if (e.kind == PathEvent::Kind::stability_changed)
       out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)));

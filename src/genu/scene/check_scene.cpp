@@ -66,7 +66,7 @@ Pose reference_pose(const JointDef& joint) {
   return pose;
 }
 
-constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real ligament far above
+constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real distance far above
 
 /// What is wrong with a ligament of this length (m) at the reference pose; empty if nothing is.
 std::string length_rule_broken(const LigamentDef& ligament, double length) {
@@ -92,6 +92,20 @@ void check_lengths(ReadContext& context) {
     const Vec3 to = poses[static_cast<std::size_t>(ligament.to.body)] * ligament.to.point;
     std::string broken = length_rule_broken(ligament, (to - from).norm());
     if (!broken.empty()) context.error(ligament.where, "ligament." + ligament.name, {}, std::move(broken));
+  }
+}
+
+/// A force toward a point needs a direction to begin with.
+void check_directions(ReadContext& context) {
+  const Scene& scene = context.scene;
+  const std::vector<Pose> poses = reference_poses(scene);
+  for (const LoadDef& load : scene.loads) {
+    if (load.kind != LoadDef::Kind::toward || load.body < 0 || load.toward_body < 0) continue;
+    const Vec3 from = poses[static_cast<std::size_t>(load.body)] * load.point;
+    const Vec3 to = poses[static_cast<std::size_t>(load.toward_body)] * load.toward_point;
+    if ((to - from).norm() > kCoincident) continue;
+    context.error(load.where, "load." + load.name, {},
+                  "its two points coincide at the reference pose: the force has no direction");
   }
 }
 
@@ -174,7 +188,9 @@ std::vector<Pose> reference_poses(const Scene& scene) {
 
 void check_scene(ReadContext& context) {
   check_columns(context);
-  if (check_tree(context)) check_lengths(context);
+  if (!check_tree(context)) return;
+  check_lengths(context);
+  check_directions(context);
 }
 
 }  // namespace genu

@@ -55,7 +55,7 @@ std::optional<QuantityRef> find_quantity(ReadContext& context, SourceLocation wh
   const auto& all = context.scene.combinations;
   const auto found = std::find_if(all.begin(), all.end(), [&](const CombinationDef& c) { return c.name == name; });
   if (found == all.end()) {
-    const auto coordinate = find_coordinate(context, where, path, name, names_of(all));
+    const auto coordinate = find_coordinate(context, where, path, name, {}, names_of(all));
     return coordinate ? std::optional<QuantityRef>(*coordinate) : std::nullopt;
   }
   const auto k = static_cast<std::size_t>(found - all.begin());

@@ -168,7 +168,8 @@ void read_joints(ReadContext& context, Section& root) {
 }
 
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name, const std::vector<std::string>& also_known) {
+                                             const std::string& name, const std::string& found,
+                                             const std::vector<std::string>& also_known) {
   const Scene& scene = context.scene;
   std::vector<std::string> known;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
@@ -186,11 +187,16 @@ std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocatio
   for (const JointDef& joint : scene.joints) {
     const std::string rule = name.rfind(joint.name + ".", 0) == 0 ? held_rule(joint) : std::string();
     if (rule.empty()) continue;
-    context.error(where, path, {}, rule);
+    context.error(where, path, found, rule);
+    return {};
+  }
+  for (const CombinationDef& combination : scene.combinations) {
+    if (combination.name != name) continue;
+    context.error(where, path, found, "is a combination: only a single coordinate can stand here");
     return {};
   }
   known.insert(known.end(), also_known.begin(), also_known.end());
-  context.error(where, path, {}, unknown_name_rule("coordinate", name, known));
+  context.error(where, path, found, unknown_name_rule("coordinate", name, known));
   return {};
 }
 

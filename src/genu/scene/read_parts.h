@@ -6,7 +6,7 @@
 namespace genu {
 
 void read_header(ReadContext& context, Section& root);  ///< format, title, units
-void read_bodies(ReadContext& context, Section& root);
+void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);
 void read_combinations(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
@@ -25,10 +25,15 @@ Pose read_placement(ReadContext& context, Section& section);
 /// "z < 0", "z >= 0 and x < 5" with lengths in the file's unit.
 std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item);
 
-/// The coordinate "JOINT.NAME"; where it does not exist an error is reported at `where` with `path`, unless the joint
-/// itself was not understood. `also_known` are other names that could stand there, for the message.
+/// `scale` of a load.
+std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item);
+
+/// The coordinate "JOINT.NAME"; where it does not exist, or a joint holds it, an error is reported at `where` with
+/// `path` and `found`, unless the joint itself was not understood. `also_known` are other names that could stand there,
+/// for the message.
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name, const std::vector<std::string>& also_known = {});
+                                             const std::string& name, const std::string& found = {},
+                                             const std::vector<std::string>& also_known = {});
 
 /// The same for what can be prescribed: a coordinate or a combination, which has no dot in its name.
 std::optional<QuantityRef> find_quantity(ReadContext& context, SourceLocation where, const std::string& path,

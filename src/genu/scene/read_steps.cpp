@@ -107,6 +107,8 @@ void read_step(ReadContext& context, const Item& item) {
   read_factors(context, section.find("load"), step);
   const auto increments = read_integer(context, section.find("increments"), 1, kMaxIncrements);
   step.increments = static_cast<int>(increments.value_or(1));
+  const NumberRule seconds = positive({.unit = 1, .unit_name = "s", .above = {}, .at_least = {}});
+  step.duration = read_number(context, section.find("duration"), seconds).value_or(1);
   section.finish();
   check_count(context, section, step);
   context.scene.steps.push_back(step);

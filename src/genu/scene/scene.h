@@ -21,6 +21,8 @@ struct SourceLocation {
 struct BodyDef {
   std::string name;
   bool fixed = false;
+  double mass = 0;                     ///< kg; 0 has no weight
+  Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
   SourceLocation where;
 };
 
@@ -112,17 +114,6 @@ struct LigamentDef {
   SourceLocation where;
 };
 
-struct LoadDef {
-  enum class Frame { world, body };
-  std::string name;
-  int body = -1;
-  Vec3 force = Vec3::Zero();   ///< N
-  Vec3 moment = Vec3::Zero();  ///< N m
-  Vec3 point = Vec3::Zero();   ///< m, in the body
-  Frame frame = Frame::world;
-  SourceLocation where;
-};
-
 /// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.
 struct CoordinateRef {
   int joint = -1;
@@ -154,6 +145,38 @@ struct QuantityRef {
   bool operator==(const QuantityRef&) const = default;
 };
 
+/// What multiplies a load besides its factor in a step.
+struct ScaleDef {
+  enum class Kind { over_coordinate, over_time, sine };
+  Kind kind = Kind::over_time;
+  CoordinateRef coordinate;                      ///< over_coordinate
+  std::vector<std::pair<double, double>> table;  ///< (rad, m or s, factor), the first strictly increasing
+  double amplitude = 0;                          ///< sine
+  double frequency = 0;                          ///< sine: Hz
+  double start = 0;                              ///< sine: s
+};
+
+struct LoadDef {
+  enum class Kind { wrench, toward, coordinate };
+  enum class Frame { world, body };
+  std::string name;
+  Kind kind = Kind::wrench;
+  int body = -1;                     ///< wrench, toward
+  Vec3 force = Vec3::Zero();         ///< wrench: N
+  Vec3 moment = Vec3::Zero();        ///< wrench: N m
+  Vec3 point = Vec3::Zero();         ///< wrench, toward: m, in the body
+  Frame frame = Frame::world;        ///< wrench
+  int toward_body = -1;              ///< toward: the body pulled to, and pulled on as much
+  Vec3 toward_point = Vec3::Zero();  ///< m, in that body
+  double value = 0;                  ///< toward: N; coordinate: N m or N
+  CoordinateRef coordinate;          ///< coordinate: where the generalised moment or force acts
+  std::optional<ScaleDef> scale;
+  SourceLocation where;
+
+  /// Whether it changes with time by itself.
+  bool in_time() const { return scale && scale->kind != ScaleDef::Kind::over_coordinate; }
+};
+
 struct StepDef {
   struct Prescribed {
     QuantityRef coordinate;
@@ -166,14 +189,16 @@ struct StepDef {
   std::vector<Prescribed> prescribe;
   std::vector<Factor> factors;  ///< loads not named keep the factor 1
   int increments = 1;
+  double duration = 1;  ///< s
   SourceLocation where;
 };
 
 struct Scene {
   std::string file;
   std::string title;
-  double length_unit = 1;  ///< m per unit of length in the file
-  double angle_unit = 1;   ///< rad per unit of angle in the file
+  double length_unit = 1;       ///< m per unit of length in the file
+  double angle_unit = 1;        ///< rad per unit of angle in the file
+  std::optional<Vec3> gravity;  ///< m/s^2, in the world
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;
   std::vector<CombinationDef> combinations;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 
-/// The walk from where the joint is to where a step begins, loads as they are there.
+/// The walk from where the joint is to where a step begins, loads as they are there; the time stands still.
 StepPlan approach(const JointModel& model, const StepPlan& step, const State& state,
                   const std::vector<double>& factors) {
   StepPlan plan = step;
@@ -22,6 +22,7 @@ StepPlan approach(const JointModel& model, const StepPlan& step, const State& st
   }
   for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
   plan.increments = 1;
+  plan.end_time = plan.start_time;
   return plan;
 }
 

@@ -11,6 +11,7 @@ Target StepPlan::target(double t) const {
   const auto between = [t](double from, double to) { return (1 - t) * from + t * to; };
   for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, between(p.from, p.to)});
   for (const Factor& f : factors) out.load_factors.push_back(between(f.from, f.to));
+  out.time = between(start_time, end_time);
   return out;
 }
 
@@ -18,6 +19,7 @@ Target StepPlan::rate() const {
   Target out;
   for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, p.to - p.from});
   for (const Factor& f : factors) out.load_factors.push_back(f.to - f.from);
+  out.time = end_time - start_time;
   return out;
 }
 
