@@ -43,7 +43,7 @@ TEST(Reader, HeaderErrors) {
 
 TEST(Reader, UnknownAndUnbuiltKeysAtTheTop) {
   expect_one_error(kGoodScene + "[@ligamnet]\n", "ligamnet", "a table", "did you mean \"ligament\"?");
-  expect_one_error(kGoodScene + "[@gravity]\n", "gravity", "a table", "is no key of a scene");
+  expect_one_error(kGoodScene + "[@friction]\n", "friction", "a table", "is no key of a scene");
   expect_one_error(kGoodScene + "[@dynamics]\nduration = 3\n", "dynamics", "a table", "not built yet: dynamics");
 }
 

@@ -30,7 +30,7 @@ TEST(Undetermined, APrescribedHeightSharesTheLoadWithTheFloor) {
   EXPECT_FALSE(w.result.complete);
   const Undetermined& u = w.points[0].undetermined;
   ASSERT_EQ(u.shared_reactions.size(), 1u);
-  EXPECT_EQ(u.shared_reactions[0].index, 5);
+  EXPECT_EQ(u.shared_reactions[0].first.index, 5);
   EXPECT_EQ(u.shared_contacts, std::vector<int>{0});
   EXPECT_TRUE(u.free_motion.empty());
 }

@@ -44,6 +44,34 @@ const char* law_name(LigamentDef::Law law) {
   return "";
 }
 
+/// What a load is, and what that means for the tangent.
+std::string kind_name(const Scene& scene, const LoadDef& load) {
+  switch (load.kind) {
+    case LoadDef::Kind::toward:
+      return fmt::format("toward a point of {}, {:g} N", scene.bodies[at(load.toward_body)].name, load.value);
+    case LoadDef::Kind::coordinate:
+      return fmt::format("on {}, {:g} {}", coordinate_name(scene, load.coordinate), load.value,
+                         load.coordinate.index < 3 ? "N m" : "N");
+    case LoadDef::Kind::wrench:
+      break;
+  }
+  const std::string body = scene.bodies[at(load.body)].name;
+  return load.frame == LoadDef::Frame::body ? "follows " + body + ": unsymmetric tangent" : "dead, on " + body;
+}
+
+std::string scale_name(const Scene& scene, const LoadDef& load) {
+  if (!load.scale) return {};
+  switch (load.scale->kind) {
+    case ScaleDef::Kind::over_coordinate:
+      return "; scaled over " + coordinate_name(scene, load.scale->coordinate);
+    case ScaleDef::Kind::over_time:
+      return "; scaled over time";
+    case ScaleDef::Kind::sine:
+      return fmt::format("; a sine of {:g} Hz in time", load.scale->frequency);
+  }
+  return {};
+}
+
 class Explanation {
  public:
   explicit Explanation(const Scene& scene) : scene_(scene) {}
@@ -66,16 +94,36 @@ class Explanation {
            body.name + (body.fixed ? ": fixed, its frame is the world's" : ": moves, 6 unknowns"));
   }
 
-  void joints() {
-    for (const JointDef& joint : scene_.joints) {
-      std::vector<std::string> names;
-      for (const auto& r : joint.rotations) names.push_back(fmt::format("{} about {}", r.name, axis_name(r.axis)));
-      line(&joint == &scene_.joints.front() ? "coordinates" : "",
-           fmt::format("{}: {} in {}, free", joint.name, scene_.bodies[at(joint.child)].name,
-                       scene_.bodies[at(joint.parent)].name));
-      line("", fmt::format("  angles {}; origin {}, {}, {}", joined(names, ", then "), joint.translations[0],
-                           joint.translations[1], joint.translations[2]));
+  static std::string coordinates(const JointDef& joint) {
+    if (joint.type == JointDef::Type::fixed) return "none, holds 6";
+    if (joint.type == JointDef::Type::revolute) {
+      const Vec3& axis = joint.rotations[0].axis;
+      return fmt::format("angle about ({:.4g}, {:.4g}, {:.4g}){}; holds the other 5", axis[0], axis[1], axis[2],
+                         joint.stiffness > 0 ? ", with a spring" : "");
     }
+    std::vector<std::string> names;
+    for (const auto& r : joint.rotations) names.push_back(fmt::format("{} about {}", r.name, axis_name(r.axis)));
+    return fmt::format("angles {}; origin {}, {}, {}", joined(names, ", then "), joint.translations[0],
+                       joint.translations[1], joint.translations[2]);
+  }
+
+  std::string terms(const CombinationDef& combination) const {
+    std::vector<std::string> parts;
+    for (const auto& t : combination.terms)
+      parts.push_back(fmt::format("{:g} {}", t.factor, coordinate_name(scene_, t.coordinate)));
+    return joined(parts, " + ");
+  }
+
+  void joints() {
+    constexpr const char* kTypes[] = {"free", "revolute", "fixed"};
+    for (const JointDef& joint : scene_.joints) {
+      line(&joint == &scene_.joints.front() ? "coordinates" : "",
+           fmt::format("{}: {} in {}, {}", joint.name, scene_.bodies[at(joint.child)].name,
+                       scene_.bodies[at(joint.parent)].name, kTypes[static_cast<int>(joint.type)]));
+      line("", "  " + coordinates(joint));
+    }
+    for (const CombinationDef& combination : scene_.combinations)
+      line("", combination.name + " = " + terms(combination));
   }
 
   void effect(const std::string& name, std::size_t count, const std::string& brings) {
@@ -100,24 +148,37 @@ class Explanation {
     }
     std::vector<std::string> loads;
     for (const LoadDef& l : scene_.loads)
-      loads.push_back(l.name + (l.frame == LoadDef::Frame::body ? " (follows its body: unsymmetric tangent)" : ""));
+      loads.push_back(fmt::format("{} ({}{})", l.name, kind_name(scene_, l), scale_name(scene_, l)));
+    std::vector<std::string> heavy;
+    for (const BodyDef& b : scene_.bodies)
+      if (scene_.gravity && b.mass > 0) heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
+    effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
     if (!off_.empty()) line("off", joined(off_) + ": not named by the scene, costs nothing");
   }
 
   std::string value(const StepDef::Prescribed& p) const {
-    const bool angle = p.coordinate.index < 3;
+    const bool angle = p.coordinate.is_rotation();
     const double unit = angle ? 180 / M_PI : 1e3;
     const char* word = angle ? "deg" : "mm";
-    const std::string name = coordinate_name(scene_, p.coordinate);
+    const std::string name = quantity_name(scene_, p.coordinate);
     if (p.from == p.to) return fmt::format("{} held at {:.6g} {}", name, unit * p.to, word);
     return fmt::format("{} from {:.6g} to {:.6g} {}", name, unit * p.from, unit * p.to, word);
   }
 
   void row(std::size_t unknowns, const std::string& what, std::size_t equations, const std::string& balance) {
     out_ += fmt::format("    {:>4}  {:<44}{:>4}  {}\n", unknowns, what, equations, balance);
+  }
+
+  /// "time 0 to 2 s", where the file asks for a duration or a load changes in time.
+  std::string time_of(std::size_t i) const {
+    double start = 0;
+    for (std::size_t k = 0; k < i; ++k) start += scene_.steps[k].duration;
+    const auto in_time = [](const LoadDef& l) { return l.in_time(); };
+    const bool tells = scene_.steps[i].duration != 1 || std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time);
+    return tells ? fmt::format(", time {:g} to {:g} s", start, start + scene_.steps[i].duration) : std::string();
   }
 
   void step(std::size_t i) {
@@ -128,7 +189,7 @@ class Explanation {
       changes.push_back(f.from == f.to
                             ? fmt::format("load {} x {:g}", scene_.loads[at(f.load)].name, f.to)
                             : fmt::format("load {} x {:g} to {:g}", scene_.loads[at(f.load)].name, f.from, f.to));
-    out_ += fmt::format("\nstep {}: {}; {}\n", i + 1, plural(at(s.increments), "increment"),
+    out_ += fmt::format("\nstep {}: {}{}; {}\n", i + 1, plural(at(s.increments), "increment"), time_of(i),
                         changes.empty() ? "free equilibrium" : joined(changes));
     system(s);
   }
@@ -142,11 +203,19 @@ class Explanation {
       row(6, fmt::format("twist of {}", body.name), 6, "its equilibrium: 3 forces, 3 moments");
     }
     for (const auto& p : s.prescribe) {
-      const std::string name = coordinate_name(scene_, p.coordinate);
-      row(1, fmt::format("reaction of {} ({})", name, p.coordinate.index < 3 ? "moment" : "force"), 1,
+      const std::string name = quantity_name(scene_, p.coordinate);
+      row(1, fmt::format("reaction of {} ({})", name, p.coordinate.is_rotation() ? "moment" : "force"), 1,
           name + " = its value");
     }
-    const std::size_t constraints = s.prescribe.size(), square = 6 * moving + constraints;
+    std::size_t constraints = s.prescribe.size();
+    for (const JointDef& joint : scene_.joints) {
+      if (joint.type == JointDef::Type::free) continue;
+      const std::size_t held = joint.type == JointDef::Type::fixed ? 6 : 5;
+      constraints += held;
+      row(held, fmt::format("reaction of {} (3 forces, {} moments)", joint.name, held - 3), held,
+          "what the joint holds = its value");
+    }
+    const std::size_t square = 6 * moving + constraints;
     if (scene_.contacts.empty()) {
       out_ += fmt::format("    {:>4}  in all\n", square);
       return;

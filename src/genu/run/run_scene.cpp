@@ -50,6 +50,11 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   std::size_t prescribed = 0;
   for (const StepPlan& step : p.steps) prescribed = std::max(prescribed, step.prescribed.size());
   summary.effects.push_back({"moving bodies", bodies, fmt::format("6 unknowns each: {}", 6 * bodies)});
+  if (!p.model.held.empty())
+    summary.effects.push_back(
+        {"joint constraints", static_cast<int>(p.model.held.size()), "coordinates held, 1 multiplier each"});
+  if (!p.model.joint_springs.empty())
+    summary.effects.push_back({"joint springs", static_cast<int>(p.model.joint_springs.size()), "no unknowns"});
   if (prescribed > 0)
     summary.effects.push_back({"prescribed coordinates", static_cast<int>(prescribed), "1 multiplier each"});
   if (!scene.contacts.empty())
@@ -58,6 +63,8 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
+  if (!p.model.weights.empty())
+    summary.effects.push_back({"weights", static_cast<int>(p.model.weights.size()), "no unknowns"});
 }
 
 void note_pose(const PosePoint& point, RunSummary& s) {

@@ -20,14 +20,19 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   };
   for (std::size_t i = 0; i < target.prescribed.size(); ++i) {
     const auto& p = target.prescribed[i];
-    const bool angle = p.coordinate.index < 3;
+    const bool angle = p.coordinate.is_rotation();
     add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
-        fmt::format("{} = {:.9g} {}", coordinate_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+        fmt::format("{} = {:.9g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
                     angle ? "deg" : "mm"));
   }
   for (std::size_t i = 0; i < target.load_factors.size(); ++i)
     if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
       add(true, fmt::format("load {} x {:.9g}", scene.loads[i].name, target.load_factors[i]));
+  for (const LoadDef& load : scene.loads)
+    if (plan != nullptr && load.in_time()) {
+      add(true, fmt::format("time = {:.6g} s", target.time));
+      break;
+    }
   const std::string& text = varying.empty() ? held : varying;
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
 }
@@ -44,8 +49,8 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   const Undetermined& u = point.undetermined;
   std::vector<std::string> motion, forces;
   for (const CoordinateRef& c : u.free_motion) motion.push_back(coordinate_name(prepared.scene, c));
-  for (const CoordinateRef& c : u.shared_reactions)
-    forces.push_back("the reaction of " + coordinate_name(prepared.scene, c));
+  for (const QuantityRef& q : u.shared_reactions)
+    forces.push_back("the reaction of " + quantity_name(prepared.scene, q));
   for (const int c : u.shared_contacts) {
     const ActiveContact& contact = point.pose.state.contacts[static_cast<std::size_t>(c)];
     forces.push_back(fmt::format("contact {}.{}", prepared.scene.contacts[static_cast<std::size_t>(contact.pair)].name,
@@ -138,8 +143,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
       out.push_back(
-          fmt::format("From {} on the loads that follow the body can drive an oscillation (flutter): whether it "
-                      "grows depends on mass and damping, which a quasi-static run does not know.",
+          fmt::format("From {} on the loads that have no potential (they follow a body, or their size depends on a "
+                      "coordinate) can drive an oscillation (flutter): whether it grows depends on mass and damping, "
+                      "which a quasi-static run does not know.",
                       place(prepared, e.step, e.target)));
     if (e.kind == PathEvent::Kind::stability_changed)
       out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)));

@@ -92,7 +92,7 @@ class Stage {
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
   SeedReport report;
   state.contacts.clear();
-  state.multipliers.resize(target.prescribed.size(), 0.0);
+  fit_multipliers(model, target, state);
   const double L = model.scales.length;
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {

@@ -27,8 +27,9 @@ struct Stability {
 const char* to_string(Stability::Verdict verdict);
 
 /// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
-/// multipliers, included; with loads that follow the body it is unsymmetric and stays so. `length_scale` (m) is the
-/// model's characteristic length.
+/// multipliers, included. At an equilibrium it is symmetric where every load has a potential (weights, dead forces,
+/// loads toward a point), and unsymmetric where one has none (followers, dead moments, most loads scaled over a
+/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length.
 Stability assess_stability(const Linearization& at, double length_scale);
 
 }  // namespace genu

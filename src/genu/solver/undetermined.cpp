@@ -34,10 +34,13 @@ std::vector<std::pair<CoordinateRef, double>> changes_along(const JointModel& mo
 Undetermined find_undetermined(const JointModel& model, const State& state, const Target& target,
                                const Stability& stability) {
   Undetermined out;
-  const int constraints = static_cast<int>(target.prescribed.size());
+  const int prescribed = static_cast<int>(target.prescribed.size());
+  const int constraints = static_cast<int>(constraint_count(model, target));
   for (const int row : stability.redundant) {
-    if (row < constraints)
+    if (row < prescribed)
       out.shared_reactions.push_back(target.prescribed[at(row)].coordinate);
+    else if (row < constraints)
+      out.shared_reactions.push_back(model.held[at(row - prescribed)].coordinate);
     else
       out.shared_contacts.push_back(row - constraints);
   }
