@@ -63,10 +63,15 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::stepped_over, 1, 0.2, later, ""},
             {Kind::turns_back, 1, 0.3, target, ""},
             {Kind::stability_changed, 1, 0.4, target, "unstable"},
+            {Kind::held, 1, 0.45, target, "AAC at 24 mm, 16 N below and 20 N above"},
+            {Kind::jump, 1, 0.45, later, "PCL at 30 mm, 9 N below and 7 N above"},
             {Kind::over_edge, 1, 0.5, target, "medial.1"}};
   expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718 deg");
   expect_said("turns back at knee.flexion = 41.2 deg");
   expect_said("becomes unstable at knee.flexion = 41.2 deg");
+  expect_said("From knee.flexion = 41.2 deg a ligament is held at the jump of its law");
+  expect_said("AAC at 24 mm, 16 N below and 20 N above.");
+  expect_said("At knee.flexion = 42.9718 deg the force of a ligament drops");
   expect_said("medial.1 reaches the edge");
 }
 

@@ -17,6 +17,8 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const auto& l : model.ligaments) {
       if (at(l.body_a) == body) ends.push_back(l.ligament.p_A);
       if (at(l.body_b) == body) ends.push_back(l.ligament.p_B);
+      for (const auto& via : l.via)
+        if (at(via.body) == body) ends.push_back(via.p);
     }
     for (const auto& l : model.loads)
       if (at(l.body) == body && !l.force.isZero()) ends.push_back(l.point);
@@ -45,6 +47,11 @@ JointModel::Scales choose_scales(const JointModel& model) {
 }
 
 }  // namespace
+
+void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
+  model.ligaments.push_back(std::move(ligament));
+  model.scales = choose_scales(model);
+}
 
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates) {
   std::vector<Pose> poses(model.bodies.size());
@@ -75,11 +82,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
 
   bool good = true;
   for (const LigamentDef& def : scene.ligaments) {
-    const double length = (model.reference_poses[at(def.to.body)] * def.to.point -
-                           model.reference_poses[at(def.from.body)] * def.from.point)
-                              .norm();
     std::string why;
-    const auto law = make_law(def, length, why);
+    const auto law = make_law(def, path_length(def, model.reference_poses), why);
     if (!law) {
       good = false;
       out.add({.file = scene.file,
@@ -91,6 +95,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
       continue;
     }
     model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
+    for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
   }
   model.loads = scene.loads;
   for (const ContactDef& contact : scene.contacts) {

@@ -25,9 +25,14 @@ struct JointModel {
     JointValues reference;
   };
   struct LigamentBetween {
+    struct Via {
+      int body;
+      Vec3 p;  ///< m, in the body
+    };
     std::string name;
     int body_a, body_b;
     Ligament ligament;
+    std::vector<Via> via = {};  ///< frictionless points on the way from A to B
   };
   struct Pair {
     std::string name;
@@ -37,7 +42,7 @@ struct JointModel {
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.
   struct Scales {
-    double length = 0.01;  ///< m: root mean square distance of ligament ends from their body's mean end
+    double length = 0.01;  ///< m: root mean square distance of ligament points from their body's mean end
     double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
     double force = 1;    ///< N: the largest load, or what 1 % of strain costs in the stiffest ligament, at least 1 N
   };
@@ -56,6 +61,10 @@ struct JointModel {
 /// be is added to `out`, and the result is empty.
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out);
+
+/// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
+/// are indices into JointModel::bodies. Only before a State is made of the model.
+void add_ligament(JointModel& model, JointModel::LigamentBetween ligament);
 
 /// The pose of every body in the world for the coordinates of every joint; fixed bodies stand at the origin.
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates);

@@ -33,6 +33,9 @@ class MonotoneTable {
   /// The largest x such that the curve is 0 from -infinity to x; empty if there is none.
   std::optional<double> zero_until() const;
 
+  /// The smallest x such that the curve is 0 from x to +infinity; empty if there is none.
+  std::optional<double> zero_from() const;
+
  private:
   struct Knot {
     double x = 0, y = 0, slope = 0, integral = 0;

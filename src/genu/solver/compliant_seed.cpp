@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/model/ligament_pieces.h"
+
 namespace genu {
 namespace {
 
@@ -90,6 +92,8 @@ class Stage {
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
   SeedReport report;
   state.contacts.clear();
+  reset_pieces(model, state);
+  for (LigamentPiece& piece : state.pieces) piece.by_length = true;  // a seed may cross any break
   state.multipliers.resize(target.prescribed.size(), 0.0);
   const double L = model.scales.length;
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
@@ -99,6 +103,7 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
     report.deepest = stage.deepest();
     if (!report.balanced || report.deepest < kLittleOverlap * L) break;
   }
+  reset_pieces(model, state);
   return report;
 }
 

@@ -24,6 +24,7 @@ struct Findings {
   std::vector<Candidate> overlapping;  ///< minima with negative gap that are not held, deepest first
   std::vector<int> not_minimal;        ///< active contacts at a saddle of the gap
   std::vector<Candidate> beside;       ///< minima found beside those
+  std::vector<int> left_piece;         ///< entries of State::pieces whose ligament has left its piece of the law
   bool over_edge = false;              ///< a contact point or an overlap lies past the edge of a patch
   bool deep_overlap = false;           ///< samples overlap where no contact explains it
   double worst =
@@ -31,7 +32,8 @@ struct Findings {
   std::string where;                            ///< for over_edge and deep_overlap, in words
 
   bool none() const {
-    return pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge && !deep_overlap;
+    return pulling.empty() && overlapping.empty() && not_minimal.empty() && left_piece.empty() && !over_edge &&
+           !deep_overlap;
   }
 };
 

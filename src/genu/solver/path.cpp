@@ -141,6 +141,7 @@ class PathRun {
             fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI)});
       report.status = PoseStatus::no_equilibrium;
       report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      if (!walker_.law_jump().empty()) report.why += ", as the force drops of ligament " + walker_.law_jump();
     }
     fail(step, k, t, report, "");
   }
@@ -216,6 +217,16 @@ const char* to_string(PathEvent::Kind kind) {
       return "contact_gained";
     case PathEvent::Kind::contact_lost:
       return "contact_lost";
+    case PathEvent::Kind::taut:
+      return "taut";
+    case PathEvent::Kind::slack:
+      return "slack";
+    case PathEvent::Kind::transition:
+      return "transition";
+    case PathEvent::Kind::held:
+      return "held";
+    case PathEvent::Kind::jump:
+      return "jump";
     case PathEvent::Kind::stepped_over:
       return "stepped_over";
     case PathEvent::Kind::over_edge:

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/solver/piece_changes.h"
+
 namespace genu {
 namespace {
 
@@ -37,7 +39,7 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
     out.motion.resize(0, 0, 0);
     return;
   }
-  VecX constraint_rate(static_cast<Eigen::Index>(rate.prescribed.size()));
+  VecX constraint_rate = VecX::Zero(here_.constraint.size());  // a held ligament's length does not change
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
   step.solve_rates(load_wrench(model, state, rate.load_factors), constraint_rate, out.motion);
@@ -116,6 +118,8 @@ bool Walker::jumped(const State& state, double h) const {
 }
 
 bool Walker::walk_to(double t_end) {
+  snap_ = {0, 0};
+  law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
     // Toward a limit point the tangent grows without bound: a step may move the bodies so far and no farther, or the
@@ -199,6 +203,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     report.status = PoseStatus::no_equilibrium;
     report.why = "the equilibrium that was followed ends where its contacts change";
   }
+  name_jump(violated, next, t, report);
   if (report.status != PoseStatus::ok) {
     failure_ = report;
     return false;
@@ -217,6 +222,20 @@ void Walker::report_changes(const Balanced& before, const Balanced& after) {
     if (!contains(before.state, c)) emit(PathEvent::Kind::contact_gained, name(c));
   for (const ActiveContact& c : before.state.contacts)
     if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
+  for (const auto& [kind, what] : piece_events(solver_.model(), before.state, after.state)) emit(kind, what);
+}
+
+void Walker::name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report) {
+  if (violated.findings.left_piece.empty()) return;
+  const std::string where = piece_in_doubt(solver_.model(), violated.pose.state);
+  // Where the force of a ligament drops the bodies may move on at once; where it rises they rest.
+  constexpr double kRest = 1e-6;
+  const double moved = report.status == PoseStatus::ok ? distance(pose_.state, next.state) : 1.0;
+  if (where.empty() || moved <= kRest + 4 * (t - t_) * speed(tangent_)) return;
+  emit(PathEvent::Kind::jump, where);
+  if (report.status == PoseStatus::ok) return;
+  law_jump_ = where;
+  report.why = "no equilibrium is near beyond the jump of ligament " + where;
 }
 
 void Walker::note_snap(const State& state) {
@@ -238,11 +257,11 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
 
 bool Walker::step_over(double window) {
   const double from = t_;
-  snap_ = {0, 0};
   // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
   // has to be stepped over again and again is no path.
   constexpr int kMost = 30;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
+  snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);

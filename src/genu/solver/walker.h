@@ -32,6 +32,8 @@ class Walker {
   bool turning_back() const;
   /// The last step_over() found an equilibrium, but far away (m and rad of the body that moves most); 0, 0 otherwise.
   std::pair<double, double> snap() const { return snap_; }
+  /// The jump of a ligament's force at which the last walk_to() ended, in words; empty where another cause ended it.
+  const std::string& law_jump() const { return law_jump_; }
   int substeps() const { return substeps_; }
   int iterations() const { return iterations_; }
 
@@ -60,6 +62,7 @@ class Walker {
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
+  void name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report);
   void emit(PathEvent::Kind kind, const std::string& what);
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
@@ -75,6 +78,7 @@ class Walker {
   Tangent tangent_, next_;
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
+  std::string law_jump_;
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
   int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;

@@ -1,0 +1,111 @@
+// The breaks each law states, against the law itself just beside them; laws continued straight; laws of one's own.
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "genu/model/ligament_law.h"
+
+namespace genu {
+namespace {
+
+using Law = LigamentDef::Law;
+
+LigamentLaw build(Law kind, std::vector<std::pair<double, double>> table = {{0, 0}, {0.5, 20}, {2, 200}},
+                  double transition = 0.5) {
+  LigamentDef def;
+  def.law = kind;
+  def.stiffness = kind == Law::abdel_rahman ? 500 : 100;
+  def.toe_stiffness = 30000;
+  def.transition_strain = transition;
+  def.table = std::move(table);
+  def.rest_value = 0.02;
+  std::string why;
+  const auto law = make_law(def, 1, why);
+  EXPECT_TRUE(law) << why;
+  return *law;
+}
+
+void expect_breaks_as_evaluated(const LigamentLaw& law, std::size_t count, const std::string& name) {
+  ASSERT_EQ(law.breaks().size(), count) << name;
+  for (std::size_t k = 0; k < count; ++k) {
+    const LawBreak& b = law.breaks()[k];
+    const double h = 1e-9 * b.length;
+    const LawValue below = law.evaluate(b.length - h), at = law.evaluate(b.length), above = law.evaluate(b.length + h);
+    EXPECT_NEAR(at.force, b.below.force, 1e-12 * (1 + at.force)) << name;
+    EXPECT_NEAR(above.force, b.above.force + h * b.above.stiffness, 1e-12 * (1 + above.force)) << name;
+    EXPECT_NEAR(below.stiffness, b.below.stiffness, 1e-5 * (2 + std::abs(b.below.stiffness))) << name;
+    EXPECT_NEAR(above.stiffness, b.above.stiffness, 1e-5 * (2 + std::abs(b.above.stiffness))) << name;
+    EXPECT_EQ(law.piece_at(b.length), static_cast<int>(k)) << name;
+    EXPECT_EQ(law.piece_at(b.length + h), static_cast<int>(k) + 1) << name;
+    EXPECT_EQ(b.below.slack, law.evaluate(b.length * 0.999).force == 0) << name;
+  }
+}
+
+TEST(LawBreaks, AreWhereEveryLawBreaks) {
+  expect_breaks_as_evaluated(build(Law::quadratic), 1, "quadratic");
+  expect_breaks_as_evaluated(build(Law::linear), 1, "linear");
+  expect_breaks_as_evaluated(build(Law::blankevoort), 2, "blankevoort");
+  expect_breaks_as_evaluated(build(Law::blankevoort, {}, 0), 1, "blankevoort without a toe");
+  expect_breaks_as_evaluated(build(Law::abdel_rahman), 2, "abdel-rahman");
+  expect_breaks_as_evaluated(build(Law::abdel_rahman, {}, 0), 1, "abdel-rahman without a toe");
+  expect_breaks_as_evaluated(build(Law::spring), 0, "spring");
+  expect_breaks_as_evaluated(build(Law::table), 1, "table");
+  expect_breaks_as_evaluated(build(Law::table, {{0.1, 50}, {0.2, 150}}), 1, "table that begins above 0");
+  expect_breaks_as_evaluated(build(Law::table, {{0, 0}, {0.2, 150}, {0.4, 50}}), 2, "table that falls to 0");
+}
+
+TEST(LawBreaks, TellAJumpFromAKink) {
+  const LigamentLaw jump = build(Law::abdel_rahman);
+  EXPECT_FALSE(jump.breaks()[0].jumps());
+  EXPECT_TRUE(jump.breaks()[1].jumps());
+  EXPECT_NEAR(jump.breaks()[1].force_jump(), 500 * 0.005 - 30000 * 1e-4, 1e-14);
+  EXPECT_FALSE(build(Law::linear).breaks()[0].jumps());
+  EXPECT_NEAR(build(Law::linear).breaks()[0].stiffness_jump(), 5000, 1e-9);
+}
+
+TEST(LawBreaks, PiecesGoOnStraightAndAreTheLawInside) {
+  for (const Law kind : {Law::quadratic, Law::linear, Law::blankevoort, Law::abdel_rahman, Law::table}) {
+    const LigamentLaw law = build(kind);
+    for (double length = 0.005; length < 0.05; length += 0.00037) {
+      const int here = law.piece_at(length);
+      EXPECT_EQ(law.evaluate(length, here).force, law.evaluate(length).force);
+      for (int piece = 0; piece <= static_cast<int>(law.breaks().size()); ++piece) {
+        const auto k = static_cast<std::size_t>(piece);
+        if (piece == here) continue;
+        const LawBreak& b = law.breaks()[piece < here ? k : k - 1];
+        const LawBreak::Side& side = piece < here ? b.below : b.above;
+        EXPECT_NEAR(law.evaluate(length, piece).force, side.force + side.stiffness * (length - b.length), 1e-12);
+        EXPECT_EQ(law.evaluate(length, piece).stiffness, side.stiffness);
+      }
+    }
+  }
+}
+
+struct Stated final : ForceLaw {
+  explicit Stated(std::vector<LawBreak> b) : stated(std::move(b)) {}
+  LawValue evaluate(double length) const override { return {length > 0.02 ? 7.0 : 3.0, 0, 0}; }
+  std::vector<LawBreak> breaks() const override { return stated; }
+  std::vector<LawBreak> stated;
+};
+
+TEST(LawBreaks, OfALawOfOnesOwnAreHeldToWhatItEvaluatesTo) {
+  const auto fault = [](std::vector<LawBreak> breaks) {
+    std::string why;
+    const auto law = LigamentLaw::custom(std::make_shared<Stated>(std::move(breaks)), why);
+    EXPECT_EQ(law.has_value(), why.empty());
+    return why;
+  };
+  EXPECT_EQ(fault({{0.02, {3, 0}, {7, 0}}}), "");
+  EXPECT_NE(fault({{0.02, {3, 0}, {8, 0}}}).find("above the break"), std::string::npos);
+  EXPECT_NE(fault({{0.02, {2, 0}, {7, 0}}}).find("at the break"), std::string::npos);
+  EXPECT_NE(fault({{0.03, {7, 0}, {7, 0}}, {0.02, {3, 0}, {7, 0}}}).find("increase"), std::string::npos);
+  EXPECT_NE(fault({{std::numeric_limits<double>::quiet_NaN(), {}, {}}}).find("finite"), std::string::npos);
+  std::string why;
+  EXPECT_FALSE(LigamentLaw::custom(nullptr, why));
+  EXPECT_FALSE(why.empty());
+}
+
+}  // namespace
+}  // namespace genu
