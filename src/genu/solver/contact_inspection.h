@@ -31,6 +31,10 @@ struct Findings {
       std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
   std::string where;                            ///< for over_edge and deep_overlap, in words
 
+  bool only_left_piece() const {
+    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge &&
+           !deep_overlap;
+  }
   bool none() const {
     return pulling.empty() && overlapping.empty() && not_minimal.empty() && left_piece.empty() && !over_edge &&
            !deep_overlap;

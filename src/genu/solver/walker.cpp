@@ -54,6 +54,7 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   const Stability before = tangent_.stability;
   const bool first = substeps_ == 0;
   t_ = t;
+  inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
   report_ = report;
   std::swap(tangent_, next_);
@@ -139,6 +140,7 @@ bool Walker::walk_to(double t_end) {
       if (!passes_a_fold(next_, t - t_)) {
         solver_.follow_open(trial.pose);
         take(t, std::move(trial.pose), trial.report);
+        inside_ = trial.findings.worst;
         h *= 2;
         continue;
       }
@@ -158,11 +160,15 @@ bool Walker::walk_to(double t_end) {
 
 bool Walker::pass_event(double t, Attempt violated) {
   // Regula falsi (Illinois) on the worst force or gap, bisection where that has no two finite values to work with.
-  double low_value = std::numeric_limits<double>::infinity(), high_value = violated.findings.worst;
+  double low_value = inside_, high_value = violated.findings.worst;
   double weight_low = 1, weight_high = 1;
   for (int i = 0; i < 100 && t - t_ > options_.event_tolerance; ++i) {
+    // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
+    const bool only_piece = violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1;
+    const bool bracketed = std::isfinite(low_value) && low_value > 0 && high_value < 0;
+    if (only_piece && bracketed && -high_value * (t - t_) <= options_.event_tolerance * (low_value - high_value)) break;
     double middle = 0.5 * (t_ + t);
-    if (std::isfinite(low_value) && high_value < 0 && low_value > 0 && i % 3 != 2) {
+    if (bracketed && i % 3 != 2) {
       const double low = weight_low * low_value, high = weight_high * high_value;
       middle = t_ + (t - t_) * std::clamp(low / (low - high), 0.02, 0.98);
     }
@@ -173,6 +179,7 @@ bool Walker::pass_event(double t, Attempt violated) {
       weight_high *= 0.5;
       solver_.follow_open(trial.pose);
       accept(middle, std::move(trial.pose), trial.report);
+      inside_ = trial.findings.worst;
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
       t = middle;
       high_value = trial.findings.worst;

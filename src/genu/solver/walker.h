@@ -79,6 +79,7 @@ class Walker {
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;
+  double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
   int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;
