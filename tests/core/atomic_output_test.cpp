@@ -14,6 +14,8 @@
 namespace genu {
 namespace {
 
+const std::string kOld = "{\"genu\": \"old\"}", kNew = "{\"genu\": \"new\"}";
+
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
@@ -43,7 +45,7 @@ class AtomicOutput : public ::testing::Test {
   fs::path earlier_result() {
     fs::path out = dir_ / "out";
     fs::create_directory(out);
-    write(out / "summary.json", "old");
+    write(out / "summary.json", kOld);
     write(out / "only_old.csv", "old");
     return out;
   }
@@ -55,10 +57,10 @@ TEST_F(AtomicOutput, ANewFolderAppearsWithCommitAndNotBefore) {
   const fs::path out = dir_ / "a" / "b" / "out";
   StagedFolder folder;
   ASSERT_EQ(folder.open(out), "");
-  write(folder.path() / "summary.json", "new");
+  write(folder.path() / "summary.json", kNew);
   EXPECT_FALSE(fs::exists(out));
   ASSERT_EQ(folder.commit(), "");
-  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(read(out / "summary.json"), kNew);
   EXPECT_EQ(names_in(out.parent_path()), Names{"out"});
   EXPECT_TRUE(folder.path().empty());
 }
@@ -67,11 +69,11 @@ TEST_F(AtomicOutput, AnEarlierResultIsReplacedAsAWhole) {
   const fs::path out = earlier_result();
   StagedFolder folder;
   ASSERT_EQ(folder.open(out.string() + "/"), "");  // a trailing slash names the same folder
-  write(folder.path() / "summary.json", "new");
-  EXPECT_EQ(read(out / "summary.json"), "old");
+  write(folder.path() / "summary.json", kNew);
+  EXPECT_EQ(read(out / "summary.json"), kOld);
   ASSERT_EQ(folder.commit(), "");
   EXPECT_EQ(names_in(out), Names{"summary.json"});
-  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(read(out / "summary.json"), kNew);
   EXPECT_EQ(names_in(dir_), Names{"out"});
 }
 
@@ -80,10 +82,10 @@ TEST_F(AtomicOutput, WithoutCommitNothingChangesAndNothingIsLeft) {
   {
     StagedFolder folder;
     ASSERT_EQ(folder.open(out), "");
-    write(folder.path() / "summary.json", "new");
+    write(folder.path() / "summary.json", kNew);
     EXPECT_EQ(names_in(dir_).size(), 2U);
   }
-  EXPECT_EQ(read(out / "summary.json"), "old");
+  EXPECT_EQ(read(out / "summary.json"), kOld);
   EXPECT_EQ(names_in(out), (Names{"summary.json", "only_old.csv"}));
   EXPECT_EQ(names_in(dir_), Names{"out"});
 }
@@ -98,10 +100,10 @@ TEST_F(AtomicOutput, AnEmptyFolderAndALinkToAResultMayBeReplaced) {
   fs::create_directory_symlink(out, dir_ / "link");
   StagedFolder second;
   ASSERT_EQ(second.open(dir_ / "link"), "");
-  write(second.path() / "summary.json", "new");
+  write(second.path() / "summary.json", kNew);
   ASSERT_EQ(second.commit(), "");
   EXPECT_TRUE(fs::is_symlink(dir_ / "link"));
-  EXPECT_EQ(read(out / "summary.json"), "new");
+  EXPECT_EQ(read(out / "summary.json"), kNew);
   EXPECT_EQ(names_in(dir_), (Names{"empty", "link", "out"}));
 }
 

@@ -52,7 +52,7 @@ MatX jacobian(const Linearization& at) {
 /// The residual after the change x of the unknowns, contact points' bases carried along.
 VecX residual_after(const JointModel& model, const State& state, const Target& target, const VecX& x) {
   Correction change;
-  const int m = static_cast<int>(target.prescribed.size()) + held_count(state),
+  const int m = static_cast<int>(constraint_count(model, target)) + held_count(state),
             c = static_cast<int>(state.contacts.size());
   change.resize(model.moving_count, m, c);
   const Eigen::Index n = 6 * model.moving_count;
@@ -85,7 +85,7 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
     state.poses[b] = retract(state.poses[b], twist);
   }
   update_coordinates(model, state);
-  for (std::size_t m = 0; m < target.prescribed.size(); ++m) state.multipliers.push_back(20 * unit(random));
+  for (std::size_t m = 0; m < constraint_count(model, target); ++m) state.multipliers.push_back(20 * unit(random));
   for (int p = 0; p < static_cast<int>(model.pairs.size()); ++p) {
     const auto& pair = model.pairs[static_cast<std::size_t>(p)];
     const Pose &X_a = state.poses[static_cast<std::size_t>(pair.body_a)],
@@ -103,9 +103,10 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
 }
 
 /// With `held` every ligament whose law jumps is held at its jump.
-void expect_exact(const std::string& text, bool held = false) {
+void expect_exact(const std::string& text, double time = 0, bool held = false) {
   const test::SceneModel s = test::scene_model(text);
-  const Target target = test::target_of(s.scene, 0.4);
+  Target target = test::target_of(s.scene, 0.4);
+  target.time = time;
   std::mt19937 random(17);
   for (int repeat = 0; repeat < 4; ++repeat) {
     State state = shaken(s.model, target, random);
@@ -219,10 +220,87 @@ TEST(Linearization, IsExactWithALigamentHeldAtItsJump) {
   const std::string law =
       "law = \"abdel-rahman\"\nstiffness = 60\ntoe_stiffness = 2\ntransition_strain = 0.05\nreference_strain = "
       "0.05\n";
-  expect_exact(ropes(law), true);
+  expect_exact(ropes(law), 0, true);
   expect_exact(test::knee(test::ligament("held", "[10, 12, 5]", "[4, 20, -30]", law) +
                           "[[step]]\nprescribe = { \"knee.flexion\" = 20 }\n"),
-               true);
+               0, true);
+}
+
+/// A bone on a hinge with a spring, a plate fixed to it, and a rod free against the plate.
+const char* const kChain = R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.ground]
+fixed = true
+[body.bone]
+[body.plate]
+[body.rod]
+[joint.hinge]
+type = "revolute"
+parent = "ground"
+child = "bone"
+origin = [20, -10, 30]
+axis = [1, 2, -2]
+stiffness = 0.4
+reference = { angle = 25 }
+[joint.weld]
+type = "fixed"
+parent = "bone"
+child = "plate"
+origin = [5, 40, -8]
+[joint.rod]
+type = "free"
+parent = "plate"
+child = "rod"
+rotations = ["a x", "b y", "c x"]
+translations = ["x", "y", "z"]
+reference = { b = 50, z = 15 }
+[combination.coupled]
+terms = { "hinge.angle" = 2, "rod.a" = -0.5, "rod.b" = 1.5 }
+[combination.apart]
+terms = { "rod.x" = 1, "rod.z" = -1 }
+[ligament.tie]
+from = { body = "rod", point = [3, 2, -14] }
+to = { body = "ground", point = [0, 20, -50] }
+law = "spring"
+stiffness = 3
+slack_length = 20
+[[step]]
+prescribe = { coupled = [10, 60], "rod.a" = 4, apart = 3 }
+)";
+
+TEST(Linearization, IsExactWithJointsAndCombinations) { expect_exact(std::string(kChain) + kLoads); }
+
+TEST(Linearization, IsExactWithLoadsOnAndOverHinges) {
+  std::string text = kChain;
+  text.insert(text.find("[body.ground]"), "gravity = [1, 3, -9.81]\n");
+  text.replace(text.find("[body.plate]"), 12, "[body.plate]\nmass = 4\ncentre_of_mass = [4, 5, 90]");
+  expect_exact(text + R"([load.muscle]
+on = "hinge.angle"
+value = 3
+scale = { over = "rod.b", table = [[-90, 1], [90, 3]] }
+[load.follow]
+body = "rod"
+force = [-7, 30, -60]
+frame = "body"
+scale = { over = "hinge.angle", table = [[-90, 1], [90, 3]] }
+)");
+}
+
+TEST(Linearization, ConstraintsAreSatisfiedAtTheReference) {
+  const test::SceneModel s = test::scene_model(kChain);
+  State state = reference_state(s.model);
+  Target target = test::target_of(s.scene);
+  for (auto& p : target.prescribed) p.value = quantity_value(s.model, state.coordinates, p.coordinate);
+  fit_multipliers(s.model, target, state);
+  Linearization at;
+  linearize(s.model, state, target, at);
+  ASSERT_EQ(at.constraint.size(), 3 + 5 + 6);
+  EXPECT_LT(at.constraint.cwiseAbs().maxCoeff(), 1e-15);
+  // The tie does not pull at the bone: its wrench is the hinge's spring alone.
+  const double angle = 25 * M_PI / 180, k = 0.4 * 180 / M_PI;
+  const Vec3 axis = Vec3(1, 2, -2) / 3;
+  EXPECT_LT((at.wrench.segment<3>(3) + k * angle * axis).norm(), 1e-13);
+  EXPECT_LT(at.wrench.segment<3>(0).norm(), 1e-13);
 }
 
 TEST(Linearization, InternalForcesDoNoNetWork) {
@@ -242,17 +320,94 @@ TEST(Linearization, InternalForcesDoNoNetWork) {
   EXPECT_NEAR(at.constraint[0], there.constraint[0], 1e-14);
 }
 
-TEST(Linearization, LoadWrenchIsWhatLoadsAdd) {
-  const test::SceneModel s = test::scene_model(test::knee(kLoads));
-  Target with = test::target_of(s.scene), without = with;
-  with.load_factors = {0.7, -1.3};
-  without.load_factors = {0, 0};
+/// Loads of every kind with every scale; the follower's size depends on a coordinate that it does not drive.
+const char* const kScaledLoads = R"(
+[load.drop]
+body = "bone"
+force = [5, -60, -40]
+moment = [0.1, 0.2, -0.3]
+point = [3, 4, 5]
+frame = "body"
+scale = { over = "knee.rotation", table = [[-20, 0.5], [0, 1], [20, 3]] }
+[load.pull]
+body = "bone"
+point = [3, -4, 30]
+toward = { body = "ground", point = [10, 50, 60] }
+magnitude = 80
+scale = { over = "knee.y", table = [[-5, 1], [2, 2], [8, 0.5]] }
+[load.turn]
+on = "knee.adduction"
+value = 1.5
+scale = { over = "time", table = [[0, 0], [1, 2], [3, 1]] }
+[load.swing]
+on = "knee.x"
+value = -20
+scale = { sine = { amplitude = 2, frequency = 0.4, start = 0.1 } }
+)";
+
+/// The knee of these loads, heavy.
+std::string heavy_knee() {
+  std::string text = test::knee(kScaledLoads);
+  text.replace(text.find("[body.ground]"), 0, "gravity = [0, 3, -9.81]\n");
+  text.replace(text.find("[body.bone]"), 11, "[body.bone]\nmass = 2.5\ncentre_of_mass = [4, 5, 90]");
+  return text;
+}
+
+TEST(Linearization, IsExactWithLoadsOfEveryKind) {
+  expect_exact(heavy_knee() + "[[step]]\nprescribe = { \"knee.flexion\" = [10, 60] }\nload = { pull = -1.5 }\n", 0.6);
+}
+
+TEST(Linearization, IsExactWithLoadsBetweenMovingBodies) {
+  expect_exact(heavy_knee() + R"(
+[body.patella]
+mass = 0.1
+[joint.pf]
+type = "free"
+parent = "bone"
+child = "patella"
+rotations = ["tilt y", "spin x", "turn -z"]
+translations = ["s", "t", "u"]
+reference = { s = 2, t = 38, tilt = 5, turn = 8 }
+[load.tendon]
+body = "patella"
+point = [1, 2, -14]
+toward = { body = "bone", point = [0, 20, -50] }
+magnitude = 300
+scale = { over = "knee.adduction", table = [[-30, 1], [30, 2]] }
+[load.muscle]
+on = "pf.turn"
+scale = { over = "pf.s", table = [[-30, 1], [2, 5], [30, 2]] }
+[load.lift]
+on = "pf.u"
+value = 40
+[[step]]
+prescribe = { "pf.tilt" = 3, "knee.flexion" = 20 }
+)",
+               1.3);
+}
+
+TEST(Linearization, LoadRateIsTheWrenchsDerivativeAlongAStep) {
+  const test::SceneModel s = test::scene_model(heavy_knee() + test::step("load = { drop = [0.2, 2], turn = [1, -3] }"));
   const State state = reference_state(s.model);
-  Linearization a, b;
-  linearize(s.model, state, with, a);
-  linearize(s.model, state, without, b);
-  EXPECT_LT((a.wrench - b.wrench - load_wrench(s.model, state, with.load_factors)).norm(), 1e-11);
-  EXPECT_GT((a.wrench - b.wrench).norm(), 50);
+  constexpr double kStart = 0.3, kDuration = 1.7;
+  const auto target = [&](double t) {
+    Target out = test::target_of(s.scene, t);
+    out.time = kStart + kDuration * t;
+    return out;
+  };
+  Target rate = target(0);
+  rate.load_factors = {1.8, 0, -4, 0};
+  rate.time = kDuration;
+  const VecX fd = test::derivative(
+      [&](double h) {
+        Linearization at;
+        linearize(s.model, state, target(0.37 + h), at);
+        return VecX(at.wrench);
+      },
+      1e-3);
+  const VecX exact = load_rate(s.model, state, target(0.37), rate);
+  EXPECT_LT((exact - fd).cwiseAbs().maxCoeff(), 1e-8) << exact.transpose() << "\n" << fd.transpose();
+  EXPECT_GT(exact.norm(), 100);
 }
 
 }  // namespace

@@ -8,7 +8,10 @@ namespace {
 Scene knee() {
   Scene scene;
   scene.title = "knee";
-  scene.bodies = {{"tibia", true, {}}, {"femur", false, {}}};
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "tibia";
+  scene.bodies[0].fixed = true;
+  scene.bodies[1].name = "femur";
   JointDef joint;
   joint.name = "knee";
   joint.rotations[0].name = "flexion";
@@ -97,6 +100,30 @@ TEST(Curves, TwoEndsOfAWindowAreOneBand) {
   ASSERT_EQ(chart.events.size(), 1u);
   EXPECT_EQ(chart.events[0].kind, ChartEvent::Kind::window);
   EXPECT_LT(chart.events[0].from, chart.events[0].to);
+}
+
+TEST(Curves, RunOverTimeWhereOnlyLoadsInTimeDriveTheJoint) {
+  Scene scene = knee();
+  scene.loads.resize(1);
+  scene.loads[0].scale.emplace();
+  ResultTable poses;
+  poses.add_column("time_s");
+  for (const double time : {0.0, 0.5, 1.5}) {
+    poses.add_row();
+    poses.set("time_s", time);
+  }
+  StepPlan plan;
+  plan.increments = 2;
+  PathEvent event;
+  event.kind = PathEvent::Kind::contact_lost;
+  event.step = 1;
+  event.target.time = 0.75;
+  const Chart chart = curves(scene, {plan}, poses, {event});
+  EXPECT_EQ(chart.x_title, "time [s]");
+  EXPECT_EQ(chart.x, (std::vector<double>{0, 0.5, 1.5}));
+  ASSERT_EQ(chart.events.size(), 1u);
+  EXPECT_EQ(chart.events[0].from, 0.75);
+  EXPECT_NE(chart.events[0].text.find("at 0.75 s"), std::string::npos) << chart.events[0].text;
 }
 
 }  // namespace

@@ -149,6 +149,40 @@ TEST(PoseTable, ASpringWithoutSlackLengthHasNoStrain) {
   EXPECT_NEAR(t.number(0, "rope.force_N"), 10, 1e-12);
 }
 
+TEST(PoseTable, JointsShowWhatTheyLeaveAndWhatHoldsTheRest) {
+  const test::SceneModel s = test::scene_model(test::bone_on_ground() + R"([body.tool]
+[joint.hinge]
+type = "revolute"
+parent = "bone"
+child = "tool"
+axis = [0, 0, 1]
+origin = [10, 0, 0]
+[combination.mix]
+terms = { "j.c" = 1, "hinge.angle" = -3 }
+)");
+  StepPlan plan;
+  const QuantityRef mix{{0, 2}, 0};
+  plan.prescribed = {{mix, 0, 1}};
+  PoseRecord r;
+  r.point.report.status = PoseStatus::ok;
+  r.point.target.prescribed = {{mix, 0.1}};
+  r.point.pose.state = reference_state(s.model);
+  r.point.pose.state.coordinates[0][2] = 0.4;
+  r.point.pose.state.coordinates[1][0] = 0.1;
+  r.point.pose.state.multipliers = {7, 0, 0, 1, 2, 3};
+  const ResultTable t = pose_table(s.scene, s.model, {plan}, {r});
+  EXPECT_NEAR(t.number(0, "hinge.angle_deg"), 0.1 / kDegree, 1e-13);
+  EXPECT_NEAR(t.number(0, "mix_deg"), 0.1 / kDegree, 1e-13);
+  EXPECT_EQ(t.number(0, "mix.reaction_Nm"), 7);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_x_N"), 1, 1e-15);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_y_N"), 2, 1e-15);
+  EXPECT_NEAR(t.number(0, "hinge.reaction.force_z_N"), 3, 1e-15);
+  EXPECT_EQ(t.number(0, "hinge.reaction.moment_x_Nm"), 0);
+  EXPECT_FALSE(t.has_column("hinge._deg"));
+  EXPECT_FALSE(t.has_column("hinge._mm"));
+  EXPECT_FALSE(t.has_column("j.reaction.force_x_N"));
+}
+
 TEST(PoseTable, AFailedPoseHasItsPrescribedCoordinatesAndNothingElse) {
   Bench bench;
   bench.add(1, 0, 1);
@@ -158,27 +192,50 @@ TEST(PoseTable, AFailedPoseHasItsPrescribedCoordinatesAndNothingElse) {
   failed.increment = 2;
   failed.report.status = PoseStatus::no_equilibrium;
   failed.target.prescribed = {{{0, 0}, 30 * kDegree}};
+  failed.target.time = 1.5;
   const ResultTable t = bench.table();
   EXPECT_EQ(std::get<std::string>(t.at(1, t.column_index("status"))), to_string(PoseStatus::no_equilibrium));
   EXPECT_NEAR(t.number(1, "j.a_deg"), 30, 1e-13);
+  EXPECT_EQ(t.number(1, "time_s"), 1.5);
   for (const std::string& column : t.columns()) {
-    if (column == "step" || column == "increment" || column == "status" || column == "j.a_deg") continue;
+    const bool known = column == "step" || column == "increment" || column == "time_s" || column == "status";
+    if (known || column == "j.a_deg") continue;
     EXPECT_TRUE(empty(t, 1, column)) << column;
   }
 }
 
+TEST(PoseTable, AScaledLoadShowsItsScale) {
+  Bench bench;
+  ScaleDef def;
+  def.table = {{1, 3}, {2, 5}};
+  std::string why;
+  bench.scene.model.loads[0].scale = LoadScale::make(def, why);
+  bench.add(1, 0, 1).target.time = 1.25;
+  bench.add(1, 0, 1).target.time = 9;
+  def.kind = ScaleDef::Kind::over_coordinate;
+  def.coordinate = {0, 5};
+  def.table = {{0.01, 0}, {0.03, 1}};  // the bone's z is 20 mm
+  EXPECT_NEAR(bench.table().number(0, "lift.scale"), 3.5, 1e-14);
+  EXPECT_EQ(bench.table().number(1, "lift.scale"), 5);
+  EXPECT_EQ(bench.table().number(1, "time_s"), 9);
+  bench.scene.model.loads[0].scale = LoadScale::make(def, why);
+  EXPECT_NEAR(bench.table().number(0, "lift.scale"), 0.5, 1e-14);
+}
+
 TEST(EventTable, SaysWhereInTheUnitsOfTheResults) {
   const Bench bench;
-  PathEvent gained{PathEvent::Kind::contact_gained, 1, 0.25, {{{{0, 0}, 15 * kDegree}}, {1}}, "foot.2"};
-  PathEvent lost{PathEvent::Kind::contact_lost, 2, 0.5, {{{{0, 3}, 2e-3}}, {0.5}}, "foot.1"};
+  PathEvent gained{PathEvent::Kind::contact_gained, 1, 0.25, {{{{0, 0}, 15 * kDegree}}, {1}, 0.75}, "foot.2"};
+  PathEvent lost{PathEvent::Kind::contact_lost, 2, 0.5, {{{{0, 3}, 2e-3}}, {0.5}, 3}, "foot.1"};
   const ResultTable t = event_table(bench.scene.scene, bench.steps, {gained, lost});
-  EXPECT_EQ(t.columns(), (std::vector<std::string>{"step", "t", "event", "what", "j.a_deg", "j.x_mm", "lift.factor"}));
+  EXPECT_EQ(t.columns(),
+            (std::vector<std::string>{"step", "t", "time_s", "event", "what", "j.a_deg", "j.x_mm", "lift.factor"}));
   ASSERT_EQ(t.rows(), 2u);
   EXPECT_NEAR(t.number(0, "j.a_deg"), 15, 1e-13);
   EXPECT_TRUE(empty(t, 0, "j.x_mm"));
   EXPECT_EQ(t.number(0, "t"), 0.25);
-  EXPECT_EQ(std::get<std::string>(t.at(0, 2)), to_string(PathEvent::Kind::contact_gained));
-  EXPECT_EQ(std::get<std::string>(t.at(0, 3)), "foot.2");
+  EXPECT_EQ(t.number(0, "time_s"), 0.75);
+  EXPECT_EQ(std::get<std::string>(t.at(0, 3)), to_string(PathEvent::Kind::contact_gained));
+  EXPECT_EQ(std::get<std::string>(t.at(0, 4)), "foot.2");
   EXPECT_NEAR(t.number(1, "j.x_mm"), 2, 1e-14);
   EXPECT_EQ(t.number(1, "lift.factor"), 0.5);
 }

@@ -90,5 +90,18 @@ TEST(PlanSteps, LoadsThatAreNotNamedKeepTheFactorOne) {
   EXPECT_EQ(plans[1].prescribed[0].to, 2e-3);
 }
 
+TEST(PlanSteps, TimeGoesOnFromStepToStep) {
+  Scene scene;
+  scene.steps.resize(3);
+  scene.steps[0].duration = 0.25;
+  scene.steps[2].duration = 4;
+  const std::vector<StepPlan> plans = plan_steps(scene);
+  EXPECT_EQ(plans[0].target(0).time, 0);
+  EXPECT_EQ(plans[0].target(1).time, 0.25);
+  EXPECT_EQ(plans[1].target(1).time, 1.25);
+  EXPECT_EQ(plans[2].target(0).time, 1.25);
+  EXPECT_EQ(plans[2].target(0.5).time, 3.25);
+}
+
 }  // namespace
 }  // namespace genu

@@ -37,7 +37,10 @@ class Verdict : public testing::Test {
 TEST_F(Verdict, AllWell) {
   summary.poses_solved = 3;
   summary.exit_code = 0;
-  EXPECT_EQ(said(), "Every pose is solved and certified; 2 of 3 stable.\n");
+  EXPECT_EQ(
+      said(),
+      "Every pose is solved and certified; 2 of 3 stable; left to itself the joint would leave the others (column "
+      "`stability`).\n");
 }
 
 TEST_F(Verdict, EveryFailureSaysWhichWhereAndWhatToDo) {
@@ -66,12 +69,12 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::held, 1, 0.45, target, "AAC at 24 mm, 16 N below and 20 N above"},
             {Kind::jump, 1, 0.45, later, "PCL at 30 mm, 9 N below and 7 N above"},
             {Kind::over_edge, 1, 0.5, target, "medial.1"}};
-  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718 deg");
+  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718346 deg");
   expect_said("turns back at knee.flexion = 41.2 deg");
   expect_said("becomes unstable at knee.flexion = 41.2 deg");
   expect_said("From knee.flexion = 41.2 deg a ligament is held at the jump of its law");
   expect_said("AAC at 24 mm, 16 N below and 20 N above.");
-  expect_said("At knee.flexion = 42.9718 deg the force of a ligament drops");
+  expect_said("At knee.flexion = 42.9718346 deg the force of a ligament drops");
   expect_said("medial.1 reaches the edge");
 }
 

@@ -60,6 +60,17 @@ TEST(CheckScene, CoincidentEnds) {
               "[ligament.AAC]\n" + kCoincident + "\nlaw = \"spring\"\nstiffness = 1\nslack_length = 0"));
 }
 
+TEST(CheckScene, CoincidentPointsOfALoad) {
+  const std::string load = "body = \"femur\"\nforce = [0, 100, 0]\npoint = [1, 0, 0]\nframe = \"body\"\n";
+  // The reference turns the femur by 30 deg about -z and lifts it by 2.5 mm; the knee's z axis stays.
+  const auto toward = [&](const std::string& z) {
+    return edited("[load.push]\n" + load, "[load.@push]\nbody = \"femur\"\npoint = [0, 0, 7]\nmagnitude = 1\n" +
+                                              ("toward = { body = \"tibia\", point = [0, 2.5, " + z + "] }\n"));
+  };
+  expect_one_error(toward("7"), "load.push", "", "its two points coincide at the reference pose");
+  good(unmarked(toward("7.001")).text);
+}
+
 TEST(CheckScene, SpringOfNegativeLength) {
   const std::string law = "\nlaw = \"quadratic\"\nstiffness = 37200.0\nreference_strain = -0.0175";
   const std::string spring = "\nlaw = \"spring\"\nstiffness = 10\nreference_force = ";

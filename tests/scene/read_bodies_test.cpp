@@ -40,6 +40,37 @@ TEST(ReadBodies, Keys) {
                  "is no key of a body; did you mean \"fixed\"?");
 }
 
+const std::string kGravity = "gravity = [0, -9.81, 0]\n";
+
+TEST(ReadBodies, GravityGivesThemWeight) {
+  const std::string heavy = edited("[body.femur]\n", "[body.femur]\nmass = 3.5\ncentre_of_mass = [1, 2, 300]\n");
+  const Scene scene = good(edited("[body.tibia]", kGravity + "[body.tibia]", heavy));
+  ASSERT_TRUE(scene.gravity.has_value());
+  EXPECT_EQ(*scene.gravity, Vec3(0, -9.81, 0)) << "m/s^2 whatever the unit of length";
+  EXPECT_EQ(scene.bodies[1].mass, 3.5);
+  EXPECT_TRUE(scene.bodies[1].centre_of_mass.isApprox(Vec3(1e-3, 2e-3, 0.3), 1e-15));
+  EXPECT_EQ(scene.bodies[0].mass, 0) << "a body without a mass has no weight";
+  EXPECT_FALSE(good(kGoodScene).gravity.has_value());
+}
+
+TEST(ReadBodies, GravityErrors) {
+  const auto refused = [](const std::string& gravity, const std::string& body, const std::string& key,
+                          const std::string& found, const std::string& rule) {
+    const std::string text = edited("[body.femur]\n", "[body.femur]\n" + body);
+    expect_one_error(edited("[body.tibia]", gravity + "[body.tibia]", text), key, found, rule);
+  };
+  const std::string kMass = "mass = 3.5\n";
+  refused("gravity = @9.81\n", kMass, "gravity", "9.81", "three numbers [x, y, z], in m/s^2");
+  refused("gravity = [0, @inf, 0]\n", kMass, "gravity[2]", "inf", "finite");
+  refused("gravity = @[0, -9.81, 0]\n", "", "gravity", "[0, -9.81, 0]", "no body has a mass");
+  refused(kGravity, "mass = @0\n", "body.femur.mass", "0", "must be > 0 kg");
+  refused(kGravity, kMass + "centre_of_mass = @3\n", "body.femur.centre_of_mass", "3", "three numbers");
+  refused(kGravity, kMass + "@inertia = [1, 1, 1]\n", "body.femur.inertia", "[1, 1, 1]", "not built yet");
+  refused(kGravity, kMass + "[body.patella]\nfixed = true\nmass = @1\n", "body.patella.mass", "1", "fixed body");
+  refused(kGravity, kMass + "[body.patella]\nfixed = true\ncentre_of_mass = @[0, 0, 0]\n",
+          "body.patella.centre_of_mass", "[0, 0, 0]", "there is no mass");
+}
+
 TEST(ReadBodies, Names) {
   expect_refused("[body.femur]\n", "[body.femur]\n[body.@\"2nd bone\"]\nfixed = true\n", "body.2nd bone",
                  "\"2nd bone\"", "a name is a letter");

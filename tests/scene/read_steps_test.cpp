@@ -66,6 +66,14 @@ TEST(ReadSteps, Increments) {
   expect_refused("increments = 70", "@increment = 70", "step[1].increment", "70", "did you mean \"increments\"?");
 }
 
+TEST(ReadSteps, Duration) {
+  EXPECT_EQ(good(kGoodScene).steps.at(0).duration, 1) << "s";
+  EXPECT_EQ(good(edited("increments = 70", "duration = 0.25")).steps.at(0).duration, 0.25);
+  for (const std::string bad : {"0", "-1"})
+    expect_refused("increments = 70", "duration = @" + bad, "step[1].duration", bad, "must be > 0 s");
+  expect_refused("increments = 70", "duration = @\"1 s\"", "step[1].duration", "\"1 s\"", "must be a number, in s");
+}
+
 TEST(ReadSteps, Form) {
   const std::string head = kGoodScene.substr(0, kGoodScene.find("[[step]]"));
   expect_one_error(head + "@[step]\nincrements = 3\n", "step", "a table", "steps are written [[step]]");
@@ -99,6 +107,46 @@ translations = ["u", "v", "w"]
   };
   good(unmarked(text(ten)).text);
   expect_one_error(text(ten + ", \"pf.v\" = 0"), "step[1].prescribe", "", "M + N = 11 + 1 = 12, at most 11");
+}
+
+TEST(ReadSteps, WhatJointsHoldCounts) {
+  const std::string chain = R"([body.shank]
+[body.foot]
+[joint.hinge]
+type = "revolute"
+parent = "femur"
+child = "shank"
+axis = [0, 0, 1]
+[joint.weld]
+type = "fixed"
+parent = "shank"
+child = "foot"
+)";
+  const auto text = [&](const std::string& coordinates) {
+    return edited(kPrescribe, "@prescribe = { " + coordinates + " }", kGoodScene + chain);
+  };
+  const std::string five = "\"knee.flexion\" = 0, \"knee.x\" = 0, \"knee.y\" = 0, \"knee.z\" = 0, \"hinge.angle\" = 0";
+  good(unmarked(text(five)).text);
+  expect_one_error(text(five + ", \"knee.rotation\" = 0"), "step[1].prescribe", "",
+                   "11 coordinates that joints hold, prescribed coordinates and rigid contact pairs M + N = 17 + 1 = "
+                   "18, at most 17");
+}
+
+TEST(ReadSteps, PrescribedValuesAreIndependent) {
+  const std::string combinations = R"([combination.sum]
+terms = { "knee.flexion" = 1, "knee.rotation" = 2 }
+[combination.difference]
+terms = { knee.flexion = 3, knee.rotation = -6 }
+)";
+  const auto text = [&](const std::string& entries) {
+    return edited(kPrescribe, "prescribe = { " + entries + " }", kGoodScene + combinations);
+  };
+  good(text("sum = 0, difference = 0"));
+  good(text("\"knee.flexion\" = 0, difference = 0"));
+  const std::string rule = "follows from what this step prescribes before it";
+  expect_one_error(text("\"knee.flexion\" = 0, \"knee.rotation\" = 0, @sum = 0"), "step[1].prescribe.sum", "", rule);
+  expect_one_error(text("sum = 0, difference = 0, knee.@flexion = 0"), "step[1].prescribe.knee.flexion", "", rule);
+  expect_one_error(text("sum = 0, @summ = 0"), "step[1].prescribe.summ", "", "did you mean \"sum\"?");
 }
 
 }  // namespace

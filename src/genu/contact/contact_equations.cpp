@@ -1,7 +1,7 @@
 #include "genu/contact/contact_equations.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/SVD>
 
 namespace genu {
 namespace {
@@ -19,6 +19,13 @@ Mat4 scaled_block(const ContactBlock& block, double length) {
   Mat4 local;
   local << block.d_surface.topRows<2>(), length * block.d_surface.bottomRows<2>();
   return local;
+}
+
+/// The same rows over the bodies' twists.
+Eigen::Matrix<double, 4, 12> scaled_twist(const ContactBlock& block, double length) {
+  Eigen::Matrix<double, 4, 12> twist;
+  twist << block.d_twist.topRows<2>(), length * block.d_twist.bottomRows<2>();
+  return twist;
 }
 
 }  // namespace
@@ -100,16 +107,19 @@ bool EliminatedContact::factor(const ContactBlock& block, double length) {
 
 void EliminatedContact::factor_minimum_norm(const ContactBlock& block, double length) {
   length_ = length;
-  Eigen::CompleteOrthogonalDecomposition<Mat4> cod;
-  cod.setThreshold(kSingular);
-  cod.compute(scaled_block(block, length));
-  inverse_ = cod.pseudoInverse();
+  Eigen::JacobiSVD<MatX> svd(scaled_block(block, length), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  svd.setThreshold(kSingular);
+  const Eigen::Index rank = svd.rank();
+  const Vec4 inverse_values = svd.singularValues().cwiseInverse();
+  inverse_ =
+      svd.matrixV().leftCols(rank) * inverse_values.head(rank).asDiagonal() * svd.matrixU().leftCols(rank).transpose();
   condense(block);
+  closure = svd.matrixU().rightCols(4 - rank).transpose() * scaled_twist(block, length);
 }
 
 void EliminatedContact::condense(const ContactBlock& block) {
-  Eigen::Matrix<double, 4, 12> twist;
-  twist << block.d_twist.topRows<2>(), length_ * block.d_twist.bottomRows<2>();
+  const Eigen::Matrix<double, 4, 12> twist = scaled_twist(block, length_);
+  closure.resize(0, 12);
   gap_surface_ = block.d_surface.row(2);
   wrench_surface_ = block.wrench_d_surface;
   surface_gain.noalias() = -inverse_ * twist;

@@ -47,8 +47,9 @@ class EliminatedContact {
   /// dense route serves then.
   bool factor(const ContactBlock& block, double length);
 
-  /// The same where the block is singular: surface coordinates move by the least that the rows determine. For stability
-  /// only, where the undetermined motion changes no force to first order.
+  /// The same where the block is singular (the surfaces conform along a line or an area): surface coordinates move by
+  /// the least that the rows determine, and what no motion along the surfaces can make up for is left in `closure`.
+  /// For stability only, where the undetermined motion changes no force to first order.
   void factor_minimum_norm(const ContactBlock& block, double length);
 
   /// Sets gap, surface_offset and wrench_offset for the given residual, which may be that of another state.
@@ -61,6 +62,8 @@ class EliminatedContact {
   Mat12 stiffness = Mat12::Zero();      ///< d wrench / d twist
   Vec4 surface_offset = Vec4::Zero();   ///< m
   Eigen::Matrix<double, 4, 12> surface_gain;
+  /// At most 4 x 12, rows to be held at 0: conforming surfaces let no motion happen that would part them to a point.
+  Eigen::Matrix<double, Eigen::Dynamic, 12, 0, 4, 12> closure;
 
  private:
   void condense(const ContactBlock& block);

@@ -192,14 +192,17 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   starts_.clear();
   for (const int sample : measured_) {
     const double gap = gap_[static_cast<std::size_t>(sample)];
-    if (gap < std::min(window, kNearContact * spacing_) || (gap < window && lowest_of_neighbours(sample)))
-      starts_.push_back(sample);
+    const bool near_contact = std::abs(gap) < std::min(window, kNearContact * spacing_);
+    if (near_contact || (gap < window && lowest_of_neighbours(sample))) starts_.push_back(sample);
   }
   std::sort(starts_.begin(), starts_.end(), [&](int i, int j) {
     return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);
   });
   raw_.clear();
+  // Surfaces with more minima than this conform: what is not looked at still counts in the samples' gaps.
+  constexpr std::size_t kMostMinima = 500;
   for (const int sample : starts_) {
+    if (raw_.size() >= kMostMinima) break;
     const auto i = static_cast<std::size_t>(sample);
     const DescentLimits limits{spacing_, &raw_, kMerge * spacing_,
                                lowest_of_neighbours(sample) ? window : kHopeless * spacing_};
@@ -239,6 +242,13 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
     out.deepest = {samples_.points[i], Vec3::Zero(), gap_[i], samples_.areas[i]};
     sample_gap(X_qs, deepest, &out.deepest.direction);
   }
+}
+
+double Proximity::smallest_sample_gap(const Pose& X_ab) {
+  double smallest = kInfinity;
+  const Pose X_qs = query_from_samples(X_ab);
+  visit_near(X_qs, 0, [&](int sample) { smallest = std::min(smallest, sample_gap(X_qs, sample, nullptr)); });
+  return smallest;
 }
 
 void Proximity::near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out) {

@@ -46,6 +46,10 @@ class Proximity {
   /// Looks at the whole pair at the relative pose X_ab for gaps below `window` (m).
   void scan(const Pose& X_ab, double window, ProximityScan& out);
 
+  /// The smallest gap of any sample, +infinity where all are clear: cheap, and coarse by a sample's distance to the
+  /// true minimum.
+  double smallest_sample_gap(const Pose& X_ab);
+
   /// All samples with a gap below `window`, overlapping ones included, wherever they are.
   void near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out);
 

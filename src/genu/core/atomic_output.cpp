@@ -1,5 +1,7 @@
 #include "genu/core/atomic_output.h"
 
+#include <fcntl.h>
+#include <stdio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace genu {
 namespace {
@@ -35,6 +38,18 @@ bool is_folder_or_above(const fs::path& folder, const fs::path& inner) {
   return end == folder.end();
 }
 
+bool is_marked(const fs::path& folder) {
+  std::ifstream file(folder / kMarkFile, std::ios::binary);
+  char start[64] = {};
+  file.read(start, sizeof start - 1);
+  return std::strstr(start, "\"genu\"") != nullptr;
+}
+
+// Exchanges two names in one step where the file system can; false where it cannot.
+bool exchange(const fs::path& a, const fs::path& b) {
+  return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
 // Why `target`, a canonical path, must not be replaced by a folder; empty if it may.
 std::string why_not_replaceable(const fs::path& target) {
   std::error_code code;
@@ -49,9 +64,9 @@ std::string why_not_replaceable(const fs::path& target) {
   if (!fs::is_directory(status)) return target.string() + ": is a file: choose a folder";
   const bool empty = fs::is_empty(target, code);
   if (code) return failure(target, "cannot be read", code);
-  if (!empty && !fs::exists(target / kMarkFile, code)) {
+  if (!empty && !is_marked(target)) {
     return target.string() + ": has content but no " + kMarkFile +
-           ", so it is not a result of genu and will not be replaced: choose another folder";
+           " of genu, so it is not a result of genu and will not be replaced: choose another folder";
   }
   return {};
 }
@@ -67,6 +82,8 @@ std::string StagedFolder::open(const fs::path& target) {
   if (target.empty()) return "the output folder has no name";
   if (!staging_.empty()) return target.string() + ": another output folder is still open";
   std::error_code code;
+  if (fs::is_symlink(target, code) && !fs::exists(target, code))
+    return target.string() + ": is a symbolic link to nothing";
   fs::path canonical = fs::weakly_canonical(fs::absolute(target, code), code);
   if (code) return failure(target, "cannot be used as a folder", code);
   if (!canonical.has_filename()) canonical = canonical.parent_path();  // "out/" is "out"
@@ -87,6 +104,12 @@ std::string StagedFolder::commit() {
   if (std::string why = why_not_replaceable(target_); !why.empty()) return why;
   std::error_code code;
   const bool replaces = fs::exists(target_, code);
+  if (replaces && exchange(staging_, target_)) {
+    // The earlier result has the staging name now.
+    fs::remove_all(staging_, code);
+    const fs::path earlier = std::exchange(staging_, fs::path());
+    return code ? failure(earlier, "is the earlier result and cannot be removed", code) : std::string();
+  }
   const fs::path old = sibling(target_, "old");
   if (replaces) {
     fs::rename(target_, old, code);

@@ -5,6 +5,20 @@
 
 namespace genu {
 
+std::string printable(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= 0x20 && code != 0x7f) {
+      out += c;
+    } else {
+      constexpr char kDigits[] = "0123456789abcdef";
+      out += std::string("\\x") + kDigits[code / 16] + kDigits[code % 16];
+    }
+  }
+  return out;
+}
+
 std::string to_string(const Diagnostic& d) {
   std::string s = d.file;
   if (d.line > 0) s += ":" + std::to_string(d.line);
@@ -16,7 +30,7 @@ std::string to_string(const Diagnostic& d) {
     if (!d.found.empty()) s += " = " + d.found;
     s += ": ";
   }
-  return s + d.rule;
+  return printable(s + d.rule);
 }
 
 void Diagnostics::error(std::string file, std::string rule) {

@@ -18,6 +18,9 @@ struct Diagnostic {
   std::string rule;   ///< what is allowed, or what is wrong, in words
 };
 
+/// `text` with its control characters written as \x1b: what comes from a file cannot drive a terminal.
+std::string printable(const std::string& text);
+
 /// One line: file:line:column: key = found: rule
 std::string to_string(const Diagnostic& d);
 

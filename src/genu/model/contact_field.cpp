@@ -87,6 +87,10 @@ double ContactField::smallest_gap(const State& state, int pair) {
   return std::numeric_limits<double>::infinity();
 }
 
+double ContactField::overlap(const State& state, int pair) {
+  return std::max(0.0, -pairs_[at(pair)].smallest_sample_gap(relative(state, pair)));
+}
+
 double ContactField::add_foundation(const State& state, double modulus, Linearization& out) {
   double deepest = 0;
   for (int pair = 0; pair < static_cast<int>(pairs_.size()); ++pair) {

@@ -47,6 +47,9 @@ class ContactField {
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
   double smallest_gap(const State& state, int pair);
 
+  /// How far (m) the samples of a pair overlap, 0 where none does: coarse, but cheap however deep it is.
+  double overlap(const State& state, int pair);
+
   /// Wrench and stiffness of an elastic foundation of `modulus` (Pa per m of overlap) under every overlapping sample,
   /// added to `out`; returns the deepest overlap (m, positive). A seed for cold starts, not a cartilage model.
   double add_foundation(const State& state, double modulus, Linearization& out);

@@ -8,6 +8,13 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Where a load pulls on a body.
+void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
+  const bool toward = load.kind == Load::Kind::toward;
+  if (load.body_a == body && (toward || !load.force.isZero())) ends.push_back(load.p_A);
+  if (load.body_b == body && toward) ends.push_back(load.p_B);
+}
+
 JointModel::Scales choose_scales(const JointModel& model) {
   JointModel::Scales scales;
   double square = 0;
@@ -20,8 +27,14 @@ JointModel::Scales choose_scales(const JointModel& model) {
       for (const auto& via : l.via)
         if (at(via.body) == body) ends.push_back(via.p);
     }
-    for (const auto& l : model.loads)
-      if (at(l.body) == body && !l.force.isZero()) ends.push_back(l.point);
+    for (const auto* loads : {&model.loads, &model.weights})
+      for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
+    for (const auto& held : model.held) {
+      if (held.coordinate.index != 3) continue;  // once a joint
+      const auto& joint = model.joints[at(held.coordinate.joint)];
+      if (at(joint.parent) == body) ends.emplace_back(joint.reference[3], joint.reference[4], joint.reference[5]);
+      if (at(joint.child) == body) ends.push_back(Vec3::Zero());
+    }
     if (ends.size() < 2) continue;
     Vec3 mean = Vec3::Zero();
     for (const Vec3& p : ends) mean += p / static_cast<double>(ends.size());
@@ -34,7 +47,8 @@ JointModel::Scales choose_scales(const JointModel& model) {
       if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
 
   double force = 0;
-  for (const auto& load : model.loads) force = std::max({force, load.force.norm(), load.moment.norm() / scales.length});
+  for (const auto* loads : {&model.loads, &model.weights})
+    for (const Load& load : *loads) force = std::max(force, load.largest_force(scales.length));
   constexpr double kTypicalStrain = 0.01;
   for (const auto& l : model.ligaments) {
     const double slack = l.ligament.law.slack_length();
@@ -42,8 +56,38 @@ JointModel::Scales choose_scales(const JointModel& model) {
     const double value = std::abs(l.ligament.law.evaluate(stretched).force);
     if (std::isfinite(value)) force = std::max(force, value);
   }
+  for (const auto& spring : model.joint_springs)
+    force = std::max(force, kTypicalStrain * spring.stiffness / scales.length);
   scales.force = force > 0 ? force : 1.0;
   return scales;
+}
+
+void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
+  for (int i = 0; i < 6; ++i)
+    if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
+  if (joint.stiffness > 0) model.joint_springs.push_back({index, joint.stiffness});
+}
+
+bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
+  bool good = true;
+  for (const LoadDef& def : scene.loads) {
+    std::string why;
+    if (auto load = make_load(scene, def, why)) {
+      model.loads.push_back(std::move(*load));
+      continue;
+    }
+    good = false;
+    out.add({.file = scene.file,
+             .line = def.where.line,
+             .column = def.where.column,
+             .key = "load." + def.name + ".scale",
+             .found = {},
+             .rule = why});
+  }
+  for (std::size_t i = 0; scene.gravity && i < scene.bodies.size(); ++i)
+    if (!scene.bodies[i].fixed && scene.bodies[i].mass > 0)
+      model.weights.push_back(make_weight(scene, static_cast<int>(i)));
+  return good;
 }
 
 }  // namespace
@@ -51,6 +95,14 @@ JointModel::Scales choose_scales(const JointModel& model) {
 void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
   model.ligaments.push_back(std::move(ligament));
   model.scales = choose_scales(model);
+}
+
+double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
+                      const QuantityRef& quantity) {
+  double value = 0;
+  for_terms(model, quantity,
+            [&](const CoordinateRef& c, double factor) { value += factor * coordinates[at(c.joint)][at(c.index)]; });
+  return value;
 }
 
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates) {
@@ -77,7 +129,9 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   for (const JointDef& joint : scene.joints) {
     model.joints.push_back({joint.name, joint.parent, joint.child, JointCoordinates(joint), joint.reference});
     reference.push_back(joint.reference);
+    add_constraints_of(joint, static_cast<int>(model.joints.size()) - 1, model);
   }
+  model.combinations = scene.combinations;
   model.reference_poses = poses_from_coordinates(model, reference);
 
   bool good = true;
@@ -97,7 +151,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
     model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
     for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
   }
-  model.loads = scene.loads;
+  good = add_loads(scene, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {
     const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
     const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];

@@ -9,6 +9,7 @@
 #include "genu/geometry/surface.h"
 #include "genu/model/joint_coordinates.h"
 #include "genu/model/ligament.h"
+#include "genu/model/load.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -23,6 +24,16 @@ struct JointModel {
     int parent, child;
     JointCoordinates coordinates;
     JointValues reference;
+  };
+  /// A coordinate that a revolute or fixed joint holds: a constraint of every pose, with a multiplier.
+  struct Held {
+    CoordinateRef coordinate;
+    double value;  ///< rad or m
+  };
+  /// The moment -stiffness * angle of a revolute joint on its first coordinate.
+  struct JointSpring {
+    int joint;
+    double stiffness;  ///< N m / rad
   };
   struct LigamentBetween {
     struct Via {
@@ -42,16 +53,21 @@ struct JointModel {
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.
   struct Scales {
-    double length = 0.01;  ///< m: root mean square distance of ligament points from their body's mean end
+    double length = 0.01;  ///< m: root mean square distance of what pulls at a body (ligaments, joints) from its mean
     double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
-    double force = 1;    ///< N: the largest load, or what 1 % of strain costs in the stiffest ligament, at least 1 N
+    /// N: the largest load or weight, or what 1 % of strain (0.01 rad) costs in the stiffest ligament (joint)
+    double force = 1;
   };
 
   std::vector<Body> bodies;
   int moving_count = 0;
   std::vector<Joint> joints;
+  std::vector<Held> held;  ///< joint by joint
+  std::vector<JointSpring> joint_springs;
+  std::vector<CombinationDef> combinations;
   std::vector<LigamentBetween> ligaments;
-  std::vector<LoadDef> loads;
+  std::vector<Load> loads;
+  std::vector<Load> weights;  ///< of the moving bodies that have a mass, in a scene with gravity; no step scales them
   std::vector<Pair> pairs;
   std::vector<Pose> reference_poses;  ///< of every body in the world
   Scales scales;
@@ -65,6 +81,21 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
 /// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
 /// are indices into JointModel::bodies. Only before a State is made of the model.
 void add_ligament(JointModel& model, JointModel::LigamentBetween ligament);
+
+/// Calls add(coordinate, factor) for each term of what is prescribed.
+template <typename Add>
+void for_terms(const JointModel& model, const QuantityRef& quantity, Add add) {
+  if (quantity.combination < 0) {
+    add(quantity.first, 1.0);
+    return;
+  }
+  for (const auto& term : model.combinations[static_cast<std::size_t>(quantity.combination)].terms)
+    add(term.coordinate, term.factor);
+}
+
+/// The value (rad or m) of what can be prescribed, for the coordinates of every joint.
+double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
+                      const QuantityRef& quantity);
 
 /// The pose of every body in the world for the coordinates of every joint; fixed bodies stand at the origin.
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates);

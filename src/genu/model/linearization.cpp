@@ -1,7 +1,6 @@
 #include "genu/model/linearization.h"
 
 #include "genu/model/ligament_pieces.h"
-#include "genu/model/load.h"
 
 namespace genu {
 namespace {
@@ -12,20 +11,24 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class TwoBodyScatter {
  public:
   TwoBodyScatter(const JointModel& model, int body_a, int body_b)
-      : index_{model.bodies[at(body_a)].moving, model.bodies[at(body_b)].moving} {}
+      : index_{moving(model, body_a), moving(model, body_b)} {}
 
   void add_wrench(const Vec12& wrench, VecX& out) const {
     for (int i = 0; i < 2; ++i)
       if (index_[i] >= 0) out.segment<6>(6 * index_[i]) += wrench.segment<6>(6 * i);
   }
-  void add_stiffness(const Mat12& stiffness, MatX& out) const {
+  void add_stiffness(const Mat12& stiffness, MatX& out) const { add_stiffness(stiffness, *this, out); }
+  /// The same where the wrench depends on the twists of two other bodies.
+  void add_stiffness(const Mat12& stiffness, const TwoBodyScatter& twists, MatX& out) const {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        if (index_[i] >= 0 && index_[j] >= 0)
-          out.block<6, 6>(6 * index_[i], 6 * index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
+        if (index_[i] >= 0 && twists.index_[j] >= 0)
+          out.block<6, 6>(6 * index_[i], 6 * twists.index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
   }
 
  private:
+  static int moving(const JointModel& model, int body) { return body < 0 ? -1 : model.bodies[at(body)].moving; }
+
   int index_[2];
 };
 
@@ -63,8 +66,8 @@ void add_chain(const JointModel& model, const JointModel::LigamentBetween& l, co
 }
 
 /// The multiplier is the tension: what shortens the ligament gives the constraint's gradient.
-void add_held(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
-              const LigamentPiece& piece, Eigen::Index row, Linearization& out) {
+void add_held_ligament(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
+                       const LigamentPiece& piece, Eigen::Index row, Linearization& out) {
   add_chain(model, l, state, {piece.force, 0, 0}, out);
   out.gradient.row(row) = -out.length_gradient.transpose();
   out.constraint[row] = l.ligament.law.breaks()[at(piece.piece)].length - ligament_length(l, state.poses);
@@ -77,7 +80,7 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
     const bool has_piece = piece != state.pieces.end() && at(piece->ligament) == i;
     const int k = has_piece && !piece->by_length ? piece->piece : LigamentLaw::kByLength;
     if (has_piece && piece->held)
-      add_held(model, l, state, *piece, first_held++, out);
+      add_held_ligament(model, l, state, *piece, first_held++, out);
     else if (l.via.empty())
       add_straight(model, l, state, k, out);
     else if (const LawValue tension = l.ligament.law.evaluate(ligament_length(l, state.poses), k);
@@ -87,33 +90,86 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
   }
 }
 
+JointPoint joint_point(const JointModel& model, const State& state, int index) {
+  const auto& joint = model.joints[at(index)];
+  return joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
+                                    state.coordinates[at(index)]);
+}
+
+/// A load at the factor 1.
+LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load) {
+  if (load.kind == Load::Kind::coordinate) return load.on_coordinate(joint_point(model, state, load.coordinate.joint));
+  return load.between(state.poses[at(load.body_a)], load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
+}
+
+void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
+              Linearization& out) {
+  const LoadWrench unit = load_wrench(model, state, load);
+  const LoadScale::Value scale = load_scale(load, state, time);
+  const TwoBodyScatter scatter(model, load.body_a, load.body_b);
+  scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
+  scatter.add_stiffness(factor * scale.factor * unit.stiffness, out.stiffness);
+  if (scale.slope == 0 || !load.scale || !load.scale->coordinate()) return;
+  // The pose changes the factor too: wrench times d factor / d q times grad q.
+  const CoordinateRef& q = *load.scale->coordinate();
+  const JointPoint::Gradient gradient = joint_point(model, state, q.joint).gradient(q.index);
+  const auto& joint = model.joints[at(q.joint)];
+  scatter.add_stiffness(factor * scale.slope * unit.wrench * gradient, TwoBodyScatter(model, joint.parent, joint.child),
+                        out.stiffness);
+}
+
 void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const int moving = model.bodies[at(model.loads[i].body)].moving;
-    if (moving < 0 || target.load_factors[i] == 0) continue;
-    const BodyWrench load = evaluate_load(model.loads[i], state.poses[at(model.loads[i].body)], target.load_factors[i]);
-    out.wrench.segment<6>(6 * moving) += load.wrench;
-    out.stiffness.block<6, 6>(6 * moving, 6 * moving) += load.stiffness;
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    if (target.load_factors[i] != 0) add_load(model, state, model.loads[i], target.load_factors[i], target.time, out);
+  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
+}
+
+/// Adds `factor` times a coordinate to constraint `row`, and the wrench of its share of the multiplier.
+void add_coordinate(const JointModel& model, const State& state, const JointPoint& point, const CoordinateRef& c,
+                    double factor, Eigen::Index row, Linearization& out) {
+  const auto& joint = model.joints[at(c.joint)];
+  const JointPoint::Gradient gradient = factor * point.gradient(c.index);
+  out.constraint(row) += factor * point.values()[at(c.index)];
+  const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
+  if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) += gradient.head<6>();
+  if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) += gradient.tail<6>();
+  const double multiplier = state.multipliers[static_cast<std::size_t>(row)];
+  const TwoBodyScatter scatter(model, joint.parent, joint.child);
+  scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
+  scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
+}
+
+void add_prescribed(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
+    const auto row = static_cast<Eigen::Index>(m);
+    for_terms(model, target.prescribed[m].coordinate, [&](const CoordinateRef& c, double factor) {
+      add_coordinate(model, state, joint_point(model, state, c.joint), c, factor, row, out);
+    });
+    out.constraint(row) -= target.prescribed[m].value;
   }
 }
 
-void add_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
-  for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
-    const auto& prescribed = target.prescribed[m];
-    const auto& joint = model.joints[at(prescribed.coordinate.joint)];
-    const JointPoint point = joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
-                                                        state.coordinates[at(prescribed.coordinate.joint)]);
-    const int i = prescribed.coordinate.index;
-    const auto row = static_cast<Eigen::Index>(m);
-    out.constraint(row) = point.values()[at(i)] - prescribed.value;
-    const JointPoint::Gradient gradient = point.gradient(i);
-    const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
-    if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) = gradient.head<6>();
-    if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) = gradient.tail<6>();
-    const double multiplier = state.multipliers[m];
+void add_held(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  auto row = static_cast<Eigen::Index>(target.prescribed.size());
+  JointPoint point;
+  int evaluated = -1;
+  for (const auto& held : model.held) {
+    if (held.coordinate.joint != evaluated) point = joint_point(model, state, evaluated = held.coordinate.joint);
+    add_coordinate(model, state, point, held.coordinate, 1, row, out);
+    out.constraint(row++) -= held.value;
+  }
+}
+
+void add_joint_springs(const JointModel& model, const State& state, Linearization& out) {
+  for (const auto& spring : model.joint_springs) {
+    const auto& joint = model.joints[at(spring.joint)];
+    const JointPoint point = joint_point(model, state, spring.joint);
+    const JointPoint::Gradient gradient = point.gradient(0);
+    const double angle = point.values()[0];
     const TwoBodyScatter scatter(model, joint.parent, joint.child);
-    scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
-    scatter.add_stiffness(multiplier * point.hessian(i), out.stiffness);
+    scatter.add_wrench(-spring.stiffness * angle * gradient.transpose(), out.wrench);
+    scatter.add_stiffness(-spring.stiffness * (gradient.transpose() * gradient + angle * point.hessian(0)),
+                          out.stiffness);
   }
 }
 
@@ -154,28 +210,51 @@ void Correction::resize(int moving_bodies, int constraints, int contacts) {
 
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   const int n = 6 * model.moving_count;
-  const auto prescribed = static_cast<Eigen::Index>(target.prescribed.size());
-  const Eigen::Index m = prescribed + held_count(state);
+  const auto held_from = static_cast<Eigen::Index>(constraint_count(model, target));
+  const Eigen::Index m = held_from + held_count(state);
   out.wrench.setZero(n);
   out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);
   out.constraint.setZero(m);
   out.contacts.resize(state.contacts.size());
   out.contact_bodies.resize(state.contacts.size());
-  add_ligaments(model, state, prescribed, out);
+  add_ligaments(model, state, held_from, out);
   add_loads(model, state, target, out);
-  add_constraints(model, state, target, out);
+  add_joint_springs(model, state, out);
+  add_prescribed(model, state, target, out);
+  add_held(model, state, target, out);
   add_contacts(model, state, out);
 }
 
-VecX load_wrench(const JointModel& model, const State& state, const std::vector<double>& factors) {
+LoadScale::Value load_scale(const Load& load, const State& state, double time) {
+  if (!load.scale) return {};
+  const auto& q = load.scale->coordinate();
+  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : time);
+}
+
+VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate) {
   VecX wrench = VecX::Zero(6 * model.moving_count);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const int moving = model.bodies[at(model.loads[i].body)].moving;
-    if (moving < 0 || factors[i] == 0) continue;
-    wrench.segment<6>(6 * moving) +=
-        evaluate_load(model.loads[i], state.poses[at(model.loads[i].body)], factors[i]).wrench;
+    const Load& load = model.loads[i];
+    const LoadScale::Value scale = load_scale(load, state, target.time);
+    double speed = rate.load_factors[i] * scale.factor;
+    if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
+    if (speed == 0) continue;
+    TwoBodyScatter(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
   }
+  return wrench;
+}
+
+Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
+  const JointPoint point = joint_point(model, state, joint);
+  const std::size_t first = state.multipliers.size() - model.held.size();
+  Vec6 wrench = Vec6::Zero();
+  for (std::size_t i = 0; i < model.held.size(); ++i)
+    if (model.held[i].coordinate.joint == joint)
+      wrench += state.multipliers[first + i] * point.gradient(model.held[i].coordinate.index).tail<6>().transpose();
+  const Mat3 to_parent = state.poses[at(model.joints[at(joint)].parent)].R.transpose();
+  wrench.head<3>() = (to_parent * wrench.head<3>()).eval();
+  wrench.tail<3>() = (to_parent * wrench.tail<3>()).eval();
   return wrench;
 }
 

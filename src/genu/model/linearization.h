@@ -1,8 +1,9 @@
 // The equations of a pose, 6B + M + 5N of them (Dortmans 1984), and their exact derivatives at a state.
 //
-//   equilibrium  6 for each moving body: ligaments + loads + contact forces + multipliers = 0
-//   constraints  M: prescribed coordinate = target; and H: length of a ligament held at a jump of its force = the
-//   jump's contacts     5 each: closure 2, gap 1, tangency 2 (contact_equations.h)
+//   equilibrium  6 for each moving body: ligaments + loads + joint springs + contact forces + multipliers = 0
+//   constraints  M: prescribed coordinate, or combination of some, = target; coordinate that a joint holds = its value;
+//                and H: length of a ligament held at a jump of its force = the jump's
+//   contacts     5 each: closure 2, gap 1, tangency 2 (contact_equations.h)
 // The unknowns are the twist of each moving body, M + H multipliers, and for each contact ds_A, ds_B and the force.
 #pragma once
 
@@ -18,7 +19,7 @@ namespace genu {
 struct Linearization {
   VecX wrench;      ///< 6B: total wrench on each moving body, 0 at equilibrium
   MatX stiffness;   ///< 6B x 6B: its derivative to the twists with contact points and forces held
-  MatX gradient;    ///< (M + H) x 6B: derivative of the constraints
+  MatX gradient;    ///< (M + H) x 6B: derivative of the constraints: prescribed, held by joints, held ligaments
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
   VecX length_gradient;  ///< 6B: of the last ligament with via points (kept here for its memory)
@@ -38,8 +39,17 @@ struct Correction {
 /// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
-/// Wrench on each moving body (6B) of the loads alone, times `factors`.
-VecX load_wrench(const JointModel& model, const State& state, const std::vector<double>& factors);
+/// What a load's scale is at a state and a time (s); 1 for a load without a scale.
+LoadScale::Value load_scale(const Load& load, const State& state, double time);
+
+/// How fast the wrench on each moving body (6B) changes with the path's parameter while the bodies stand still: by the
+/// factors of the steps and by scales over time. `rate` is the derivative of `target`.
+VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate);
+
+/// What a revolute or fixed joint exerts on its child to hold its coordinates: [force, moment about the child's origin]
+/// in the parent's axes (N, N m). The multipliers must be those of a solved state. The moment along a revolute axis
+/// (stiffness, prescribed angle) is not part of it.
+Vec6 joint_reaction(const JointModel& model, const State& state, int joint);
 
 /// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`
 /// unspecified, where a contact point would leave what is known of its surface.

@@ -1,24 +1,108 @@
 #include "genu/model/load.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 
 namespace genu {
+namespace {
 
-BodyWrench evaluate_load(const LoadDef& load, const Pose& X_WB, double factor) {
-  const bool follower = load.frame == LoadDef::Frame::body;
-  const Vec3 r = X_WB.R * load.point;
-  const Vec3 force = factor * (follower ? Vec3(X_WB.R * load.force) : load.force);
-  const Vec3 moment = factor * (follower ? Vec3(X_WB.R * load.moment) : load.moment);
-
-  BodyWrench out;
-  out.wrench << force, moment + r.cross(force);
-  if (follower) {  // the whole wrench turns: d = w x
-    out.stiffness.block<3, 3>(0, 3) = -skew(force);
-    out.stiffness.block<3, 3>(3, 3) = -skew(out.wrench.tail<3>());
-  } else {  // the lever arm turns: (w x r) x f
-    out.stiffness.block<3, 3>(3, 3) = skew(force) * skew(r);
-  }
+LoadWrench dead_wrench(const Load& load, const Pose& X_WA) {
+  const Vec3 r = X_WA.R * load.p_A;
+  LoadWrench out;
+  out.wrench.head<6>() << load.force, load.moment + r.cross(load.force);
+  out.stiffness.block<3, 3>(3, 3) = skew(load.force) * skew(r);  // the lever arm turns: (w x r) x f
   return out;
+}
+
+LoadWrench follower_wrench(const Load& load, const Pose& X_WA) {
+  const Vec3 force = X_WA.R * load.force, moment = X_WA.R * (load.moment + load.p_A.cross(load.force));
+  LoadWrench out;
+  out.wrench.head<6>() << force, moment;
+  out.stiffness.block<3, 3>(0, 3) = -skew(force);  // the whole wrench turns: w x
+  out.stiffness.block<3, 3>(3, 3) = -skew(moment);
+  return out;
+}
+
+LoadWrench toward_wrench(const Load& load, const Pose& X_WA, const Pose& X_WB) {
+  constexpr double kCoincident = 1e-9;  // m, as the scene's check
+  const Vec3 r_A = X_WA.R * load.p_A, r_B = X_WB.R * load.p_B;
+  const Vec3 d = (X_WB.p - X_WA.p) + (r_B - r_A);
+  const double length = d.norm();
+  LoadWrench out;
+  if (!(length > kCoincident)) return out;
+  const Vec3 u = d / length, t = load.value * u;
+  Eigen::Matrix<double, 3, 12> d_twist;  // of d: point velocities v + w x r
+  d_twist << -Mat3::Identity(), skew(r_A), Mat3::Identity(), -skew(r_B);
+  const Mat3 turning = load.value / length * (Mat3::Identity() - u * u.transpose());
+  out.wrench = -d_twist.transpose() * t;
+  out.stiffness = -d_twist.transpose() * (turning * d_twist);
+  out.stiffness.block<3, 3>(3, 3) += skew(t) * skew(r_A);  // the lever arms turn
+  out.stiffness.block<3, 3>(9, 9) -= skew(t) * skew(r_B);
+  return out;
+}
+
+}  // namespace
+
+LoadWrench Load::between(const Pose& X_WA, const Pose& X_WB) const {
+  switch (kind) {
+    case Kind::dead:
+      return dead_wrench(*this, X_WA);
+    case Kind::follower:
+      return follower_wrench(*this, X_WA);
+    case Kind::toward:
+      return toward_wrench(*this, X_WA, X_WB);
+    case Kind::coordinate:
+      break;
+  }
+  return {};
+}
+
+LoadWrench Load::on_coordinate(const JointPoint& joint) const {
+  return {value * joint.gradient(coordinate.index).transpose(), value * joint.hessian(coordinate.index)};
+}
+
+double Load::largest_force(double length) const {
+  const bool on_angle = kind == Kind::coordinate && coordinate.index < 3;
+  const double largest = std::max({force.norm(), moment.norm() / length, std::abs(value) / (on_angle ? length : 1)});
+  return (scale ? scale->largest() : 1) * largest;
+}
+
+std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::string& why) {
+  Load load;
+  load.name = def.name;
+  load.body_a = def.body;
+  load.p_A = def.point;
+  load.force = def.force;
+  load.moment = def.moment;
+  load.value = def.value;
+  load.coordinate = def.coordinate;
+  switch (def.kind) {
+    case LoadDef::Kind::wrench:
+      load.kind = def.frame == LoadDef::Frame::body ? Load::Kind::follower : Load::Kind::dead;
+      break;
+    case LoadDef::Kind::toward:
+      load.kind = Load::Kind::toward;
+      load.body_b = def.toward_body;
+      load.p_B = def.toward_point;
+      break;
+    case LoadDef::Kind::coordinate:
+      load.kind = Load::Kind::coordinate;
+      load.body_a = scene.joints[static_cast<std::size_t>(def.coordinate.joint)].parent;
+      load.body_b = scene.joints[static_cast<std::size_t>(def.coordinate.joint)].child;
+      break;
+  }
+  if (!def.scale) return load;
+  load.scale = LoadScale::make(*def.scale, why);
+  return load.scale ? std::optional(load) : std::nullopt;
+}
+
+Load make_weight(const Scene& scene, int body) {
+  const BodyDef& def = scene.bodies[static_cast<std::size_t>(body)];
+  Load load;
+  load.name = "weight of " + def.name;
+  load.body_a = body;
+  load.p_A = def.centre_of_mass;
+  load.force = def.mass * scene.gravity.value_or(Vec3::Zero());
+  return load;
 }
 
 }  // namespace genu

@@ -1,21 +1,58 @@
-// An external force and moment on a body, constant in the world or following the body.
+// External loads. Each acts on a body A, and where it is a force or moment between two bodies, with opposite sign on B.
+//
+//   dead        force at a point of A and moment, both constant in the world
+//   follower    the same, turning with A; it has no potential
+//   toward      a force of constant size from a point of A toward a point of B: with d from the one to the other,
+//               u = d / |d|, the pull on A is t = F u and dt = F / |d| (1 - u u^T) dd; its potential is F |d|
+//   coordinate  a generalised moment or force Q on a joint coordinate q of child B in parent A: the wrenches are
+//               Q grad q
+// Weight is a dead force at the centre of mass. A moment constant in the world has no potential either.
 #pragma once
 
+#include <string>
+
 #include "genu/core/pose.h"
-#include "genu/core/types.h"
-#include "genu/scene/scene.h"
+#include "genu/model/joint_coordinates.h"
+#include "genu/model/load_scale.h"
 
 namespace genu {
 
-/// [force, moment about the body's own origin] in world axes (N, N m) and its derivative to the body's twist [v, w].
-struct BodyWrench {
-  Vec6 wrench = Vec6::Zero();
-  Mat6 stiffness = Mat6::Zero();  ///< d wrench / d twist; in general unsymmetric, and nothing depends on v
+/// [force, moment about the body's origin] on A and on B in world axes (N, N m), and its derivative to their twists.
+/// Where there is no B its parts are 0.
+struct LoadWrench {
+  Vec12 wrench = Vec12::Zero();
+  Mat12 stiffness = Mat12::Zero();  ///< d wrench / d [twist of A; twist of B]; in general unsymmetric
 };
 
-/// The wrench of `load` times `factor` on its body, whose pose in the world is X_WB.
-/// LoadDef::Frame::world keeps force and moment constant in the world, only the point moves with the body; body turns
-/// force and moment with the body (a follower load, which has no potential).
-BodyWrench evaluate_load(const LoadDef& load, const Pose& X_WB, double factor);
+struct Load {
+  enum class Kind { dead, follower, toward, coordinate };
+  std::string name;
+  Kind kind = Kind::dead;
+  int body_a = -1;
+  int body_b = -1;             ///< toward, coordinate; else -1
+  Vec3 p_A = Vec3::Zero();     ///< m, in A: where the force acts
+  Vec3 p_B = Vec3::Zero();     ///< m, in B: toward
+  Vec3 force = Vec3::Zero();   ///< N, dead: in the world, follower: in A
+  Vec3 moment = Vec3::Zero();  ///< N m, as the force
+  double value = 0;            ///< toward: N; coordinate: N m on an angle, N on a translation
+  CoordinateRef coordinate;    ///< coordinate
+  std::optional<LoadScale> scale;
+
+  /// The load at the factor 1 of all kinds but `coordinate`, for the poses of A and B in the world (B is ignored where
+  /// there is none). Two points less than 1e-9 m apart have no direction: the force toward is 0 there.
+  LoadWrench between(const Pose& X_WA, const Pose& X_WB) const;
+
+  /// A load on a coordinate at the factor 1.
+  LoadWrench on_coordinate(const JointPoint& joint) const;
+
+  /// How large a force it can be, N; moments count over the arm `length` (m). Scales included, step factors not.
+  double largest_force(double length) const;
+};
+
+/// The load that `def` describes; empty where its scale is none, then `why` says what is wrong.
+std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::string& why);
+
+/// Mass times gravity at the centre of mass of a body of a scene with gravity.
+Load make_weight(const Scene& scene, int body);
 
 }  // namespace genu

@@ -30,25 +30,54 @@ struct LigamentPiece {
 struct State {
   std::vector<Pose> poses;               ///< X_W of every body
   std::vector<JointValues> coordinates;  ///< of every joint, continuous along the path
-  std::vector<double> multipliers;       ///< of every prescribed coordinate: N or N m, positive drives it up
+  std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of all that is
+                                         ///< prescribed, then of all that joints hold
   std::vector<ActiveContact> contacts;
   std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has breaks, in the model's order
 };
 
-/// What is asked of a pose: prescribed coordinates and load factors at one point of the path.
+/// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the
+/// path.
 struct Target {
   struct Prescribed {
-    CoordinateRef coordinate;
+    QuantityRef coordinate;
     double value = 0;  ///< rad or m
   };
   std::vector<Prescribed> prescribed;
   std::vector<double> load_factors;  ///< one for each load
+  double time = 0;                   ///< s: only loads scaled over time see it
 };
 
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.
 State reference_state(const JointModel& model);
 
-/// The constraints beside the prescribed coordinates: ligaments held at a break.
+/// The constraints beside those of constraint_count(): ligaments held at a break.
 int held_count(const State& state);
+
+/// M: what is prescribed and what joints hold.
+inline std::size_t constraint_count(const JointModel& model, const Target& target) {
+  return target.prescribed.size() + model.held.size();
+}
+
+/// Whether constraint m is an angle. Those after constraint_count() are lengths of ligaments held at a break.
+inline bool is_rotation(const JointModel& model, const Target& target, std::size_t m) {
+  const std::size_t prescribed = target.prescribed.size();
+  if (m >= constraint_count(model, target)) return false;
+  return m < prescribed ? target.prescribed[m].coordinate.is_rotation()
+                        : model.held[m - prescribed].coordinate.index < 3;
+}
+
+/// Gives `state` a multiplier for each constraint of `target`; what joints hold keeps its own where the number of
+/// prescribed coordinates changes.
+inline void fit_multipliers(const JointModel& model, const Target& target, State& state) {
+  const std::size_t prescribed = target.prescribed.size(), held = model.held.size();
+  if (state.multipliers.size() < held) state.multipliers.assign(held, 0.0);
+  const std::size_t before = state.multipliers.size() - held;
+  const auto first_held = state.multipliers.begin() + static_cast<std::ptrdiff_t>(before);
+  if (prescribed < before)
+    state.multipliers.erase(first_held - static_cast<std::ptrdiff_t>(before - prescribed), first_held);
+  else
+    state.multipliers.insert(first_held, prescribed - before, 0.0);
+}
 
 }  // namespace genu

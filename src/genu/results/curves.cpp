@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostLigaments = 8;
 
-double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? 180 / std::numbers::pi : 1e3); }
-const char* unit(const CoordinateRef& c) { return c.index < 3 ? "deg" : "mm"; }
+double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? 180 / std::numbers::pi : 1e3); }
+const char* unit(const QuantityRef& c) { return c.is_rotation() ? "deg" : "mm"; }
 
 std::vector<double> column(const ResultTable& poses, const std::string& name) {
   std::vector<double> values(poses.rows(), std::numeric_limits<double>::quiet_NaN());
@@ -56,14 +56,21 @@ class Curves {
   }
 
  private:
-  std::string coordinate_column(const CoordinateRef& c) const { return coordinate_name(scene_, c) + "_" + unit(c); }
+  std::string coordinate_column(const QuantityRef& c) const { return quantity_name(scene_, c) + "_" + unit(c); }
 
   void choose_x() {
-    for (const CoordinateRef& c : prescribed_) {
+    for (const QuantityRef& c : prescribed_) {
       chart_.x = column(poses_, coordinate_column(c));
       if (!one_way(chart_.x)) continue;
       x_ = c;
-      chart_.x_title = fmt::format("{} [{}]", coordinate_name(scene_, c), unit(c));
+      chart_.x_title = fmt::format("{} [{}]", quantity_name(scene_, c), unit(c));
+      return;
+    }
+    const auto in_time = [](const LoadDef& l) { return l.in_time(); };
+    if (std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time)) {
+      over_time_ = true;
+      chart_.x = column(poses_, "time_s");
+      chart_.x_title = "time [s]";
       return;
     }
     chart_.x_title = "row of results.csv";
@@ -76,9 +83,9 @@ class Curves {
   }
 
   /// "adduction", with the joint's name where there are several.
-  std::string short_name(const CoordinateRef& c) const {
-    const std::string name = coordinate_name(scene_, c);
-    return scene_.joints.size() > 1 ? name : name.substr(name.find('.') + 1);
+  std::string short_name(const QuantityRef& c) const {
+    const std::string name = quantity_name(scene_, c);
+    return scene_.joints.size() > 1 || c.combination >= 0 ? name : name.substr(name.find('.') + 1);
   }
 
   std::vector<ChartSeries> coordinates(int first) const {
@@ -86,7 +93,7 @@ class Curves {
     for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
       for (int i = first; i < first + 3; ++i) {
         const CoordinateRef c{j, i};
-        if (x_ == c) continue;
+        if (x_ == QuantityRef(c) || !scene_.joints[static_cast<std::size_t>(j)].leaves(i)) continue;
         out.push_back({short_name(c), column(poses_, coordinate_column(c))});
       }
     }
@@ -108,10 +115,10 @@ class Curves {
 
   std::vector<ChartSeries> reactions(bool moments) const {
     std::vector<ChartSeries> out;
-    for (const CoordinateRef& c : prescribed_) {
-      if ((c.index < 3) != moments) continue;
+    for (const QuantityRef& c : prescribed_) {
+      if (c.is_rotation() != moments) continue;
       out.push_back(
-          {short_name(c), column(poses_, coordinate_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
+          {short_name(c), column(poses_, quantity_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
     }
     return out;
   }
@@ -149,6 +156,7 @@ class Curves {
         if (p.coordinate == *x_) return shown(p.coordinate, p.value);
       return std::numeric_limits<double>::quiet_NaN();
     }
+    if (over_time_) return event.target.time;
     double row = 1;  // the first row is the start of step 1
     for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k)
       row += steps_[k].increments;
@@ -157,6 +165,7 @@ class Curves {
   }
 
   std::string text(double x) const {
+    if (over_time_) return fmt::format("{:.4g} s", x);
     return x_ ? fmt::format("{:.4g} {}", x, unit(*x_)) : fmt::format("row {:.4g}", x);
   }
 
@@ -186,8 +195,9 @@ class Curves {
   const Scene& scene_;
   const std::vector<StepPlan>& steps_;
   const ResultTable& poses_;
-  std::vector<CoordinateRef> prescribed_;
-  std::optional<CoordinateRef> x_;
+  std::vector<QuantityRef> prescribed_;
+  std::optional<QuantityRef> x_;
+  bool over_time_ = false;
   std::optional<double> window_from_;
   Chart chart_;
 };

@@ -17,13 +17,16 @@ constexpr const char* kAxes[] = {"x", "y", "z"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::string coordinate_column(const Scene& scene, const CoordinateRef& c) {
-  return coordinate_name(scene, c) + (c.index < 3 ? "_deg" : "_mm");
+std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
+  return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
 }
-std::string reaction_column(const Scene& scene, const CoordinateRef& c) {
-  return coordinate_name(scene, c) + ".reaction" + (c.index < 3 ? "_Nm" : "_N");
+std::string reaction_column(const Scene& scene, const QuantityRef& c) {
+  return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
 }
-double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? kDegree : kMillimetre); }
+std::string held_column(const std::string& joint, std::size_t i) {
+  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
+}
+double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
 
 /// A contact point as shown: held or open.
 struct ShownContact {
@@ -53,11 +56,17 @@ class PoseTable {
   void add_columns(const std::vector<StepPlan>& steps) {
     for (const char* name : {"step", "increment", "time_s", "status"}) table_.add_column(name);
     for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
-      for (int i = 0; i < 6; ++i) table_.add_column(coordinate_column(scene_, {j, i}));
+      const JointDef& joint = scene_.joints[at(j)];
       for (int i = 0; i < 6; ++i)
-        for (const StepPlan& step : steps)
-          for (const auto& p : step.prescribed)
-            if (p.coordinate == CoordinateRef{j, i}) table_.add_column(reaction_column(scene_, p.coordinate));
+        if (joint.leaves(i)) table_.add_column(coordinate_column(scene_, {j, i}));
+      for (int i = 0; i < 6; ++i) add_reaction(steps, {j, i});
+      for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
+        table_.add_column(held_column(joint.name, i));
+    }
+    for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
+      const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
+      table_.add_column(coordinate_column(scene_, quantity));
+      add_reaction(steps, quantity);
     }
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) {
       add_contact_columns(model_.pairs[p].name, p);
@@ -72,8 +81,16 @@ class PoseTable {
     }
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.add_column(l.name + ".scale");
     for (const char* name : {"stability.min_eigenvalue_Nmm", "stability", "newton.iterations", "residual"})
       table_.add_column(name);
+  }
+
+  void add_reaction(const std::vector<StepPlan>& steps, const QuantityRef& quantity) {
+    for (const StepPlan& step : steps)
+      for (const auto& p : step.prescribed)
+        if (p.coordinate == quantity) table_.add_column(reaction_column(scene_, quantity));
   }
 
   const std::string& surface_name(std::size_t pair, bool b) const {
@@ -93,6 +110,7 @@ class PoseTable {
     table_.add_row();
     table_.set("step", static_cast<long>(point.step));
     table_.set("increment", static_cast<long>(point.increment));
+    table_.set("time_s", point.target.time);
     table_.set("status", std::string(to_string(point.report.status)));
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
@@ -102,6 +120,8 @@ class PoseTable {
     set_coordinates(point);
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
     set_ligaments(point);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
     const Stability& stability = point.stability;
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
@@ -113,9 +133,23 @@ class PoseTable {
     const State& state = point.pose.state;
     for (int j = 0; j < static_cast<int>(state.coordinates.size()); ++j)
       for (int i = 0; i < 6; ++i)
-        table_.set(coordinate_column(scene_, {j, i}), shown({j, i}, state.coordinates[at(j)][at(i)]));
+        if (scene_.joints[at(j)].leaves(i))
+          table_.set(coordinate_column(scene_, {j, i}), shown({j, i}, state.coordinates[at(j)][at(i)]));
+    for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
+      const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
+      table_.set(coordinate_column(scene_, quantity),
+                 shown(quantity, quantity_value(model_, state.coordinates, quantity)));
+    }
     for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
       table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
+    for (std::size_t j = 0; j < model_.joints.size(); ++j)
+      if (scene_.joints[j].type != JointDef::Type::free) set_held(static_cast<int>(j), point);
+  }
+
+  void set_held(int joint, const PosePoint& point) {
+    const Vec6 wrench = joint_reaction(model_, point.pose.state, joint);
+    for (std::size_t i = 0; i < 6; ++i)
+      table_.set(held_column(model_.joints[at(joint)].name, i), wrench[static_cast<Eigen::Index>(i)]);
   }
 
   void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
@@ -208,7 +242,7 @@ ResultTable pose_table(const Scene& scene, const JointModel& model, const std::v
 
 ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
   ResultTable table;
-  for (const char* name : {"step", "t", "event", "what"}) table.add_column(name);
+  for (const char* name : {"step", "t", "time_s", "event", "what"}) table.add_column(name);
   for (const StepPlan& step : steps)
     for (const auto& p : step.prescribed) table.add_column(coordinate_column(scene, p.coordinate));
   for (const LoadDef& load : scene.loads) table.add_column(load.name + ".factor");
@@ -216,6 +250,7 @@ ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, 
     table.add_row();
     table.set("step", static_cast<long>(event.step));
     table.set("t", event.t);
+    table.set("time_s", event.target.time);
     table.set("event", std::string(to_string(event.kind)));
     table.set("what", event.what);
     for (const auto& p : event.target.prescribed)

@@ -11,7 +11,7 @@ namespace genu {
 
 struct RunSummary {
   struct Effect {
-    std::string name;      ///< "rigid contact", "ligaments", "loads", "prescribed coordinates"
+    std::string name;      ///< "rigid contact", "ligaments", "loads", "weights", "prescribed coordinates"
     int count = 0;         ///< how many of them the scene names
     std::string unknowns;  ///< what each brings, in words
   };

@@ -29,6 +29,20 @@ void place(const SurfaceDef& def, Mesh& mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
+/// A closed mesh tells its outward side by its volume. An open sheet cannot be judged.
+void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDef& def, Diagnostics& out) {
+  if (report.boundary_loops > 0 || report.non_manifold_edges > 0 || def.inside) return;
+  double volume = 0;
+  const auto from_corner = [&](int i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(i)] - report.box.low; };
+  for (const auto& t : mesh.triangles) volume += from_corner(t[0]).dot(from_corner(t[1]).cross(from_corner(t[2]))) / 6;
+  if (volume < 0)
+    out.add({.severity = Diagnostic::Severity::warning,
+             .file = def.file,
+             .key = {},
+             .found = {},
+             .rule = "is inside out: its normals point into the volume it closes; inside = true turns them round"});
+}
+
 /// Errors of a stage that does not know the scene get the place in the scene that named the file.
 void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
   for (Diagnostic d : found.items()) {
@@ -55,6 +69,7 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
       note.mesh = check_mesh(*mesh);
       check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
       make_winding_consistent(*mesh, mesh_edges(*mesh));
+      warn_inside_out(*mesh, *note.mesh, def, found);
       place(def, *mesh);
     }
   }
@@ -79,6 +94,13 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
       surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
     else
       surfaces.push_back(make_analytic_surface(def));
+    if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
+      out.add({.file = scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "surface." + def.name,
+               .found = {},
+               .rule = "has sizes that make no surface"});
     notes.push_back(std::move(note));
   }
   seconds.emplace_back("reading meshes", read);
@@ -88,22 +110,45 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
 
 std::vector<StepPlan> plan_steps(const Scene& scene) {
   std::vector<StepPlan> steps;
+  double time = 0;
   for (const StepDef& def : scene.steps) {
     StepPlan plan;
     for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
     plan.factors.resize(scene.loads.size());
     for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
     plan.increments = def.increments;
+    plan.start_time = time;
+    plan.end_time = time += def.duration;
     steps.push_back(std::move(plan));
   }
   return steps;
 }
+
+namespace {
+
+/// Two planes touch over an area or not at all: no point of contact can stand for that.
+void refuse_flat_pairs(const Scene& scene, Diagnostics& out) {
+  const auto flat = [&](int surface) {
+    return scene.surfaces[static_cast<std::size_t>(surface)].shape == SurfaceDef::Shape::plane;
+  };
+  for (const ContactDef& c : scene.contacts)
+    if (flat(c.surface_a) && flat(c.surface_b))
+      out.add({.file = scene.file,
+               .line = c.where.line,
+               .column = c.where.column,
+               .key = "contact." + c.name + ".surfaces",
+               .found = {},
+               .rule = "two planes never touch at a point: give one of them a curved surface, however slightly"});
+}
+
+}  // namespace
 
 std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
   Prepared p;
   const Timer timer;
   auto scene = read_scene(path, out);
   if (!scene) return std::nullopt;
+  refuse_flat_pairs(*scene, out);
   p.scene = std::move(*scene);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);

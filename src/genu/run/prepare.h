@@ -36,7 +36,8 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out);
 
-/// The path of a scene. Loads that a step does not name keep the factor 1.
+/// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
+/// it ends, the first at 0.
 std::vector<StepPlan> plan_steps(const Scene& scene);
 
 }  // namespace genu

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -49,6 +50,11 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   std::size_t prescribed = 0;
   for (const StepPlan& step : p.steps) prescribed = std::max(prescribed, step.prescribed.size());
   summary.effects.push_back({"moving bodies", bodies, fmt::format("6 unknowns each: {}", 6 * bodies)});
+  if (!p.model.held.empty())
+    summary.effects.push_back(
+        {"joint constraints", static_cast<int>(p.model.held.size()), "coordinates held, 1 multiplier each"});
+  if (!p.model.joint_springs.empty())
+    summary.effects.push_back({"joint springs", static_cast<int>(p.model.joint_springs.size()), "no unknowns"});
   if (prescribed > 0)
     summary.effects.push_back({"prescribed coordinates", static_cast<int>(prescribed), "1 multiplier each"});
   if (!scene.contacts.empty())
@@ -57,6 +63,8 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
+  if (!p.model.weights.empty())
+    summary.effects.push_back({"weights", static_cast<int>(p.model.weights.size()), "no unknowns"});
 }
 
 void note_pose(const PosePoint& point, RunSummary& s) {
@@ -84,14 +92,29 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   return error;
 }
 
+/// Whether a file lies in a folder, at any depth, links followed.
+bool holds(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::path outer = fs::weakly_canonical(fs::absolute(folder), code),
+                 inner = fs::weakly_canonical(fs::absolute(file), code);
+  const fs::path relative = inner.lexically_relative(outer.has_filename() ? outer : outer.parent_path());
+  return !relative.empty() && *relative.begin() != ".." && fs::exists(inner, code);
+}
+
+std::string interrupted_folder(std::string folder) {
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  return folder + ".interrupted";
+}
+
 }  // namespace
 
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
   const State start = reference_state(prepared.model);
   bool good = true;
   for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
-    const double gap = field.smallest_gap(start, static_cast<int>(pair));
-    if (!(gap < -kLargestOverlap)) continue;
+    const double overlap = field.overlap(start, static_cast<int>(pair));
+    if (overlap <= kLargestOverlap) continue;
     const ContactDef& def = prepared.scene.contacts[pair];
     good = false;
     out.add(
@@ -103,7 +126,7 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
          .rule = fmt::format("the surfaces overlap by {:.4g} mm in the reference pose, at most {:.0f} mm can be "
                              "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
                              "units of the meshes",
-                             -kMillimetre * gap, kMillimetre * kLargestOverlap)});
+                             kMillimetre * overlap, kMillimetre * kLargestOverlap)});
   }
   return good;
 }
@@ -155,12 +178,21 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe;
     if (const std::string error = probe.open(folder); !error.empty()) {
-      out.error(folder, error);
+      out.add({.file = {}, .key = {}, .found = {}, .rule = error});
       return kExitRefused;
     }
   }
+  if (holds(folder, path)) {
+    out.error(folder, "holds the scene itself, which would be lost with the folder: choose another folder");
+    return kExitRefused;
+  }
   const auto prepared = prepare(path, out);
   if (!prepared) return kExitRefused;
+  for (const SurfaceDef& def : prepared->scene.surfaces) {
+    if (def.file.empty() || !holds(folder, def.file)) continue;
+    out.error(folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
+    return kExitRefused;
+  }
   const Timer timer;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;
@@ -168,8 +200,15 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   Solution found = solve(*prepared, field, options);
   found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
   int code = found.summary.exit_code;
-  if (const std::string error = write_results(folder, *prepared, found); !error.empty()) {
-    out.error(folder, error);
+  found.folder = folder;
+  if (options.cancelled && options.cancelled()) {
+    found.summary.verdict.insert(found.summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
+    // A whole result is not given up for a part of one.
+    std::error_code ignored;
+    if (std::filesystem::exists(folder, ignored)) found.folder = interrupted_folder(folder);
+  }
+  if (const std::string error = write_results(found.folder, *prepared, found); !error.empty()) {
+    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }
   if (solution != nullptr) *solution = std::move(found);

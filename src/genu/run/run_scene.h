@@ -18,6 +18,7 @@ struct Solution {
   std::vector<PathEvent> events;
   ResultTable poses, event_rows;
   RunSummary summary;
+  std::string folder;  ///< where the results were written
 };
 
 struct RunOptions {

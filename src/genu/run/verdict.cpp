@@ -1,5 +1,6 @@
 #include "genu/run/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -19,16 +20,65 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   };
   for (std::size_t i = 0; i < target.prescribed.size(); ++i) {
     const auto& p = target.prescribed[i];
-    const bool angle = p.coordinate.index < 3;
+    const bool angle = p.coordinate.is_rotation();
     add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
-        fmt::format("{} = {:.6g} {}", coordinate_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+        fmt::format("{} = {:.9g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
                     angle ? "deg" : "mm"));
   }
   for (std::size_t i = 0; i < target.load_factors.size(); ++i)
     if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
       add(true, fmt::format("load {} x {:.9g}", scene.loads[i].name, target.load_factors[i]));
+  for (const LoadDef& load : scene.loads)
+    if (plan != nullptr && load.in_time()) {
+      add(true, fmt::format("time = {:.6g} s", target.time));
+      break;
+    }
   const std::string& text = varying.empty() ? held : varying;
-  return (plan == nullptr ? "the way to a step's start, " : "") + (text.empty() ? "the start" : text);
+  return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
+/// Which motions cost nothing, which forces can be traded, by name.
+std::string undetermined(const Prepared& prepared, const PosePoint& point) {
+  const Undetermined& u = point.undetermined;
+  std::vector<std::string> motion, forces;
+  for (const CoordinateRef& c : u.free_motion) motion.push_back(coordinate_name(prepared.scene, c));
+  for (const QuantityRef& q : u.shared_reactions)
+    forces.push_back("the reaction of " + quantity_name(prepared.scene, q));
+  for (const int c : u.shared_contacts) {
+    const ActiveContact& contact = point.pose.state.contacts[static_cast<std::size_t>(c)];
+    forces.push_back(fmt::format("contact {}.{}", prepared.scene.contacts[static_cast<std::size_t>(contact.pair)].name,
+                                 contact.number));
+  }
+  std::string out;
+  if (!motion.empty())
+    out += fmt::format("Free is {}: prescribe it, or add the ligament or load that holds it. ", joined(motion));
+  if (!forces.empty())
+    out += fmt::format(
+        "Not determined one by one: {}. Prescribe one coordinate less, or give one of them a ligament's "
+        "elasticity. ",
+        joined(forces));
+  if (out.empty()) return "Prescribe the free motion, or add the ligament or load that holds it.";
+  out.pop_back();
+  return out;
+}
+
+/// What the user can do about a pose that was not found.
+std::string advice_without_pose(const Prepared& prepared, bool first, bool turned_back) {
+  if (turned_back) return "Prescribe another coordinate from there on.";
+  const auto& surfaces = prepared.scene.surfaces;
+  const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
+                                  [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
+  if (first)
+    return "Start nearer to where the joint balances (the joint's `reference`), and check that something holds every "
+           "motion that is not prescribed.";
+  return std::string("Try smaller increments") + (meshed ? " or another `fit_radius`." : ".");
 }
 
 std::string advice(PoseStatus status) {
@@ -39,13 +89,10 @@ std::string advice(PoseStatus status) {
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `reference`.";
     case PoseStatus::overconstrained:
       return "Prescribe fewer coordinates.";
-    case PoseStatus::undetermined:
-      return "Prescribe the free motion, or add the ligament or load that holds it.";
     case PoseStatus::chatter:
       return "Two sets of contacts exclude each other here: smaller increments or another `fit_radius` may part them.";
+    case PoseStatus::undetermined:
     case PoseStatus::no_equilibrium:
-      return "Try smaller increments or another `fit_radius`; if the path turns back here, prescribe another "
-             "coordinate.";
     case PoseStatus::ok:
       break;
   }
@@ -60,9 +107,8 @@ void say_windows(const Prepared& prepared, const std::vector<PathEvent>& events,
       from = &e;
       continue;
     }
-    out.push_back(
-        fmt::format("Stepped over a window without a rigid solution from {} to {}: one contact splits in two there.",
-                    place(prepared, from->step, from->target), place(prepared, e.step, e.target)));
+    out.push_back(fmt::format("Stepped over a window without a rigid solution where contacts change, from {} to {}.",
+                              place(prepared, from->step, from->target), place(prepared, e.step, e.target)));
     from = nullptr;
   }
 }
@@ -73,15 +119,20 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                                            const std::vector<PathEvent>& events, const RunSummary& summary) {
   std::vector<std::string> out;
   if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
-    out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable.", summary.poses_stable,
-                              summary.poses_solved));
+    out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable{}", summary.poses_stable,
+                              summary.poses_solved,
+                              summary.poses_stable == summary.poses_solved
+                                  ? "."
+                                  : "; left to itself the joint would leave the others (column `stability`)."));
   else if (summary.poses_solved == 0)
     out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else
     out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved,
                               summary.poses_asked));
   say_windows(prepared, events, out);
+  bool turned_back = false;
   for (const PathEvent& e : events) {
+    turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
       out.push_back(
           fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
@@ -100,8 +151,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
       out.push_back(
-          fmt::format("From {} on the loads that follow the body can drive an oscillation (flutter): whether it "
-                      "grows depends on mass and damping, which a quasi-static run does not know.",
+          fmt::format("From {} on the loads that have no potential (they follow a body, or their size depends on a "
+                      "coordinate) can drive an oscillation (flutter): whether it grows depends on mass and damping, "
+                      "which a quasi-static run does not know.",
                       place(prepared, e.step, e.target)));
     if (e.kind == PathEvent::Kind::stability_changed)
       out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)));
@@ -112,8 +164,12 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;
     if (report.status == PoseStatus::ok) continue;
+    std::string what_next = advice(report.status);
+    if (report.status == PoseStatus::no_equilibrium)
+      what_next = advice_without_pose(prepared, &r == &records.front(), turned_back);
+    if (report.status == PoseStatus::undetermined) what_next = undetermined(prepared, r.point);
     out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status),
-                              place(prepared, r.point.step, r.point.target), report.why, advice(report.status)));
+                              place(prepared, r.point.step, r.point.target), report.why, what_next));
     break;
   }
   return out;

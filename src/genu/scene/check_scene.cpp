@@ -67,7 +67,7 @@ Pose reference_pose(const JointDef& joint) {
   return pose;
 }
 
-constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real ligament far above
+constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real distance far above
 
 /// What is wrong with a ligament through via points, bodies at `poses`; empty if nothing is.
 std::string via_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
@@ -115,6 +115,20 @@ void check_lengths(ReadContext& context) {
   }
 }
 
+/// A force toward a point needs a direction to begin with.
+void check_directions(ReadContext& context) {
+  const Scene& scene = context.scene;
+  const std::vector<Pose> poses = reference_poses(scene);
+  for (const LoadDef& load : scene.loads) {
+    if (load.kind != LoadDef::Kind::toward || load.body < 0 || load.toward_body < 0) continue;
+    const Vec3 from = poses[static_cast<std::size_t>(load.body)] * load.point;
+    const Vec3 to = poses[static_cast<std::size_t>(load.toward_body)] * load.toward_point;
+    if ((to - from).norm() > kCoincident) continue;
+    context.error(load.where, "load." + load.name, {},
+                  "its two points coincide at the reference pose: the force has no direction");
+  }
+}
+
 /// The names of the columns of results.csv, to refuse scenes in which two objects would share one.
 class Columns {
  public:
@@ -136,10 +150,12 @@ class Columns {
 
 void add_joint(const JointDef& joint, Columns& columns) {
   const std::string object = "joint." + joint.name;
-  for (const auto& rotation : joint.rotations) {
-    columns.add(object, joint.where, joint.name + "." + rotation.name + "_deg");
+  for (int k = 0; k < 6; ++k) {
+    if (!joint.leaves(k)) continue;
+    const auto i = static_cast<std::size_t>(k);
+    columns.add(object, joint.where,
+                joint.name + "." + (k < 3 ? joint.rotations[i].name + "_deg" : joint.translations[i - 3] + "_mm"));
   }
-  for (const std::string& name : joint.translations) columns.add(object, joint.where, joint.name + "." + name + "_mm");
 }
 
 void add_contact(const Scene& scene, const ContactDef& contact, Columns& columns) {
@@ -160,6 +176,11 @@ void check_columns(ReadContext& context) {
   Columns columns(context);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     if (context.joint_understood[j]) add_joint(scene.joints[j], columns);
+  }
+  for (std::size_t k = 0; k < scene.combinations.size(); ++k) {
+    const CombinationDef& c = scene.combinations[k];
+    if (!context.combination_understood[k]) continue;
+    columns.add("combination." + c.name, c.where, c.name + (c.terms[0].coordinate.index < 3 ? "_deg" : "_mm"));
   }
   for (const ContactDef& contact : scene.contacts) add_contact(scene, contact, columns);
   for (const LigamentDef& ligament : scene.ligaments) {
@@ -187,7 +208,9 @@ std::vector<Pose> reference_poses(const Scene& scene) {
 
 void check_scene(ReadContext& context) {
   check_columns(context);
-  if (check_tree(context)) check_lengths(context);
+  if (!check_tree(context)) return;
+  check_lengths(context);
+  check_directions(context);
 }
 
 }  // namespace genu

@@ -16,9 +16,32 @@ void check_kinds(ReadContext& context, Section& root) {
   }
 }
 
+/// `mass` and `centre_of_mass`, which only gravity asks for.
+void read_weight(ReadContext& context, Section& section, bool gravity, BodyDef& body) {
+  if (!gravity) {
+    section.not_built({"mass", "centre_of_mass"}, "inertia; and without `gravity` no body has a weight");
+    return;
+  }
+  const Item mass = section.find("mass"), centre = section.find("centre_of_mass");
+  body.mass =
+      read_number(context, mass, positive({.unit = 1, .unit_name = "kg", .above = {}, .at_least = {}})).value_or(0);
+  body.centre_of_mass = read_vector(context, centre, length_rule(context)).value_or(Vec3::Zero());
+  if (mass && body.fixed) refuse(context, mass, "is of a fixed body, whose weight moves nothing");
+  if (centre && !mass) refuse(context, centre, "is where the mass acts, and there is no mass");
+}
+
+void check_gravity(ReadContext& context, const Item& gravity, const std::vector<Item>& tables) {
+  for (const Item& item : tables) {
+    if (item.node->member("mass")) return;
+  }
+  if (gravity) refuse(context, gravity, "acts on nothing: no body has a mass");
+}
+
 }  // namespace
 
 void read_bodies(ReadContext& context, Section& root) {
+  const Item gravity = root.find("gravity");
+  context.scene.gravity = read_vector(context, gravity, {.unit = 1, .unit_name = "m/s^2", .above = {}, .at_least = {}});
   const std::vector<Item> tables = named_tables(context, root, "body");
   const Item all = root.find("body");
   // A body that is not understood may well be the fixed or the moving one that would seem to be missing.
@@ -33,11 +56,13 @@ void read_bodies(ReadContext& context, Section& root) {
     const auto is_fixed = read_bool(context, fixed);
     body.fixed = is_fixed.value_or(false);
     understood = understood && (!fixed || is_fixed);
-    section.not_built({"mass", "centre_of_mass", "inertia"}, "inertia and weight");
+    read_weight(context, section, static_cast<bool>(gravity), body);
+    section.not_built({"inertia"}, "inertia");
     section.finish();
     context.scene.bodies.push_back(body);
   }
   if (understood) check_kinds(context, root);
+  if (context.scene.gravity) check_gravity(context, gravity, tables);
 }
 
 }  // namespace genu

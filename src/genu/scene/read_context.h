@@ -22,7 +22,8 @@ struct ReadContext {
   std::string angle_name = "deg";
   /// Joints whose six coordinates were all understood; for others nothing is said about unknown coordinates.
   std::vector<bool> joint_understood;
-  bool bodies_understood = true;  ///< false where a body could not be told fixed or moving
+  std::vector<bool> combination_understood;  ///< with nothing wrong in it
+  bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
 
   void error(SourceLocation where, std::string key, std::string found, std::string rule) {

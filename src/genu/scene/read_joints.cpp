@@ -133,6 +133,14 @@ void read_bodies_of(ReadContext& context, Section& section, JointDef& joint) {
   }
 }
 
+/// Why a joint of the scene has no coordinate `name`, which begins with the joint's name; empty for a free joint.
+std::string held_rule(const JointDef& joint) {
+  if (joint.type == JointDef::Type::fixed) return "joint." + joint.name + " is fixed: it holds all its coordinates";
+  if (joint.type == JointDef::Type::revolute)
+    return "joint." + joint.name + " is revolute: it holds all coordinates but " + in_quotes(joint.name + ".angle");
+  return {};
+}
+
 }  // namespace
 
 void read_joints(ReadContext& context, Section& root) {
@@ -142,13 +150,16 @@ void read_joints(ReadContext& context, Section& root) {
     joint.name = item.node->key;
     joint.where = item.node->key_where;
     read_bodies_of(context, section, joint);
-    const auto type = read_choice(context, section.require("type"), {"free"}, {"revolute", "fixed"});
-    section.not_built({"origin", "axis", "stiffness", "damping"}, "joints with type \"revolute\" or \"fixed\"");
+    const auto type = read_choice(context, section.require("type"), {"free", "revolute", "fixed"});
     bool understood = false;
-    if (type) {
+    if (!type) {
+      for (const char* key : {"rotations", "translations", "reference", "origin", "axis", "stiffness", "damping"})
+        section.find(key);
+    } else if (*type == 0) {
       understood = read_coordinates(context, section, joint);
     } else {
-      for (const char* key : {"rotations", "translations", "reference"}) section.find(key);
+      joint.type = *type == 1 ? JointDef::Type::revolute : JointDef::Type::fixed;
+      understood = read_held_joint(context, section, joint);
     }
     section.finish();
     context.scene.joints.push_back(joint);
@@ -157,7 +168,8 @@ void read_joints(ReadContext& context, Section& root) {
 }
 
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name) {
+                                             const std::string& name, const std::string& found,
+                                             const std::vector<std::string>& also_known) {
   const Scene& scene = context.scene;
   std::vector<std::string> known;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
@@ -166,12 +178,25 @@ std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocatio
       continue;
     }
     for (int k = 0; k < 6; ++k) {
+      if (!scene.joints[j].leaves(k)) continue;
       const CoordinateRef c{static_cast<int>(j), k};
       known.push_back(coordinate_name(scene, c));
       if (known.back() == name) return c;
     }
   }
-  context.error(where, path, {}, unknown_name_rule("coordinate", name, known));
+  for (const JointDef& joint : scene.joints) {
+    const std::string rule = name.rfind(joint.name + ".", 0) == 0 ? held_rule(joint) : std::string();
+    if (rule.empty()) continue;
+    context.error(where, path, found, rule);
+    return {};
+  }
+  for (const CombinationDef& combination : scene.combinations) {
+    if (combination.name != name) continue;
+    context.error(where, path, found, "is a combination: only a single coordinate can stand here");
+    return {};
+  }
+  known.insert(known.end(), also_known.begin(), also_known.end());
+  context.error(where, path, found, unknown_name_rule("coordinate", name, known));
   return {};
 }
 

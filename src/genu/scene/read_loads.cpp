@@ -4,48 +4,85 @@ namespace genu {
 
 namespace {
 
+NumberRule plain(const char* unit_name) { return {.unit = 1, .unit_name = unit_name, .above = {}, .at_least = {}}; }
+
+bool is_fixed(const ReadContext& context, int body) {
+  return body >= 0 && context.scene.bodies[static_cast<std::size_t>(body)].fixed;
+}
+
+int read_body(ReadContext& context, const Item& item) {
+  return read_reference(context, item, "body", names_of(context.scene.bodies)).value_or(-1);
+}
+
+/// A force and a moment on one body.
 void read_wrench(ReadContext& context, Section& section, LoadDef& load) {
+  const Item body = section.require("body");
+  load.body = read_body(context, body);
+  if (is_fixed(context, load.body)) refuse(context, body, "is fixed: a load on it moves nothing");
   const Item force = section.find("force"), moment = section.find("moment"), point = section.find("point");
-  const NumberRule newton{.unit = 1, .unit_name = "N", .above = {}, .at_least = {}};
-  const NumberRule newton_metre{.unit = 1, .unit_name = "N m", .above = {}, .at_least = {}};
-  load.force = read_vector(context, force, newton).value_or(Vec3::Zero());
-  load.moment = read_vector(context, moment, newton_metre).value_or(Vec3::Zero());
+  load.force = read_vector(context, force, plain("N")).value_or(Vec3::Zero());
+  load.moment = read_vector(context, moment, plain("N m")).value_or(Vec3::Zero());
   load.point = read_vector(context, point, length_rule(context)).value_or(Vec3::Zero());
   const auto frame = read_choice(context, section.find("frame"), {"world", "body"});
   load.frame = frame == 1 ? LoadDef::Frame::body : LoadDef::Frame::world;
   if (point && !force) refuse(context, point, "is where a force acts, and there is no force");
+  for (const char* other : {"toward", "on"}) section.find(other);  // the keys of the other kinds, for messages
+  if (!force && !moment) section.error("force", "is missing: a load needs a force, a moment, `toward` or `on`");
 }
 
-/// Loads of the kinds that are not built yet carry other keys; only what is wrong in any case is said about them.
-bool is_for_later(const Section& section) {
-  for (const char* key : {"toward", "on", "magnitude", "value"}) {
-    if (section.has(key)) return true;
+/// The other end of a force between two bodies.
+void read_end(ReadContext& context, const Item& item, LoadDef& load) {
+  if (!is_table(context, item)) return;
+  Section section(context, item, "the point a load is directed at");
+  const Item body = section.require("body");
+  load.toward_body = read_body(context, body);
+  load.toward_point = read_vector(context, section.require("point"), length_rule(context)).value_or(Vec3::Zero());
+  section.finish();
+  if (load.body < 0 || load.toward_body < 0) return;
+  if (load.body == load.toward_body) {
+    refuse(context, body, "both points are on the same body");
+  } else if (is_fixed(context, load.body) && is_fixed(context, load.toward_body)) {
+    refuse(context, body, "both points are on fixed bodies");
   }
-  return false;
+}
+
+void read_toward(ReadContext& context, Section& section, LoadDef& load) {
+  section.rename("a load toward a point");
+  load.kind = LoadDef::Kind::toward;
+  load.body = read_body(context, section.require("body"));
+  load.point = read_vector(context, section.find("point"), length_rule(context)).value_or(Vec3::Zero());
+  read_end(context, section.find("toward"), load);
+  load.value = read_number(context, section.require("magnitude"), non_negative(plain("N"))).value_or(0);
+}
+
+void read_on(ReadContext& context, Section& section, LoadDef& load) {
+  section.rename("a load on a joint coordinate");
+  load.kind = LoadDef::Kind::coordinate;
+  const Item on = section.find("on");
+  const auto name = read_string(context, on);
+  const auto coordinate =
+      name ? find_coordinate(context, on.node->where, on.path, *name, literal(*on.node)) : std::nullopt;
+  load.coordinate = coordinate.value_or(CoordinateRef{});
+  const bool translation = coordinate && coordinate->index >= 3;
+  load.value = read_number(context, section.find("value"), plain(translation ? "N" : "N m")).value_or(1);
 }
 
 }  // namespace
 
 void read_loads(ReadContext& context, Section& root) {
-  const std::vector<BodyDef>& bodies = context.scene.bodies;
   for (const Item& item : named_tables(context, root, "load")) {
     Section section(context, item, "a load");
     LoadDef load;
     load.name = item.node->key;
     load.where = item.node->key_where;
-    const bool later = is_for_later(section);
-    const Item body = later ? section.find("body") : section.require("body");
-    load.body = read_reference(context, body, "body", names_of(bodies)).value_or(-1);
-    if (load.body >= 0 && bodies[static_cast<std::size_t>(load.body)].fixed) {
-      refuse(context, body, "is fixed: a load on it moves nothing");
+    if (section.has("on")) {
+      read_on(context, section, load);
+    } else if (section.has("toward")) {
+      read_toward(context, section, load);
+    } else {
+      read_wrench(context, section, load);
     }
-    read_wrench(context, section, load);
-    if (!later && !section.has("force") && !section.has("moment")) {
-      section.error("force", "is missing: a load needs a force, a moment or both");
-    }
-    section.not_built({"toward", "magnitude"}, "loads toward a point");
-    section.not_built({"on", "value"}, "loads on a joint coordinate");
-    section.not_built({"scale"}, "loads scaled over a coordinate or time");
+    load.scale = read_scale(context, section.find("scale"));
     section.finish();
     context.scene.loads.push_back(load);
   }

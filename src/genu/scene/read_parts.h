@@ -6,8 +6,9 @@
 namespace genu {
 
 void read_header(ReadContext& context, Section& root);  ///< format, title, units
-void read_bodies(ReadContext& context, Section& root);
+void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);
+void read_combinations(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
 void read_ligaments(ReadContext& context, Section& root);
@@ -24,10 +25,31 @@ Pose read_placement(ReadContext& context, Section& section);
 /// "z < 0", "z >= 0 and x < 5" with lengths in the file's unit.
 std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item);
 
-/// The coordinate "JOINT.NAME"; where it does not exist an error is reported at `where` with `path`, unless the joint
-/// itself was not understood.
+/// `scale` of a load.
+std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item);
+
+/// The coordinate "JOINT.NAME"; where it does not exist, or a joint holds it, an error is reported at `where` with
+/// `path` and `found`, unless the joint itself was not understood. `also_known` are other names that could stand there,
+/// for the message.
 std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocation where, const std::string& path,
-                                             const std::string& name);
+                                             const std::string& name, const std::string& found = {},
+                                             const std::vector<std::string>& also_known = {});
+
+/// The same for what can be prescribed: a coordinate or a combination, which has no dot in its name.
+std::optional<QuantityRef> find_quantity(ReadContext& context, SourceLocation where, const std::string& path,
+                                         const std::string& name);
+
+/// A value with the name of the coordinate that it belongs to.
+struct NamedItem {
+  std::string name;
+  Item item;
+};
+/// The entries of a table whose keys are coordinates: "knee.flexion" = ... in quotes, or knee.flexion = ..., which TOML
+/// reads as a table in a table.
+std::vector<NamedItem> coordinate_items(const Item& table);
+
+/// What a revolute or fixed joint has beside its bodies; `joint.type` is known. True if its coordinates are.
+bool read_held_joint(ReadContext& context, Section& section, JointDef& joint);
 
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
 std::vector<Pose> reference_poses(const Scene& scene);

@@ -10,7 +10,9 @@ constexpr double kParallelSine = 1e-6;  // axes closer than this (rad) fix no pl
 
 /// A unit vector, whatever the scale of the numbers given; the fallback where the key is absent or wrong.
 Vec3 read_axis(ReadContext& context, const Item& item, const Vec3& fallback, bool& good) {
-  const auto axis = read_vector(context, item);
+  // Its length means nothing, and so may be any.
+  const NumberRule any{.unit = 1, .unit_name = {}, .above = {}, .at_least = {}, .largest = 1e300, .smallest = 0};
+  const auto axis = read_vector(context, item, any);
   if (!axis) {
     good = good && !item;
     return fallback;

@@ -11,15 +11,15 @@ namespace {
 constexpr std::int64_t kMaxIncrements = 1'000'000;
 
 void read_prescribed(ReadContext& context, const Item& item, const std::string& name, StepDef& step) {
-  const auto coordinate = find_coordinate(context, item.node->key_where, item.path, name);
+  const auto coordinate = find_quantity(context, item.node->key_where, item.path, name);
   if (!coordinate) {
     read_span(context, item, {});  // what is wrong with the values is said all the same
     return;
   }
-  const NumberRule rule = coordinate->index < 3 ? angle_rule(context) : length_rule(context);
+  const NumberRule rule = coordinate->is_rotation() ? angle_rule(context) : length_rule(context);
   const auto span = read_span(context, item, rule);
   for (const StepDef::Prescribed& other : step.prescribe) {
-    if (other.coordinate != *coordinate) continue;
+    if (!(other.coordinate == *coordinate)) continue;
     context.error(item.node->key_where, item.path, {}, "is prescribed twice in this step");
     return;
   }
@@ -27,19 +27,42 @@ void read_prescribed(ReadContext& context, const Item& item, const std::string& 
   step.prescribe.push_back({.coordinate = *coordinate, .from = from, .to = to});
 }
 
-/// "knee.flexion" = ... in quotes, or knee.flexion = ..., which TOML reads as a table in a table.
-void read_prescribe(ReadContext& context, const Item& item, StepDef& step) {
-  if (!is_table(context, item)) return;
-  for (const TomlNode& child : item.node->children) {
-    const Item entry = item.member(child);
-    if (child.kind != TomlNode::Kind::table) {
-      read_prescribed(context, entry, child.key, step);
+/// The factors of all coordinates of all joints in a quantity, as a row.
+VecX factors_of(const Scene& scene, const QuantityRef& quantity) {
+  VecX row = VecX::Zero(static_cast<Eigen::Index>(6 * scene.joints.size()));
+  const auto add = [&](const CoordinateRef& c, double factor) { row[6 * c.joint + c.index] += factor; };
+  if (quantity.combination < 0)
+    add(quantity.first, 1);
+  else
+    for (const auto& term : scene.combinations[static_cast<std::size_t>(quantity.combination)].terms)
+      add(term.coordinate, term.factor);
+  return row.normalized();
+}
+
+/// Prescribed values must be free of each other, or they contradict each other or say one thing twice.
+void check_independent(ReadContext& context, const Item& prescribe, const StepDef& step) {
+  constexpr double kDependent = 1e-9;  // of a row's length, left over when what the rows before it tell is taken off
+  std::vector<VecX> basis;
+  for (const StepDef::Prescribed& p : step.prescribe) {
+    VecX row = factors_of(context.scene, p.coordinate);
+    for (int pass = 0; pass < 2; ++pass)
+      for (const VecX& known : basis) row -= known.dot(row) * known;
+    if (row.norm() > kDependent) {
+      basis.push_back(row.normalized());
       continue;
     }
-    for (const TomlNode& inner : child.children) {
-      read_prescribed(context, entry.member(inner), child.key + "." + inner.key, step);
-    }
+    const std::string name = quantity_name(context.scene, p.coordinate);
+    for (const NamedItem& entry : coordinate_items(prescribe))
+      if (entry.name == name)
+        context.error(entry.item.node->key_where, entry.item.path, {},
+                      "follows from what this step prescribes before it: leave one of them out");
   }
+}
+
+void read_prescribe(ReadContext& context, const Item& item, StepDef& step) {
+  if (!is_table(context, item)) return;
+  for (const NamedItem& entry : coordinate_items(item)) read_prescribed(context, entry.item, entry.name, step);
+  check_independent(context, item, step);
 }
 
 void read_factors(ReadContext& context, const Item& item, StepDef& step) {
@@ -56,18 +79,23 @@ void read_factors(ReadContext& context, const Item& item, StepDef& step) {
   }
 }
 
-/// Dortmans: with B moving bodies, M prescribed coordinates and N rigid contacts must leave a freedom, M + N < 6 B.
+/// Dortmans: with B moving bodies, M prescribed coordinates and N rigid contacts must leave a freedom, M + N < 6 B;
+/// what joints hold counts as prescribed.
 void check_count(ReadContext& context, const Section& section, const StepDef& step) {
   int moving = 0;
   for (const BodyDef& body : context.scene.bodies) moving += body.fixed ? 0 : 1;
   const int prescribed = static_cast<int>(step.prescribe.size());
-  const int most = 6 * moving - 1;
-  if (moving == 0 || prescribed + context.rigid_pairs <= most) return;
+  int held = 0;
+  for (const JointDef& joint : context.scene.joints)
+    for (int i = 0; i < 6; ++i) held += joint.leaves(i) ? 0 : 1;
+  const int most = 6 * moving - 1, constraints = held + prescribed;
+  if (moving == 0 || constraints + context.rigid_pairs <= most) return;
+  const std::string by_joints = held > 0 ? fmt::format("{} coordinates that joints hold, ", held) : std::string();
   const TomlNode* at = section.item().node->member("prescribe");
   context.error(at ? at->key_where : step.where, section.path("prescribe"), {},
-                fmt::format("too many constraints: prescribed coordinates and rigid contact pairs "
+                fmt::format("too many constraints: {}prescribed coordinates and rigid contact pairs "
                             "M + N = {} + {} = {}, at most {}",
-                            prescribed, context.rigid_pairs, prescribed + context.rigid_pairs, most));
+                            by_joints, constraints, context.rigid_pairs, constraints + context.rigid_pairs, most));
 }
 
 void read_step(ReadContext& context, const Item& item) {
@@ -79,12 +107,27 @@ void read_step(ReadContext& context, const Item& item) {
   read_factors(context, section.find("load"), step);
   const auto increments = read_integer(context, section.find("increments"), 1, kMaxIncrements);
   step.increments = static_cast<int>(increments.value_or(1));
+  const NumberRule seconds = positive({.unit = 1, .unit_name = "s", .above = {}, .at_least = {}});
+  step.duration = read_number(context, section.find("duration"), seconds).value_or(1);
   section.finish();
   check_count(context, section, step);
   context.scene.steps.push_back(step);
 }
 
 }  // namespace
+
+std::vector<NamedItem> coordinate_items(const Item& table) {
+  std::vector<NamedItem> items;
+  for (const TomlNode& child : table.node->children) {
+    const Item entry = table.member(child);
+    if (child.kind != TomlNode::Kind::table) {
+      items.push_back({child.key, entry});
+      continue;
+    }
+    for (const TomlNode& inner : child.children) items.push_back({child.key + "." + inner.key, entry.member(inner)});
+  }
+  return items;
+}
 
 void read_steps(ReadContext& context, Section& root) {
   const Item all = root.find("step");

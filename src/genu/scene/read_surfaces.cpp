@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -24,7 +25,11 @@ void read_ellipsoid(ReadContext& context, Section& section, SurfaceDef& surface)
 void read_torus(ReadContext& context, Section& section, SurfaceDef& surface) {
   const NumberRule rule = positive(length_rule(context));
   surface.major_radius = read_number(context, section.require("major_radius"), rule).value_or(1);
-  surface.minor_radius = read_number(context, section.require("minor_radius"), rule).value_or(1);
+  const Item minor = section.require("minor_radius");
+  const auto radius = read_number(context, minor, rule);
+  surface.minor_radius = radius.value_or(1);
+  if (radius && *radius >= surface.major_radius)
+    refuse(context, minor, "must be < major_radius: a tube that meets itself is no surface");
 }
 
 /// 0, 1, 2, ...; whole floating numbers pass, for the sake of arrays of one type.
@@ -43,8 +48,12 @@ std::optional<SurfaceDef::Term> read_term(ReadContext& context, const Item& item
   const auto i = read_exponent(context, item.element(0)), j = read_exponent(context, item.element(1));
   if (!i || !j) return {};
   const int lengths = cylindrical ? 1 - *j : 1 - *i - *j;
-  const NumberRule rule{
-      .unit = std::pow(context.scene.length_unit, lengths), .unit_name = {}, .above = {}, .at_least = {}};
+  const NumberRule rule{.unit = std::pow(context.scene.length_unit, lengths),
+                        .unit_name = {},
+                        .above = {},
+                        .at_least = {},
+                        .largest = 1e100,
+                        .smallest = 1e-300};
   const auto c = read_number(context, item.element(2), rule);
   if (!c) return {};
   return SurfaceDef::Term{*i, *j, *c};
@@ -66,6 +75,10 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
     if (!seen.insert({term->i, term->j}).second) refuse(context, item, "these exponents stand in a term before");
     surface.terms.push_back(*term);
   }
+  const bool has_radius = std::any_of(surface.terms.begin(), surface.terms.end(),
+                                      [](const SurfaceDef::Term& t) { return t.i == 0 && t.j == 0 && t.c > 0; });
+  if (cylindrical && !surface.terms.empty() && !has_radius)
+    refuse(context, terms, "needs a term [0, 0, r] with r > 0: the radius at theta = z = 0");
 }
 
 void read_mesh_file(ReadContext& context, const Item& item, SurfaceDef& surface) {

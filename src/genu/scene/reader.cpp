@@ -105,6 +105,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_header(context, root);
   read_bodies(context, root);
   read_joints(context, root);
+  read_combinations(context, root);
   read_surfaces(context, root);
   read_contacts(context, root);
   read_ligaments(context, root);

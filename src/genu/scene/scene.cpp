@@ -46,4 +46,9 @@ std::string coordinate_name(const Scene& scene, const CoordinateRef& c) {
   return joint.name + "." + (k < 3 ? joint.rotations[k].name : joint.translations[k - 3]);
 }
 
+std::string quantity_name(const Scene& scene, const QuantityRef& q) {
+  if (q.combination < 0) return coordinate_name(scene, q.first);
+  return scene.combinations[static_cast<std::size_t>(q.combination)].name;
+}
+
 }  // namespace genu

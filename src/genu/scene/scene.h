@@ -21,13 +21,17 @@ struct SourceLocation {
 struct BodyDef {
   std::string name;
   bool fixed = false;
+  double mass = 0;                     ///< kg; 0 has no weight
+  Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
   SourceLocation where;
 };
 
-/// A free joint: it names the six coordinates of `child` in `parent` and constrains nothing.
-/// R_parent_child = R1 R2 R3 (successive rotations about the child's own axes); x = child's origin in the parent's
-/// axes.
+/// The six coordinates of `child` in `parent`: R_parent_child = R1 R2 R3 (successive rotations about the child's own
+/// axes); x = child's origin in the parent's axes. A free joint names all six and constrains nothing. A revolute joint
+/// leaves the first rotation, `angle` about its axis, a fixed joint none: they hold the others at `reference`, and
+/// these have no names.
 struct JointDef {
+  enum class Type { free, revolute, fixed };
   struct Rotation {
     std::string name;
     Vec3 axis = Vec3::UnitX();  ///< signed unit axis: "flexion -z" is (0, 0, -1)
@@ -38,7 +42,12 @@ struct JointDef {
   std::array<Rotation, 3> rotations;
   std::array<std::string, 3> translations;
   std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
+  Type type = Type::free;
+  double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
   SourceLocation where;
+
+  /// Whether coordinate i (0..2 rotations, 3..5 translations) may change.
+  bool leaves(int i) const { return type == Type::free || (type == Type::revolute && i == 0); }
 };
 
 struct SurfaceDef {
@@ -106,17 +115,6 @@ struct LigamentDef {
   SourceLocation where;
 };
 
-struct LoadDef {
-  enum class Frame { world, body };
-  std::string name;
-  int body = -1;
-  Vec3 force = Vec3::Zero();   ///< N
-  Vec3 moment = Vec3::Zero();  ///< N m
-  Vec3 point = Vec3::Zero();   ///< m, in the body
-  Frame frame = Frame::world;
-  SourceLocation where;
-};
-
 /// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.
 struct CoordinateRef {
   int joint = -1;
@@ -124,9 +122,65 @@ struct CoordinateRef {
   bool operator==(const CoordinateRef&) const = default;
 };
 
+/// sum of factor * coordinate, over coordinates of any joints; all are rotations or all are translations.
+struct CombinationDef {
+  struct Term {
+    CoordinateRef coordinate;
+    double factor = 1;
+  };
+  std::string name;
+  std::vector<Term> terms;
+  SourceLocation where;
+};
+
+/// What a step can prescribe: a coordinate, or a combination of some.
+struct QuantityRef {
+  CoordinateRef first;   ///< the coordinate, or the first one of the combination: the quantity has its unit
+  int combination = -1;  ///< index into Scene::combinations, -1 for a coordinate
+
+  QuantityRef() = default;
+  QuantityRef(CoordinateRef coordinate, int combination_index = -1)
+      : first(coordinate), combination(combination_index) {}
+  QuantityRef(int joint, int index) : first{joint, index} {}
+  bool is_rotation() const { return first.index < 3; }
+  bool operator==(const QuantityRef&) const = default;
+};
+
+/// What multiplies a load besides its factor in a step.
+struct ScaleDef {
+  enum class Kind { over_coordinate, over_time, sine };
+  Kind kind = Kind::over_time;
+  CoordinateRef coordinate;                      ///< over_coordinate
+  std::vector<std::pair<double, double>> table;  ///< (rad, m or s, factor), the first strictly increasing
+  double amplitude = 0;                          ///< sine
+  double frequency = 0;                          ///< sine: Hz
+  double start = 0;                              ///< sine: s
+};
+
+struct LoadDef {
+  enum class Kind { wrench, toward, coordinate };
+  enum class Frame { world, body };
+  std::string name;
+  Kind kind = Kind::wrench;
+  int body = -1;                     ///< wrench, toward
+  Vec3 force = Vec3::Zero();         ///< wrench: N
+  Vec3 moment = Vec3::Zero();        ///< wrench: N m
+  Vec3 point = Vec3::Zero();         ///< wrench, toward: m, in the body
+  Frame frame = Frame::world;        ///< wrench
+  int toward_body = -1;              ///< toward: the body pulled to, and pulled on as much
+  Vec3 toward_point = Vec3::Zero();  ///< m, in that body
+  double value = 0;                  ///< toward: N; coordinate: N m or N
+  CoordinateRef coordinate;          ///< coordinate: where the generalised moment or force acts
+  std::optional<ScaleDef> scale;
+  SourceLocation where;
+
+  /// Whether it changes with time by itself.
+  bool in_time() const { return scale && scale->kind != ScaleDef::Kind::over_coordinate; }
+};
+
 struct StepDef {
   struct Prescribed {
-    CoordinateRef coordinate;
+    QuantityRef coordinate;
     double from = 0, to = 0;  ///< rad or m
   };
   struct Factor {
@@ -136,16 +190,19 @@ struct StepDef {
   std::vector<Prescribed> prescribe;
   std::vector<Factor> factors;  ///< loads not named keep the factor 1
   int increments = 1;
+  double duration = 1;  ///< s
   SourceLocation where;
 };
 
 struct Scene {
   std::string file;
   std::string title;
-  double length_unit = 1;  ///< m per unit of length in the file
-  double angle_unit = 1;   ///< rad per unit of angle in the file
+  double length_unit = 1;       ///< m per unit of length in the file
+  double angle_unit = 1;        ///< rad per unit of angle in the file
+  std::optional<Vec3> gravity;  ///< m/s^2, in the world
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;
+  std::vector<CombinationDef> combinations;
   std::vector<SurfaceDef> surfaces;
   std::vector<ContactDef> contacts;
   std::vector<LigamentDef> ligaments;
@@ -158,5 +215,8 @@ double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
 
 /// "knee.flexion"
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c);
+
+/// "knee.flexion", or the name of a combination
+std::string quantity_name(const Scene& scene, const QuantityRef& q);
 
 }  // namespace genu

@@ -9,6 +9,9 @@ namespace genu {
 
 namespace {
 
+constexpr double kLargestLength = 1e7;  // m
+constexpr double kLargestAngle = 1e5;   // rad
+
 bool is_number(const TomlNode& node) {
   return node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::floating;
 }
@@ -38,8 +41,10 @@ std::optional<double> read_number(ReadContext& context, const Item& item, const 
     refuse(context, item, "must be > " + with_unit(*rule.above, rule.unit_name));
   } else if (rule.at_least && !(value >= *rule.at_least)) {
     refuse(context, item, "must be >= " + with_unit(*rule.at_least, rule.unit_name));
-  } else if (!std::isfinite(value * rule.unit) || (value != 0 && value * rule.unit == 0)) {
-    refuse(context, item, "is out of range");
+  } else if (!(std::abs(value * rule.unit) <= rule.largest)) {
+    refuse(context, item, "is out of range: at most " + with_unit(rule.largest / rule.unit, rule.unit_name));
+  } else if (value != 0 && std::abs(value * rule.unit) < rule.smallest) {
+    refuse(context, item, "is out of range: smaller than anything in a joint, but not 0");
   } else {
     return value * rule.unit;
   }
@@ -136,11 +141,19 @@ std::optional<int> read_reference(ReadContext& context, const Item& item, const 
 }
 
 NumberRule length_rule(const ReadContext& context) {
-  return {.unit = context.scene.length_unit, .unit_name = context.length_name, .above = {}, .at_least = {}};
+  return {.unit = context.scene.length_unit,
+          .unit_name = context.length_name,
+          .above = {},
+          .at_least = {},
+          .largest = kLargestLength};
 }
 
 NumberRule angle_rule(const ReadContext& context) {
-  return {.unit = context.scene.angle_unit, .unit_name = context.angle_name, .above = {}, .at_least = {}};
+  return {.unit = context.scene.angle_unit,
+          .unit_name = context.angle_name,
+          .above = {},
+          .at_least = {},
+          .largest = kLargestAngle};
 }
 
 NumberRule positive(NumberRule rule) {

@@ -30,6 +30,8 @@ struct NumberRule {
   std::string unit_name;           ///< for messages, e.g. "mm"
   std::optional<double> above;     ///< value > above
   std::optional<double> at_least;  ///< value >= at_least
+  double largest = 1e20;  ///< SI: beyond it no joint is described; what is smaller than `smallest` neither, but for 0
+  double smallest = 1e-30;
 };
 
 /// Reports `rule` at the item's value, with the value as found.

@@ -39,7 +39,9 @@ class Stage {
       if (!retract(model_, state, correction_, admissible(), trial_)) return false;
       evaluate(trial_, there_);
       const double next = step_.residual(there_, target_);
-      if (std::isfinite(next) && next < merit) {
+      // A body that nothing holds yet falls under a constant load: its residual stays what it is until it lands.
+      constexpr double kSame = 1 + 1e-9;
+      if (std::isfinite(next) && next <= kSame * merit) {
         std::swap(state, trial_);
         std::swap(here_, there_);
         merit = next;
@@ -94,7 +96,7 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
   state.contacts.clear();
   reset_pieces(model, state);
   for (LigamentPiece& piece : state.pieces) piece.by_length = true;  // a seed may cross any break
-  state.multipliers.resize(target.prescribed.size(), 0.0);
+  fit_multipliers(model, target, state);
   const double L = model.scales.length;
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {

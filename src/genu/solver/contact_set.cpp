@@ -48,7 +48,7 @@ ContactSetSolver::ContactSetSolver(const JointModel& model, ContactField& field,
     : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {}
 
 int ContactSetSolver::contact_limit(const Target& target) const {
-  return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(target.prescribed.size()));
+  return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
 }
 
 PoseReport ContactSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) const {
@@ -187,7 +187,7 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
     report.why = "no equilibrium on either side of the jump of " + gap;
   if (static_cast<int>(trial.state.contacts.size()) >= contact_limit(target)) {
     report.status = PoseStatus::overconstrained;
-    report.why = "more contacts are needed than the prescribed coordinates leave room for";
+    report.why = "more contacts are needed than the prescribed coordinates and the joints leave room for";
   }
   return report;
 }

@@ -62,7 +62,7 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
 NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
   NewtonReport report;
   current_ = state;
-  current_.multipliers.resize(target.prescribed.size(), 0.0);
+  fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);
   double residual = step_.residual(here_, target);
   for (;; ++report.iterations) {

@@ -6,12 +6,6 @@
 namespace genu {
 namespace {
 
-/// Whether constraint m measures an angle; those after the prescribed coordinates are lengths of ligaments.
-bool is_rotation(const Target& target, Eigen::Index m) {
-  const auto k = static_cast<std::size_t>(m);
-  return k < target.prescribed.size() && target.prescribed[k].coordinate.index < 3;
-}
-
 /// Adds the blocks of a 12-wide row (or column) that belong to moving bodies.
 template <typename Add>
 void for_moving(const std::array<int, 2>& bodies, Add add) {
@@ -33,7 +27,7 @@ void NewtonStep::set_scales(const Target& target) {
     column_scale_[i] = translation ? L : 1;
   }
   for (int m = 0; m < constraints_; ++m) {
-    const bool rotation = is_rotation(target, m);
+    const bool rotation = is_rotation(*model_, target, static_cast<std::size_t>(m));
     row_scale_[twists_ + m] = rotation ? 1 : 1 / L;
     column_scale_[twists_ + m] = rotation ? F * L : F;
   }
@@ -165,7 +159,8 @@ double NewtonStep::residual(const Linearization& at, const Target& target) const
   // max() loses a NaN in its second place: keep it in the first, so that it reaches the caller.
   auto add = [&worst](double value) { worst = std::isnan(value) ? value : std::max(worst, std::abs(value)); };
   for (Eigen::Index i = 0; i < at.wrench.size(); ++i) add(at.wrench[i] / (i % 6 < 3 ? F : F * L));
-  for (Eigen::Index m = 0; m < at.constraint.size(); ++m) add(at.constraint[m] / (is_rotation(target, m) ? 1 : L));
+  for (Eigen::Index m = 0; m < at.constraint.size(); ++m)
+    add(at.constraint[m] / (is_rotation(*model_, target, static_cast<std::size_t>(m)) ? 1 : L));
   for (const ContactBlock& block : at.contacts)
     for (int i = 0; i < 5; ++i) add(block.residual[i] / (i < 3 ? L : 1));
   return worst;
@@ -177,7 +172,8 @@ double NewtonStep::norm(const Correction& correction, const Target& target) cons
   for (Eigen::Index i = 0; i < correction.twist.size(); ++i)
     square += std::pow(correction.twist[i] / (i % 6 < 3 ? L : 1), 2);
   for (Eigen::Index m = 0; m < correction.multipliers.size(); ++m)
-    square += std::pow(correction.multipliers[m] / (is_rotation(target, m) ? F * L : F), 2);
+    square += std::pow(
+        correction.multipliers[m] / (is_rotation(*model_, target, static_cast<std::size_t>(m)) ? F * L : F), 2);
   for (const Vec4& ds : correction.surface) square += ds.squaredNorm() / (L * L);
   square += correction.forces.squaredNorm() / (F * F);
   return std::sqrt(square);

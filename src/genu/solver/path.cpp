@@ -12,16 +12,17 @@ namespace {
 
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 
-/// The walk from where the joint is to where a step begins, loads as they are there.
-StepPlan approach(const StepPlan& step, const State& state, const std::vector<double>& factors) {
+/// The walk from where the joint is to where a step begins, loads as they are there; the time stands still.
+StepPlan approach(const JointModel& model, const StepPlan& step, const State& state,
+                  const std::vector<double>& factors) {
   StepPlan plan = step;
   for (auto& p : plan.prescribed) {
     p.to = p.from;
-    p.from =
-        state.coordinates[static_cast<std::size_t>(p.coordinate.joint)][static_cast<std::size_t>(p.coordinate.index)];
+    p.from = quantity_value(model, state.coordinates, p.coordinate);
   }
   for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
   plan.increments = 1;
+  plan.end_time = plan.start_time;
   return plan;
 }
 
@@ -60,7 +61,7 @@ class PathRun {
   /// Balances the joint where it stands, then walks to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;
-    const StepPlan plan = approach(step, pose_.state, factors_);
+    const StepPlan plan = approach(solver_.model(), step, pose_.state, factors_);
     factors_ = step.target(1).load_factors;
     approaching_ = true;
     const Target start = plan.target(0);
@@ -157,13 +158,23 @@ class PathRun {
     point.report.iterations = walker_.iterations() - handed_over_;
     handed_over_ = walker_.iterations();
     point.stability = walker_.stability();
-    if (point.stability.verdict == Stability::Verdict::neutral && !point.report.newton.full_rank) {
-      point.report.status = PoseStatus::undetermined;
-      point.report.why = "a motion costs no force: the pose is one of many";
-      result_.complete = false;
-    }
+    judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     observer_.pose(point);
+  }
+
+  /// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
+  void judge_uniqueness(PosePoint& point) {
+    constexpr double kSingular = 1e-13;  // reciprocal condition
+    const NewtonReport& newton = point.report.newton;
+    const bool motion =
+        point.stability.verdict == Stability::Verdict::neutral && (!newton.full_rank || newton.rcond < kSingular);
+    if (!motion && point.stability.redundant.empty()) return;
+    point.undetermined = find_undetermined(solver_.model(), point.pose.state, point.target, point.stability);
+    point.report.status = PoseStatus::undetermined;
+    point.report.why = motion ? "a motion costs no force: the pose is one of many"
+                              : "the same motion is held twice: how the force is shared is not determined";
+    result_.complete = false;
   }
 
   void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,

@@ -9,6 +9,7 @@
 #include "genu/solver/contact_set.h"
 #include "genu/solver/stability.h"
 #include "genu/solver/step_plan.h"
+#include "genu/solver/undetermined.h"
 
 namespace genu {
 
@@ -21,6 +22,7 @@ struct PosePoint {
   Balanced pose;
   PoseReport report;
   Stability stability;
+  Undetermined undetermined;
   bool solved() const { return report.status == PoseStatus::ok; }
 };
 

@@ -4,13 +4,12 @@
 #include <limits>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 namespace genu {
 namespace {
 
-// The metric of every scene: 10 mm of translation weigh as much as 1 rad.
-constexpr double kMetricLength = 0.01;  // m
 // An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
 constexpr double kNeutral = 1e-10;
 
@@ -20,13 +19,15 @@ void for_moving(const std::array<int, 2>& bodies, Add add) {
     if (bodies[static_cast<std::size_t>(i)] >= 0) add(6 * i, 6 * bodies[static_cast<std::size_t>(i)]);
 }
 
-/// Tangent stiffness and the gradients of everything held, in the metric.
+/// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
+/// conforming surfaces hold besides.
 void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
   stiffness = at.stiffness;
   held.setZero(m + contacts, n);
   held.topRows(m) = at.gradient;
+  Eigen::Index rows = m + contacts;
   for (Eigen::Index c = 0; c < contacts; ++c) {
     const auto k = static_cast<std::size_t>(c);
     EliminatedContact contact;
@@ -37,9 +38,16 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
       for_moving(at.contact_bodies[k],
                  [&](int from2, int to2) { stiffness.block<6, 6>(to, to2) += added.block<6, 6>(from, from2); });
     });
+    const Eigen::Index more = contact.closure.rows();
+    if (more == 0) continue;
+    held.conservativeResize(rows + more, n);
+    held.bottomRows(more).setZero();
+    for_moving(at.contact_bodies[k],
+               [&](int from, int to) { held.block(rows, to, more, 6) = contact.closure.middleCols<6>(from); });
+    rows += more;
   }
   VecX metric(n);
-  for (Eigen::Index i = 0; i < n; ++i) metric[i] = i % 6 < 3 ? kMetricLength : 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) metric[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
   stiffness = -(metric.asDiagonal() * stiffness * metric.asDiagonal());
   held = held * metric.asDiagonal();
   for (Eigen::Index i = 0; i < held.rows(); ++i) {
@@ -48,11 +56,26 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
   }
 }
 
+constexpr double kDependent = 1e-10;  // rows of unit length this near to a combination of others are one
+
+/// The rows among the first `count` of `held` whose forces are not determined one by one.
+std::vector<int> dependent_rows(const MatX& held, Eigen::Index count) {
+  std::vector<int> out;
+  Eigen::FullPivLU<MatX> lu(held.transpose());
+  lu.setThreshold(kDependent);
+  const MatX trades = lu.kernel();  // forces in balance among themselves, one column each
+  constexpr double kTakesPart = 1e-6;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (trades.row(i).cwiseAbs().maxCoeff() > kTakesPart * trades.cwiseAbs().maxCoeff())
+      out.push_back(static_cast<int>(i));
+  return out;
+}
+
 /// Orthonormal basis of the motions that `held` leaves free.
 MatX free_basis(const MatX& held, Eigen::Index n) {
   if (held.rows() == 0) return MatX::Identity(n, n);
   Eigen::ColPivHouseholderQR<MatX> qr(held.transpose());
-  qr.setThreshold(1e-10);
+  qr.setThreshold(kDependent);
   const MatX q = qr.householderQ() * MatX::Identity(n, n);
   return q.rightCols(n - qr.rank());
 }
@@ -77,6 +100,8 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   tangent(at, length_scale, stiffness, held);
   const MatX basis = free_basis(held, at.wrench.size());
   out.free_motions = static_cast<int>(basis.cols());
+  if (held.rows() + basis.cols() > at.wrench.size())
+    out.redundant = dependent_rows(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()));
   if (basis.cols() == 0) {
     out.smallest = std::numeric_limits<double>::infinity();
     out.mode = VecX::Zero(at.wrench.size());

@@ -2,12 +2,15 @@
 // free.
 #pragma once
 
+#include <vector>
+
 #include "genu/model/linearization.h"
 
 namespace genu {
 
 struct Stability {
   enum class Verdict { stable, unstable, neutral };
+  static constexpr double kMetricLength = 0.01;  ///< m: the metric of every scene, 10 mm weigh as much as 1 rad
   Verdict verdict = Verdict::stable;
   /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
   /// 10 mm and rotations in rad, twist about each moving body's origin. +infinity where nothing is free to move.
@@ -16,13 +19,17 @@ struct Stability {
   bool flutter = false;       ///< the smallest belongs to one
   VecX mode;                  ///< 6B: its motion in that metric, unit norm (real part)
   int free_motions = 0;
+  /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
+  /// they hold the same motion twice. Empty where all forces are determined.
+  std::vector<int> redundant;
 };
 
 const char* to_string(Stability::Verdict verdict);
 
 /// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
-/// multipliers, included; with loads that follow the body it is unsymmetric and stays so. `length_scale` (m) is the
-/// model's characteristic length.
+/// multipliers, included. At an equilibrium it is symmetric where every load has a potential (weights, dead forces,
+/// loads toward a point), and unsymmetric where one has none (followers, dead moments, most loads scaled over a
+/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length.
 Stability assess_stability(const Linearization& at, double length_scale);
 
 }  // namespace genu

@@ -1,4 +1,5 @@
-// One step of the path: prescribed coordinates and load factors that change linearly with a parameter t from 0 to 1.
+// One step of the path: prescribed coordinates, load factors and time, which change linearly with a parameter t from 0
+// to 1.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@ namespace genu {
 
 struct StepPlan {
   struct Prescribed {
-    CoordinateRef coordinate;
+    QuantityRef coordinate;
     double from = 0, to = 0;  ///< rad or m
   };
   struct Factor {
@@ -18,6 +19,7 @@ struct StepPlan {
   std::vector<Prescribed> prescribed;
   std::vector<Factor> factors;  ///< one for each load
   int increments = 1;
+  double start_time = 0, end_time = 1;  ///< s
 
   /// What is asked at t.
   Target target(double t) const;

@@ -42,7 +42,7 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   VecX constraint_rate = VecX::Zero(here_.constraint.size());  // a held ligament's length does not change
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
-  step.solve_rates(load_wrench(model, state, rate.load_factors), constraint_rate, out.motion);
+  step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
 }
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report) {

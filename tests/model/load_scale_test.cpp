@@ -1,0 +1,86 @@
+// Scales of loads: closed forms, slopes against finite differences, and what holds beyond the ends.
+#include "genu/model/load_scale.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "support/finite_difference.h"
+
+namespace genu {
+namespace {
+
+LoadScale made(const ScaleDef& def) {
+  std::string why;
+  auto scale = LoadScale::make(def, why);
+  EXPECT_TRUE(scale.has_value()) << why;
+  return *scale;
+}
+
+ScaleDef table(std::vector<std::pair<double, double>> points) {
+  ScaleDef def;
+  def.table = std::move(points);
+  return def;
+}
+
+TEST(LoadScale, TwoPointsAreALineThatHoldsItsEnds) {
+  const LoadScale scale = made(table({{0.2, -1}, {0.7, 4}}));
+  EXPECT_FALSE(scale.coordinate().has_value());
+  EXPECT_NEAR(scale.evaluate(0.3).factor, 0, 1e-15);
+  EXPECT_NEAR(scale.evaluate(0.3).slope, 10, 1e-13);
+  for (const double x : {-5.0, 0.1999, 0.2}) EXPECT_EQ(scale.evaluate(x).factor, -1) << x;
+  for (const double x : {0.7, 0.7001, 1e3}) EXPECT_EQ(scale.evaluate(x).factor, 4) << x;
+  for (const double x : {-5.0, 0.2, 0.7, 1e3}) EXPECT_EQ(scale.evaluate(x).slope, 0) << x;
+  EXPECT_EQ(scale.largest(), 4);
+}
+
+TEST(LoadScale, ManyPointsAreMetAndNeverOvershot) {
+  const std::vector<std::pair<double, double>> points = {{0, 0}, {1, 0}, {2, 3}, {2.5, 3}, {4, -7}};
+  ScaleDef def = table(points);
+  def.kind = ScaleDef::Kind::over_coordinate;
+  def.coordinate = {2, 4};
+  const LoadScale scale = made(def);
+  EXPECT_EQ(scale.coordinate(), (CoordinateRef{2, 4}));
+  EXPECT_EQ(scale.largest(), 7);
+  for (const auto& [x, y] : points) EXPECT_NEAR(scale.evaluate(x).factor, y, 1e-14) << x;
+  double worst = 0;
+  for (double x = -0.45; x < 4.5; x += 0.1) {
+    const LoadScale::Value v = scale.evaluate(x);
+    EXPECT_TRUE(v.factor <= 3 && v.factor >= -7) << x;
+    EXPECT_TRUE(x > 1 || v.factor == 0) << x;
+    const double fd = test::derivative([&](double h) { return scale.evaluate(x + h).factor; }, 1e-3);
+    worst = std::max(worst, std::abs(v.slope - fd));
+  }
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST(LoadScale, SineBeginsAtItsStart) {
+  ScaleDef def;
+  def.kind = ScaleDef::Kind::sine;
+  def.amplitude = 28.8;
+  def.frequency = 0.125;
+  def.start = 1;
+  const LoadScale scale = made(def);
+  EXPECT_EQ(scale.largest(), 28.8);
+  for (const double t : {-3.0, 0.0, 0.999}) EXPECT_TRUE(scale.evaluate(t).factor == 0 && scale.evaluate(t).slope == 0);
+  EXPECT_EQ(scale.evaluate(1).factor, 0);
+  EXPECT_NEAR(scale.evaluate(3).factor, 28.8, 1e-13);  // a quarter of 8 s later
+  EXPECT_NEAR(scale.evaluate(7).factor, -28.8, 1e-13);
+  EXPECT_NEAR(scale.evaluate(2).factor, 28.8 * std::numbers::sqrt2 / 2, 1e-13);
+  for (const double t : {1.3, 4.0, 17.0}) {
+    const double fd = test::derivative([&](double h) { return scale.evaluate(t + h).factor; }, 1e-2);
+    EXPECT_NEAR(scale.evaluate(t).slope, fd, 1e-8);
+  }
+}
+
+TEST(LoadScale, RefusesWhatIsNoTable) {
+  std::string why;
+  EXPECT_FALSE(LoadScale::make(table({{0, 1}}), why).has_value());
+  EXPECT_NE(why.find("two points"), std::string::npos) << why;
+  EXPECT_FALSE(LoadScale::make(table({{0, 1}, {0, 2}}), why).has_value());
+  EXPECT_NE(why.find("increase"), std::string::npos) << why;
+}
+
+}  // namespace
+}  // namespace genu

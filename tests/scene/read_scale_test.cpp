@@ -1,0 +1,82 @@
+#include "scene/scene_text.h"
+
+#include <numbers>
+
+namespace genu::scene_test {
+namespace {
+
+std::string scaled(const std::string& scale) { return edited("frame = \"body\"", "scale = " + scale); }
+
+ScaleDef scale_of(const std::string& scale) {
+  const auto read = good(scaled(scale)).loads.at(0).scale;
+  EXPECT_TRUE(read.has_value());
+  return read.value_or(ScaleDef{});
+}
+
+void refused(const std::string& scale, const std::string& key, const std::string& found, const std::string& rule) {
+  SCOPED_TRACE(scale);
+  expect_one_error(scaled(scale), "load.push.scale" + key, found, rule);
+}
+
+TEST(ReadScale, Values) {
+  EXPECT_FALSE(good(kGoodScene).loads.at(0).scale.has_value());
+  const ScaleDef angle = scale_of("{ over = \"knee.flexion\", table = [[-10, 0], [90, 2.5]] }");
+  EXPECT_EQ(angle.kind, ScaleDef::Kind::over_coordinate);
+  EXPECT_EQ(angle.coordinate, (CoordinateRef{0, 0}));
+  ASSERT_EQ(angle.table.size(), 2u);
+  EXPECT_DOUBLE_EQ(angle.table[1].first, std::numbers::pi / 2);
+  EXPECT_EQ(angle.table[1].second, 2.5);
+  EXPECT_DOUBLE_EQ(scale_of("{ over = \"knee.z\", table = [[0, 0], [5, 1]] }").table[1].first, 5e-3);
+  const ScaleDef time = scale_of("{ over = \"time\", table = [[0, 0], [5, 1], [6, -1]] }");
+  EXPECT_EQ(time.kind, ScaleDef::Kind::over_time);
+  EXPECT_EQ(time.table[2].first, 6) << "s";
+  const ScaleDef sine = scale_of("{ sine = { amplitude = 28.8, frequency = 0.125, start = 1 } }");
+  EXPECT_EQ(sine.kind, ScaleDef::Kind::sine);
+  EXPECT_EQ(sine.amplitude, 28.8);
+  EXPECT_EQ(sine.frequency, 0.125);
+  EXPECT_EQ(sine.start, 1);
+  EXPECT_EQ(scale_of("{ sine = { amplitude = -1, frequency = 2 } }").start, 0);
+}
+
+TEST(ReadScale, EveryKindOfLoadMayHaveOne) {
+  const std::string load = "force = [0, 100, 0]\npoint = [1, 0, 0]\nframe = \"body\"\n";
+  const std::string scale = "scale = { over = \"time\", table = [[0, 0], [1, 1]] }\n";
+  const std::string on = edited("body = \"femur\"\n" + load, "on = \"knee.x\"\n" + scale);
+  EXPECT_TRUE(good(on).loads.at(0).scale.has_value());
+  const std::string toward = "toward = { body = \"tibia\", point = [0, 0, 0] }\nmagnitude = 3\n";
+  EXPECT_TRUE(good(edited(load, toward + scale)).loads.at(0).scale.has_value());
+}
+
+TEST(ReadScale, TableErrors) {
+  refused("@3", "", "3", "must be a table");
+  expect_one_error(edited("frame = \"body\"", "@scale = {}"), "load.push.scale", "",
+                   "give `over` and `table`, or `sine`");
+  expect_one_error(edited("frame = \"body\"", "@scale = { over = \"time\" }"), "load.push.scale.table", "",
+                   "is missing");
+  expect_one_error(edited("frame = \"body\"", "@scale = { table = [[0, 1], [1, 2]] }"), "load.push.scale.over", "",
+                   "is missing");
+  refused("{ over = @\"knee.flexon\", table = [[0, 1], [1, 2]] }", ".over", "\"knee.flexon\"",
+          "did you mean \"knee.flexion\"?");
+  refused("{ over = \"time\", table = @[[0, 1]] }", ".table", "[[0, 1]]", "at least two points [x, factor]");
+  refused("{ over = \"time\", table = [[0, 1], @3] }", ".table[2]", "3", "a point [x, factor]");
+  refused("{ over = \"knee.x\", table = [[0, 1], [@0, 2]] }", ".table[2][1]", "0", "must increase");
+  refused("{ over = \"knee.x\", table = [[0, 1], [1, @nan]] }", ".table[2][2]", "nan", "finite");
+  refused("{ over = \"knee.x\", table = [[@\"a\", 1], [1, 2], [2, 3]] }", ".table[1][1]", "\"a\"", "in mm");
+  refused("{ over = \"time\", table = [[0, 1], [1, 2]], @hold = true }", ".hold", "true", "is no key of the scale");
+}
+
+TEST(ReadScale, SineErrors) {
+  expect_one_error(edited("frame = \"body\"", "scale = { @sine = { amplitude = 1 } }"),
+                   "load.push.scale.sine.frequency", "", "is missing");
+  expect_one_error(edited("frame = \"body\"", "scale = { @sine = { frequency = 1 } }"),
+                   "load.push.scale.sine.amplitude", "", "is missing");
+  refused("{ sine = @1 }", ".sine", "1", "must be a table");
+  refused("{ sine = { amplitude = 1, frequency = @0 } }", ".sine.frequency", "0", "must be > 0 Hz");
+  refused("{ sine = { amplitude = 1, frequency = 1, start = @\"0\" } }", ".sine.start", "\"0\"", "in s");
+  refused("{ sine = { amplitude = 1, frequency = 1, @phase = 0 } }", ".sine.phase", "0", "is no key of a sine");
+  refused("{ sine = { amplitude = 1, frequency = 1 }, @over = \"time\" }", ".over", "\"time\"",
+          "is no key of a scale with a sine");
+}
+
+}  // namespace
+}  // namespace genu::scene_test
