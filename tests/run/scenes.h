@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/run/run_scene.h"
+#include "genu/scene/reader.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
@@ -31,6 +32,21 @@ inline Solution solved(const Scene& scene) {
   p.steps = plan_steps(p.scene);
   ContactField field(p.model);
   return solve(p, field, {});
+}
+
+/// The poses of a scene that has to be solved throughout, from its text.
+inline ResultTable table_of(const std::string& text) {
+  Diagnostics out;
+  const auto scene = parse_scene(text, "scene.toml", out);
+  EXPECT_TRUE(scene.has_value()) << messages(out);
+  if (!scene) return {};
+  const Solution solution = solved(*scene);
+  EXPECT_EQ(solution.summary.exit_code, kExitOk);
+  return solution.poses;
+}
+
+inline std::string word(const ResultTable& t, std::size_t row, const std::string& column) {
+  return std::get<std::string>(t.at(row, t.column_index(column)));
 }
 
 /// The largest difference of a column in two tables of equal length; infinity where one has no number.

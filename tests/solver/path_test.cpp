@@ -194,6 +194,59 @@ TEST(Path, ColdStartsFromOverlapAndFromFarMeet) {
   }
 }
 
+TEST(Path, ASnapIsNoWindowToStepOver) {
+  // A leg of two hinges pushes its foot round a ball under a growing moment, until the foot slips off: contact or not,
+  // no equilibrium lies beyond, and the next one is far away.
+  const Walk w = walk(R"(format = 1
+units = { length = "m", angle = "rad" }
+gravity = [0, -9.81, 0]
+[body.world]
+fixed = true
+[body.upper]
+mass = 3
+centre_of_mass = [0, -0.2, 0]
+[body.lower]
+mass = 2
+centre_of_mass = [0, -0.15, 0]
+[joint.hip]
+type = "revolute"
+parent = "world"
+child = "upper"
+axis = [0, 0, 1]
+stiffness = 2
+[joint.knee]
+type = "revolute"
+parent = "upper"
+child = "lower"
+origin = [0, -0.4, 0]
+axis = [0, 0, 1]
+stiffness = 1
+[surface.toe]
+body = "lower"
+shape = "sphere"
+radius = 0.05
+origin = [0, -0.35, 0]
+[surface.ball]
+body = "world"
+shape = "sphere"
+radius = 0.2
+origin = [0.25, -0.85, 0]
+[contact.kick]
+surfaces = ["toe", "ball"]
+model = "rigid"
+[load.swing]
+on = "hip.angle"
+value = 18
+[[step]]
+load = { swing = [0, 1] }
+increments = 10
+)");
+  EXPECT_FALSE(w.result.complete);
+  EXPECT_TRUE(w.of(PathEvent::Kind::stepped_over).empty()) << w.story();
+  EXPECT_EQ(w.of(PathEvent::Kind::turns_back).size(), 1u) << w.story();
+  EXPECT_EQ(w.of(PathEvent::Kind::snaps).size(), 1u) << w.story();
+}
+
 TEST(Path, StopsWhenCancelled) {
   const auto s =
       test::scene_model(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 60\n"));

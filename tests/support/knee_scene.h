@@ -25,8 +25,8 @@ inline std::string replaced(std::string text, const std::string& what, const std
 /// The Lenhart 2015 tibiofemoral knee with meshes of the given resolution ("", "-medium", "-coarse", "-wicked-coarse"),
 /// flexed from `from` to `to` degrees; its mesh paths are absolute.
 inline std::string lenhart_scene(const std::string& resolution, double from, double to, int increments) {
-  std::string text = read_text(data_path("../scenes/lenhart_knee.toml"));
-  text = replaced(text, "../data/lenhart2015/", data_path("lenhart2015/"));
+  std::string text = read_text(std::string(GENU_SOURCE_DIR) + "/meshes/lenhart2015/scene.toml");
+  text = replaced(text, "../../../shared/data/lenhart2015/", data_path("lenhart2015/"));
   text = replaced(text, "-cart.stl", "-cart" + resolution + ".stl");
   std::ostringstream step;
   step << "[[step]]\nprescribe = { \"knee.flexion\" = [" << from << ", " << to << "] }\nincrements = " << increments

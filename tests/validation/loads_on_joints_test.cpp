@@ -12,22 +12,11 @@
 namespace genu {
 namespace {
 
+using test::table_of;
+using test::word;
+
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kG = 9.81;
-
-ResultTable table_of(const std::string& text) {
-  Diagnostics out;
-  const auto scene = parse_scene(text, "scene.toml", out);
-  EXPECT_TRUE(scene.has_value()) << test::messages(out);
-  if (!scene) return {};
-  const Solution solution = test::solved(*scene);
-  EXPECT_EQ(solution.summary.exit_code, kExitOk);
-  return solution.poses;
-}
-
-std::string word(const ResultTable& t, std::size_t row, const std::string& column) {
-  return std::get<std::string>(t.at(row, t.column_index(column)));
-}
 
 /// Two links that hang from the ground on hinges about x: 3 kg 160 mm below the first hinge, the second hinge 300 mm
 /// below it, 2 kg 200 mm below that.

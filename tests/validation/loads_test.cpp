@@ -13,21 +13,10 @@
 namespace genu {
 namespace {
 
+using test::table_of;
+using test::word;
+
 constexpr double kDegree = std::numbers::pi / 180;
-
-ResultTable table_of(const std::string& text) {
-  Diagnostics out;
-  const auto scene = parse_scene(text, "scene.toml", out);
-  EXPECT_TRUE(scene.has_value()) << test::messages(out);
-  if (!scene) return {};
-  const Solution solution = test::solved(*scene);
-  EXPECT_EQ(solution.summary.exit_code, kExitOk);
-  return solution.poses;
-}
-
-std::string word(const ResultTable& t, std::size_t row, const std::string& column) {
-  return std::get<std::string>(t.at(row, t.column_index(column)));
-}
 
 /// A pendulum of 2 kg, 300 mm below its hinge, which turns about x alone.
 constexpr double kTorque = 2 * 9.81 * 0.3;  // N m: m g l

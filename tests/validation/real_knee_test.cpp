@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "genu/run/run_scene.h"
@@ -15,9 +17,9 @@
 namespace genu {
 namespace {
 
-#define GENU_NEEDS_KNEES()                               \
-  GENU_NEEDS_DATA("../scenes/lenhart_knee.toml");        \
-  GENU_NEEDS_DATA("lenhart2015/lenhart_ligaments.json"); \
+#define GENU_NEEDS_KNEES()                                \
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl"); \
+  GENU_NEEDS_DATA("lenhart2015/lenhart_ligaments.json");  \
   GENU_NEEDS_DATA("ssm/mean_ligaments.json")
 
 struct KneeRun {
@@ -190,6 +192,44 @@ TEST(RealKnee, ResolutionsDifferAsTheReadmeSays) {
                 worst["tibiofemoral.force_N"]);
     EXPECT_LE(worst["knee.adduction_deg"], bound[0]) << resolution;
     EXPECT_LE(worst["knee.rotation_deg"], bound[1]) << resolution;
+  }
+}
+
+TEST(RealKnee, FitsDifferAsTheReadmeSays) {
+  GENU_NEEDS_KNEES();
+  const std::string text = test::lenhart_scene("", 0, 90, 90);
+  const KneeRun chosen = run_text(text);
+  expect_certified(chosen);
+  std::printf("against the fit genu chooses:  adduction  rotation, but 36 to 46 deg, within (deg)\n");
+  const auto with = [&](double femur, double tibia, int degree) {
+    std::string out = text;
+    for (const auto& [name, radius] : {std::pair("femur", femur), std::pair("tibia", tibia)})
+      out = test::replaced(out, "-R-" + std::string(name) + "-cart.stl\"",
+                           fmt::format("-R-{}-cart.stl\"\nfit_radius = {}\ndegree = {}", name, radius, degree));
+    return out;
+  };
+  struct Fit {
+    double femur, tibia;  // fit_radius, mm
+    int degree;
+  };
+  for (const Fit& fit : {Fit{5, 8, 3}, Fit{7, 9, 3}, Fit{6, 8, 4}, Fit{7, 9, 4}}) {
+    const KneeRun run = run_text(with(fit.femur, fit.tibia, fit.degree));
+    expect_certified(run);
+    ASSERT_EQ(run.solution.poses.rows(), chosen.solution.poses.rows());
+    double adduction = 0, rotation = 0, splitting = 0;
+    for (std::size_t row = 0; row < run.solution.poses.rows(); ++row) {
+      const auto off = [&](const char* column) {
+        return std::abs(run.solution.poses.number(row, column) - chosen.solution.poses.number(row, column));
+      };
+      adduction = std::max(adduction, off("knee.adduction_deg"));
+      double& worst = row >= 36 && row <= 46 ? splitting : rotation;
+      worst = std::max(worst, off("knee.rotation_deg"));
+    }
+    std::printf("%.0f and %.0f mm, degree %d %20.3f %9.3f %21.3f\n", fit.femur, fit.tibia, fit.degree, adduction,
+                rotation, splitting);
+    EXPECT_LE(adduction, 0.2);
+    EXPECT_LE(rotation, 1.2);
+    EXPECT_LE(splitting, 4);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "genu/model/ligament_pieces.h"
 
@@ -16,6 +17,7 @@ constexpr int kStages = 6;
 constexpr double kLittleOverlap = 1e-3;
 constexpr int kIterations = 80;           // of each stage
 constexpr double kBalanced = 1e-5;        // scaled residual: a seed, not a result
+constexpr double kNearEnough = 0.1;       // the same where samples that come and go let no step reduce it further
 constexpr double kMaxTranslation = 0.06;  // of the model's size, an iteration
 constexpr double kMaxRotation = 0.05;     // rad an iteration
 
@@ -37,21 +39,24 @@ class Stage {
       if (!step_.factor(damped_, target_)) return false;
       step_.solve(damped_, correction_);
       if (!retract(model_, state, correction_, admissible(), trial_)) return false;
+      const double touching = deepest_;
       evaluate(trial_, there_);
       const double next = step_.residual(there_, target_);
-      // A body that nothing holds yet falls under a constant load: its residual stays what it is until it lands.
+      // A body that nothing holds falls under a constant load: its residual stays what it is until it lands.
       constexpr double kSame = 1 + 1e-9;
-      if (std::isfinite(next) && next <= kSame * merit) {
+      const bool falling = touching == 0 && deepest_ == 0 && next <= kSame * merit;
+      if (std::isfinite(next) && (next < merit || falling)) {
         std::swap(state, trial_);
         std::swap(here_, there_);
         merit = next;
         damping = std::max(damping / 8, 1e-9);
       } else {
+        deepest_ = touching;
         damping *= 6;
-        if (damping > 1e6) return merit <= 1e3 * kBalanced;
+        if (damping > 1e6) return merit <= kNearEnough;
       }
     }
-    return merit <= 1e3 * kBalanced;
+    return merit <= kNearEnough;
   }
 
   double deepest() const { return deepest_; }
@@ -101,9 +106,14 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
     Stage stage(model, field, target, modulus);
-    report.balanced = stage.run(state, report);
+    State stiffer = state;
+    // A foundation that stiff rests on a few samples only and may not settle: what balanced before it is a seed as
+    // well.
+    if (!stage.run(stiffer, report)) break;
+    state = std::move(stiffer);
+    report.balanced = true;
     report.deepest = stage.deepest();
-    if (!report.balanced || report.deepest < kLittleOverlap * L) break;
+    if (report.deepest < kLittleOverlap * L) break;
   }
   reset_pieces(model, state);
   return report;

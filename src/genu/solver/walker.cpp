@@ -10,11 +10,20 @@
 namespace genu {
 namespace {
 
+// Toward a limit point the tangent grows without bound: one step may move the bodies so far and no farther, or the
+// solution found at its end may lie on another branch. Characteristic lengths plus rad.
+constexpr double kFarthest = 0.25;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool contains(const State& state, const ActiveContact& contact) {
   return std::any_of(state.contacts.begin(), state.contacts.end(),
                      [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
+}
+
+bool same_contacts(const State& a, const State& b) {
+  return a.contacts.size() == b.contacts.size() &&
+         std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ActiveContact& c) { return contains(b, c); });
 }
 
 }  // namespace
@@ -115,7 +124,7 @@ bool Walker::far_from_predicted(const Attempt& attempt) const {
 bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
-  return distance(pose_.state, state) > kFactor * h * speed(tangent_) + kSlack;
+  return distance(pose_.state, state) > std::min(kFactor * h * speed(tangent_), kFarthest) + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
@@ -123,9 +132,6 @@ bool Walker::walk_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    // Toward a limit point the tangent grows without bound: a step may move the bodies so far and no farther, or the
-    // solution found at its end may lie on another branch.
-    constexpr double kFarthest = 0.25;  // characteristic lengths, rad
     h = std::min(h, kFarthest / std::max(speed(tangent_), 1e-300));
     if (h < options_.smallest_increment) {
       failure_ = {};
@@ -275,6 +281,11 @@ bool Walker::step_over(double window) {
     Balanced next;
     PoseReport report;
     if (balance_at(t, next, report)) {
+      if (turning_back() && same_contacts(pose_.state, next.state)) {
+        // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
+        note_snap(next.state);
+        return false;
+      }
       const Balanced before = pose_;
       emit(PathEvent::Kind::stepped_over, "from here");
       accept(t, std::move(next), report);
