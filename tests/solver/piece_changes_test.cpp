@@ -136,6 +136,43 @@ TEST(PieceChanges, AnyJumpIsCrossedUnderPrescribedLength) {
   }
 }
 
+TEST(PieceChanges, StepsUpAndDownAcrossAJumpNeverStallNewton) {
+  // Some begin or end inside the held stretch, 20 to 24 N, or exactly where it begins and ends.
+  std::string steps;
+  const std::vector<std::pair<double, double>> ways = {{18, 26}, {26, 19}, {19, 22}, {22, 30}, {30, 20},
+                                                       {20, 24}, {24, 23}, {23, 10}, {10, 24}, {24, 25}};
+  for (const auto& [from, to] : ways) steps += loads(from, to, from < to ? 1 : 3);
+  const Walk w = walk(lifted(abdel(5), steps));
+  ASSERT_TRUE(w.result.complete) << w.story();
+  int most = 0;
+  for (const PosePoint& p : w.points) {
+    const double load = p.target.load_factors[0];
+    EXPECT_NEAR(z_mm(p), load < 20 ? toe_pose(load) : load < 24 ? 4 : load / 6, 1e-9) << load;
+    most = std::max(most, p.report.iterations);
+  }
+  EXPECT_LE(most, 60) << "two events located on the way, in substeps of a few iterations each";
+}
+
+TEST(PieceChanges, PrescribedLengthsUpAndDownAcrossAJumpNeverStallNewton) {
+  for (const double stiffness : {5.0, 2.0}) {  // a rise to 20 N, a drop to 8 N
+    std::string steps;
+    const std::vector<std::pair<double, double>> ways = {{3, 5}, {5, 3.5}, {3.5, 4}, {4, 4.5}, {4.5, 4}, {4, 3}};
+    for (const auto& [from, to] : ways)
+      steps += test::step("prescribe = { \"j.z\" = [" + std::to_string(from) + ", " + std::to_string(to) +
+                          "], \"j.y\" = 0, " + kNoTurn + " }\nload = { lift = 0 }\nincrements = 1");
+    const Walk w = walk(lifted(abdel(stiffness), steps));
+    ASSERT_TRUE(w.result.complete) << w.story();
+    int most = 0;
+    for (const PosePoint& p : w.points) {
+      const double z = 1e3 * p.target.prescribed[0].value;
+      most = std::max(most, p.report.iterations);
+      if (std::abs(z - 4) < 1e-9) continue;  // at the jump itself either side will do
+      EXPECT_NEAR(p.pose.state.multipliers[0], z + (z < 4 ? (z + 4) * (z + 4) / 4 : stiffness * z), 1e-9) << z;
+    }
+    EXPECT_LE(most, 60);
+  }
+}
+
 TEST(PieceChanges, ADropOfTheForceUnderLoadIsNamedAndTheNextEquilibriumFound) {
   const Walk w = walk(lifted(abdel(2), loads(1, 41, 20)));
   EXPECT_FALSE(w.result.complete);

@@ -12,7 +12,9 @@ namespace {
 
 using Law = LigamentDef::Law;
 
-constexpr double kJumpTolerance = 1e-9;  // of the larger force: less is rounding of the law's parameters
+constexpr double kJumpTolerance = 1e-9;  // of the larger value: less is rounding of the law's parameters
+
+bool differ(double a, double b) { return std::abs(a - b) > kJumpTolerance * std::max(std::abs(a), std::abs(b)); }
 
 /// What is wrong with the breaks a law states; empty if nothing is.
 std::string fault(const ForceLaw& law, const std::vector<LawBreak>& breaks) {
@@ -37,9 +39,9 @@ std::string fault(const ForceLaw& law, const std::vector<LawBreak>& breaks) {
 
 }  // namespace
 
-bool LawBreak::jumps() const {
-  return std::abs(force_jump()) > kJumpTolerance * std::max(std::abs(below.force), std::abs(above.force));
-}
+bool LawBreak::jumps() const { return differ(below.force, above.force); }
+
+bool LawBreak::sharp() const { return jumps() || differ(below.stiffness, above.stiffness); }
 
 std::optional<LigamentLaw> LigamentLaw::custom(std::shared_ptr<const ForceLaw> law, std::string& why) {
   why = law ? std::string() : "there is no law";
@@ -54,18 +56,29 @@ std::optional<LigamentLaw> LigamentLaw::custom(std::shared_ptr<const ForceLaw> l
   out.slack_length_ = slack_length.value_or(std::numeric_limits<double>::quiet_NaN());
   out.slack_until_ = !out.breaks_.empty() && out.breaks_[0].below.slack ? out.breaks_[0].length : -1;
   out.custom_ = std::move(law);
+  out.find_sharp_breaks();
   return out;
 }
 
 int LigamentLaw::piece_at(double length) const {
   int piece = 0;
-  for (const LawBreak& b : breaks_) piece += b.length < length;
+  for (const LawBreak& b : sharp_breaks_) piece += b.length < length;
   return piece;
 }
 
-bool LigamentLaw::is_slack(int piece) const {
-  const auto k = static_cast<std::size_t>(piece);
-  return k < breaks_.size() ? breaks_[k].below.slack : k > 0 && breaks_[k - 1].above.slack;
+bool LigamentLaw::is_slack(int piece) const { return slack_pieces_[static_cast<std::size_t>(piece)]; }
+
+void LigamentLaw::find_sharp_breaks() {
+  sharp_breaks_.clear();
+  slack_pieces_.assign(1, !breaks_.empty() && breaks_.front().below.slack);
+  for (const LawBreak& b : breaks_) {
+    if (b.sharp()) {
+      sharp_breaks_.push_back(b);
+      slack_pieces_.push_back(b.above.slack);
+    } else {
+      slack_pieces_.back() = slack_pieces_.back() && b.above.slack;
+    }
+  }
 }
 
 LawValue LigamentLaw::evaluate(double length, int piece) const {
@@ -76,8 +89,9 @@ LawValue LigamentLaw::evaluate(double length, int piece) const {
     return {side.force + side.stiffness * d, side.stiffness,
             evaluate(at.length).energy + d * (side.force + side.stiffness * d / 2)};
   };
-  if (k > 0 && length <= breaks_[k - 1].length) return straight(breaks_[k - 1], breaks_[k - 1].above);
-  if (k < breaks_.size() && length > breaks_[k].length) return straight(breaks_[k], breaks_[k].below);
+  const auto& ends = sharp_breaks_;
+  if (k > 0 && length <= ends[k - 1].length) return straight(ends[k - 1], ends[k - 1].above);
+  if (k < ends.size() && length > ends[k].length) return straight(ends[k], ends[k].below);
   return evaluate(length);
 }
 
@@ -98,19 +112,20 @@ void LigamentLaw::set_breaks() {
     add(transition_length_, {toe_stiffness_ * d_t * d_t, 2 * toe_stiffness_ * d_t}, {k * d_t / 2, k});
   }
   if (kind_ == Law::table) set_table_breaks();
+  find_sharp_breaks();
 }
 
 void LigamentLaw::set_table_breaks() {
   const double L0 = slack_length_;
   const auto until = table_->zero_until(), from = table_->zero_from();
   if (until && from && *from <= *until) return;  // never taut
-  const auto side = [&](double e, double sign) -> LawBreak::Side {
-    const double beside = e + sign * 1e-9 * (1 + std::abs(e));
-    return {0, table_->evaluate(beside).slope / L0, false};
+  // Where the table is not 0: its slope at the point itself, or that of the straight line that leads there.
+  const auto side = [&](double e) -> LawBreak::Side {
+    return {0, table_->evaluate(std::clamp(e, table_->first_x(), table_->last_x())).slope / L0, false};
   };
   const LawBreak::Side slack{0, 0, true};
-  if (until && *until > -1) breaks_.push_back({(1 + *until) * L0, slack, side(*until, 1)});
-  if (from && *from > -1) breaks_.push_back({(1 + *from) * L0, side(*from, -1), slack});
+  if (until && *until > -1) breaks_.push_back({(1 + *until) * L0, slack, side(*until)});
+  if (from && *from > -1) breaks_.push_back({(1 + *from) * L0, side(*from), slack});
 }
 
 }  // namespace genu

@@ -12,8 +12,9 @@
 //                 without negative forces never pushes
 // or a ForceLaw of the caller's own.
 //
-// A law is made of pieces, each smooth, that meet at its breaks. Beyond a break a piece can be continued straight with
-// the force and stiffness it has there: what a solver does that keeps to one piece while it iterates.
+// A law has breaks, where it is less than smooth. Those at which force or stiffness jumps are sharp: there its pieces
+// meet. Beyond a sharp break a piece can be continued straight with the force and stiffness it has there: what a solver
+// does that keeps to one piece while it iterates. At the other breaks a law can be solved as it is.
 #pragma once
 
 #include <memory>
@@ -32,12 +33,12 @@ struct LawValue {
   double energy = 0;     ///< J; 0 where slack, or at the slack length for laws that are never slack
 };
 
-/// A length at which force or stiffness is not smooth, and what they are on its two sides.
+/// A length at which a law becomes slack or taut or goes over into another formula, and what it is on the two sides.
 struct LawBreak {
   struct Side {
     double force = 0;      ///< N
     double stiffness = 0;  ///< dF/dL, N/m
-    bool slack = false;    ///< the force is 0 on the whole piece of this side
+    bool slack = false;    ///< the force is 0 on this side, as far as the next break
   };
   double length = 0;  ///< m; the law's value at this length is that of `below`
   Side below, above;
@@ -47,6 +48,8 @@ struct LawBreak {
   double stiffness_jump() const { return above.stiffness - below.stiffness; }
   /// The force jumps by more than rounding.
   bool jumps() const;
+  /// The force or its stiffness jumps by more than rounding.
+  bool sharp() const;
 };
 
 /// A force-length law of the caller's own: derive from it, make a LigamentLaw of it with LigamentLaw::custom() and give
@@ -59,7 +62,8 @@ class ForceLaw {
   /// need it) at a length > 0 (m). Smooth between the breaks; at a break the value of the shorter side.
   virtual LawValue evaluate(double length) const = 0;
 
-  /// Where force or stiffness is not smooth, by increasing length. None by default.
+  /// Where force or stiffness is not smooth, by increasing length; each must be stated where one of them jumps, the
+  /// others are only reported as events. None by default.
   virtual std::vector<LawBreak> breaks() const { return {}; }
 
   /// L0 (m) for the strain (L - L0) / L0 in the results; empty where strain has no meaning.
@@ -78,16 +82,19 @@ class LigamentLaw {
   /// Length in m, >= 0.
   LawValue evaluate(double length) const;
 
-  /// The same on one piece (0 for lengths up to the first break), which beyond its breaks goes on straight.
+  /// The same on one piece (0 for lengths up to the first sharp break), which beyond its ends goes on straight.
   LawValue evaluate(double length, int piece) const;
 
-  /// Where pieces meet, by increasing length.
+  /// All breaks, by increasing length.
   const std::vector<LawBreak>& breaks() const { return breaks_; }
+
+  /// Those at which force or stiffness jumps: where pieces meet.
+  const std::vector<LawBreak>& sharp_breaks() const { return sharp_breaks_; }
 
   /// Whether the force is 0 on the whole of a piece.
   bool is_slack(int piece) const;
 
-  /// The piece a length lies in: a break belongs to the shorter side.
+  /// The piece a length lies in: a sharp break belongs to the shorter side.
   int piece_at(double length) const;
 
   /// (L - L0) / L0; NaN for a law without a slack length and for a spring of slack length 0, which have no strain.
@@ -107,6 +114,7 @@ class LigamentLaw {
   void set_slack_length(double slack_length);
   void set_breaks();
   void set_table_breaks();
+  void find_sharp_breaks();
   std::optional<double> slack_length_for(double force, double length) const;
   std::optional<double> strain_for(double force) const;
   LawValue toe_and_line(double strain) const;
@@ -123,7 +131,8 @@ class LigamentLaw {
   std::optional<MonotoneTable> table_;
   double table_origin_ = 0;  ///< the table's integral where the energy is 0
   std::shared_ptr<const ForceLaw> custom_;
-  std::vector<LawBreak> breaks_;
+  std::vector<LawBreak> breaks_, sharp_breaks_;
+  std::vector<bool> slack_pieces_;
 };
 
 /// The law that `def` describes; `reference_length` (m) is its length in the reference pose, which reference_strain and

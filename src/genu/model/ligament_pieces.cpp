@@ -19,6 +19,20 @@ double ligament_length(const JointModel::LigamentBetween& l, const std::vector<P
   return length;
 }
 
+double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
+                            const std::vector<Pose>& poses, const VecX& twist) {
+  double rate = 0;
+  TwoBodyWrench pull;
+  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
+    const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
+    if (a == b) return;  // its length is constant
+    line.evaluate(poses[at(body_a)], poses[at(body_b)], 1, 0, pull);
+    if (a >= 0) rate -= pull.on_a.dot(twist.segment<6>(6 * a));
+    if (b >= 0) rate -= pull.on_b.dot(twist.segment<6>(6 * b));
+  });
+  return rate;
+}
+
 LigamentShown show_ligament(const JointModel& model, const State& state, int ligament) {
   const auto& l = model.ligaments[at(ligament)];
   const LigamentLaw& law = l.ligament.law;
@@ -42,7 +56,7 @@ void reset_pieces(const JointModel& model, State& state) {
   state.pieces.clear();
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
-    if (l.ligament.law.breaks().empty()) continue;
+    if (l.ligament.law.sharp_breaks().empty()) continue;
     LigamentPiece piece;
     piece.ligament = static_cast<int>(i);
     piece.piece = l.ligament.law.piece_at(ligament_length(l, state.poses));
@@ -68,7 +82,7 @@ bool fix_pieces(const JointModel& model, State& state) {
 
 std::string describe_break(const JointModel& model, int ligament, int law_break) {
   const auto& l = model.ligaments[at(ligament)];
-  const LawBreak& b = l.ligament.law.breaks()[at(law_break)];
+  const LawBreak& b = l.ligament.law.sharp_breaks()[at(law_break)];
   return fmt::format("{} at {:.9g} mm, {:.9g} N below and {:.9g} N above", l.name, 1e3 * b.length, b.below.force,
                      b.above.force);
 }

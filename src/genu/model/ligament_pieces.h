@@ -23,6 +23,10 @@ void for_each_line(const JointModel::LigamentBetween& l, const F& f) {
 /// m, over all via points; `poses` of every body in the world.
 double ligament_length(const JointModel::LigamentBetween& l, const std::vector<Pose>& poses);
 
+/// How fast it grows (m per unit of what `twist`, 6 for each moving body, is a rate in).
+double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
+                            const std::vector<Pose>& poses, const VecX& twist);
+
 /// What the results show of a ligament.
 struct LigamentShown {
   double length = 0;  ///< m
@@ -34,7 +38,7 @@ LigamentShown show_ligament(const JointModel& model, const State& state, int lig
 /// Whether the law of a ligament has a break at which its force jumps.
 bool jumps(const LigamentLaw& law);
 
-/// Puts every ligament on the piece its length lies in; nothing is held.
+/// Puts every ligament whose law has sharp breaks on the piece its length lies in; nothing is held.
 void reset_pieces(const JointModel& model, State& state);
 
 /// Lets the laws without jumps follow their lengths while a pose is searched from far.
@@ -43,7 +47,7 @@ void follow_lengths(const JointModel& model, State& state);
 /// Ends follow_lengths(): every such ligament keeps to the piece it is on now. Returns whether there were any.
 bool fix_pieces(const JointModel& model, State& state);
 
-/// "AAC at 21.2 mm, 6.3 N below and 9.1 N above": a break in words.
+/// "AAC at 21.2 mm, 6.3 N below and 9.1 N above": a sharp break in words.
 std::string describe_break(const JointModel& model, int ligament, int law_break);
 
 }  // namespace genu

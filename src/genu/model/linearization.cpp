@@ -70,7 +70,7 @@ void add_held_ligament(const JointModel& model, const JointModel::LigamentBetwee
                        const LigamentPiece& piece, Eigen::Index row, Linearization& out) {
   add_chain(model, l, state, {piece.force, 0, 0}, out);
   out.gradient.row(row) = -out.length_gradient.transpose();
-  out.constraint[row] = l.ligament.law.breaks()[at(piece.piece)].length - ligament_length(l, state.poses);
+  out.constraint[row] = l.ligament.law.sharp_breaks()[at(piece.piece)].length - ligament_length(l, state.poses);
 }
 
 void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {

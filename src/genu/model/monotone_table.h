@@ -26,6 +26,9 @@ class MonotoneTable {
 
   Value evaluate(double x) const;
 
+  double first_x() const { return knots_.front().x; }
+  double last_x() const { return knots_.back().x; }
+
   /// The x from which the curve exceeds y for the first time: the end of a plateau at y, not its beginning. Where y is
   /// the largest value reached, its last point. Empty if the curve never rises to y.
   std::optional<double> first_rise_through(double y) const;

@@ -16,10 +16,10 @@ struct ActiveContact {
   double force = 0;  ///< N, normal, positive in compression
 };
 
-/// A ligament whose law has breaks, and the piece of the law it is on.
+/// A ligament whose law has sharp breaks (ligament_law.h), and the piece of the law it is on.
 struct LigamentPiece {
   int ligament = 0;  ///< index into JointModel::ligaments
-  int piece = 0;     ///< 0 up to the first break
+  int piece = 0;     ///< 0 up to the first sharp break
   /// Where the force jumps up, between the pieces `piece` and `piece` + 1: the ligament keeps the break's length and
   /// has any force between the two sides' (one more constraint, whose multiplier is `force`).
   bool held = false;
@@ -33,7 +33,7 @@ struct State {
   std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of all that is
                                          ///< prescribed, then of all that joints hold
   std::vector<ActiveContact> contacts;
-  std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has breaks, in the model's order
+  std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
 };
 
 /// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the

@@ -14,7 +14,7 @@ constexpr double kLengthTolerance = 1e-12;  // of the characteristic length, as 
 constexpr double kForceTolerance = ContactInspector::kForceTolerance;
 
 const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPiece& piece) {
-  return model.ligaments[at(piece.ligament)].ligament.law.breaks();
+  return model.ligaments[at(piece.ligament)].ligament.law.sharp_breaks();
 }
 
 double length_of(const JointModel& model, const State& state, const LigamentPiece& piece) {
@@ -58,14 +58,13 @@ void move(const JointModel& model, const State& state, LigamentPiece& piece) {
     piece.piece = up ? k + 1 : k - 1;
 }
 
-/// The event of a ligament that has passed a break, up or down.
+}  // namespace
+
 PathEvent::Kind passed(const LawBreak& b, bool up) {
   const LawBreak::Side &from = up ? b.below : b.above, &to = up ? b.above : b.below;
   if (from.slack != to.slack) return to.slack ? PathEvent::Kind::slack : PathEvent::Kind::taut;
   return PathEvent::Kind::transition;
 }
-
-}  // namespace
 
 void inspect_pieces(const JointModel& model, const State& state, Findings& out) {
   out.left_piece.clear();

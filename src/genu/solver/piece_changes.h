@@ -1,7 +1,7 @@
 // Ligaments that leave the piece of their law they are on: found at a converged pose, changed in the search for one.
 //
-// While Newton runs every ligament keeps to one piece, continued straight beyond its breaks, so that it never sees a
-// kink or a jump. What it finds must then be consistent: each length on its piece, and the force of a ligament held at
+// While Newton runs every ligament keeps to one piece, continued straight beyond sharp breaks, so that it never sees a
+// kink or a jump. (Breaks where force and stiffness are continuous concern no solve; see law_events.h.) What it finds must then be consistent: each length on its piece, and the force of a ligament held at
 // a jump between those of the two sides (Filippov's set-valued law). It is the search for the contact set once more.
 #pragma once
 
@@ -28,6 +28,9 @@ bool let_go(const JointModel& model, State& state);
 
 /// The break at which some ligament's force jumps and whose length it is nearest to within a hundredth, in words.
 std::string piece_in_doubt(const JointModel& model, const State& state);
+
+/// The event of a ligament that has passed a break, up or down.
+PathEvent::Kind passed(const LawBreak& b, bool up);
 
 /// What an observer is told of the way from one state to the next.
 std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointModel& model, const State& before,

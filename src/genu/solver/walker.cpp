@@ -31,12 +31,15 @@ bool same_contacts(const State& a, const State& b) {
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
   plan_ = plan;
   step_ = step;
+  t_ = 0;
   stiffest_seen_ = 0;
   stepped_over_ = 0;
   accept(0, std::move(pose), report);
 }
 
-void Walker::emit(PathEvent::Kind kind, const std::string& what) { event_({kind, step_, t_, plan_.target(t_), what}); }
+void Walker::emit_at(double t, PathEvent::Kind kind, const std::string& what) {
+  event_({kind, step_, t, plan_.target(t), what});
+}
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
@@ -62,6 +65,7 @@ void Walker::accept(double t, Balanced pose, const PoseReport& report) {
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
   const Stability before = tangent_.stability;
   const bool first = substeps_ == 0;
+  if (!law_events_.none()) tell_law_events(t, pose.state);
   t_ = t;
   inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
@@ -73,6 +77,24 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
   if (!first && stability().verdict != before.verdict)
     emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
+}
+
+void Walker::tell_law_events(double t, const State& state) {
+  const double h = t - t_;
+  const bool first = substeps_ == 0, leaps = h == 0 || !same_contacts(pose_.state, state);
+  const auto rate = [h](const Tangent& tangent) { return VecX(h * tangent.motion.twist); };
+  const VecX before = rate(tangent_), after = rate(next_);
+  const auto known = [&](const VecX& twist) { return twist.size() > 0 && twist.allFinite() ? &twist : nullptr; };
+  LawEvents::PoseAt pose_at;
+  if (!leaps && known(before))
+    pose_at = [&](double u, State& out) {
+      return retract(solver_.model(), pose_.state, tangent_.motion, u * h, out) &&
+             solver_.newton().solve(out, plan_.target(t_ + u * h), options_.newton).converged();
+    };
+  const LawEvents::End from{first ? state : pose_.state, known(before)}, to{state, known(after)};
+  const double tolerance = h > 0 ? options_.event_tolerance / h : 1;
+  for (const LawEvents::Passed& p : law_events_.over(from, to, tolerance, pose_at))
+    emit_at(t_ + p.u * h, p.kind, p.what);
 }
 
 Walker::Attempt Walker::attempt(double t) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "genu/solver/law_events.h"
 #include "genu/solver/path.h"
 
 namespace genu {
@@ -10,7 +11,7 @@ namespace genu {
 class Walker {
  public:
   Walker(ContactSetSolver& solver, const PathOptions& options, const std::function<void(PathEvent)>& event)
-      : solver_(solver), options_(options), event_(event) {}
+      : solver_(solver), options_(options), event_(event), law_events_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose that is solved there.
   void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
@@ -63,7 +64,9 @@ class Walker {
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
   void name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report);
-  void emit(PathEvent::Kind kind, const std::string& what);
+  void emit(PathEvent::Kind kind, const std::string& what) { emit_at(t_, kind, what); }
+  void emit_at(double t, PathEvent::Kind kind, const std::string& what);
+  void tell_law_events(double t, const State& state);
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
@@ -79,6 +82,7 @@ class Walker {
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;
+  LawEvents law_events_;
   double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
   int stepped_over_ = 0;
