@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/model/ligament_pieces.h"
 #include "solver/solved.h"
 
 namespace genu {
@@ -196,6 +197,7 @@ TEST(LawEvents, WithTangentsTakeOneOrTwoSolves) {
   EXPECT_EQ(passed[0].kind, Kind::taut);
   EXPECT_EQ(passed[0].what, "r");
   EXPECT_NEAR(first + h * passed[0].u, angle_at(25), 1e-10);
+  EXPECT_NEAR(ligament_length(crank.scene.model.ligaments[1], passed[0].state.poses), 0.025, 1e-12);
   EXPECT_LE(solves, 2);
 }
 

@@ -68,9 +68,9 @@ const std::vector<LawEvents::Passed>& LawEvents::over(const End& from, const End
     const Node first = node(w, from, 0), last = node(w, to, 1);
     if (!begun_) w.above = first.past > 0;
     if (pose_at)
-      follow(w, first, last);
+      follow(w, first, last, to.state);
     else
-      pass(w, last, last);
+      pass(w, last, last, to.state);
   }
   begun_ = true;
   std::stable_sort(passed_.begin(), passed_.end(), [](const Passed& x, const Passed& y) { return x.u < y.u; });
@@ -88,7 +88,7 @@ LawEvents::Node LawEvents::node(const Watched& w, const End& end, double u) cons
   return out;
 }
 
-void LawEvents::follow(Watched& w, const Node& from, const Node& to) {
+void LawEvents::follow(Watched& w, const Node& from, const Node& to, const State& end) {
   // A ligament may pass a break and come back within the substep: look at the extrema on the way. The cubic errs, so
   // one that comes within a hundredth of its rise to the break counts as well, and the pose there decides.
   constexpr double kNear = 0.01;
@@ -103,23 +103,24 @@ void LawEvents::follow(Watched& w, const Node& from, const Node& to) {
     if (!beyond && std::abs(past) > kNear * rise) continue;
     Node there{u, past, 0};
     solve(w, u, there.past);
-    pass(w, last, there);
+    pass(w, last, there, end);
     last = there;
   }
-  pass(w, last, to);
+  pass(w, last, to, end);
 }
 
-void LawEvents::pass(Watched& w, const Node& from, const Node& to) {
+void LawEvents::pass(Watched& w, const Node& from, const Node& to, const State& end) {
   if (std::abs(to.past) <= rounding_ || (to.past > 0) == w.above) return;
   w.above = to.past > 0;
-  passed_.push_back({locate(w, from, to), passed(w.law_break, w.above), model_->ligaments[at(w.ligament)].name});
+  passed_.push_back({to.u, passed(w.law_break, w.above), model_->ligaments[at(w.ligament)].name, end});
+  locate(w, from, to, passed_.back());
 }
 
-double LawEvents::locate(const Watched& w, const Node& from, const Node& to) {
+void LawEvents::locate(const Watched& w, const Node& from, const Node& to, Passed& out) {
   const double span = to.u - from.u;
   // Within rounding of the break at the beginning already, or no way to look between.
-  if ((from.past > 0) == (to.past > 0)) return from.u;
-  if (span <= tolerance_) return to.u;
+  out.u = (from.past > 0) == (to.past > 0) ? from.u : to.u;
+  if (out.u == from.u || span <= tolerance_) return;
   const bool smooth = std::isfinite(from.rate) && std::isfinite(to.rate);
   const double secant = to.past - from.past;
   const Cubic cubic(from.past, smooth ? span * from.rate : secant, to.past, smooth ? span * to.rate : secant);
@@ -128,19 +129,21 @@ double LawEvents::locate(const Watched& w, const Node& from, const Node& to) {
   for (int i = 0; i < 40; ++i) {
     double past = 0;
     if (!solve(w, from.u + s * span, past)) break;
+    out.state = between_;
     if (std::abs(past) <= rounding_) break;
     ((past > 0) == (from.past > 0) ? low : high) = s;
     if (i > 0 && s != last_s) slope = (past - last_past) / (s - last_s);
     last_s = s;
     last_past = past;
-    double step = -past / slope;
-    // What a cubic is wrong by at its root it is wrong by in its slope, there over a fraction of the interval.
-    const double error = 16 * step * step * span;
-    if (!(s + step > low && s + step < high)) step = 0.5 * (low + high) - s;
-    s += step;
-    if (error <= tolerance_ || (high - low) * span <= tolerance_) break;
+    const double next = s - past / slope;
+    if (std::abs(next - s) * span <= tolerance_) {
+      s = std::clamp(next, low, high);
+      break;
+    }
+    s = next > low && next < high ? next : 0.5 * (low + high);
+    if ((high - low) * span <= tolerance_) break;
   }
-  return from.u + s * span;
+  out.u = from.u + s * span;
 }
 
 bool LawEvents::solve(const Watched& w, double u, double& past) {

@@ -3,8 +3,8 @@
 // afterwards between the two ends of an accepted substep.
 //
 // There the length is the cubic of its values and rates at both ends (rates from the tangents), which errs by the
-// fourth power of the substep. A pose solved at the cubic's root says by how much; that corrects the root until it is
-// known to the tolerance, almost always at once.
+// fourth power of the substep. A pose solved at the cubic's root says by how much; that corrects the root, and a second
+// solve confirms it almost always.
 #pragma once
 
 #include <functional>
@@ -27,6 +27,7 @@ class LawEvents {
     double u;  ///< of the substep, 0 to 1
     PathEvent::Kind kind;
     std::string what;  ///< the ligament
+    State state;       ///< there; the end of the substep for bodies that leap
   };
   /// Solves the pose at u, 0 < u < 1, of the substep. False where that fails.
   using PoseAt = std::function<bool(double u, State& out)>;
@@ -55,9 +56,9 @@ class LawEvents {
   };
   double length(const Watched& w, const State& state) const;
   Node node(const Watched& w, const End& end, double u) const;
-  void follow(Watched& w, const Node& from, const Node& to);
-  void pass(Watched& w, const Node& from, const Node& to);
-  double locate(const Watched& w, const Node& from, const Node& to);
+  void follow(Watched& w, const Node& from, const Node& to, const State& end);
+  void pass(Watched& w, const Node& from, const Node& to, const State& end);
+  void locate(const Watched& w, const Node& from, const Node& to, Passed& out);
   bool solve(const Watched& w, double u, double& past);
 
   const JointModel* model_;

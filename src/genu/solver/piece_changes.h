@@ -1,8 +1,9 @@
 // Ligaments that leave the piece of their law they are on: found at a converged pose, changed in the search for one.
 //
 // While Newton runs every ligament keeps to one piece, continued straight beyond sharp breaks, so that it never sees a
-// kink or a jump. (Breaks where force and stiffness are continuous concern no solve; see law_events.h.) What it finds must then be consistent: each length on its piece, and the force of a ligament held at
-// a jump between those of the two sides (Filippov's set-valued law). It is the search for the contact set once more.
+// kink or a jump. (Breaks where force and stiffness are continuous concern no solve; see law_events.h.) What it finds
+// must then be consistent: each length on its piece, and the force of a ligament held at a jump between those of the
+// two sides (Filippov's set-valued law). It is the search for the contact set once more.
 #pragma once
 
 #include <string>
