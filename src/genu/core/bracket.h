@@ -6,6 +6,9 @@
 
 namespace genu {
 
+/// Whether two values have opposite signs, neither being zero.
+inline bool opposite(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
+
 class Bracket {
  public:
   /// Values of opposite signs at both ends; one that is not finite is not known.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/model/ligament_pieces.h"
+
 namespace genu {
 namespace {
 
@@ -231,12 +233,12 @@ class PoseTable {
   }
 
   void set_ligaments(const PosePoint& point) {
-    TwoBodyWrench pull;
-    for (const auto& l : model_.ligaments) {
-      l.ligament.evaluate_wrench(point.pose.state.poses[at(l.body_a)], point.pose.state.poses[at(l.body_b)], pull);
-      table_.set(l.name + ".length_mm", kMillimetre * pull.length);
-      table_.set(l.name + ".strain", pull.strain);
-      table_.set(l.name + ".force_N", pull.force);
+    for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
+      const std::string& name = model_.ligaments[i].name;
+      const LigamentShown shown_ligament = show_ligament(model_, point.pose.state, static_cast<int>(i));
+      table_.set(name + ".length_mm", kMillimetre * shown_ligament.length);
+      table_.set(name + ".strain", shown_ligament.strain);
+      table_.set(name + ".force_N", shown_ligament.force);
     }
   }
 

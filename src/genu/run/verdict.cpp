@@ -183,6 +183,14 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::snaps)
       out.push_back(fmt::format("From {} the joint would snap {}: start a scene there (`reference`) to follow it on.",
                                 place(prepared, e.step, e.target), e.what));
+    if (e.kind == PathEvent::Kind::held)
+      out.push_back(
+          fmt::format("From {} a ligament is held at the jump of its law, with a force between those of the two "
+                      "sides: {}.",
+                      place(prepared, e.step, e.target), e.what));
+    if (e.kind == PathEvent::Kind::jump)
+      out.push_back(fmt::format("At {} the force of a ligament drops and the joint moves on at once: {}.",
+                                place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
       out.push_back(
           fmt::format("From {} on the loads that have no potential (they follow a body, or their size depends on a "

@@ -104,6 +104,7 @@ struct LigamentDef {
   };
   std::string name;
   End from, to;
+  std::vector<End> via;  ///< on the way from `from` to `to`
   Law law = Law::quadratic;
   double stiffness = 0;          ///< N (per unit strain); spring and abdel-rahman: see the law, SI (N/m, N/m)
   double toe_stiffness = 0;      ///< abdel-rahman K2, N/m^2
@@ -209,6 +210,9 @@ struct Scene {
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;
 };
+
+/// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
+double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
 
 /// "knee.flexion"
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/bracket.h"
+#include "genu/solver/piece_changes.h"
 
 namespace genu {
 namespace {
@@ -17,8 +18,6 @@ constexpr int kMostSubsteps = 100000;
 constexpr double kClosed = 1e-6;  // characteristic lengths, rad: nearer than this the path is back at its start
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool opposite(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
 
 }  // namespace
 
@@ -86,7 +85,7 @@ bool ArcWalker::substep(double arc) {
 bool ArcWalker::pass(double arc, Point next) {
   for (Feature& f : features(arc, next)) {
     if (!f.is_row) {
-      outputs_.event(f.kind, f.point, to_string(next.stability.verdict));
+      outputs_.event(f.kind, f.point, f.what);
       continue;
     }
     if (f.increment == 0 && closes(f.point)) {
@@ -109,12 +108,13 @@ std::vector<ArcWalker::Feature> ArcWalker::features(double arc, const Point& nex
   std::vector<Feature> out;
   const double turn_before = here_.at.direction.parameter, turn_after = next.at.direction.parameter;
   const bool restless = opposite(here_.stability.smallest, next.stability.smallest);
+  const std::string verdict = to_string(next.stability.verdict);
   double where = 0;
   if (opposite(turn_before, turn_after)) {
     const Measure turn = [](const Point& p) { return p.at.direction.parameter; };
     const Point limit = locate(turn, 0, turn_before, arc, turn_after, where);
-    out.push_back({where, limit, PathEvent::Kind::limit_point, 0, false});
-    if (restless) out.push_back({where, limit, PathEvent::Kind::stability_changed, 0, false});
+    out.push_back({where, limit, PathEvent::Kind::limit_point, 0, false, verdict});
+    if (restless) out.push_back({where, limit, PathEvent::Kind::stability_changed, 0, false, verdict});
     add_rows(0, here_, where, limit, out);
     add_rows(where, limit, arc, next, out);
   } else {
@@ -122,12 +122,26 @@ std::vector<ArcWalker::Feature> ArcWalker::features(double arc, const Point& nex
     if (restless) {
       const Measure smallest = [](const Point& p) { return p.stability.smallest; };
       const Point there = locate(smallest, 0, here_.stability.smallest, arc, next.stability.smallest, where);
-      if (!next.stability.flutter) out.push_back({where, there, PathEvent::Kind::bifurcation, 0, false});
-      out.push_back({where, there, PathEvent::Kind::stability_changed, 0, false});
+      if (!next.stability.flutter) out.push_back({where, there, PathEvent::Kind::bifurcation, 0, false, verdict});
+      out.push_back({where, there, PathEvent::Kind::stability_changed, 0, false, verdict});
     }
   }
+  if (!law_events_.none()) add_law_events(arc, next, out);
   std::stable_sort(out.begin(), out.end(), [](const Feature& a, const Feature& b) { return a.arc < b.arc; });
   return out;
+}
+
+void ArcWalker::add_law_events(double arc, const Point& next, std::vector<Feature>& out) {
+  const auto rate = [arc](const Point& p) { return VecX(arc * p.at.direction.twist); };
+  const VecX before = rate(here_), after = rate(next);
+  const LawEvents::PoseAt pose_at = [&](double u, State& state) {
+    Point trial = attempt(u * arc);
+    state = std::move(trial.at.pose.state);
+    return trial.report.newton.converged();
+  };
+  const LawEvents::End from{here_.at.pose.state, &before}, to{next.at.pose.state, &after};
+  for (const LawEvents::Passed& p : law_events_.over(from, to, options_.event_tolerance, pose_at))
+    out.push_back({p.u * arc, attempt(p.u * arc), p.kind, 0, false, p.what});
 }
 
 void ArcWalker::add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out) {
@@ -140,7 +154,7 @@ void ArcWalker::add_rows(double low, const Point& from, double high, const Point
     const Measure past = [t](const Point& p) { return p.at.t - t; };
     Point there = k == b ? to : locate(past, low, from.at.t - t, high, to.at.t - t, where);
     settle_on(t, there);
-    out.push_back({where, std::move(there), PathEvent::Kind::limit_point, k, true});
+    out.push_back({where, std::move(there), PathEvent::Kind::limit_point, k, true, {}});
     if (k >= plan_.increments) return;
   }
 }
@@ -269,6 +283,8 @@ void ArcWalker::report_changes(const Balanced& before, const Point& after) {
   };
   report(before.state, after.at.pose.state, PathEvent::Kind::contact_gained);
   report(after.at.pose.state, before.state, PathEvent::Kind::contact_lost);
+  for (const auto& [kind, what] : piece_events(solver_.model(), before.state, after.at.pose.state))
+    outputs_.event(kind, after, what);
 }
 
 std::optional<ArcWalker::Point> ArcWalker::limit_ahead(const StepPlan& plan, const Balanced& pose, double t,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "genu/solver/arc_newton.h"
+#include "genu/solver/law_events.h"
 #include "genu/solver/path.h"
 
 namespace genu {
@@ -25,8 +26,13 @@ class ArcWalker {
   };
   enum class End { reached, closed, ran_away, stuck, cancelled };
 
-  ArcWalker(ContactSetSolver& solver, const PathOptions& options, Outputs outputs)
-      : solver_(solver), options_(options), newton_(solver.model(), options.newton), outputs_(std::move(outputs)) {}
+  /// `law_events` are shared with the other walkers of a path.
+  ArcWalker(ContactSetSolver& solver, const PathOptions& options, LawEvents& law_events, Outputs outputs)
+      : solver_(solver),
+        options_(options),
+        newton_(solver.model(), options.newton),
+        law_events_(law_events),
+        outputs_(std::move(outputs)) {}
 
   /// From a pose solved at t = 0 until t = 1. The path may leave that interval at 0 and come back.
   End walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report);
@@ -48,6 +54,7 @@ class ArcWalker {
     PathEvent::Kind kind;  ///< of an event
     int increment;         ///< of a row
     bool is_row;
+    std::string what;  ///< of an event
   };
   using Measure = std::function<double(const Point&)>;
 
@@ -61,6 +68,7 @@ class ArcWalker {
   std::vector<Feature> features(double arc, const Point& next);
   void add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out);
   Point locate(const Measure& measure, double low, double low_value, double high, double high_value, double& arc);
+  void add_law_events(double arc, const Point& next, std::vector<Feature>& out);
   void settle_on(double t, Point& point);
   bool closes(const Point& point) const;
   void report_changes(const Balanced& before, const Point& after);
@@ -68,6 +76,7 @@ class ArcWalker {
   ContactSetSolver& solver_;
   const PathOptions& options_;
   ArcNewton newton_;
+  LawEvents& law_events_;
   Outputs outputs_;
   StepPlan plan_;
   Point start_, here_;

@@ -110,7 +110,7 @@ class PathRun {
       hand_over(step, 0);
     }
     int handed_over = 0;
-    ArcWalker walker(solver_, options_,
+    ArcWalker walker(solver_, options_, walker_.law_events(),
                      {[&](int k, const ArcWalker::Point& p) {
                         PosePoint point;
                         point.increment = k;
@@ -189,6 +189,7 @@ class PathRun {
             pose_.state.coordinates});
       report.status = PoseStatus::no_equilibrium;
       report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      if (!walker_.law_jump().empty()) report.why += ", as the force drops of ligament " + walker_.law_jump();
     }
     fail(step, k, t, report, "");
   }
@@ -197,7 +198,7 @@ class PathRun {
   PathEvent limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
     constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
-    ArcWalker walker(solver_, options_, {});
+    ArcWalker walker(solver_, options_, walker_.law_events(), {});
     const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
     result_.iterations += walker.iterations();
     const double t = limit ? limit->at.t : walker_.t();
@@ -291,6 +292,16 @@ const char* to_string(PathEvent::Kind kind) {
       return "contact_gained";
     case PathEvent::Kind::contact_lost:
       return "contact_lost";
+    case PathEvent::Kind::taut:
+      return "taut";
+    case PathEvent::Kind::slack:
+      return "slack";
+    case PathEvent::Kind::transition:
+      return "transition";
+    case PathEvent::Kind::held:
+      return "held";
+    case PathEvent::Kind::jump:
+      return "jump";
     case PathEvent::Kind::stepped_over:
       return "stepped_over";
     case PathEvent::Kind::over_edge:

@@ -31,6 +31,11 @@ struct PathEvent {
   enum class Kind {
     contact_gained,
     contact_lost,
+    taut,
+    slack,
+    transition,  ///< a ligament passes another break of its law
+    held,        ///< a ligament stays at a jump of its law, with a force between those of the two sides
+    jump,        ///< no equilibrium beyond that is near: the force of a ligament drops
     stepped_over,
     over_edge,
     overlap,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/bracket.h"
+#include "genu/solver/piece_changes.h"
 
 namespace genu {
 namespace {
@@ -14,31 +15,17 @@ namespace {
 // solution found at its end may lie on another branch. Characteristic lengths plus rad.
 constexpr double kFarthest = 0.25;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool opposite(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
-
-bool same_contacts(const State& a, const State& b) {
-  return a.contacts.size() == b.contacts.size() &&
-         std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ActiveContact& c) { return contains(b, c); });
-}
-
 }  // namespace
 
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
   plan_ = plan;
   step_ = step;
   driven_ = plan.only_driven();
+  t_ = 0;
   stiffest_seen_ = 0;
   stepped_over_ = 0;
   tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
-}
-
-void Walker::emit(PathEvent::Kind kind, const std::string& what) { emit_at(kind, t_, pose_.state, what); }
-
-void Walker::emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what) {
-  event_({kind, step_, t, plan_.target(t), what, state.coordinates});
 }
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
@@ -51,7 +38,7 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
     out.motion.resize(0, 0, 0);
     return;
   }
-  VecX constraint_rate = VecX::Zero(here_.constraint.size());
+  VecX constraint_rate = VecX::Zero(here_.constraint.size());  // a held ligament's length does not change
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
   step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
@@ -60,6 +47,7 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
 void Walker::accept(double t, Balanced pose, const PoseReport& report) {
   compute_tangent(pose.state, t, next_);
   const bool first = substeps_ == 0;
+  for (const Turn& turn : law_turns(t, pose.state)) emit_at(turn.kind, turn.t, turn.state, turn.what);
   take(t, std::move(pose), report);
   if (first) return;
   // Contacts may have changed here, and rates with them at once.
@@ -79,6 +67,7 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   const Stability before = tangent_.stability;
   const bool first = substeps_ == 0;
   t_ = t;
+  inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
   report_ = report;
   std::swap(tangent_, next_);
@@ -86,64 +75,6 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
   if (stability().complex_pair && (first || !before.complex_pair))
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
-}
-
-double Walker::reaction_rate(const Tangent& tangent) const {
-  return driven_ < 0 || tangent.motion.multipliers.size() <= driven_ ? 0.0 : tangent.motion.multipliers[driven_];
-}
-
-std::string Walker::reaction_words(const Tangent& after, const State& state) const {
-  const bool angle = plan_.prescribed[at(driven_)].coordinate.is_rotation();
-  return fmt::format("{} {:.9g} {}", reaction_rate(after) < 0 ? "largest" : "smallest", state.multipliers[at(driven_)],
-                     angle ? "Nm" : "N");
-}
-
-std::optional<Walker::Attempt> Walker::locate(const std::function<double(const Tangent&)>& measure, double after,
-                                              double t_end, double& where) {
-  Bracket bracket(t_, measure(tangent_), t_end, after, options_.event_tolerance);
-  std::optional<Attempt> found;
-  while (bracket.open()) {
-    const double t = bracket.next();
-    Attempt trial = attempt(t);
-    if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) break;
-    compute_tangent(trial.pose.state, t, between_);
-    const double value = measure(between_);
-    opposite(value, after) ? bracket.move_low(t, value) : bracket.move_high(t, value);
-    found = std::move(trial);
-    where = t;
-  }
-  return found;
-}
-
-void Walker::mark_turns(double t, const State& next) {
-  struct Turn {
-    double t;
-    PathEvent::Kind kind;
-    State state;
-    std::string what;
-  };
-  std::vector<Turn> turns;
-  double where = t;
-  if (opposite(stability().smallest, next_.stability.smallest)) {
-    const auto smallest = [](const Tangent& x) { return x.stability.smallest; };
-    const auto found = locate(smallest, next_.stability.smallest, t, where);
-    const State& state = found ? found->pose.state : next;
-    if (!next_.stability.flutter && !stability().flutter)
-      turns.push_back({where, PathEvent::Kind::bifurcation, state, to_string(next_.stability.verdict)});
-    turns.push_back({where, PathEvent::Kind::stability_changed, state, to_string(next_.stability.verdict)});
-  } else if (stability().verdict != next_.stability.verdict) {
-    turns.push_back({t, PathEvent::Kind::stability_changed, next, to_string(next_.stability.verdict)});
-  }
-  const double rate = reaction_rate(next_);
-  where = t;
-  if (opposite(reaction_rate(tangent_), rate)) {
-    const auto measure = [this](const Tangent& x) { return reaction_rate(x); };
-    const auto found = locate(measure, rate, t, where);
-    const State& state = found ? found->pose.state : next;
-    turns.push_back({where, PathEvent::Kind::reaction_turns, state, reaction_words(next_, state)});
-  }
-  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.t < b.t; });
-  for (const Turn& turn : turns) emit_at(turn.kind, turn.t, turn.state, turn.what);
 }
 
 Walker::Attempt Walker::attempt(double t) {
@@ -199,6 +130,8 @@ bool Walker::jumped(const State& state, double h) const {
 }
 
 bool Walker::walk_to(double t_end) {
+  snap_ = {0, 0};
+  law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
     h = std::min(h, kFarthest / std::max(speed(tangent_), 1e-300));
@@ -213,7 +146,9 @@ bool Walker::walk_to(double t_end) {
     if (solved && trial.valid() && !far_from_predicted(trial)) {
       compute_tangent(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
+        const double inside = trial.findings.worst;
         pass(t, std::move(trial));
+        inside_ = inside;
         h *= 2;
         continue;
       }
@@ -233,8 +168,14 @@ bool Walker::walk_to(double t_end) {
 
 bool Walker::pass_event(double t, Attempt violated) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  Bracket bracket(t_, kUnknown, t, violated.findings.worst, options_.event_tolerance);
+  Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
   while (bracket.open()) {
+    // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
+    const double worst_there = violated.findings.worst;
+    if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
+        std::isfinite(inside_) && inside_ > 0 &&
+        -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
+      break;
     const double middle = bracket.next();
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
@@ -242,8 +183,10 @@ bool Walker::pass_event(double t, Attempt violated) {
       bracket.move_low(middle, worst);
       compute_tangent(trial.pose.state, middle, next_);
       pass(middle, std::move(trial));
+      inside_ = worst;
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
       bracket.move_high(middle, worst);
+      t = middle;
       violated = std::move(trial);
     } else {
       bracket.move_high(middle, kUnknown);
@@ -269,6 +212,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     report.status = PoseStatus::no_equilibrium;
     report.why = "the equilibrium that was followed ends where its contacts change";
   }
+  name_jump(violated, next, t, report);
   if (report.status != PoseStatus::ok) {
     failure_ = report;
     return false;
@@ -277,16 +221,6 @@ bool Walker::pass_event(double t, Attempt violated) {
   accept(t, std::move(next), report);
   report_changes(before, pose_);
   return true;
-}
-
-void Walker::report_changes(const Balanced& before, const Balanced& after) {
-  const auto name = [&](const ActiveContact& c) {
-    return fmt::format("{}.{}", solver_.model().pairs[at(c.pair)].name, c.number);
-  };
-  for (const ActiveContact& c : after.state.contacts)
-    if (!contains(before.state, c)) emit(PathEvent::Kind::contact_gained, name(c));
-  for (const ActiveContact& c : before.state.contacts)
-    if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
 }
 
 void Walker::note_snap(const State& state) {
@@ -308,11 +242,11 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
 
 bool Walker::step_over(double window) {
   const double from = t_;
-  snap_ = {0, 0};
   // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
   // has to be stepped over again and again is no path.
   constexpr int kMost = 30;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
+  snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);
