@@ -10,7 +10,10 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "genu/geometry/analytic.h"
+#include "genu/geometry/stl_writer.h"
 #include "run/scenes.h"
+#include "support/temporary_folder.h"
 
 namespace genu::test {
 namespace {
@@ -178,6 +181,23 @@ TEST(PatchEdges, AContactThatRunsOffEndsThePathAtTheEdgeAndKeepsThePoses) {
     ASSERT_NE(edge, solution.events.end());
     EXPECT_NEAR(30 * edge->t, 20, 1e-6);
   }
+}
+
+TEST(PatchEdges, OfAMeshEndThePathWhereTheyAre) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "plate.stl";
+  ASSERT_EQ(write_stl(make_plane({}, false)->triangles(1e-3, Vec3::Zero(), 0.04), file, 1e-3, "plate"), "");
+  const std::string plate =
+      "shape = \"mesh\"\nunits = \"mm\"\nfile = \"" + file + "\"\npatch = { x = [-10, 10], y = [-20, 20] }\n";
+  const Solution solution =
+      solution_of(scene_text(plate, kBall, {0, 0, 20}, {0, 0, 5}) +
+                  "[[step]]\nprescribe = { \"j.a\" = 0, \"j.b\" = 0, \"j.c\" = 0, \"j.y\" = [0, 30] }\n"
+                  "increments = 30\n");
+  EXPECT_EQ(solution.summary.exit_code, kExitIncomplete);
+  const auto edge = over_edge(solution);
+  ASSERT_NE(edge, solution.events.end());
+  EXPECT_NEAR(30 * edge->t, 20, 1e-4);  // single precision of the file
+  EXPECT_NEAR(solution.poses.number(19, "j.z_mm"), 20, 1e-4);
 }
 
 TEST(PatchEdges, NothingTouchesTheSurfaceBeyondThePatch) {

@@ -75,8 +75,8 @@ Chart force_chart(const LaxityStudy& study) {
   for (const Drawer& d : study.drawers) {
     const auto [first, last] = way_down(d);
     const auto part = [first = first, last = last](const std::vector<double>& v) {
-      return std::vector<double>(v.begin() + static_cast<std::ptrdiff_t>(first),
-                                 v.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+      const auto end = v.rend() - static_cast<std::ptrdiff_t>(first);  // from the smallest force up
+      return std::vector<double>(end - static_cast<std::ptrdiff_t>(last - first) - 1, end);
     };
     chart.x = part(d.force);
     const std::string name = fmt::format("{:.0f} deg", d.flexion);
