@@ -39,5 +39,18 @@ TEST(BuildSurface, EveryShapeTakesItsSizesPlacementAndSide) {
 
 TEST(BuildSurface, AMeshHasNoFormula) { EXPECT_FALSE(make_analytic_surface(definition(SurfaceDef::Shape::mesh))); }
 
+TEST(BuildSurface, APatchLimitsTheSurfaceAndMustHoldAPartOfIt) {
+  SurfaceDef def = definition(SurfaceDef::Shape::plane);
+  def.patch.emplace();
+  def.patch->box[0] = std::pair(-0.01, 0.02);
+  EXPECT_TRUE(within_patch(make_analytic_surface(def), def)->is_unbounded());
+  def.patch->box[1] = std::pair(-0.01, 0.01);
+  const auto part = within_patch(make_analytic_surface(def), def);
+  EXPECT_FALSE(part->is_unbounded());
+  EXPECT_NEAR(part->edge_distance(Vec3(0.015, 0, 1)), 0.005, 1e-17);
+  def.patch->box[2] = std::pair(0.01, 0.02);
+  EXPECT_FALSE(within_patch(make_analytic_surface(def), def));
+}
+
 }  // namespace
 }  // namespace genu

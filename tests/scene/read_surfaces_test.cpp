@@ -66,7 +66,6 @@ TEST(ReadSurfaces, ShapeErrors) {
                  "unknown body; known: \"tibia\", \"femur\"");
   expect_surface_refused(kBall + "@radii = [1, 2, 3]\n", "radii", "[1, 2, 3]", "is no key of a sphere");
   expect_surface_refused(kBall + "inside = @\"yes\"\n", "inside", "\"yes\"", "must be true or false");
-  expect_surface_refused(kBall + "@patch = 1\n", "patch", "1", "not built yet");
 }
 
 TEST(ReadSurfaces, RadiusErrors) {

@@ -89,10 +89,11 @@ int mesh_scene(const MeshOptions& options) {
   const std::optional<Scene> scene = read_scene(options.scene, problems);
   if (!scene) return refuse(problems);
   const std::vector<const SurfaceDef*> chosen = choose(*scene, options, problems);
-  std::vector<std::unique_ptr<Surface>> surfaces;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
   for (const SurfaceDef* def : chosen) {
-    surfaces.push_back(make_analytic_surface(*def));
-    if (!surfaces.back()) problems.error(scene->file, "surface \"" + def->name + "\" has sizes that make no surface");
+    surfaces.push_back(within_patch(make_analytic_surface(*def), *def));
+    if (!surfaces.back())
+      problems.error(scene->file, "surface \"" + def->name + "\" has sizes or a patch that make no surface");
   }
   if (problems.has_errors()) return refuse(problems);
 

@@ -40,8 +40,8 @@ class Surface {
   /// (exact where the shape has a closed form). Empty where it is not known.
   virtual std::optional<double> gap(const Vec3& x) const = 0;
 
-  /// Distance (m) along the surface from p, a point on it, to the nearest edge of the patch: positive inside, negative
-  /// past the edge, +infinity for a surface without edges.
+  /// Distance (m) along the surface from p, a point on it, to the nearest edge of the patch, or the straight one, which
+  /// is no longer: positive inside, negative past the edge, +infinity for a surface without edges.
   virtual double edge_distance(const Vec3& p) const;
 
   /// Triangles that follow the surface, for finding candidates: the surface's own mesh, or a tessellation whose edges

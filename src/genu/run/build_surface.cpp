@@ -1,6 +1,7 @@
 #include "genu/run/build_surface.h"
 
 #include "genu/geometry/analytic.h"
+#include "genu/geometry/patch.h"
 
 namespace genu {
 namespace {
@@ -10,6 +11,14 @@ std::vector<PolynomialTerm> polynomial_terms(const SurfaceDef& def) {
   terms.reserve(def.terms.size());
   for (const SurfaceDef::Term& t : def.terms) terms.push_back({t.i, t.j, t.c});
   return terms;
+}
+
+/// Along which of its own axes a shape has no end.
+std::array<bool, 3> endless_axes(SurfaceDef::Shape shape) {
+  using Shape = SurfaceDef::Shape;
+  const bool sheet = shape == Shape::plane || shape == Shape::polynomial;
+  const bool tube = shape == Shape::cylinder || shape == Shape::cylindrical_polynomial;
+  return {sheet, sheet, tube};
 }
 
 }  // namespace
@@ -35,6 +44,15 @@ std::unique_ptr<Surface> make_analytic_surface(const SurfaceDef& def) {
       break;
   }
   return nullptr;
+}
+
+std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surface, const SurfaceDef& def) {
+  if (!surface || !def.patch) return surface;
+  constexpr double kCoarse = 0.01, kReach = 0.1;  // m: to see whether anything is there
+  std::shared_ptr<const Surface> part =
+      make_patch(std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape));
+  if (part->triangles(kCoarse, def.placement.p, kReach).triangles.empty()) return nullptr;
+  return part;
 }
 
 }  // namespace genu

@@ -12,4 +12,7 @@ namespace genu {
 /// geometry/analytic.h), which the scene's reader has refused already.
 std::unique_ptr<Surface> make_analytic_surface(const SurfaceDef& def);
 
+/// `surface`, built from `def`, or the part of it in the patch of `def`; null where the patch holds no part of it.
+std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surface, const SurfaceDef& def);
+
 }  // namespace genu

@@ -101,6 +101,17 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
                .key = "surface." + def.name,
                .found = {},
                .rule = "has sizes that make no surface"});
+    if (surfaces.back() && def.patch) {
+      note.text += "; limited to a patch";
+      surfaces.back() = within_patch(surfaces.back(), def);
+      if (!surfaces.back())
+        out.add({.file = scene.file,
+                 .line = def.patch->where.line,
+                 .column = def.patch->where.column,
+                 .key = "surface." + def.name + ".patch",
+                 .found = {},
+                 .rule = "holds no part of the surface: its ranges are in the surface's own frame"});
+    }
     notes.push_back(std::move(note));
   }
   seconds.emplace_back("reading meshes", read);

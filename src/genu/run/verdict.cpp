@@ -118,7 +118,7 @@ std::string advice_without_pose(const Prepared& prepared, bool first, bool turne
 std::string advice(PoseStatus status) {
   switch (status) {
     case PoseStatus::over_edge:
-      return "The cartilage ends there: extend the mesh, or shorten the motion.";
+      return "The surface ends there: extend its mesh or its patch, or shorten the motion.";
     case PoseStatus::overlap:
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `reference`.";
     case PoseStatus::overconstrained:

@@ -22,6 +22,9 @@ void check_scene(ReadContext& context);
 /// lies along the body's x, the axes are the body's in cyclic order (x = the body's y).
 Pose read_placement(ReadContext& context, Section& section);
 
+/// `patch` of a surface whose shape is known.
+std::optional<SurfaceDef::Patch> read_patch(ReadContext& context, const Item& item, const SurfaceDef& surface);
+
 /// "z < 0", "z >= 0 and x < 5" with lengths in the file's unit.
 std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item);
 

@@ -161,7 +161,7 @@ void read_surfaces(ReadContext& context, Section& root) {
     read_shape(context, section, surface);
     surface.placement = read_placement(context, section);
     surface.inside = read_bool(context, section.find("inside")).value_or(false);
-    section.not_built({"patch"}, "edges of a patch");
+    surface.patch = read_patch(context, section.find("patch"), surface);
     section.finish();
     context.scene.surfaces.push_back(surface);
   }

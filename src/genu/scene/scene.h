@@ -56,6 +56,13 @@ struct SurfaceDef {
     int i = 0, j = 0;  ///< z = sum c x^i y^j, or r = sum c theta^i z^j
     double c = 0;      ///< SI
   };
+  /// Where contact is meant, in the surface's own frame: what is left empty is not limited.
+  struct Patch {
+    using Range = std::optional<std::pair<double, double>>;  ///< first < second
+    std::array<Range, 3> box;                                ///< x, y, z, m
+    Range theta;                                             ///< about z from x toward y, rad
+    SourceLocation where;
+  };
   std::string name;
   int body = -1;
   Shape shape = Shape::plane;
@@ -70,6 +77,7 @@ struct SurfaceDef {
   double file_unit = 1;              ///< mesh: m per unit of the file
   std::optional<double> fit_radius;  ///< mesh: m
   std::optional<int> degree;         ///< mesh: 2 to 4
+  std::optional<Patch> patch;
   SourceLocation where;
   SourceLocation file_where;
 };

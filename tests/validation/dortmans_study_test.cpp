@@ -1,0 +1,94 @@
+// The sentences of meshes/dortmans1984/SOURCE.md, and that its tables are those of this build.
+#include "studies/dortmans_study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "validation/study_files.h"
+
+namespace genu::studies {
+namespace {
+
+const std::string kFolder = GENU_SOURCE_DIR "/meshes/dortmans1984";
+
+const std::vector<DortmansReading>& readings() {
+  static const std::vector<DortmansReading> solved = [] {
+    Diagnostics out;
+    return solve_dortmans(kFolder, out);
+  }();
+  return solved;
+}
+
+/// From the first degree on: within it the spring of the first reading shortens by 2e-4.
+bool rises(const std::vector<double>& values, double sign) {
+  return std::is_sorted(values.begin() + 1, values.end(), [&](double x, double y) { return sign * x < sign * y; });
+}
+
+TEST(DortmansStudy, BothReadingsAreSolvedAndStableThroughout) {
+  ASSERT_EQ(readings().size(), 2u);
+  for (const DortmansReading& r : readings()) {
+    EXPECT_TRUE(r.all_stable) << r.scene;
+    EXPECT_EQ(r.flexion.size(), 71u) << r.scene;
+    for (const ContactShift& s : r.shifts) EXPECT_EQ(s.femur.size(), 71u) << r.scene << " " << s.name;
+  }
+}
+
+TEST(DortmansStudy, TheFemurExorotatesALittle) {
+  ASSERT_EQ(readings().size(), 2u);
+  const double most[] = {2.25, 3.47};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& turn = readings()[k].exorotation;
+    const auto peak = std::max_element(turn.begin(), turn.end());
+    EXPECT_NEAR(*peak, most[k], 0.03);
+    EXPECT_TRUE(std::is_sorted(turn.begin(), peak));
+    EXPECT_GE(peak - turn.begin(), 40);
+    EXPECT_LE(peak - turn.begin(), 55);
+    EXPECT_GT(turn.back(), *peak - 1);
+    EXPECT_GE(*std::min_element(turn.begin(), turn.end()), 0);
+  }
+}
+
+TEST(DortmansStudy, TheAnteriorCruciatesFrontStretchesAndItsBackShortens) {
+  ASSERT_EQ(readings().size(), 2u);
+  const double front[] = {0.0478, 0.0468}, back[] = {-0.0867, -0.1095};
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(readings()[k].anterior_strain.back(), front[k], 1e-4);
+    EXPECT_NEAR(readings()[k].posterior_strain.back(), back[k], 1e-4);
+    EXPECT_TRUE(rises(readings()[k].anterior_strain, 1));
+    EXPECT_TRUE(rises(readings()[k].posterior_strain, -1));
+  }
+}
+
+TEST(DortmansStudy, ContactsRollFirstAndSlideMoreAndMore) {
+  ASSERT_EQ(readings().size(), 2u);
+  const double sagittal[] = {20, 15};
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (const ContactShift& s : readings()[k].shifts) {
+      // The condyle turns under its axis: its contact goes once round by the flexion, whatever else happens.
+      EXPECT_NEAR(1e3 * s.femur.back(), sagittal[k] * 70 * M_PI / 180, 0.1) << s.name;
+      EXPECT_GT(s.tibia.back(), 0.011) << s.name;
+      EXPECT_LT(s.tibia.back(), 0.0185) << s.name;
+      const double first = sliding_share(s, 0, 10), last = sliding_share(s, 60, 70);
+      EXPECT_LT(first, 0.25) << s.name;
+      EXPECT_GT(last, 0.36) << s.name;
+      EXPECT_LT(last, 0.72) << s.name;
+      // Over the whole path rolling prevails.
+      EXPECT_LT(sliding_share(s, 0, 70), 0.5) << s.name;
+      fmt::print("  {:<8} sliding over the first 10 deg {:.3f}, the last {:.3f}, all {:.3f}\n", s.name, first, last,
+                 sliding_share(s, 0, 70));
+      if (k == 1 && s.name == "lateral") continue;  // it first runs ahead on the tibia
+      for (std::size_t row = 20; row <= 70; row += 10)
+        EXPECT_GT(sliding_share(s, row - 10, row), sliding_share(s, row - 20, row - 10)) << s.name << " " << row;
+    }
+  }
+}
+
+TEST(DortmansStudy, TheTablesInTheFolderAreThoseOfThisBuild) {
+  test::expect_same_files(kFolder, dortmans_files(readings()));
+}
+
+}  // namespace
+}  // namespace genu::studies

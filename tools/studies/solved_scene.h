@@ -1,0 +1,29 @@
+// A scene of meshes/ solved from its file, for studies that look at more than its tables.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "genu/run/run_scene.h"
+
+namespace genu::studies {
+
+struct SolvedScene {
+  Prepared prepared;
+  Solution solution;
+
+  /// A column as numbers, NaN where a cell is empty.
+  std::vector<double> column(const std::string& name) const;
+  /// Whether every pose is solved, certified and stable.
+  bool all_stable() const;
+};
+
+/// Null where the scene is refused: why is in `out`.
+std::unique_ptr<SolvedScene> solve_scene(const std::string& file, Diagnostics& out);
+
+/// What a study leaves in a knee's folder: file names and their contents.
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+}  // namespace genu::studies
