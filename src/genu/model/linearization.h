@@ -22,6 +22,9 @@ struct Linearization {
   VecX constraint;  ///< M: value - target
   std::vector<ContactBlock> contacts;
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
+  /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
+  /// they are the same for every body
+  VecX own_origins;
 };
 
 /// A change of the unknowns.
