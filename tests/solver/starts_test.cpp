@@ -39,7 +39,7 @@ StartSearch search(const test::SceneModel& s, int count) {
   ContactField field(s.model);
   StartOptions options;
   options.count = count;
-  return search_starts(s.model, field, test::target_of(s.scene), options, {});
+  return search_starts(s.model, field, test::target_of(s.scene), reference_state(s.model).coordinates, options, {});
 }
 
 /// Both shallow states, with the energy 0, and between them the flat one, which pushes the springs together.
@@ -88,7 +88,8 @@ TEST(Starts, ABallOnAFloorBetweenTwoWells) {
                              step("prescribe = { " + kNoTurn + ", \"j.x\" = 0 }"));
   const StartSearch found = search(s, 16);
   expect_double_well(s, found, 4);
-  EXPECT_LE(found.failed.size(), 2u);  // the box reaches deeper under the floor than the ball is high
+  std::printf("%zu of 16 starts find none\n", found.failed.size());
+  EXPECT_LE(found.failed.size(), 3u);  // the box reaches deeper under the floor than the ball is high
   for (const Equilibrium& e : found.equilibria) {
     ASSERT_EQ(e.pose.state.contacts.size(), 1u);
     EXPECT_NEAR(e.pose.state.contacts[0].force, 30, 1e-9);
@@ -127,6 +128,20 @@ TEST(Starts, TheSameEveryTime) {
   }
 }
 
+TEST(Starts, AStartThatOverlapsDeeplyIsDrawnBack) {
+  // One start of the box is a ball far under the floor, which would come to rest there.
+  const auto s = scene_model(test::held_ball(step("prescribe = { " + kNoTurn + ", \"j.x\" = 0 }"), 20));
+  ContactField field(s.model);
+  StartOptions options;
+  options.count = 8;
+  options.translation = 100;
+  const StartSearch found =
+      search_starts(s.model, field, test::target_of(s.scene), reference_state(s.model).coordinates, options, {});
+  ASSERT_EQ(found.equilibria.size(), 1u);
+  EXPECT_EQ(found.equilibria[0].starts.size() + found.failed.size(), 8u);
+  EXPECT_NEAR(found.equilibria[0].pose.state.coordinates[0][5], 0.02, 1e-12);
+}
+
 TEST(Starts, VanDerCorput) {
   const double twos[] = {0.5, 0.25, 0.75, 0.125, 0.625}, threes[] = {1 / 3., 2 / 3., 1 / 9., 4 / 9., 7 / 9.};
   for (int i = 0; i < 5; ++i) {
@@ -145,7 +160,7 @@ TEST(Starts, OnlyFreeCoordinatesMoveAndStayInTheirBox) {
   low.fill(1);
   high.fill(-1);
   for (int k = 1; k <= 200; ++k) {
-    const JointValues q = start_coordinates(s.model, target, k, options)[0];
+    const JointValues q = start_coordinates(s.model, target, {reference}, k, 1, options)[0];
     EXPECT_DOUBLE_EQ(q[0], 30 * std::numbers::pi / 180);
     for (std::size_t i = 1; i < 6; ++i) {
       const double share = (q[i] - reference[i]) / (i < 3 ? options.angle : box);

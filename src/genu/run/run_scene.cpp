@@ -173,12 +173,16 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   return out;
 }
 
-ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options) {
+ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
+                            const Solution& solution) {
   StartOptions how;
   how.count = options.starts;
   how.newton = options.path.newton;
+  std::vector<JointValues> first = reference_state(prepared.model).coordinates;
+  if (!solution.records.empty() && solution.records.front().point.solved())
+    first = solution.records.front().point.pose.state.coordinates;
   const StartSearch search =
-      search_starts(prepared.model, field, prepared.steps.front().target(0), how, options.cancelled);
+      search_starts(prepared.model, field, prepared.steps.front().target(0), first, how, options.cancelled);
   return starts_table(prepared.scene, prepared.model, search);
 }
 
@@ -211,7 +215,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
   if (options.starts > 0) {
     const Timer searching;
-    found.starts = find_equilibria(*prepared, field, options);
+    found.starts = find_equilibria(*prepared, field, options, found);
     found.summary.seconds.emplace_back("searching from starts", searching.seconds());
   }
   int code = found.summary.exit_code;

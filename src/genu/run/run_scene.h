@@ -36,9 +36,10 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
 /// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options);
 
-/// The equilibria at the first pose of the first step that can be found from options.starts starts. The path does not
-/// depend on them: it sets out from the reference pose.
-ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options);
+/// The equilibria at the first pose of the first step that can be found from options.starts starts round the solution's
+/// own first pose, or round the reference pose where that was not solved.
+ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
+                            const Solution& solution);
 
 /// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg, summary.json, and starts.csv where several
 /// starts are asked for. Returns the exit code; `out`

@@ -1,8 +1,10 @@
 // All the equilibria that can be found from many starts: a joint may balance in several poses, and one start finds one.
 //
-// Start 1 is the reference pose with what is prescribed at its values; start k > 1 has each coordinate that is free
-// moved by the k-1 th point of Halton's sequence (J. Halton, Numer. Math. 2 (1960) 84-90), coordinate by coordinate in
-// the bases 2, 3, 5, ...: the same starts on every machine, and more of them fill the same box more densely.
+// Start 1 is a given pose; start k > 1 has each coordinate that is free moved from there by the k-1 th point of
+// Halton's sequence (J. Halton, Numer. Math. 2 (1960) 84-90), coordinate by coordinate in the bases 2, 3, 5, ...: the
+// same starts on every machine, and more of them fill the same box more densely. A start in which surfaces overlap so
+// far that they might come out on the wrong sides, or which does not settle, is drawn back toward start 1: to a half, a
+// quarter, an eighth of the way.
 #pragma once
 
 #include <functional>
@@ -21,6 +23,7 @@ struct StartOptions {
   double translation = 0.5;                    ///< of the model's characteristic length: of a free translation
   /// Two poses are the same where no body differs by more: translations in characteristic lengths, rotations in rad.
   double same_pose = 1e-6;
+  double largest_overlap = 5e-3;  ///< m: in a start, as in the reference pose of a run
   NewtonOptions newton;
 };
 
@@ -46,12 +49,16 @@ struct StartSearch {
 /// Element `index` (>= 0) of the van der Corput sequence in `base` >= 2, in (0, 1): Halton's sequence, one base each.
 double van_der_corput(int index, int base);
 
-/// The coordinates of every joint from which start `k` (from 1) sets out.
-std::vector<JointValues> start_coordinates(const JointModel& model, const Target& target, int k,
+/// The coordinates of every joint from which start `k` (from 1) sets out: those of `first`, what is prescribed or held
+/// at its value, and `share` of the way to the start's point.
+std::vector<JointValues> start_coordinates(const JointModel& model, const Target& target,
+                                           const std::vector<JointValues>& first, int k, double share,
                                            const StartOptions& options);
 
-/// Settles every start, one after the other, at `target`. `cancelled` may be empty.
+/// Settles every start, one after the other, at `target`; start 1 has the coordinates `first`. `cancelled` may be
+/// empty.
 StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
-                          const StartOptions& options, const std::function<bool()>& cancelled);
+                          const std::vector<JointValues>& first, const StartOptions& options,
+                          const std::function<bool()>& cancelled);
 
 }  // namespace genu
