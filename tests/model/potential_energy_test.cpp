@@ -20,6 +20,7 @@ using test::scene_model;
 double worst_derivative(const test::SceneModel& s, State state, double time = 0) {
   Target target = test::target_of(s.scene);
   target.time = time;
+  fit_multipliers(s.model, target, state);
   update_coordinates(s.model, state);
   Linearization here;
   linearize(s.model, state, target, here);

@@ -8,23 +8,20 @@
 #include <fmt/format.h>
 
 #include "genu/model/grood_suntay.h"
-#include "genu/results/column_names.h"
+#include "genu/results/columns.h"
 
 namespace genu {
 namespace {
 
+constexpr double kMillimetre = 1e3;
+constexpr double kDegree = 180 / M_PI;
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
                                   "lateral_mm",  "anterior_mm",   "distraction_mm"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::string reaction_column(const Scene& scene, const QuantityRef& c) {
-  return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
-}
-std::string held_column(const std::string& joint, std::size_t i) {
-  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
-}
+double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
 std::string clinical_column(const std::string& joint, const char* name) { return joint + ".gs." + name; }
 
 /// A contact point as shown: held or open.
@@ -123,7 +120,7 @@ class PoseTable {
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
-    table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kInMillimetres);
+    table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
     const Stability& stability = point.stability;
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
@@ -153,9 +150,9 @@ class PoseTable {
     const GroodSuntayDef& def = *joint.grood_suntay;
     const auto motion = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
     if (!motion) return;
-    const double values[] = {kInDegrees * motion->flexion,           kInDegrees * motion->adduction,
-                             kInDegrees * motion->external_rotation, kInMillimetres * motion->lateral,
-                             kInMillimetres * motion->anterior,      kInMillimetres * motion->distraction};
+    const double values[] = {kDegree * motion->flexion,           kDegree * motion->adduction,
+                             kDegree * motion->external_rotation, kMillimetre * motion->lateral,
+                             kMillimetre * motion->anterior,      kMillimetre * motion->distraction};
     for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, kClinical[i]), values[i]);
   }
 
@@ -174,12 +171,12 @@ class PoseTable {
     for (const bool second : {false, true})
       for (Eigen::Index i = 0; i < 3; ++i)
         table_.set(fmt::format("{}.{}.{}_mm", name, surface_name(pair, second), kAxes[i]),
-                   kInMillimetres * (second ? b : a)[i] + kInMillimetres * centre(pair, second)[i]);
+                   kMillimetre * (second ? b : a)[i] + kMillimetre * centre(pair, second)[i]);
   }
 
   void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {
     table_.set(name + ".force_N", c.force);
-    table_.set(name + ".gap_mm", kInMillimetres * c.gap);
+    table_.set(name + ".gap_mm", kMillimetre * c.gap);
     set_point(name, pair, c.a, c.b);
   }
 
@@ -210,7 +207,7 @@ class PoseTable {
       if (nearest == nullptr || c.gap < nearest->gap) nearest = &c;
     }
     table_.set(name + ".force_N", total.force);
-    table_.set(name + ".gap_mm", kInMillimetres * total.gap);
+    table_.set(name + ".gap_mm", kMillimetre * total.gap);
     if (total.force > 0)
       set_point(name, pair, total.a / total.force, total.b / total.force);
     else if (nearest != nullptr)
@@ -233,15 +230,14 @@ class PoseTable {
     table_.set(name + ".force_N", force);
     table_.set(name + ".points", points);
     for (Eigen::Index i = 0; points > 0 && i < 3; ++i)
-      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]),
-                 kInMillimetres * centre[i] / force + kInMillimetres * origin[i]);
+      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force + kMillimetre * origin[i]);
   }
 
   void set_ligaments(const PosePoint& point) {
     TwoBodyWrench pull;
     for (const auto& l : model_.ligaments) {
       l.ligament.evaluate_wrench(point.pose.state.poses[at(l.body_a)], point.pose.state.poses[at(l.body_b)], pull);
-      table_.set(l.name + ".length_mm", kInMillimetres * pull.length);
+      table_.set(l.name + ".length_mm", kMillimetre * pull.length);
       table_.set(l.name + ".strain", pull.strain);
       table_.set(l.name + ".force_N", pull.force);
     }

@@ -1,11 +1,15 @@
 #include "genu/results/starts_table.h"
 
-#include "genu/results/column_names.h"
+#include <numbers>
+
+#include "genu/results/columns.h"
 
 namespace genu {
 namespace {
 
 constexpr double kMillijoule = 1e3;  // = N mm
+
+double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? 180 / std::numbers::pi : 1e3); }
 
 /// Calls visit(coordinate) for every coordinate that some joint leaves free.
 template <typename Visit>
