@@ -33,6 +33,7 @@ struct Correction {
   VecX multipliers;           ///< M
   std::vector<Vec4> surface;  ///< ds_A, ds_B of each contact
   VecX forces;                ///< N
+  double parameter = 0;       ///< of the path's parameter, where that is an unknown (arc-length control)
 
   void resize(int moving_bodies, int constraints, int contacts);
 };

@@ -1,6 +1,7 @@
 // What a pose is: where the bodies are, which contacts carry load, and the forces that hold it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "genu/contact/contact_equations.h"
@@ -42,6 +43,12 @@ inline State reference_state(const JointModel& model) {
   state.poses = model.reference_poses;
   for (const auto& joint : model.joints) state.coordinates.push_back(joint.reference);
   return state;
+}
+
+/// Whether a contact of that name carries load in a state.
+inline bool contains(const State& state, const ActiveContact& contact) {
+  return std::any_of(state.contacts.begin(), state.contacts.end(),
+                     [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
 }
 
 /// M: what is prescribed and what joints hold.

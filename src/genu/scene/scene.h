@@ -206,7 +206,8 @@ struct StepDef {
   std::vector<Prescribed> prescribe;
   std::vector<Factor> factors;  ///< loads not named keep the factor 1
   int increments = 1;
-  double duration = 1;  ///< s
+  double duration = 1;      ///< s
+  bool arc_length = false;  ///< what the step changes may turn back on its way
   SourceLocation where;
 };
 

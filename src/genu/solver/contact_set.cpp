@@ -78,9 +78,13 @@ PoseReport ContactSetSolver::solve_held(Balanced& pose, const Target& target, Fi
     report.why = to_string(newton.outcome);
     return report;
   }
-  inspector_.inspect(state, findings);
   pose.state = std::move(state);
-  return judge(pose.state, newton, findings);
+  return inspect(pose.state, newton, findings);
+}
+
+PoseReport ContactSetSolver::inspect(const State& state, const NewtonReport& newton, Findings& findings) {
+  inspector_.inspect(state, findings);
+  return judge(state, newton, findings);
 }
 
 void ContactSetSolver::close(Balanced& pose, const Candidate& candidate) const {

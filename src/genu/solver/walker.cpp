@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/bracket.h"
+
 namespace genu {
 namespace {
 
@@ -14,10 +16,7 @@ constexpr double kFarthest = 0.25;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool contains(const State& state, const ActiveContact& contact) {
-  return std::any_of(state.contacts.begin(), state.contacts.end(),
-                     [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
-}
+bool opposite(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
 
 bool same_contacts(const State& a, const State& b) {
   return a.contacts.size() == b.contacts.size() &&
@@ -29,12 +28,18 @@ bool same_contacts(const State& a, const State& b) {
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
   plan_ = plan;
   step_ = step;
+  driven_ = plan.only_driven();
   stiffest_seen_ = 0;
   stepped_over_ = 0;
+  tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
 }
 
-void Walker::emit(PathEvent::Kind kind, const std::string& what) { event_({kind, step_, t_, plan_.target(t_), what}); }
+void Walker::emit(PathEvent::Kind kind, const std::string& what) { emit_at(kind, t_, pose_.state, what); }
+
+void Walker::emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what) {
+  event_({kind, step_, t, plan_.target(t), what, state.coordinates});
+}
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
@@ -54,7 +59,20 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report) {
   compute_tangent(pose.state, t, next_);
+  const bool first = substeps_ == 0;
   take(t, std::move(pose), report);
+  if (first) return;
+  // Contacts may have changed here, and rates with them at once.
+  if (stability().verdict != next_.stability.verdict)
+    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
+  if (opposite(reaction_rate(next_), reaction_rate(tangent_)))
+    emit(PathEvent::Kind::reaction_turns, reaction_words(tangent_, pose_.state));
+}
+
+void Walker::pass(double t, Attempt trial) {
+  mark_turns(t, trial.pose.state);
+  solver_.follow_open(trial.pose);
+  take(t, std::move(trial.pose), trial.report);
 }
 
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
@@ -68,8 +86,64 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
   if (stability().complex_pair && (first || !before.complex_pair))
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
-  if (!first && stability().verdict != before.verdict)
-    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
+}
+
+double Walker::reaction_rate(const Tangent& tangent) const {
+  return driven_ < 0 || tangent.motion.multipliers.size() <= driven_ ? 0.0 : tangent.motion.multipliers[driven_];
+}
+
+std::string Walker::reaction_words(const Tangent& after, const State& state) const {
+  const bool angle = plan_.prescribed[at(driven_)].coordinate.is_rotation();
+  return fmt::format("{} {:.9g} {}", reaction_rate(after) < 0 ? "largest" : "smallest", state.multipliers[at(driven_)],
+                     angle ? "Nm" : "N");
+}
+
+std::optional<Walker::Attempt> Walker::locate(const std::function<double(const Tangent&)>& measure, double after,
+                                              double t_end, double& where) {
+  Bracket bracket(t_, measure(tangent_), t_end, after, options_.event_tolerance);
+  std::optional<Attempt> found;
+  while (bracket.open()) {
+    const double t = bracket.next();
+    Attempt trial = attempt(t);
+    if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) break;
+    compute_tangent(trial.pose.state, t, between_);
+    const double value = measure(between_);
+    opposite(value, after) ? bracket.move_low(t, value) : bracket.move_high(t, value);
+    found = std::move(trial);
+    where = t;
+  }
+  return found;
+}
+
+void Walker::mark_turns(double t, const State& next) {
+  struct Turn {
+    double t;
+    PathEvent::Kind kind;
+    State state;
+    std::string what;
+  };
+  std::vector<Turn> turns;
+  double where = t;
+  if (opposite(stability().smallest, next_.stability.smallest)) {
+    const auto smallest = [](const Tangent& x) { return x.stability.smallest; };
+    const auto found = locate(smallest, next_.stability.smallest, t, where);
+    const State& state = found ? found->pose.state : next;
+    if (!next_.stability.flutter && !stability().flutter)
+      turns.push_back({where, PathEvent::Kind::bifurcation, state, to_string(next_.stability.verdict)});
+    turns.push_back({where, PathEvent::Kind::stability_changed, state, to_string(next_.stability.verdict)});
+  } else if (stability().verdict != next_.stability.verdict) {
+    turns.push_back({t, PathEvent::Kind::stability_changed, next, to_string(next_.stability.verdict)});
+  }
+  const double rate = reaction_rate(next_);
+  where = t;
+  if (opposite(reaction_rate(tangent_), rate)) {
+    const auto measure = [this](const Tangent& x) { return reaction_rate(x); };
+    const auto found = locate(measure, rate, t, where);
+    const State& state = found ? found->pose.state : next;
+    turns.push_back({where, PathEvent::Kind::reaction_turns, state, reaction_words(next_, state)});
+  }
+  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.t < b.t; });
+  for (const Turn& turn : turns) emit_at(turn.kind, turn.t, turn.state, turn.what);
 }
 
 Walker::Attempt Walker::attempt(double t) {
@@ -139,8 +213,7 @@ bool Walker::walk_to(double t_end) {
     if (solved && trial.valid() && !far_from_predicted(trial)) {
       compute_tangent(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
-        solver_.follow_open(trial.pose);
-        take(t, std::move(trial.pose), trial.report);
+        pass(t, std::move(trial));
         h *= 2;
         continue;
       }
@@ -159,34 +232,25 @@ bool Walker::walk_to(double t_end) {
 }
 
 bool Walker::pass_event(double t, Attempt violated) {
-  // Regula falsi (Illinois) on the worst force or gap, bisection where that has no two finite values to work with.
-  double low_value = std::numeric_limits<double>::infinity(), high_value = violated.findings.worst;
-  double weight_low = 1, weight_high = 1;
-  for (int i = 0; i < 100 && t - t_ > options_.event_tolerance; ++i) {
-    double middle = 0.5 * (t_ + t);
-    if (std::isfinite(low_value) && high_value < 0 && low_value > 0 && i % 3 != 2) {
-      const double low = weight_low * low_value, high = weight_high * high_value;
-      middle = t_ + (t - t_) * std::clamp(low / (low - high), 0.02, 0.98);
-    }
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  Bracket bracket(t_, kUnknown, t, violated.findings.worst, options_.event_tolerance);
+  while (bracket.open()) {
+    const double middle = bracket.next();
     Attempt trial = attempt(middle);
+    const double worst = trial.findings.worst;
     if (trial.report.newton.converged() && trial.valid()) {
-      low_value = trial.findings.worst;
-      weight_low = 1;
-      weight_high *= 0.5;
-      solver_.follow_open(trial.pose);
-      accept(middle, std::move(trial.pose), trial.report);
+      bracket.move_low(middle, worst);
+      compute_tangent(trial.pose.state, middle, next_);
+      pass(middle, std::move(trial));
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
-      t = middle;
-      high_value = trial.findings.worst;
-      weight_high = 1;
-      weight_low *= 0.5;
+      bracket.move_high(middle, worst);
       violated = std::move(trial);
     } else {
+      bracket.move_high(middle, kUnknown);
       failure_ = trial.report;
-      t = middle;
-      high_value = 0;
     }
   }
+  t = bracket.high();
   Balanced next = violated.pose;
   if (violated.findings.over_edge || violated.findings.deep_overlap) {
     failure_ = violated.report;
@@ -255,7 +319,8 @@ bool Walker::step_over(double window) {
     Balanced next;
     PoseReport report;
     if (balance_at(t, next, report)) {
-      if (turning_back() && same_contacts(pose_.state, next.state)) {
+      constexpr double kRest = 1e-3;  // characteristic lengths, rad
+      if (turning_back() && same_contacts(pose_.state, next.state) && distance(pose_.state, next.state) > kRest) {
         // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
         note_snap(next.state);
         return false;

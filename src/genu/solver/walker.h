@@ -1,6 +1,7 @@
 // Walks along one step: from a solved pose to the next one asked for, however many substeps that takes.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "genu/solver/path.h"
@@ -61,6 +62,13 @@ class Walker {
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
+  void emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what);
+  void mark_turns(double t, const State& next);
+  void pass(double t, Attempt trial);
+  std::optional<Attempt> locate(const std::function<double(const Tangent&)>& measure, double after, double t_end,
+                                double& where);
+  double reaction_rate(const Tangent& tangent) const;
+  std::string reaction_words(const Tangent& after, const State& state) const;
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
@@ -72,7 +80,8 @@ class Walker {
   double t_ = 0;
   Balanced pose_;
   PoseReport report_, failure_;
-  Tangent tangent_, next_;
+  Tangent tangent_, next_, between_;
+  int driven_ = -1;  // the prescribed coordinate that alone varies over the step
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
