@@ -10,7 +10,7 @@ namespace genu {
 /// Moves the origin of each body that needs it into the middle of its points: surfaces, ends of ligaments, points of
 /// loads, centre of mass and regions are then measured from there, BodyDef::centre is where it is. The axes stay. All
 /// fixed bodies keep one common frame. Coordinates of joints keep their meaning, for the origins of the file. A scene
-/// whose points lie within some 10 times its size of their origins is left as it is.
+/// whose points lie within 4 times its size of their origins is left as it is.
 void centre_bodies(Scene& scene);
 
 }  // namespace genu
