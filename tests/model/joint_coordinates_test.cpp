@@ -218,6 +218,40 @@ TEST(JointCoordinates, HessianIsTheGradientsDerivative) {
   EXPECT_LT(worst, 1e-9);
 }
 
+/// Poses of frames with other origins than the bodies' own: the same coordinates, and derivatives to twists about
+/// those.
+TEST(JointCoordinates, OriginsOfPosesMayStandElsewhere) {
+  std::mt19937 generator(8);
+  const Vec3 in_parent(0.3, -0.1, 0.2), in_child(-0.2, 0.4, 0.1);
+  double worst_value = 0, worst_gradient = 0, worst_hessian = 0;
+  for (const JointDef& joint : all_joints()) {
+    const JointCoordinates own(joint), moved(joint, in_parent, in_child);
+    const Pose P = random_pose(generator, 0.1), C = random_pose(generator, 0.1);
+    const Pose to_parent{Mat3::Identity(), in_parent}, to_child{Mat3::Identity(), in_child};
+    const JointPoint point = moved.evaluate(P * to_parent, C * to_child, {});
+    if (point.gimbal_sine() < 0.1) continue;
+    worst_value = std::max(worst_value, distance(point.values(), own.evaluate(P, C, {}).values()));
+    const Pose back = moved.pose_from(point.values()), X_PC = (P * to_parent).inverse() * (C * to_child);
+    worst_value = std::max(worst_value, (back.R - X_PC.R).norm() + (back.p - X_PC.p).norm());
+    const auto values = [&](const Pose& X_WP, const Pose& X_WC) -> VecX {
+      const JointValues q = moved.evaluate(X_WP, X_WC, point.values()).values();
+      return Eigen::Map<const Vec6>(q.data());
+    };
+    const MatX fd = test::twist_difference(values, P * to_parent, C * to_child, 3e-4);
+    for (int i = 0; i < 6; ++i) {
+      worst_gradient = std::max(worst_gradient, test::relative_error(point.gradient(i), fd.row(i)));
+      const auto gradient = [&](const Pose& X_WP, const Pose& X_WC) -> VecX {
+        return moved.evaluate(X_WP, X_WC, point.values()).gradient(i).transpose();
+      };
+      const MatX second = test::twist_difference(gradient, P * to_parent, C * to_child, 3e-4);
+      worst_hessian = std::max(worst_hessian, test::relative_error(point.hessian(i), second));
+    }
+  }
+  EXPECT_LT(worst_value, 1e-14);
+  EXPECT_LT(worst_gradient, 1e-9);
+  EXPECT_LT(worst_hessian, 1e-9);
+}
+
 /// The gradient does no work on a common motion of both bodies: as a wrench it is an action with its reaction.
 TEST(JointCoordinates, CommonMotionChangesNoCoordinate) {
   std::mt19937 generator(7);

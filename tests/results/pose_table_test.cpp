@@ -183,6 +183,38 @@ terms = { "j.c" = 1, "hinge.angle" = -3 }
   EXPECT_FALSE(t.has_column("j.reaction.force_x_N"));
 }
 
+TEST(PoseTable, TheClinicalDescriptionStandsBesideTheJointsOwn) {
+  Bench bench;
+  GroodSuntayDef def;
+  def.femur.body = 1;
+  def.tibia.body = 0;
+  def.femur.origin = Vec3(0, 0, -0.005);
+  bench.scene.scene.joints[0].grood_suntay = def;
+  bench.bone = {exp_rotation(0.25 * Vec3::UnitX()), Vec3(0.001, 0.002, 0.02)};
+  bench.add(1, 0, 0);
+  const ResultTable t = bench.table();
+  EXPECT_NEAR(t.number(0, "j.gs.flexion_deg"), 0.25 / kDegree, 1e-12);
+  EXPECT_NEAR(t.number(0, "j.gs.adduction_deg"), 0, 1e-12);
+  EXPECT_NEAR(t.number(0, "j.gs.external_rotation_deg"), 0, 1e-12);
+  EXPECT_NEAR(t.number(0, "j.gs.lateral_mm"), -1, 1e-12);
+  EXPECT_NEAR(t.number(0, "j.gs.anterior_mm"), -2 - 5 * std::sin(0.25), 1e-12);
+  EXPECT_NEAR(t.number(0, "j.gs.distraction_mm"), 20 - 5 * std::cos(0.25), 1e-12);
+}
+
+TEST(PoseTable, ContactPointsAreFromTheOriginsOfTheFile) {
+  Bench bench;
+  bench.close(bench.add(1, 0, 0), 0, 1, {-0.01, 0, 0}, 30);
+  const ResultTable here = bench.table();
+  bench.scene.model.bodies[0].centre = Vec3(1, 2, 3);
+  bench.scene.model.bodies[1].centre = Vec3(-4, 5, 6);
+  const ResultTable there = bench.table();
+  const auto moved = [&](const char* column) { return there.number(0, column) - here.number(0, column); };
+  EXPECT_NEAR(moved("foot.floor.x_mm"), 1000, 1e-9);
+  EXPECT_NEAR(moved("foot.ball.y_mm"), 5000, 1e-9);
+  EXPECT_NEAR(moved("foot.left.z_mm"), 3000, 1e-9);
+  EXPECT_EQ(moved("foot.left.force_N"), 0);
+}
+
 TEST(PoseTable, AFailedPoseHasItsPrescribedCoordinatesAndNothingElse) {
   Bench bench;
   bench.add(1, 0, 1);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/run/run_scene.h"
+#include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 #include "support/temporary_folder.h"
 
@@ -24,6 +25,7 @@ inline Solution solved(const Scene& scene) {
   Prepared p;
   Diagnostics out;
   p.scene = scene;
+  centre_bodies(p.scene);
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
   auto model = build_model(p.scene, p.surfaces, out);
   EXPECT_TRUE(model.has_value()) << messages(out);

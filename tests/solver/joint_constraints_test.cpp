@@ -123,6 +123,19 @@ load = { weight = [0, 1] }
   EXPECT_LT((R * reaction.tail<3>() + moment + (R * Vec3(0.03, 0.01, 0)).cross(force)).norm(), 1e-9);
   EXPECT_EQ(w.points.back().stability.free_motions, 1);
   EXPECT_EQ(w.points.back().stability.verdict, Stability::Verdict::stable);
+
+  // Poses of other origins: the reaction is told about the hand's own.
+  Scene moved = s.scene;
+  moved.bodies[1].centre = Vec3(0.02, -0.03, 0.04);
+  moved.bodies[2].centre = Vec3(-0.05, 0.01, 0.03);
+  moved.loads[0].point -= moved.bodies[2].centre;
+  Diagnostics out;
+  const auto model = build_model(moved, {}, out);
+  ASSERT_TRUE(model.has_value());
+  const test::Walk again = test::walk(*model, test::plans_of(moved));
+  ASSERT_TRUE(again.result.complete) << again.story();
+  EXPECT_LT((joint_reaction(*model, again.points.back().pose.state, 1) - reaction).norm(), 1e-9);
+  EXPECT_NEAR(again.points.back().stability.smallest / w.points.back().stability.smallest, 1, 1e-9);
 }
 
 TEST(JointConstraints, AChainStandsOnItsLastBody) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/scene/centre_bodies.h"
 #include "solver/solved.h"
 
 namespace genu {
@@ -50,6 +51,40 @@ TEST(Stability, SpringAlone) {
   EXPECT_EQ(s.verdict, Verdict::stable);
   EXPECT_FALSE(s.flutter);
   EXPECT_NEAR(std::abs(s.mode[2]), 1, 1e-12);
+}
+
+/// Six springs at rest, some with a weight that hangs or stands: bodies far from their origins are solved from another
+/// one, but the eigenvalue stays that of twists about their own.
+TEST(Stability, IsAboutTheBodysOwnOriginWhereverItIsSolvedFrom) {
+  for (const bool unstable : {false, true}) {
+    const auto s =
+        test::scene_model(bone_on_ground("{ x = -1400 }") + test::spring("s1", "[1420, 10, 5]", "[20, 10, 45]", 3, 40) +
+                          test::spring("s2", "[1390, 30, -5]", "[-10, 80, -5]", 4, 50) +
+                          test::spring("s5", "[1415, -5, -30]", "[65, -5, -30]", 5, 50) +
+                          test::spring("s6", "[1380, 15, 25]", "[-20, 45, 65]", 5, 50) +
+                          test::spring("s3", "[1400, -20, 0]", "[30, -20, 0]", 5, 30) +
+                          test::spring("s4", "[1405, 0, 20]", "[5, 20, 20]", unstable ? 1 : 6, 20) +
+                          (unstable ? load("w", "force = [0, 0, -1000]\npoint = [1400, 0, 0]") +
+                                          load("l", "force = [0, 0, 1000]\npoint = [1400, 0, -80]")
+                                    : std::string()));
+    Scene centred = s.scene;
+    centre_bodies(centred);
+    ASSERT_GT(centred.bodies[1].centre.x(), 1.3);
+    Diagnostics out;
+    const auto model = build_model(centred, {}, out);
+    ASSERT_TRUE(model.has_value());
+    Stability found[2];
+    const JointModel* models[] = {&s.model, &*model};
+    for (int i = 0; i < 2; ++i) {
+      Linearization here;
+      linearize(*models[i], reference_state(*models[i]), test::target_of(s.scene), here);
+      EXPECT_EQ(here.own_origins.size(), 3 * i);
+      found[i] = assess_stability(here, 0.03);
+    }
+    EXPECT_NEAR(found[1].smallest / found[0].smallest, 1, 1e-7) << found[0].smallest;
+    EXPECT_EQ(found[1].verdict, found[0].verdict);
+    EXPECT_EQ(found[1].verdict, unstable ? Verdict::unstable : Verdict::stable);
+  }
 }
 
 TEST(Stability, PendulumHangsStandsOrFloats) {

@@ -37,6 +37,23 @@ TEST(Cli, SolvesChecksAndMeshes) {
   EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
 }
 
+TEST(Cli, SearchesFromSeveralStarts) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall);
+  const Outcome one = genu("run " + scene + " --out " + (folder / "one")),
+                many = genu("run " + scene + " --starts 6 --out " + (folder / "many")),
+                again = genu("run " + scene + " --starts 6 --out " + (folder / "again"));
+  EXPECT_EQ(many.exit_code, 0) << many.err;
+  EXPECT_TRUE(contains(many.out, "equilibria at the first pose: ")) << many.out;
+  EXPECT_TRUE(contains(many.out, "starts.csv")) << many.out;
+  EXPECT_FALSE(contains(one.out, "starts")) << one.out;
+  EXPECT_FALSE(std::filesystem::exists(folder / "one/starts.csv"));
+  EXPECT_EQ(read_file(folder / "one/results.csv"), read_file(folder / "many/results.csv"));
+  EXPECT_EQ(read_file(folder / "again/starts.csv"), read_file(folder / "many/starts.csv"));
+  EXPECT_TRUE(contains(read_file(folder / "many/starts.csv"), "energy_Nmm"));
+  EXPECT_EQ(genu("run " + scene + " --starts 0 --out " + (folder / "none")).exit_code, 2);
+}
+
 struct Refusal {
   const char* piece;  ///< of the ball's scene
   const char* replacement;

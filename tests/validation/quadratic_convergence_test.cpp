@@ -16,7 +16,7 @@ namespace {
 // r' <= K r^2 of successive scaled residuals, beside the rounding of forces of some 100 N (3e-13 is seen). K is the
 // worst of these scenes with room to spare. A Jacobian that is wrong anywhere converges linearly: it comes to the
 // tolerance of 1e-12 from some 1e-11, whose square is nothing.
-constexpr double kCurvature = 1e4, kRounding = 1e-12;
+constexpr double kCurvature = 2e3, kRounding = 1e-12;
 
 struct Worst {
   int examined = 0;

@@ -233,6 +233,20 @@ TEST(RealKnee, FitsDifferAsTheReadmeSays) {
   }
 }
 
+TEST(RealKnee, EveryStartFindsTheSameEquilibrium) {
+  GENU_NEEDS_KNEES();
+  const KneeRun run = run_text(test::lenhart_scene("", 0, 1, 1));
+  expect_certified(run);
+  ContactField field(run.prepared->model);
+  RunOptions options;
+  options.starts = 8;
+  const ResultTable starts = find_equilibria(*run.prepared, field, options, run.solution);
+  ASSERT_EQ(starts.rows(), 1u);  // no other equilibrium, no start without one
+  EXPECT_EQ(starts.number(0, "starts"), 8);
+  for (const char* name : {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm"})
+    EXPECT_NEAR(starts.number(0, name), run.solution.poses.number(0, name), 1e-9) << name;
+}
+
 class ShapeModelKnee : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShapeModelKnee, IsSolvedThroughout) {

@@ -15,6 +15,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
 
 #include "commands.h"
 #include "genu/core/timer.h"
@@ -58,8 +59,9 @@ std::vector<std::string> short_columns(const ResultTable& table) {
   const std::size_t status = table.column_index("status");
   for (std::size_t c = status + 1; c < table.columns().size() && columns.size() < kMost; ++c) {
     const std::string& name = table.columns()[c];
-    const bool coordinate = ends_with(name, "_deg") || (ends_with(name, "_mm") && name.find('.') == name.rfind('.') &&
-                                                        !ends_with(name, ".gap_mm") && !ends_with(name, ".length_mm"));
+    const bool coordinate = (ends_with(name, "_deg") || (ends_with(name, "_mm") && !ends_with(name, ".gap_mm") &&
+                                                         !ends_with(name, ".length_mm"))) &&
+                            name.find('.') == name.rfind('.');
     const bool numbered = name.size() > 8 && std::isdigit(static_cast<unsigned char>(name[name.size() - 9])) != 0 &&
                           name[name.find_last_not_of("0123456789", name.size() - 9)] == '.';
     const bool contact_force =
@@ -74,9 +76,29 @@ std::vector<std::string> short_columns(const ResultTable& table) {
   return columns;
 }
 
-int run(const std::string& scene, const std::string& folder, bool quiet) {
+/// Every equilibrium that was found, and how many starts found none.
+void print_starts(const ResultTable& starts) {
+  std::vector<std::string> columns = starts.columns();
+  columns.erase(columns.begin() + 2, columns.begin() + 4);  // the first start and its status: in starts.csv
+  columns.pop_back();                                       // the residual as well
+  ResultTable found;
+  for (const std::string& name : starts.columns()) found.add_column(name);
+  for (std::size_t row = 0; row < starts.rows(); ++row) {
+    if (!(starts.number(row, "equilibrium") > 0)) continue;
+    found.add_row();
+    for (std::size_t c = 0; c < starts.columns().size(); ++c) found.set(c, starts.at(row, c));
+  }
+  const std::size_t failed = starts.rows() - found.rows();
+  fmt::print("equilibria at the first pose: {}{}\n", found.rows(),
+             failed > 0 ? fmt::format("; {} of the starts found none", failed) : "");
+  constexpr std::size_t kRows = 20;
+  if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
+}
+
+int run(const std::string& scene, const std::string& folder, int starts, bool quiet) {
   std::signal(SIGINT, interrupt);
   RunOptions options;
+  options.starts = starts;
   auto progress = std::make_shared<Progress>();
   if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
   options.cancelled = [] { return interrupted.load(); };
@@ -90,10 +112,12 @@ int run(const std::string& scene, const std::string& folder, bool quiet) {
     constexpr std::size_t kRows = 11;
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),
                to_text(solution.poses, short_columns(solution.poses), 4, kRows));
+    if (solution.starts) print_starts(*solution.starts);
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
-    fmt::print("  {:<12}{}/results.csv, events.csv, curves.svg, summary.json\n", "written", solution.folder);
+    fmt::print("  {:<12}{}/results.csv, events.csv, {}curves.svg, summary.json\n", "written", solution.folder,
+               solution.starts ? "starts.csv, " : "");
   return code;
 }
 
@@ -102,15 +126,22 @@ int run(const std::string& scene, const std::string& folder, bool quiet) {
 void add_run(CLI::App& app, int& exit_code) {
   struct Arguments {
     std::string scene, folder;
+    int starts = 0;
     bool quiet = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  constexpr int kMostStarts = 100'000;
+  command
+      ->add_option("--starts", arguments->starts,
+                   "search for equilibria at the first pose from this many starts, list them in starts.csv")
+      ->check(CLI::Range(1, kMostStarts));
   command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback(
-      [arguments, &exit_code] { exit_code = run(arguments->scene, arguments->folder, arguments->quiet); });
+  command->callback([arguments, &exit_code] {
+    exit_code = run(arguments->scene, arguments->folder, arguments->starts, arguments->quiet);
+  });
 }
 
 }  // namespace genu::cli

@@ -17,9 +17,11 @@ double unwind(double angle, double near) {
 
 }  // namespace
 
-JointCoordinates::JointCoordinates(const JointDef& joint)
+JointCoordinates::JointCoordinates(const JointDef& joint, Vec3 parent_centre, Vec3 child_centre)
     : a_{joint.rotations[0].axis, joint.rotations[1].axis, joint.rotations[2].axis},
       a12_(a_[0].cross(a_[1])),
+      parent_centre_(std::move(parent_centre)),
+      child_centre_(std::move(child_centre)),
       offset_(std::atan2(a_[2].dot(a_[0]), a_[2].dot(a12_))) {}
 
 bool JointCoordinates::is_valid(const std::array<JointDef::Rotation, 3>& rotations) {
@@ -31,7 +33,8 @@ bool JointCoordinates::is_valid(const std::array<JointDef::Rotation, 3>& rotatio
 }
 
 Pose JointCoordinates::pose_from(const JointValues& q) const {
-  return {exp_rotation(q[0] * a_[0]) * exp_rotation(q[1] * a_[1]) * exp_rotation(q[2] * a_[2]), {q[3], q[4], q[5]}};
+  const Mat3 R = exp_rotation(q[0] * a_[0]) * exp_rotation(q[1] * a_[1]) * exp_rotation(q[2] * a_[2]);
+  return {R, Vec3(q[3], q[4], q[5]) + R * child_centre_ - parent_centre_};
 }
 
 /// In the basis a1, a2, a1 x a2, with beta the second angle + offset_:
@@ -62,7 +65,8 @@ JointValues JointCoordinates::coordinates(const Pose& X_PC, const JointValues& n
   const Vec3 wanted(near[0], near[1], near[2]);
   const Vec3 one = angles(X_PC.R, wanted, 1), other = angles(X_PC.R, wanted, -1);
   const Vec3& q = (other - wanted).squaredNorm() < (one - wanted).squaredNorm() ? other : one;
-  return {q[0], q[1], q[2], X_PC.p[0], X_PC.p[1], X_PC.p[2]};
+  const Vec3 t = (X_PC.p + parent_centre_) - X_PC.R * child_centre_;
+  return {q[0], q[1], q[2], t[0], t[1], t[2]};
 }
 
 JointPoint JointCoordinates::evaluate(const Pose& X_WP, const Pose& X_WC, const JointValues& near) const {
@@ -70,6 +74,8 @@ JointPoint JointCoordinates::evaluate(const Pose& X_WP, const Pose& X_WC, const 
   out.parent_ = X_WP.R;
   out.offset_ = X_WC.p - X_WP.p;
   out.values_ = coordinates({X_WP.R.transpose() * X_WC.R, X_WP.R.transpose() * out.offset_}, near);
+  out.arm_ = -(X_WC.R * child_centre_);
+  out.offset_ += out.arm_;
   const Vec3 b1 = X_WP.R * a_[0], b2 = X_WP.R * (exp_rotation(out.values_[0] * a_[0]) * a_[1]), b3 = X_WC.R * a_[2];
   out.axes_ << b1, b2, b3;
   const double det = b1.dot(b2.cross(b3));
@@ -110,15 +116,16 @@ JointPoint::Hessian JointPoint::rotation_hessian(int i) const {
   return out;
 }
 
-/// q = b . d with b an axis of the parent and d the offset: dq = b . (v_C - v_P) + w_P . (b x d).
+/// q = b . d with b an axis of the parent, d the offset and r the child's arm in it:
+///   dq = b . (v_C + w_C x r - v_P) + w_P . (b x d).
 JointPoint::Gradient JointPoint::translation_gradient(int i) const {
   const Vec3 b = parent_.col(i);
   Gradient out;
-  out << -b.transpose(), b.cross(offset_).transpose(), b.transpose(), Vec3::Zero().transpose();
+  out << -b.transpose(), b.cross(offset_).transpose(), b.transpose(), arm_.cross(b).transpose();
   return out;
 }
 
-/// db = w_P x b, d(b x d) = (w_P x b) x d + b x (v_C - v_P).
+/// db = w_P x b, d(b x d) = (w_P x b) x d + b x (v_C + w_C x r - v_P), d(r x b) = (w_C x r) x b + r x (w_P x b).
 JointPoint::Hessian JointPoint::translation_hessian(int i) const {
   const Mat3 b = skew(parent_.col(i));
   Hessian out = Hessian::Zero();
@@ -127,6 +134,10 @@ JointPoint::Hessian JointPoint::translation_hessian(int i) const {
   out.block<3, 3>(3, 0) = -b;
   out.block<3, 3>(3, 3) = skew(offset_) * b;
   out.block<3, 3>(3, 6) = b;
+  const Mat3 r = skew(arm_);
+  out.block<3, 3>(3, 9) = -b * r;
+  out.block<3, 3>(9, 3) = -r * b;
+  out.block<3, 3>(9, 9) = b * r;
   return out;
 }
 

@@ -51,16 +51,20 @@ class JointPoint {
   Hessian rotation_hessian(int i) const;
 
   JointValues values_{};
+  Vec3 arm_ = Vec3::Zero();     ///< from the origin that the child's twist means to the one of its translations, m
   Mat3 axes_ = Mat3::Zero();    ///< columns b1, b2, b3
   Mat3 rows_ = Mat3::Zero();    ///< columns: the gradients of the angles to w_C - w_P, transposed
   Mat3 parent_ = Mat3::Zero();  ///< R_WP
-  Vec3 offset_ = Vec3::Zero();  ///< from the parent's to the child's origin, world axes, m
+  /// From the origin that the parent's twist means to the child's that its translations are of, world axes, m.
+  Vec3 offset_ = Vec3::Zero();
   double gimbal_sine_ = 1;
 };
 
 class JointCoordinates {
  public:
-  explicit JointCoordinates(const JointDef& joint);
+  /// Poses and twists are of frames whose origins stand at `parent_centre` and `child_centre` (m) in the bodies; the
+  /// translations are those of the child's own origin from the parent's own (see centre_bodies.h).
+  explicit JointCoordinates(const JointDef& joint, Vec3 parent_centre = Vec3::Zero(), Vec3 child_centre = Vec3::Zero());
 
   /// Whether three axes make coordinates: unit vectors, each perpendicular to the one before it. The first and last may
   /// be perpendicular (Cardan), parallel (proper Euler) or anything between. What follows holds for these alone.
@@ -81,7 +85,8 @@ class JointCoordinates {
 
   std::array<Vec3, 3> a_;  ///< a1, a2 in the parent's axes at angles 0, a3 in the child's
   Vec3 a12_;               ///< a1 x a2
-  double offset_;          ///< angle of a3 from a1 x a2 toward a1, about a2
+  Vec3 parent_centre_, child_centre_;
+  double offset_;  ///< angle of a3 from a1 x a2 toward a1, about a2
 };
 
 }  // namespace genu

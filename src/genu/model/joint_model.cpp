@@ -32,8 +32,10 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const auto& held : model.held) {
       if (held.coordinate.index != 3) continue;  // once a joint
       const auto& joint = model.joints[at(held.coordinate.joint)];
-      if (at(joint.parent) == body) ends.emplace_back(joint.reference[3], joint.reference[4], joint.reference[5]);
-      if (at(joint.child) == body) ends.push_back(Vec3::Zero());
+      const Vec3 own = own_origin(model, static_cast<int>(body));
+      const JointValues& q = joint.reference;
+      if (at(joint.parent) == body) ends.push_back(own + Vec3(q[3], q[4], q[5]));
+      if (at(joint.child) == body) ends.push_back(own);
     }
     if (ends.size() < 2) continue;
     Vec3 mean = Vec3::Zero();
@@ -124,10 +126,13 @@ std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vec
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out) {
   JointModel model;
-  for (const BodyDef& body : scene.bodies) model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++});
+  for (const BodyDef& body : scene.bodies)
+    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, body.centre});
   std::vector<JointValues> reference;
   for (const JointDef& joint : scene.joints) {
-    model.joints.push_back({joint.name, joint.parent, joint.child, JointCoordinates(joint), joint.reference});
+    const JointCoordinates coordinates(joint, scene.bodies[at(joint.parent)].centre,
+                                       scene.bodies[at(joint.child)].centre);
+    model.joints.push_back({joint.name, joint.parent, joint.child, coordinates, joint.reference});
     reference.push_back(joint.reference);
     add_constraints_of(joint, static_cast<int>(model.joints.size()) - 1, model);
   }

@@ -18,6 +18,8 @@ struct JointModel {
   struct Body {
     std::string name;
     int moving = -1;  ///< index among the moving bodies, -1 for a fixed one
+    /// m, in the body as the file has it: where the origin of its pose and of all points on it stands
+    Vec3 centre = Vec3::Zero();
   };
   struct Joint {
     std::string name;
@@ -96,6 +98,11 @@ void for_terms(const JointModel& model, const QuantityRef& quantity, Add add) {
 /// The value (rad or m) of what can be prescribed, for the coordinates of every joint.
 double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
                       const QuantityRef& quantity);
+
+/// From the origin of a body's pose to its origin in the file, in the body (m): 0 unless centre_bodies() moved it.
+inline Vec3 own_origin(const JointModel& model, int body) {
+  return -model.bodies[static_cast<std::size_t>(body)].centre;
+}
 
 /// The pose of every body in the world for the coordinates of every joint; fixed bodies stand at the origin.
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates);

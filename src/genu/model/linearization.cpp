@@ -1,5 +1,7 @@
 #include "genu/model/linearization.h"
 
+#include <algorithm>
+
 #include "genu/model/ligament_pieces.h"
 
 namespace genu {
@@ -187,6 +189,16 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
   }
 }
 
+void place_own_origins(const JointModel& model, const State& state, VecX& out) {
+  const bool moved = std::any_of(model.bodies.begin(), model.bodies.end(),
+                                 [](const auto& b) { return b.moving >= 0 && !b.centre.isZero(0); });
+  if (!moved) return;
+  out.resize(3 * model.moving_count);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    if (const int k = model.bodies[i].moving; k >= 0)
+      out.segment<3>(3 * k) = state.poses[i].R * own_origin(model, static_cast<int>(i));
+}
+
 /// Turns the tangent basis of `to` into that of `from` carried along: a surface's own choice of basis may switch
 /// between two neighbouring points, and a residual seen in two bases cannot be compared.
 void carry_basis(const SurfacePoint& from, SurfacePoint& to) {
@@ -224,6 +236,7 @@ void linearize(const JointModel& model, const State& state, const Target& target
   add_prescribed(model, state, target, out);
   add_held(model, state, target, out);
   add_contacts(model, state, out);
+  place_own_origins(model, state, out.own_origins);
 }
 
 LoadScale::Value load_scale(const Load& load, const State& state, double time) {
@@ -252,6 +265,9 @@ Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
   for (std::size_t i = 0; i < model.held.size(); ++i)
     if (model.held[i].coordinate.joint == joint)
       wrench += state.multipliers[first + i] * point.gradient(model.held[i].coordinate.index).tail<6>().transpose();
+  // About the child's own origin.
+  const Vec3 arm = state.poses[at(model.joints[at(joint)].child)].R * own_origin(model, model.joints[at(joint)].child);
+  wrench.tail<3>() -= arm.cross(Vec3(wrench.head<3>()));
   const Mat3 to_parent = state.poses[at(model.joints[at(joint)].parent)].R.transpose();
   wrench.head<3>() = (to_parent * wrench.head<3>()).eval();
   wrench.tail<3>() = (to_parent * wrench.tail<3>()).eval();

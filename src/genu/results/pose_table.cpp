@@ -1,12 +1,15 @@
 #include "genu/results/pose_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/results/columns.h"
 
 namespace genu {
 namespace {
@@ -14,19 +17,13 @@ namespace {
 constexpr double kMillimetre = 1e3;
 constexpr double kDegree = 180 / M_PI;
 constexpr const char* kAxes[] = {"x", "y", "z"};
+constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
+                                  "lateral_mm",  "anterior_mm",   "distraction_mm"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
-  return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
-}
-std::string reaction_column(const Scene& scene, const QuantityRef& c) {
-  return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
-}
-std::string held_column(const std::string& joint, std::size_t i) {
-  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
-}
 double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
+std::string clinical_column(const std::string& joint, const char* name) { return joint + ".gs." + name; }
 
 /// A contact point as shown: held or open.
 struct ShownContact {
@@ -62,6 +59,8 @@ class PoseTable {
       for (int i = 0; i < 6; ++i) add_reaction(steps, {j, i});
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
+      for (const char* name : kClinical)
+        if (joint.grood_suntay) table_.add_column(clinical_column(joint.name, name));
     }
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
@@ -157,8 +156,20 @@ class PoseTable {
     }
     for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
       table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
-    for (std::size_t j = 0; j < model_.joints.size(); ++j)
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       if (scene_.joints[j].type != JointDef::Type::free) set_held(static_cast<int>(j), point);
+      if (scene_.joints[j].grood_suntay) set_clinical(scene_.joints[j], state);
+    }
+  }
+
+  void set_clinical(const JointDef& joint, const State& state) {
+    const GroodSuntayDef& def = *joint.grood_suntay;
+    const auto motion = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
+    if (!motion) return;
+    const double values[] = {kDegree * motion->flexion,           kDegree * motion->adduction,
+                             kDegree * motion->external_rotation, kMillimetre * motion->lateral,
+                             kMillimetre * motion->anterior,      kMillimetre * motion->distraction};
+    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, kClinical[i]), values[i]);
   }
 
   void set_held(int joint, const PosePoint& point) {
@@ -167,11 +178,16 @@ class PoseTable {
       table_.set(held_column(model_.joints[at(joint)].name, i), wrench[static_cast<Eigen::Index>(i)]);
   }
 
+  /// What takes a point on the body of a pair to the origin that the file knows.
+  const Vec3& centre(std::size_t pair, bool second) const {
+    return model_.bodies[at(second ? model_.pairs[pair].body_b : model_.pairs[pair].body_a)].centre;
+  }
+
   void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
     for (const bool second : {false, true})
       for (Eigen::Index i = 0; i < 3; ++i)
         table_.set(fmt::format("{}.{}.{}_mm", name, surface_name(pair, second), kAxes[i]),
-                   kMillimetre * (second ? b : a)[i]);
+                   kMillimetre * (second ? b : a)[i] + kMillimetre * centre(pair, second)[i]);
   }
 
   void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {
@@ -213,10 +229,11 @@ class PoseTable {
     else if (nearest != nullptr)
       set_point(name, pair, nearest->a, nearest->b);
     for (const RegionDef& region : scene_.contacts[pair].regions)
-      set_region(name + "." + region.name, region, contacts);
+      set_region(name + "." + region.name, region, contacts, centre(pair, true));
   }
 
-  void set_region(const std::string& name, const RegionDef& region, const std::map<int, ShownContact>& contacts) {
+  void set_region(const std::string& name, const RegionDef& region, const std::map<int, ShownContact>& contacts,
+                  const Vec3& origin) {
     double force = 0;
     long points = 0;
     Vec3 centre = Vec3::Zero();
@@ -229,7 +246,7 @@ class PoseTable {
     table_.set(name + ".force_N", force);
     table_.set(name + ".points", points);
     for (Eigen::Index i = 0; points > 0 && i < 3; ++i)
-      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force);
+      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force + kMillimetre * origin[i]);
   }
 
   void set_ligaments(const PosePoint& point) {

@@ -121,6 +121,11 @@ class Explanation {
            fmt::format("{}: {} in {}, {}", joint.name, scene_.bodies[at(joint.child)].name,
                        scene_.bodies[at(joint.parent)].name, kTypes[static_cast<int>(joint.type)]));
       line("", "  " + coordinates(joint));
+      if (joint.grood_suntay)
+        line("", fmt::format("  as a {} knee after Grood and Suntay: femur {}, tibia {}",
+                             joint.grood_suntay->right ? "right" : "left",
+                             scene_.bodies[at(joint.grood_suntay->femur.body)].name,
+                             scene_.bodies[at(joint.grood_suntay->tibia.body)].name));
     }
     for (const CombinationDef& combination : scene_.combinations)
       line("", combination.name + " = " + terms(combination));

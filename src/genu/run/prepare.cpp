@@ -8,6 +8,7 @@
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/run/build_surface.h"
+#include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 
 namespace genu {
@@ -162,6 +163,7 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
   if (!scene) return std::nullopt;
   refuse_flat_pairs(*scene, out);
   p.scene = std::move(*scene);
+  centre_bodies(p.scene);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
   if (out.has_errors()) return std::nullopt;

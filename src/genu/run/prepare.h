@@ -20,7 +20,7 @@ struct SurfaceNote {
 };
 
 struct Prepared {
-  Scene scene;
+  Scene scene;  ///< its points from the origins that centre_bodies() chose
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<SurfaceNote> notes;
   JointModel model;

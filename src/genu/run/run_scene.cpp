@@ -86,6 +86,7 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   };
   write("results.csv", solution.poses.to_csv());
   write("events.csv", solution.event_rows.to_csv());
+  if (solution.starts) write("starts.csv", solution.starts->to_csv());
   write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events)));
   write("summary.json", to_json(solution.summary));
   if (error.empty()) error = out.commit();
@@ -175,6 +176,19 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   return out;
 }
 
+ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
+                            const Solution& solution) {
+  StartOptions how;
+  how.count = options.starts;
+  how.newton = options.path.newton;
+  std::vector<JointValues> first = reference_state(prepared.model).coordinates;
+  if (!solution.records.empty() && solution.records.front().point.solved())
+    first = solution.records.front().point.pose.state.coordinates;
+  const StartSearch search =
+      search_starts(prepared.model, field, prepared.steps.front().target(0), first, how, options.cancelled);
+  return starts_table(prepared.scene, prepared.model, search);
+}
+
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution) {
   {
@@ -202,6 +216,11 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   const double search_seconds = timer.seconds();
   Solution found = solve(*prepared, field, options);
   found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
+  if (options.starts > 0) {
+    const Timer searching;
+    found.starts = find_equilibria(*prepared, field, options, found);
+    found.summary.seconds.emplace_back("searching from starts", searching.seconds());
+  }
   int code = found.summary.exit_code;
   found.folder = folder;
   if (options.cancelled && options.cancelled()) {

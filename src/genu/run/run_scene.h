@@ -6,6 +6,7 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/results/pose_table.h"
+#include "genu/results/starts_table.h"
 #include "genu/results/summary.h"
 #include "genu/run/prepare.h"
 
@@ -17,12 +18,14 @@ struct Solution {
   std::vector<PoseRecord> records;
   std::vector<PathEvent> events;
   ResultTable poses, event_rows;
+  std::optional<ResultTable> starts;  ///< where several starts were asked for
   RunSummary summary;
   std::string folder;  ///< where the results were written
 };
 
 struct RunOptions {
   PathOptions path;
+  int starts = 0;  ///< > 0: searches from this many starts at the first pose as well; the path is the same without
   std::function<void(int done, int asked)> progress;  ///< called after every row; may be empty
   std::function<bool()> cancelled;                    ///< may be empty
 };
@@ -33,7 +36,13 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
 /// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options);
 
-/// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg and summary.json. Returns the exit code; `out`
+/// The equilibria at the first pose of the first step that can be found from options.starts starts round the solution's
+/// own first pose, or round the reference pose where that was not solved.
+ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
+                            const Solution& solution);
+
+/// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg, summary.json, and starts.csv where several
+/// starts are asked for. Returns the exit code; `out`
 /// holds what was refused, `solution` (may be null) gets what was found.
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution);

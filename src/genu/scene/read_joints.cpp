@@ -150,6 +150,7 @@ void read_joints(ReadContext& context, Section& root) {
     joint.name = item.node->key;
     joint.where = item.node->key_where;
     read_bodies_of(context, section, joint);
+    read_grood_suntay(context, section.find("grood_suntay"), joint);
     const auto type = read_choice(context, section.require("type"), {"free", "revolute", "fixed"});
     bool understood = false;
     if (!type) {

@@ -54,6 +54,9 @@ std::vector<NamedItem> coordinate_items(const Item& table);
 /// What a revolute or fixed joint has beside its bodies; `joint.type` is known. True if its coordinates are.
 bool read_held_joint(ReadContext& context, Section& section, JointDef& joint);
 
+/// `grood_suntay` of a joint whose bodies are known.
+void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
+
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
 std::vector<Pose> reference_poses(const Scene& scene);
 

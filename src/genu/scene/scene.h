@@ -23,7 +23,23 @@ struct BodyDef {
   bool fixed = false;
   double mass = 0;                     ///< kg; 0 has no weight
   Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
+  /// m, in the body as the file has it: where the origin of all points of this scene stands (centre_bodies.h). 0 as
+  /// read.
+  Vec3 centre = Vec3::Zero();
   SourceLocation where;
+};
+
+/// The anatomical axes of a knee for the description of Grood and Suntay (model/grood_suntay.h). Unit vectors, anterior
+/// perpendicular to proximal.
+struct GroodSuntayDef {
+  struct Bone {
+    int body = -1;
+    Vec3 proximal = Vec3::UnitZ();
+    Vec3 anterior = Vec3::UnitY();
+    Vec3 origin = Vec3::Zero();  ///< m
+  };
+  bool right = true;  ///< a right knee
+  Bone femur, tibia;
 };
 
 /// The six coordinates of `child` in `parent`: R_parent_child = R1 R2 R3 (successive rotations about the child's own
@@ -44,6 +60,7 @@ struct JointDef {
   std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
   Type type = Type::free;
   double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
+  std::optional<GroodSuntayDef> grood_suntay;
   SourceLocation where;
 
   /// Whether coordinate i (0..2 rotations, 3..5 translations) may change.

@@ -1,5 +1,6 @@
 #include "genu/solver/stability.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,29 @@ MatX free_basis(const MatX& held, Eigen::Index n) {
   return q.rightCols(n - qr.rank());
 }
 
+/// `motions` (columns, in the metric) with twists about the bodies' own origins.
+MatX about_own_origins(const Linearization& at, MatX motions) {
+  for (Eigen::Index k = 0; k < at.own_origins.size() / 3; ++k) {
+    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / Stability::kMetricLength);
+    motions.middleRows<3>(6 * k) += turn * motions.middleRows<3>(6 * k + 3);
+  }
+  return motions;
+}
+
+/// The smallest eigenvalue where the length of a motion is measured about the bodies' own origins, far from where
+/// things are: K y = lambda M y on the free motions. The metric M spans so many decades that rounding would hide the
+/// small eigenvalues of M^-1 K, but not the large ones of K^-1 M. Signs are those of K, wherever the origins are.
+double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness) {
+  const MatX k = basis.transpose() * stiffness * basis, motions = about_own_origins(at, basis);
+  const Eigen::FullPivLU<MatX> lu(k);
+  if (!lu.isInvertible()) return 0;
+  const Eigen::VectorXcd inverse =
+      Eigen::EigenSolver<MatX>(lu.solve(motions.transpose() * motions), false).eigenvalues();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < inverse.size(); ++i) smallest = std::min(smallest, (1.0 / inverse[i]).real());
+  return smallest;
+}
+
 }  // namespace
 
 const char* to_string(Stability::Verdict verdict) {
@@ -114,7 +138,7 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
   constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
   out.complex_pair = eigen.eigenvalues().imag().cwiseAbs().maxCoeff() > kReal * largest;
-  out.smallest = value.real();
+  out.smallest = at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness);
   out.flutter = std::abs(value.imag()) > kReal * largest;
   out.mode = basis * eigen.eigenvectors().col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();

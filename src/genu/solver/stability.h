@@ -13,11 +13,11 @@ struct Stability {
   static constexpr double kMetricLength = 0.01;  ///< m: the metric of every scene, 10 mm weigh as much as 1 rad
   Verdict verdict = Verdict::stable;
   /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
-  /// 10 mm and rotations in rad, twist about each moving body's origin. +infinity where nothing is free to move.
+  /// 10 mm and rotations in rad, twist about each moving body's own origin. +infinity where nothing is free to move.
   double smallest = 0;
   bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
   bool flutter = false;       ///< the smallest belongs to one
-  VecX mode;                  ///< 6B: its motion in that metric, unit norm (real part)
+  VecX mode;  ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
   /// they hold the same motion twice. Empty where all forces are determined.

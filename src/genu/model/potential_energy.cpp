@@ -1,0 +1,68 @@
+#include "genu/model/potential_energy.h"
+
+#include "genu/model/ligament_pieces.h"
+#include "genu/model/linearization.h"
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double stored(const JointModel& model, const State& state) {
+  double energy = 0;
+  for (const auto& l : model.ligaments) energy += l.ligament.law.evaluate(ligament_length(l, state.poses)).energy;
+  for (const auto& spring : model.joint_springs) {
+    const double angle = state.coordinates[at(spring.joint)][0];
+    energy += spring.stiffness * angle * angle / 2;
+  }
+  return energy;
+}
+
+/// Of a load that has a potential, at the factor 1: J up to a constant.
+double potential(const Load& load, const std::vector<Pose>& poses, double coordinate) {
+  switch (load.kind) {
+    case Load::Kind::dead:
+      return -load.force.dot(poses[at(load.body_a)] * load.p_A);
+    case Load::Kind::toward:
+      return load.value * (poses[at(load.body_b)] * load.p_B - poses[at(load.body_a)] * load.p_A).norm();
+    case Load::Kind::coordinate:
+      return -load.value * coordinate;
+    case Load::Kind::follower:
+      break;
+  }
+  return 0;
+}
+
+double since_reference(const JointModel& model, const State& state, const Load& load) {
+  double now = 0, before = 0;
+  if (load.kind == Load::Kind::coordinate) {
+    const auto joint = at(load.coordinate.joint), index = at(load.coordinate.index);
+    now = state.coordinates[joint][index];
+    before = model.joints[joint].reference[index];
+  }
+  return potential(load, state.poses, now) - potential(load, model.reference_poses, before);
+}
+
+}  // namespace
+
+bool has_potential(const Load& load) {
+  if (load.scale && load.scale->coordinate()) return false;
+  if (load.kind == Load::Kind::dead) return load.moment.isZero(0);
+  return load.kind != Load::Kind::follower;
+}
+
+std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target) {
+  double energy = stored(model, state);
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const Load& load = model.loads[i];
+    const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
+    const bool over_coordinate = load.scale && load.scale->coordinate();  // 0 here perhaps, but not beside
+    if (target.load_factors[i] == 0 || (factor == 0 && !over_coordinate)) continue;
+    if (!has_potential(load)) return std::nullopt;
+    energy += factor * since_reference(model, state, load);
+  }
+  for (const Load& weight : model.weights) energy += since_reference(model, state, weight);
+  return energy;
+}
+
+}  // namespace genu

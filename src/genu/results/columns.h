@@ -1,0 +1,19 @@
+// Names of result columns that more than one table has.
+#pragma once
+
+#include <string>
+
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// "knee.flexion_deg", "knee.x_mm", or of a combination
+std::string coordinate_column(const Scene& scene, const QuantityRef& c);
+
+/// "knee.flexion.reaction_Nm"
+std::string reaction_column(const Scene& scene, const QuantityRef& c);
+
+/// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
+std::string held_column(const std::string& joint, std::size_t i);
+
+}  // namespace genu

@@ -1,0 +1,12 @@
+// starts.csv: the equilibria that were found from several starts.
+#pragma once
+
+#include "genu/results/result_table.h"
+#include "genu/solver/starts.h"
+
+namespace genu {
+
+/// One row for each distinct equilibrium, then one for each start that found none.
+ResultTable starts_table(const Scene& scene, const JointModel& model, const StartSearch& search);
+
+}  // namespace genu

@@ -1,0 +1,113 @@
+#include "genu/scene/centre_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+namespace {
+
+constexpr double kFar = 4;           // sizes of the scene: at 10 of them a measured knee took twice the iterations
+constexpr double kLeastSize = 0.01;  // m: of a scene that shows none
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Calls visit(body, point) for every point that a scene fixes to a body.
+template <typename SceneType, typename Visit>
+void for_points(SceneType& scene, Visit visit) {
+  for (auto& s : scene.surfaces) visit(s.body, s.placement.p);
+  for (auto& l : scene.ligaments) {
+    visit(l.from.body, l.from.point);
+    visit(l.to.body, l.to.point);
+    for (auto& via : l.via) visit(via.body, via.point);
+  }
+  for (auto& l : scene.loads) {
+    if (l.kind == LoadDef::Kind::coordinate) continue;
+    visit(l.body, l.point);
+    if (l.kind == LoadDef::Kind::toward) visit(l.toward_body, l.toward_point);
+  }
+  for (auto& j : scene.joints) {
+    if (!j.grood_suntay) continue;
+    visit(j.grood_suntay->femur.body, j.grood_suntay->femur.origin);
+    visit(j.grood_suntay->tibia.body, j.grood_suntay->tibia.origin);
+  }
+}
+
+/// What lies on each body: a load without a point of its own is felt at the origin of the file, which says nothing of
+/// where the body is, and so is a mesh whose placement leaves it where its file has it.
+std::vector<std::vector<Vec3>> telling_points(const Scene& scene) {
+  std::vector<std::vector<Vec3>> points(scene.bodies.size());
+  for (const SurfaceDef& s : scene.surfaces)
+    if (s.shape != SurfaceDef::Shape::mesh || !s.placement.p.isZero(0)) points[at(s.body)].push_back(s.placement.p);
+  for (const LigamentDef& l : scene.ligaments) {
+    points[at(l.from.body)].push_back(l.from.point);
+    points[at(l.to.body)].push_back(l.to.point);
+    for (const auto& via : l.via) points[at(via.body)].push_back(via.point);
+  }
+  for (const LoadDef& l : scene.loads) {
+    if (l.kind == LoadDef::Kind::toward) points[at(l.toward_body)].push_back(l.toward_point);
+    if (l.kind != LoadDef::Kind::coordinate && !l.point.isZero(0)) points[at(l.body)].push_back(l.point);
+  }
+  for (const JointDef& j : scene.joints) {
+    if (j.type == JointDef::Type::free) continue;  // a hinge is a point of both
+    points[at(j.parent)].emplace_back(j.reference[3], j.reference[4], j.reference[5]);
+    points[at(j.child)].push_back(Vec3::Zero());
+  }
+  return points;
+}
+
+Vec3 mean(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// How large things are: what is farthest from the middle of its body, and the largest of the sizes given as such.
+double size_of(const Scene& scene, const std::vector<std::vector<Vec3>>& points) {
+  double size = kLeastSize;
+  for (const auto& of_body : points)
+    for (const Vec3& p : of_body) size = std::max(size, (p - mean(of_body)).norm());
+  for (const SurfaceDef& s : scene.surfaces) size = std::max({size, s.radius, s.radii.maxCoeff(), s.major_radius});
+  return size;
+}
+
+/// The middle of each body's points; of a body without points, and of the world without points on fixed bodies, what
+/// lies at the middle of all others in the reference pose.
+std::vector<Vec3> middles(const Scene& scene, const std::vector<std::vector<Vec3>>& points) {
+  const std::vector<Pose> poses = reference_poses(scene);
+  std::vector<Vec3> in_world, on_fixed, out(scene.bodies.size(), Vec3::Zero());
+  for (std::size_t b = 0; b < points.size(); ++b)
+    for (const Vec3& p : points[b]) {
+      in_world.push_back(poses[b] * p);
+      if (scene.bodies[b].fixed) on_fixed.push_back(p);
+    }
+  if (in_world.empty()) return out;
+  const Vec3 all = mean(in_world);
+  for (std::size_t b = 0; b < points.size(); ++b) {
+    const std::vector<Vec3>& own = scene.bodies[b].fixed ? on_fixed : points[b];
+    out[b] = own.empty() ? poses[b].inverse() * all : mean(own);
+  }
+  return out;
+}
+
+}  // namespace
+
+void centre_bodies(Scene& scene) {
+  const auto points = telling_points(scene);
+  const double far = kFar * size_of(scene, points);
+  std::vector<Vec3> centres = middles(scene, points);
+  for (Vec3& centre : centres)
+    if (centre.norm() <= far) centre.setZero();
+  for_points(scene, [&](int body, Vec3& point) { point -= centres[at(body)]; });
+  for (std::size_t b = 0; b < centres.size(); ++b) {
+    scene.bodies[b].centre += centres[b];
+    scene.bodies[b].centre_of_mass -= centres[b];
+  }
+  for (ContactDef& c : scene.contacts)
+    for (RegionDef& region : c.regions)
+      for (auto& condition : region.conditions)
+        condition.value -= centres[at(scene.surfaces[at(c.surface_b)].body)][condition.axis];
+}
+
+}  // namespace genu

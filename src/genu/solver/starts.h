@@ -1,0 +1,64 @@
+// All the equilibria that can be found from many starts: a joint may balance in several poses, and one start finds one.
+//
+// Start 1 is a given pose; start k > 1 has each coordinate that is free moved from there by the k-1 th point of
+// Halton's sequence (J. Halton, Numer. Math. 2 (1960) 84-90), coordinate by coordinate in the bases 2, 3, 5, ...: the
+// same starts on every machine, and more of them fill the same box more densely. A start in which surfaces overlap so
+// far that they might come out on the wrong sides, or which does not settle, is drawn back toward start 1: to a half, a
+// quarter, an eighth of the way.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "genu/solver/contact_set.h"
+#include "genu/solver/stability.h"
+
+namespace genu {
+
+struct StartOptions {
+  int count = 1;
+  double angle = 20 * std::numbers::pi / 180;  ///< rad: largest change of a free angle
+  double translation = 0.5;                    ///< of the model's characteristic length: of a free translation
+  /// Two poses are the same where no body differs by more: translations in characteristic lengths, rotations in rad.
+  double same_pose = 1e-6;
+  double largest_overlap = 5e-3;  ///< m: in a start, as in the reference pose of a run
+  NewtonOptions newton;
+};
+
+struct Equilibrium {
+  Balanced pose;
+  PoseReport report;
+  Stability stability;
+  std::optional<double> energy;  ///< J, see potential_energy.h
+  std::vector<int> starts;       ///< that led to it, from 1
+};
+
+struct FailedStart {
+  int start = 0;  ///< from 1
+  PoseReport report;
+};
+
+struct StartSearch {
+  int count = 0;                        ///< starts that were tried
+  std::vector<Equilibrium> equilibria;  ///< distinct ones, by their first start
+  std::vector<FailedStart> failed;
+};
+
+/// Element `index` (>= 0) of the van der Corput sequence in `base` >= 2, in (0, 1): Halton's sequence, one base each.
+double van_der_corput(int index, int base);
+
+/// The coordinates of every joint from which start `k` (from 1) sets out: those of `first`, what is prescribed or held
+/// at its value, and `share` of the way to the start's point.
+std::vector<JointValues> start_coordinates(const JointModel& model, const Target& target,
+                                           const std::vector<JointValues>& first, int k, double share,
+                                           const StartOptions& options);
+
+/// Settles every start, one after the other, at `target`; start 1 has the coordinates `first`. `cancelled` may be
+/// empty.
+StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
+                          const std::vector<JointValues>& first, const StartOptions& options,
+                          const std::function<bool()>& cancelled);
+
+}  // namespace genu
