@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/columns.h"
+
 namespace genu {
 namespace {
 
@@ -15,15 +17,6 @@ constexpr const char* kAxes[] = {"x", "y", "z"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
-  return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
-}
-std::string reaction_column(const Scene& scene, const QuantityRef& c) {
-  return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
-}
-std::string held_column(const std::string& joint, std::size_t i) {
-  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
-}
 double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
 
 /// A contact point as shown: held or open.
@@ -91,16 +84,11 @@ class PoseTable {
         if (p.coordinate == quantity) table_.add_column(reaction_column(scene_, quantity));
   }
 
-  const std::string& surface_name(std::size_t pair, bool b) const {
-    const ContactDef& c = scene_.contacts[pair];
-    return scene_.surfaces[at(b ? c.surface_b : c.surface_a)].name;
-  }
-
   void add_contact_columns(const std::string& name, std::size_t pair) {
     table_.add_column(name + ".force_N");
     table_.add_column(name + ".gap_mm");
     for (const bool b : {false, true})
-      for (const char* axis : kAxes) table_.add_column(fmt::format("{}.{}.{}_mm", name, surface_name(pair, b), axis));
+      for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + point_column(scene_, pair, b, i));
   }
 
   void add_row(const PoseRecord& record) {
@@ -152,9 +140,9 @@ class PoseTable {
 
   void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
     for (const bool second : {false, true})
-      for (Eigen::Index i = 0; i < 3; ++i)
-        table_.set(fmt::format("{}.{}.{}_mm", name, surface_name(pair, second), kAxes[i]),
-                   kMillimetre * (second ? b : a)[i]);
+      for (std::size_t i = 0; i < 3; ++i)
+        table_.set(name + "." + point_column(scene_, pair, second, i),
+                   kMillimetre * (second ? b : a)[static_cast<Eigen::Index>(i)]);
   }
 
   void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {

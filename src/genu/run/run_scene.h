@@ -27,11 +27,21 @@ struct RunOptions {
   std::function<bool()> cancelled;                    ///< may be empty
 };
 
+/// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the
+/// folder cannot be written or holds the input; without a `folder` nothing is to be written.
+std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
+                                    Diagnostics& out);
+
 /// Refuses what cannot be started (surfaces that overlap by more than 5 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
 
 /// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options);
+
+/// Writes a solution's results.csv, events.csv, curves.svg and summary.json into `folder`, and `more` beside them
+/// (name, content). Returns what went wrong, else an empty text.
+std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
+                          const std::vector<std::pair<std::string, std::string>>& more = {});
 
 /// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg and summary.json. Returns the exit code; `out`
 /// holds what was refused, `solution` (may be null) gets what was found.

@@ -1,0 +1,30 @@
+#include "genu/results/columns.h"
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+}  // namespace
+
+std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
+  return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
+}
+
+std::string reaction_column(const Scene& scene, const QuantityRef& c) {
+  return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
+}
+
+std::string held_column(const std::string& joint, std::size_t i) {
+  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
+}
+
+std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis) {
+  const ContactDef& c = scene.contacts[pair];
+  const int surface = second ? c.surface_b : c.surface_a;
+  return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxes[axis]);
+}
+
+}  // namespace genu

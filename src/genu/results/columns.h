@@ -1,0 +1,22 @@
+// Names of result columns that more than one table has.
+#pragma once
+
+#include <string>
+
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// "knee.flexion_deg", "knee.x_mm", or of a combination
+std::string coordinate_column(const Scene& scene, const QuantityRef& c);
+
+/// "knee.flexion.reaction_Nm"
+std::string reaction_column(const Scene& scene, const QuantityRef& c);
+
+/// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
+std::string held_column(const std::string& joint, std::size_t i);
+
+/// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
+std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);
+
+}  // namespace genu
