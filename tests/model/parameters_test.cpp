@@ -55,5 +55,14 @@ TEST(Parameters, HaveUnitsAndStandardChanges) {
   for (const Parameter& p : all) EXPECT_GT(p.change, 0) << p.name;
 }
 
+TEST(Parameters, OfTheSameNameAreToldApart) {
+  const std::string all = names(
+      parameters(test::ligament("f", "[1, 0, 0]", "[0, 0, 9]", "law = \"spring\"\nstiffness = 5\nslack_length = 1") +
+                 "[body.shin]\n[joint.f]\ntype = \"revolute\"\nparent = \"bone\"\nchild = \"shin\"\naxis = [1, 0, 0]\n"
+                 "stiffness = 3\n"));
+  EXPECT_EQ(all.rfind("ligament.f.stiffness f.slack_length ", 0), 0u) << all;
+  EXPECT_NE(all.find(" joint.f.stiffness "), std::string::npos) << all;
+}
+
 }  // namespace
 }  // namespace genu

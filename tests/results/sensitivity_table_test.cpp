@@ -76,7 +76,9 @@ TEST(SensitivityTable, DrawsTheMostImportantParameters) {
   axis.x = {0, 1, 2};
   const Chart chart = sensitivity_chart(s.rows, axis);
   ASSERT_EQ(chart.panels.size(), 2u);
-  EXPECT_EQ(chart.panels[0].title, "l.force_N [N]");
+  EXPECT_EQ(chart.panels[0].title, "l.force [N]");
+  EXPECT_EQ(chart.panels[1].title, "l.strain [1/1000]");
+  EXPECT_EQ(chart.panels[1].series[0].y[1], -1000);
   EXPECT_EQ(chart.panels[0].series[0].name, "strong");
   EXPECT_EQ(chart.panels[0].series[0].y[1], 8);
   EXPECT_TRUE(std::isnan(chart.panels[0].series[0].y[2]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,7 @@ class Parameters {
     for (object_ = 0; object_ < static_cast<int>(scene_.bodies.size()); ++object_) add_weight(scene_.bodies[index()]);
     for (object_ = 0; object_ < static_cast<int>(scene_.joints.size()); ++object_) add_joint(scene_.joints[index()]);
     add_prescribed();
+    tell_apart();
     return std::move(out_);
   }
 
@@ -163,6 +165,22 @@ class Parameters {
           add_length(name, Kind::prescribed);
         out_.back().quantity = p.coordinate;
       }
+    }
+  }
+
+  /// A ligament and a surface may have the same name: then their parameters' names begin with what they are.
+  void tell_apart() {
+    std::map<std::string, int> count;
+    for (const Parameter& p : out_) ++count[p.name];
+    for (Parameter& p : out_) {
+      if (count[p.name] == 1) continue;
+      const char* kind = p.of_ligament()                   ? "ligament."
+                         : p.of_surface()                  ? "surface."
+                         : p.of_load()                     ? "load."
+                         : p.kind == Kind::joint_stiffness ? "joint."
+                         : p.kind == Kind::prescribed      ? ""
+                                                           : "body.";
+      p.name = kind + p.name;
     }
   }
 

@@ -10,7 +10,8 @@
 namespace genu {
 
 /// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "condyle.radii.z", "plateau.terms.2.0"
-/// (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the prescribed value).
+/// (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the prescribed value). Where two have the
+/// same name, "ligament.", "surface.", "load.", "body." or "joint." stands before it.
 struct Parameter {
   enum class Kind {
     // of a ligament

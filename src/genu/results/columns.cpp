@@ -27,4 +27,13 @@ std::string point_column(const Scene& scene, std::size_t pair, bool second, std:
   return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxes[axis]);
 }
 
+std::string without_unit(const std::string& column) {
+  for (const char* unit : {"_deg", "_mm", "_Nm", "_Nmm", "_N", "_s"}) {
+    const std::string end = unit;
+    if (column.size() > end.size() && column.compare(column.size() - end.size(), end.size(), end) == 0)
+      return column.substr(0, column.size() - end.size());
+  }
+  return column;
+}
+
 }  // namespace genu

@@ -19,4 +19,7 @@ std::string held_column(const std::string& joint, std::size_t i);
 /// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);
 
+/// "knee.adduction" of "knee.adduction_deg"
+std::string without_unit(const std::string& column);
+
 }  // namespace genu

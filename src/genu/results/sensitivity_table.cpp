@@ -148,13 +148,15 @@ Chart sensitivity_chart(const SensitivityRows& rows, const Chart& axis) {
   chart.x = axis.x;
   for (std::size_t o = 0; o < rows.outputs.size() && chart.panels.size() < kMostPanels; ++o) {
     const Output& output = rows.outputs[o];
+    const bool pure = output.unit == "1";  // strains: in thousandths, or they would be too small to see
     ChartPanel panel;
-    panel.title = output.unit == "1" ? output.column : fmt::format("{} [{}]", output.column, output.unit);
+    panel.title = fmt::format("{} [{}]", without_unit(output.column), pure ? "1/1000" : output.unit);
     panel.from_zero = true;
     for (const RankedParameter& r : ranking(rows, o)) {
       if (panel.series.size() == kMostLines) break;
       ChartSeries series{rows.parameters[r.parameter].name, {}};
-      for (std::size_t row = 0; row < rows.rows(); ++row) series.y.push_back(rows.effect(row, o, r.parameter));
+      for (std::size_t row = 0; row < rows.rows(); ++row)
+        series.y.push_back((pure ? 1e3 : 1) * rows.effect(row, o, r.parameter));
       panel.series.push_back(std::move(series));
     }
     if (!panel.series.empty()) chart.panels.push_back(std::move(panel));

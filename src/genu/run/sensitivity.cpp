@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/timer.h"
+#include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/scene/words.h"
 
@@ -14,16 +15,6 @@ namespace {
 
 constexpr int kMostContacts = 9;            // of one pair that can be named before the run has found them
 constexpr std::size_t kMostRows = 5000000;  // of sensitivity.csv
-
-/// "knee.adduction" of "knee.adduction_deg"
-std::string without_unit(const std::string& column) {
-  for (const char* unit : {"_deg", "_mm", "_Nm", "_N", "_Nmm", "_s"}) {
-    const std::string end = unit;
-    if (column.size() > end.size() && column.compare(column.size() - end.size(), end.size(), end) == 0)
-      return column.substr(0, column.size() - end.size());
-  }
-  return column;
-}
 
 bool names(const std::string& pattern, const std::string& column) {
   return pattern == "all" || matches(pattern, column) || matches(pattern, without_unit(column));
