@@ -35,14 +35,14 @@ inline Prepared prepared(const std::string& text) {
 inline SensitivityResult differentiated(const Prepared& p, const SensitivityChoice& choice) {
   SensitivityResult result;
   Diagnostics out;
-  result.rows = choose(p, choice, out);
+  choose(p, choice, 9, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   ContactField field(p.model);
   result.solution = solve(p, field, {});
   EXPECT_EQ(result.solution.summary.exit_code, kExitOk);
   for (const std::string& sentence : result.solution.summary.verdict)
     if (result.solution.summary.exit_code != kExitOk) ADD_FAILURE() << sentence;
-  differentiate(p, result);
+  differentiate(p, choice, result);
   EXPECT_EQ(result.poses_without, 0);
   return result;
 }

@@ -13,7 +13,7 @@
 namespace genu {
 namespace {
 
-constexpr int kMostContacts = 9;            // of one pair that can be named before the run has found them
+constexpr int kMostContacts = 99;           // of one pair that can be named before the run has found them
 constexpr std::size_t kMostRows = 5000000;  // of sensitivity.csv
 
 bool names(const std::string& pattern, const std::string& column) {
@@ -36,9 +36,9 @@ std::string no_output(const Prepared& prepared, const std::vector<Output>& known
          " (outputs are the columns of results.csv, with or without the unit)";
 }
 
-void choose_outputs(const Prepared& prepared, const std::vector<std::string>& patterns, std::vector<Output>& chosen,
-                    Diagnostics& out) {
-  const std::vector<Output> known = outputs_of(prepared.scene, prepared.model, prepared.steps, kMostContacts);
+void choose_outputs(const Prepared& prepared, const std::vector<std::string>& patterns, int contact_numbers,
+                    std::vector<Output>& chosen, Diagnostics& out) {
+  const std::vector<Output> known = outputs_of(prepared.scene, prepared.model, prepared.steps, contact_numbers);
   std::vector<bool> wanted(known.size());
   for (const std::string& pattern : patterns) {
     bool found = false;
@@ -70,7 +70,14 @@ void choose_parameters(const Scene& scene, const std::vector<std::string>& patte
     if (wanted[k]) chosen.push_back(known[k]);
 }
 
-/// The numbered columns of a run: those of results.csv.
+int contacts_made(const Solution& solution) {
+  int most = 0;
+  for (const PoseRecord& record : solution.records)
+    for (const int number : record.point.pose.last_number) most = std::max(most, number);
+  return most;
+}
+
+/// Of the numbered columns only those of results.csv.
 void drop_contacts_not_made(const ResultTable& poses, std::vector<Output>& outputs) {
   std::erase_if(outputs, [&](const Output& o) { return o.contact_number > 0 && !poses.has_column(o.column); });
 }
@@ -99,6 +106,7 @@ std::string facts(const SensitivityResult& r) {
   std::string out =
       fmt::format("  {:<12}{} poses, {} outputs, {} parameters: {} derivatives in {:.3f} s\n", "derivatives",
                   r.rows.rows(), r.rows.outputs.size(), r.rows.parameters.size(), r.rows.derivatives.size(), r.seconds);
+  if (r.rows.outputs.empty()) out += fmt::format("  {:<12}no contact of the numbers asked for was made\n", "");
   if (r.poses_without > 0)
     out += fmt::format(
         "  {:<12}{} of {} poses have no derivative (not solved, not determined, or J is singular): their "
@@ -109,15 +117,18 @@ std::string facts(const SensitivityResult& r) {
 
 }  // namespace
 
-SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice, Diagnostics& out) {
+SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice, int contact_numbers,
+                       Diagnostics& out) {
   SensitivityRows rows;
-  choose_outputs(prepared, choice.outputs, rows.outputs, out);
+  choose_outputs(prepared, choice.outputs, contact_numbers, rows.outputs, out);
   choose_parameters(prepared.scene, choice.parameters, rows.parameters, out);
   return rows;
 }
 
-void differentiate(const Prepared& prepared, SensitivityResult& result) {
+void differentiate(const Prepared& prepared, const SensitivityChoice& choice, SensitivityResult& result) {
   const ScopedTimer timing(result.seconds);
+  Diagnostics said_before;
+  result.rows = choose(prepared, choice, contacts_made(result.solution), said_before);
   SensitivityRows& rows = result.rows;
   drop_contacts_not_made(result.solution.poses, rows.outputs);
   const std::size_t parameters = rows.parameters.size(), one = rows.outputs.size() * parameters;
@@ -142,12 +153,12 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
                     const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
   const auto prepared = prepare_run(path, folder, out);
   if (!prepared) return kExitRefused;
-  result.rows = choose(*prepared, choice, out);
-  if (out.has_errors() || too_many(*prepared, result.rows, out)) return kExitRefused;
+  const SensitivityRows asked = choose(*prepared, choice, kMostContacts, out);
+  if (out.has_errors() || too_many(*prepared, asked, out)) return kExitRefused;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;
   result.solution = solve(*prepared, field, options);
-  differentiate(*prepared, result);
+  differentiate(*prepared, choice, result);
   const Scene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;

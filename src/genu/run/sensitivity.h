@@ -25,11 +25,13 @@ struct SensitivityResult {
 };
 
 /// The outputs and parameters that a choice names, in the scene's order, without derivatives. Names that are none, and
-/// columns that have no derivative, are said in `out`, all of them.
-SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice, Diagnostics& out);
+/// columns that have no derivative, are said in `out`, all of them. How many contacts a pair has is not known before
+/// the run: `contact_numbers` of each are listed.
+SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice, int contact_numbers,
+                       Diagnostics& out);
 
-/// Derivatives at every record of a solution; outputs of contacts that were never made are left out of `rows`.
-void differentiate(const Prepared& prepared, SensitivityResult& result);
+/// Derivatives of what is chosen at every record of `result.solution`, of all contacts that it has.
+void differentiate(const Prepared& prepared, const SensitivityChoice& choice, SensitivityResult& result);
 
 /// Reads, solves and differentiates a scene, and writes the run's results with sensitivity.csv, ranking.csv and
 /// sensitivity.svg into `folder` where there is one. Returns the exit code.
