@@ -102,13 +102,15 @@ TEST(RunSensitivity, WritesTheRunAndItsDerivatives) {
   Diagnostics out;
   SensitivityResult r;
   for (int again = 0; again < 2; ++again)
-    ASSERT_EQ(run_sensitivity(test::dortmans_file(), folder / "out", {{"knee.rotation"}, {"*.stiffness"}}, {}, out, r),
+    ASSERT_EQ(run_sensitivity(test::dortmans_file(), folder / "out",
+                              {{"knee.rotation", "medial.7.gap"}, {"*.stiffness"}}, {}, out, r),
               kExitOk)
         << test::messages(out);
   for (const char* file : {"results.csv", "summary.json", "sensitivity.csv", "ranking.csv", "sensitivity.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + file))) << file;
   const std::string csv = test::read_file(folder / "out/sensitivity.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 71 * 7);
+  EXPECT_NE(r.text.find("medial.7.gap: no contact of that number was made"), std::string::npos) << r.text;
   EXPECT_NE(r.text.find("knee.rotation_deg: what one standard change"), std::string::npos) << r.text;
 }
 

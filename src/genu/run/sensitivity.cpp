@@ -102,11 +102,14 @@ bool too_many(const Prepared& prepared, const SensitivityRows& rows, Diagnostics
   return true;
 }
 
-std::string facts(const SensitivityResult& r) {
+std::string facts(const SensitivityChoice& choice, const SensitivityResult& r) {
   std::string out =
       fmt::format("  {:<12}{} poses, {} outputs, {} parameters: {} derivatives in {:.3f} s\n", "derivatives",
                   r.rows.rows(), r.rows.outputs.size(), r.rows.parameters.size(), r.rows.derivatives.size(), r.seconds);
-  if (r.rows.outputs.empty()) out += fmt::format("  {:<12}no contact of the numbers asked for was made\n", "");
+  for (const std::string& pattern : choice.outputs)
+    if (std::none_of(r.rows.outputs.begin(), r.rows.outputs.end(),
+                     [&](const Output& o) { return names(pattern, o.column); }))
+      out += fmt::format("  {:<12}{}: no contact of that number was made\n", "", pattern);
   if (r.poses_without > 0)
     out += fmt::format(
         "  {:<12}{} of {} poses have no derivative (not solved, not determined, or J is singular): their "
@@ -162,7 +165,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   const Scene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;
-  result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(result);
+  result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(choice, result);
   if (!folder) return solution.summary.exit_code;
   const Chart chart = sensitivity_chart(result.rows, curves(scene, steps, solution.poses, solution.events));
   const std::string error =
