@@ -61,6 +61,37 @@ TEST(LigamentLaw, FormulasBeyondTheToe) {
               1e-10);
 }
 
+TEST(LigamentLaw, StiffnessesAreTheFormulasDerivatives) {
+  const double toe = kSlack * 1.04, line = kSlack * 1.1;
+  EXPECT_NEAR(build(definition(Law::quadratic, 15000)).evaluate(toe).stiffness, 2 * 15000 * 0.04 / kSlack, 1e-8);
+  EXPECT_NEAR(build(definition(Law::linear, 2000)).evaluate(toe).stiffness, 2000 / kSlack, 1e-8);
+  EXPECT_NEAR(build(definition(Law::blankevoort, 4000)).evaluate(toe).stiffness, 4000 * 0.04 / 0.06 / kSlack, 1e-8);
+  EXPECT_NEAR(build(definition(Law::blankevoort, 4000)).evaluate(line).stiffness, 4000 / kSlack, 1e-8);
+  EXPECT_EQ(build(definition(Law::spring, 25000)).evaluate(toe).stiffness, 25000);
+  EXPECT_NEAR(build(definition(Law::abdel_rahman, 80000)).evaluate(toe).stiffness, 2 * 2.2e7 * 0.0012, 1e-8);
+  EXPECT_EQ(build(definition(Law::abdel_rahman, 80000)).evaluate(line).stiffness, 80000);
+}
+
+TEST(LigamentLaw, ATableOfTwoIntervalsIsTheCubicsOfItsFormula) {
+  // Secants 200 and 400 on equal intervals of 0.1: slopes 100, 266.67 and 500 (three-point ends, harmonic mean within).
+  LigamentDef def = definition(Law::table, 0);
+  def.table = {{0, 0}, {0.1, 20}, {0.2, 60}};
+  const LigamentLaw law = build(def);
+  const double middle = 2 * 200.0 * 400 / 600;
+  const auto half_way = [](double y0, double m0, double y1, double m1) {
+    return LawValue{(y0 + y1) / 2 + 0.1 * (m0 - m1) / 8, (1.5 * (y1 - y0) / 0.1 - (m0 + m1) / 4) / kSlack, 0};
+  };
+  const LawValue first = law.evaluate(kSlack * 1.05), second = law.evaluate(kSlack * 1.15);
+  const LawValue first_exact = half_way(0, 100, 20, middle), second_exact = half_way(20, middle, 60, 500);
+  EXPECT_NEAR(first.force, first_exact.force, 1e-11);
+  EXPECT_NEAR(first.stiffness, first_exact.stiffness, 1e-8);
+  EXPECT_NEAR(second.force, second_exact.force, 1e-11);
+  EXPECT_NEAR(second.stiffness, second_exact.stiffness, 1e-8);
+  const LawValue beyond = law.evaluate(kSlack * 1.3);
+  EXPECT_NEAR(beyond.force, 60 + 500 * 0.1, 1e-10);
+  EXPECT_NEAR(beyond.stiffness, 500 / kSlack, 1e-8);
+}
+
 TEST(LigamentLaw, BlankevoortIsOnceDifferentiableAtTheToesEnd) {
   const LigamentLaw law = build(definition(Law::blankevoort, 4000));
   const double length = kSlack * 1.06, h = 1e-12;

@@ -53,6 +53,13 @@ struct Bench {
   Scene scene;
   Pose reference_A, reference_B = kReference, X_WA{exp_rotation(Vec3(-0.2, 0.1, 0.4)), Vec3(0.02, -0.01, 0.01)}, X_WB;
 
+  /// On [a; b], in the bodies 0 and 1.
+  LigamentRate rate(const LigamentDef& def, const Ligament& ligament, const Parameter& p) const {
+    const JointModel::LigamentBetween between{def.name, 0, 1, ligament, {}};
+    const std::vector<Pose> reference{reference_A, reference_B}, poses{X_WA, X_WB};
+    return ligament_rate({def, between, reference, poses}, p);
+  }
+
   std::optional<Ligament> made(const LigamentDef& def) const {
     std::string why;
     const double length = (reference_B * def.to.point - reference_A * def.from.point).norm();
@@ -90,9 +97,10 @@ TEST(LigamentRates, AreWhatAnEditedLigamentShows) {
       b.X_WB.p = b.X_WA * def.from.point + length * Vec3(2, -1, 2) / 3 - b.X_WB.R * def.to.point;
       for (const Parameter& p : parameters_of(b.scene)) {
         if (!p.of_ligament()) continue;
-        const LigamentRate rate = ligament_rate({def, *ligament, b.reference_A, b.reference_B, b.X_WA, b.X_WB}, p);
-        const Shown exact =
-            p.change * (Shown() << rate.on_a, rate.on_b, rate.length, rate.strain, rate.force).finished();
+        const LigamentRate rate = b.rate(def, *ligament, p);
+        const Shown exact = p.change * (Shown() << (rate.lines.empty() ? Vec12(Vec12::Zero()) : rate.lines[0].wrench),
+                                        rate.length, rate.strain, rate.force)
+                                           .finished();
         const Shown truth = derivative(
             [&](double share) {
               LigamentDef edited = def;
@@ -123,8 +131,8 @@ TEST(LigamentRates, OfASpringWithoutLength) {
   Parameter end;
   end.kind = Parameter::Kind::to_point;
   end.component = 1;
-  const LigamentRate rate = ligament_rate({def, *ligament, b.reference_A, b.reference_B, b.X_WA, b.X_WB}, end);
-  EXPECT_NEAR((rate.on_a.head<3>() - 3000 * Vec3::UnitY()).norm(), 0, 1e-9);
+  const LigamentRate rate = b.rate(def, *ligament, end);
+  EXPECT_NEAR((rate.lines[0].wrench.head<3>() - 3000 * Vec3::UnitY()).norm(), 0, 1e-9);
   EXPECT_FALSE(std::isfinite(rate.length));
 }
 
@@ -135,7 +143,7 @@ TEST(LigamentRates, AReferenceForceOfZeroHasNoDerivativeOfAFlatLaw) {
   b.X_WB = {Mat3::Identity(), b.X_WA * def.from.point + Vec3(0.07, 0, 0) - def.to.point};
   for (const Parameter& p : parameters_of(b.scene)) {
     if (!p.of_ligament()) continue;
-    const LigamentRate rate = ligament_rate({def, *ligament, b.reference_A, b.reference_B, b.X_WA, b.X_WB}, p);
+    const LigamentRate rate = b.rate(def, *ligament, p);
     EXPECT_EQ(std::isfinite(rate.force), p.kind != Parameter::Kind::reference_force) << p.name;
   }
 }

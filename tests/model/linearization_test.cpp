@@ -52,7 +52,8 @@ MatX jacobian(const Linearization& at) {
 /// The residual after the change x of the unknowns, contact points' bases carried along.
 VecX residual_after(const JointModel& model, const State& state, const Target& target, const VecX& x) {
   Correction change;
-  const int m = static_cast<int>(constraint_count(model, target)), c = static_cast<int>(state.contacts.size());
+  const int m = static_cast<int>(constraint_count(model, target)) + held_count(state),
+            c = static_cast<int>(state.contacts.size());
   change.resize(model.moving_count, m, c);
   const Eigen::Index n = 6 * model.moving_count;
   change.twist = x.head(n);
@@ -101,13 +102,20 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
   return state;
 }
 
-void expect_exact(const std::string& text, double time = 0) {
+/// With `held` every ligament whose law jumps is held at its jump.
+void expect_exact(const std::string& text, double time = 0, bool held = false) {
   const test::SceneModel s = test::scene_model(text);
   Target target = test::target_of(s.scene, 0.4);
   target.time = time;
   std::mt19937 random(17);
   for (int repeat = 0; repeat < 4; ++repeat) {
-    const State state = shaken(s.model, target, random);
+    State state = shaken(s.model, target, random);
+    for (LigamentPiece& piece : state.pieces) {
+      const auto& breaks = s.model.ligaments[static_cast<std::size_t>(piece.ligament)].ligament.law.sharp_breaks();
+      piece.held = held && breaks.back().jumps();
+      if (piece.held) piece.piece = static_cast<int>(breaks.size()) - 1, piece.force = 70;
+    }
+    ASSERT_EQ(held_count(state) > 0, held);
     Linearization at;
     linearize(s.model, state, target, at);
     const MatX exact = jacobian(at);
@@ -180,6 +188,42 @@ frame = "body"
 )";
   expect_exact(
       text + "[[step]]\nprescribe = { \"knee.flexion\" = 20, \"pf.spin\" = 3, \"pf.turn\" = [0, 9], \"pf.s\" = 1 }\n");
+}
+
+/// A second moving body, and ligaments that run over all three on the way from one to another.
+std::string ropes(const std::string& law) {
+  return test::knee("") + R"(
+[body.patella]
+[joint.pf]
+type = "free"
+parent = "bone"
+child = "patella"
+rotations = ["tilt y", "spin x", "turn -z"]
+translations = ["s", "t", "u"]
+reference = { s = 2, t = 38, tilt = 5, turn = 8 }
+[ligament.rope]
+from = { body = "ground", point = [3, 30, -60] }
+via = [{ body = "ground", point = [1, 40, -40] }, { body = "bone", point = [0, 25, -15] }, { body = "bone", point = [2, 30, -8] }, { body = "patella", point = [1, 2, -14] }, { body = "bone", point = [5, 30, 30] }]
+to = { body = "patella", point = [-9, 4, 10] }
+)" + law +
+         "[[step]]\nprescribe = { \"knee.flexion\" = 20, \"pf.spin\" = 3 }\n";
+}
+
+TEST(Linearization, IsExactThroughViaPointsOnThreeBodies) {
+  for (const char* law : {"law = \"quadratic\"\nstiffness = 3000\nreference_strain = 0.2\n",
+                          "law = \"spring\"\nstiffness = 30\nreference_force = 90\n",
+                          "law = \"linear\"\nstiffness = 3000\nreference_strain = 0.2\n"})
+    expect_exact(ropes(law));
+}
+
+TEST(Linearization, IsExactWithALigamentHeldAtItsJump) {
+  const std::string law =
+      "law = \"abdel-rahman\"\nstiffness = 60\ntoe_stiffness = 2\ntransition_strain = 0.05\nreference_strain = "
+      "0.05\n";
+  expect_exact(ropes(law), 0, true);
+  expect_exact(test::knee(test::ligament("held", "[10, 12, 5]", "[4, 20, -30]", law) +
+                          "[[step]]\nprescribe = { \"knee.flexion\" = 20 }\n"),
+               0, true);
 }
 
 /// A bone on a hinge with a spring, a plate fixed to it, and a rod free against the plate.

@@ -226,9 +226,10 @@ TEST(EventTable, SaysWhereInTheUnitsOfTheResults) {
   const Bench bench;
   PathEvent gained{PathEvent::Kind::contact_gained, 1, 0.25, {{{{0, 0}, 15 * kDegree}}, {1}, 0.75}, "foot.2"};
   PathEvent lost{PathEvent::Kind::contact_lost, 2, 0.5, {{{{0, 3}, 2e-3}}, {0.5}, 3}, "foot.1"};
+  lost.coordinates = {{0, 0, 30 * kDegree, 1, 0, 4e-3}};
   const ResultTable t = event_table(bench.scene.scene, bench.steps, {gained, lost});
-  EXPECT_EQ(t.columns(),
-            (std::vector<std::string>{"step", "t", "time_s", "event", "what", "j.a_deg", "j.x_mm", "lift.factor"}));
+  EXPECT_EQ(t.columns(), (std::vector<std::string>{"step", "t", "time_s", "event", "what", "j.a_deg", "j.b_deg",
+                                                   "j.c_deg", "j.x_mm", "j.y_mm", "j.z_mm", "lift.factor"}));
   ASSERT_EQ(t.rows(), 2u);
   EXPECT_NEAR(t.number(0, "j.a_deg"), 15, 1e-13);
   EXPECT_TRUE(empty(t, 0, "j.x_mm"));
@@ -236,7 +237,10 @@ TEST(EventTable, SaysWhereInTheUnitsOfTheResults) {
   EXPECT_EQ(t.number(0, "time_s"), 0.75);
   EXPECT_EQ(std::get<std::string>(t.at(0, 3)), to_string(PathEvent::Kind::contact_gained));
   EXPECT_EQ(std::get<std::string>(t.at(0, 4)), "foot.2");
-  EXPECT_NEAR(t.number(1, "j.x_mm"), 2, 1e-14);
+  EXPECT_NEAR(t.number(1, "j.x_mm"), 2, 1e-14) << "what is prescribed is shown as prescribed";
+  EXPECT_NEAR(t.number(1, "j.c_deg"), 30, 1e-13);
+  EXPECT_NEAR(t.number(1, "j.z_mm"), 4, 1e-14);
+  EXPECT_TRUE(empty(t, 0, "j.z_mm"));
   EXPECT_EQ(t.number(1, "lift.factor"), 0.5);
 }
 

@@ -66,11 +66,27 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::stepped_over, 1, 0.2, later, ""},
             {Kind::turns_back, 1, 0.3, target, ""},
             {Kind::stability_changed, 1, 0.4, target, "unstable"},
-            {Kind::over_edge, 1, 0.5, target, "medial.1"}};
+            {Kind::held, 1, 0.45, target, "AAC at 24 mm, 16 N below and 20 N above"},
+            {Kind::jump, 1, 0.45, later, "PCL at 30 mm, 9 N below and 7 N above"},
+            {Kind::over_edge, 1, 0.5, target, "medial.1"},
+            {Kind::limit_point, 1, 0.6, target, "unstable", {{0, 0.1, 0, 0, 0, 2e-3}}},
+            {Kind::bifurcation, 1, 0.6, target, "unstable"},
+            {Kind::reaction_turns, 1, 0.7, target, "largest 0.57 Nm"},
+            {Kind::reaction_turns, 1, 0.8, later, "smallest -0.2 Nm"},
+            {Kind::closed, 1, 0.9, target, ""}};
   expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718346 deg");
   expect_said("turns back at knee.flexion = 41.2 deg");
   expect_said("becomes unstable at knee.flexion = 41.2 deg");
+  expect_said("From knee.flexion = 41.2 deg a ligament is held at the jump of its law");
+  expect_said("AAC at 24 mm, 16 N below and 20 N above.");
+  expect_said("At knee.flexion = 42.9718346 deg the force of a ligament drops");
   expect_said("medial.1 reaches the edge");
+  expect_said("Limit point at knee.flexion = 41.2 deg (knee.adduction 5.72958 deg, knee.rotation 0 deg,");
+  expect_said("knee.z 2 mm)");
+  expect_said("Bifurcation at knee.flexion = 41.2 deg: ");
+  expect_said("is largest 0.57 Nm at knee.flexion = 41.2 deg");
+  expect_said("1 more such turn is in events.csv");
+  expect_said("closes on itself");
 }
 
 }  // namespace

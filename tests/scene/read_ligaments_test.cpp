@@ -169,8 +169,27 @@ TEST(ReadLigaments, RestErrors) {
                  "give one of slack_length, reference_strain, reference_force");
 }
 
+TEST(ReadLigaments, ViaPointsInOrder) {
+  const LigamentDef l =
+      ligament(kLaw + "via = [{ body = \"tibia\", point = [1, 2, 3] }, { body = \"femur\", point = [4, 5, 6] }]\n");
+  ASSERT_EQ(l.via.size(), 2u);
+  EXPECT_EQ(l.via[0].body, 0);
+  EXPECT_EQ(l.via[1].body, 1);
+  EXPECT_TRUE(l.via[1].point.isApprox(Vec3(4e-3, 5e-3, 6e-3), 1e-15));
+}
+
+TEST(ReadLigaments, ViaPointsThatCannotBe) {
+  expect_law_refused(kLaw + "via = @50\n", "via", "50", "via points");
+  expect_law_refused(kLaw + "via = [{ body = @\"fibula\", point = [1, 2, 3] }]\n", "via[1].body", "\"fibula\"",
+                     "unknown body");
+  const std::string head = "]\n" + kFrom + "\n" + kTo + "\n" + kLaw;
+  expect_refused("[ligament.AAC" + head,
+                 "[ligament.@AAC" + head + "via = [{ body = \"tibia\", point = [-6.04, 4.0, -3.0] }]\n", "ligament.AAC",
+                 "", "via point 1 and its last end coincide at the reference pose");
+}
+
 TEST(ReadLigaments, NotBuiltYet) {
-  for (const std::string key : {"via", "wrap", "damping"}) {
+  for (const std::string key : {"wrap", "damping"}) {
     expect_law_refused(kLaw + "@" + key + " = 50\n", key, "50", "not built yet");
   }
 }

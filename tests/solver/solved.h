@@ -18,6 +18,7 @@ inline std::vector<StepPlan> plans_of(const Scene& scene) {
     plan.factors.resize(scene.loads.size());
     for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
     plan.increments = def.increments;
+    plan.arc_length = def.arc_length;
     plan.start_time = time;
     plan.end_time = time += def.duration;
     plans.push_back(plan);

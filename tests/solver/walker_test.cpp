@@ -61,9 +61,58 @@ TEST(Walker, PredictionFollowsASmoothPathInFewIterations) {
   Walking w(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\n"));
   const int before = w.walker.iterations();
   for (int k = 1; k <= 60; ++k) ASSERT_TRUE(w.walker.walk_to(k / 60.0)) << k;
-  EXPECT_LE(w.walker.iterations() - before, 4 * 60);  // a degree each
-  EXPECT_TRUE(w.events.empty());
+  for (const PathEvent& e : w.events)
+    EXPECT_TRUE(e.kind == PathEvent::Kind::taut || e.kind == PathEvent::Kind::slack) << to_string(e.kind);
+  // A degree each, and what it takes to locate where a ligament becomes taut or slack.
+  EXPECT_LE(w.walker.iterations() - before, 4 * 60 + 20 * static_cast<int>(w.events.size()));
   EXPECT_FALSE(w.walker.turning_back());
+}
+
+TEST(Walker, LocatesABifurcationInsideItsStep) {
+  // A post on a hinge of stiffness c under a weight P at height h: upright it balances always, and c = P h is where it
+  // no longer stands by itself.
+  constexpr double kStiffness = 3, kHeight = 0.08;  // N m / rad, m
+  Walking w(R"(format = 1
+units = { length = "m", angle = "rad" }
+[body.ground]
+fixed = true
+[body.post]
+[joint.hinge]
+type = "revolute"
+parent = "ground"
+child = "post"
+axis = [0, 1, 0]
+stiffness = 3
+[load.weight]
+body = "post"
+force = [0, 0, -1]
+point = [0, 0, 0.08]
+[[step]]
+load = { weight = [0, 100] }
+)");
+  ASSERT_TRUE(w.walker.walk_to(1));
+  ASSERT_EQ(w.events.size(), 2u);
+  EXPECT_EQ(w.events[0].kind, PathEvent::Kind::bifurcation);
+  EXPECT_EQ(w.events[1].kind, PathEvent::Kind::stability_changed);
+  EXPECT_EQ(w.events[1].what, "unstable");
+  EXPECT_NEAR(100 * w.events[0].t, kStiffness / kHeight, 1e-7);
+  EXPECT_NEAR(w.walker.stability().smallest, kStiffness - 100 * kHeight, 1e-9);
+}
+
+TEST(Walker, LocatesWhereAReactionIsLargest) {
+  // The truss whose height is prescribed: its load is largest at the limit point of its load-driven path.
+  Walking w(test::bone_on_ground("{ z = 12 }") +
+            test::ligament("l", "[0, 0, 0]", "[-40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+            test::ligament("r", "[0, 0, 0]", "[40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+            test::step("prescribe = { \"j.y\" = 0, \"j.z\" = [12, -12], " + test::kNoTurn + " }"));
+  ASSERT_TRUE(w.walker.walk_to(1));
+  std::vector<double> heights;
+  for (const PathEvent& e : w.events)
+    if (e.kind == PathEvent::Kind::reaction_turns) heights.push_back(1e3 * e.coordinates[0][5]);
+  ASSERT_EQ(heights.size(), 2u);
+  const double critical = std::cbrt(std::hypot(40.0, 12.0) * 1600), z = std::sqrt(critical * critical - 1600);
+  EXPECT_NEAR(heights[0], z, 1e-6);
+  EXPECT_NEAR(heights[1], -z, 1e-6);
 }
 
 }  // namespace

@@ -41,6 +41,9 @@ inline void edit(Scene& scene, const Parameter& p, double delta) {
     case Kind::to_point:
       scene.ligaments[o].to.point[i] += delta;
       break;
+    case Kind::via_point:
+      scene.ligaments[o].via[static_cast<std::size_t>(i / 3)].point[i % 3] += delta;
+      break;
     case Kind::radius:
       scene.surfaces[o].radius += delta;
       break;

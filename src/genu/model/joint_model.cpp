@@ -24,6 +24,8 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const auto& l : model.ligaments) {
       if (at(l.body_a) == body) ends.push_back(l.ligament.p_A);
       if (at(l.body_b) == body) ends.push_back(l.ligament.p_B);
+      for (const auto& via : l.via)
+        if (at(via.body) == body) ends.push_back(via.p);
     }
     for (const auto* loads : {&model.loads, &model.weights})
       for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
@@ -90,6 +92,11 @@ bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
 
 }  // namespace
 
+void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
+  model.ligaments.push_back(std::move(ligament));
+  model.scales = choose_scales(model);
+}
+
 double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
                       const QuantityRef& quantity) {
   double value = 0;
@@ -129,11 +136,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
 
   bool good = true;
   for (const LigamentDef& def : scene.ligaments) {
-    const double length = (model.reference_poses[at(def.to.body)] * def.to.point -
-                           model.reference_poses[at(def.from.body)] * def.from.point)
-                              .norm();
     std::string why;
-    const auto law = make_law(def, length, why);
+    const auto law = make_law(def, path_length(def, model.reference_poses), why);
     if (!law) {
       good = false;
       out.add({.file = scene.file,
@@ -145,6 +149,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
       continue;
     }
     model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
+    for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
   }
   good = add_loads(scene, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {

@@ -36,9 +36,14 @@ struct JointModel {
     double stiffness;  ///< N m / rad
   };
   struct LigamentBetween {
+    struct Via {
+      int body;
+      Vec3 p;  ///< m, in the body
+    };
     std::string name;
     int body_a, body_b;
     Ligament ligament;
+    std::vector<Via> via = {};  ///< frictionless points on the way from A to B
   };
   struct Pair {
     std::string name;
@@ -72,6 +77,10 @@ struct JointModel {
 /// be is added to `out`, and the result is empty.
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out);
+
+/// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
+/// are indices into JointModel::bodies. Only before a State is made of the model.
+void add_ligament(JointModel& model, JointModel::LigamentBetween ligament);
 
 /// Calls add(coordinate, factor) for each term of what is prescribed.
 template <typename Add>

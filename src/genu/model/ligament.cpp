@@ -14,25 +14,31 @@ struct Line {
   double stiffness = 0;
 };
 
-bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, Line& line, TwoBodyWrench& out) {
+void set_wrenches(const Line& line, TwoBodyWrench& out) {
+  out.on_a << line.t, line.r_A.cross(line.t);
+  out.on_b << -line.t, -line.r_B.cross(line.t);
+}
+
+bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, Line& line, TwoBodyWrench& out) {
   line.r_A = X_WA.R * ligament.p_A;
   line.r_B = X_WB.R * ligament.p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
   out.length = line.d.norm();
   out.strain = ligament.law.strain(out.length);
-  if (out.length <= ligament.law.slack_until()) {
+  const bool by_length = piece == LigamentLaw::kByLength;
+  const bool slack = by_length ? out.length <= ligament.law.slack_until() : ligament.law.is_slack(piece);
+  if (slack) {
     out.on_a.setZero();
     out.on_b.setZero();
     out.force = out.energy = 0;
     return false;
   }
-  const LawValue law = ligament.law.evaluate(out.length);
+  const LawValue law = ligament.law.evaluate(out.length, piece);
   out.force = law.force;
   out.energy = law.energy;
   line.stiffness = law.stiffness;
   line.t = out.length > 0 ? Vec3(law.force / out.length * line.d) : Vec3::Zero();
-  out.on_a << line.t, line.r_A.cross(line.t);
-  out.on_b << -line.t, -line.r_B.cross(line.t);
+  set_wrenches(line, out);
   return true;
 }
 
@@ -45,20 +51,9 @@ Mat3 line_stiffness(const Ligament& ligament, const Line& line, const TwoBodyWre
   return across * Mat3::Identity() + (line.stiffness - across) * (u * u.transpose());
 }
 
-}  // namespace
-
-bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
-  Line line;
-  return pull(*this, X_WA, X_WB, line, out);
-}
-
-bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
-  Line line;
-  if (!pull(*this, X_WA, X_WB, line, out)) {
-    out.stiffness.setZero();
-    return false;
-  }
-  const Mat3 k = line_stiffness(*this, line, out), s_A = skew(line.r_A), s_B = skew(line.r_B);
+/// The derivative of the wrenches for k = dt/dd.
+void set_stiffness(const Line& line, const Mat3& k, TwoBodyWrench& out) {
+  const Mat3 s_A = skew(line.r_A), s_B = skew(line.r_B);
   const Mat3 k_A = k * s_A, k_B = k * s_B;
   const auto fill = [&](int row, int column, double sign, const Mat3& s_row, const Mat3& k_row, const Mat3& k_column) {
     // J_row^T k J_column, block by block; [r_row]x k = -(k [r_row]x)^T
@@ -75,6 +70,36 @@ bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) 
   const Mat3 t = skew(line.t);
   out.stiffness.block<3, 3>(3, 3) += t * s_A;
   out.stiffness.block<3, 3>(9, 9) -= t * s_B;
+}
+
+}  // namespace
+
+void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out) const {
+  Line line;
+  line.r_A = X_WA.R * p_A;
+  line.r_B = X_WB.R * p_B;
+  line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
+  out.length = line.d.norm();
+  out.force = tension;
+  const Vec3 u = out.length > 0 ? Vec3(line.d / out.length) : Vec3::Zero();
+  const double across = out.length > 0 ? tension / out.length : 0;
+  line.t = tension * u;
+  set_wrenches(line, out);
+  set_stiffness(line, across * Mat3::Identity() + (along - across) * (u * u.transpose()), out);
+}
+
+bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
+  Line line;
+  return pull(*this, X_WA, X_WB, LigamentLaw::kByLength, line, out);
+}
+
+bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece) const {
+  Line line;
+  if (!pull(*this, X_WA, X_WB, piece, line, out)) {
+    out.stiffness.setZero();
+    return false;
+  }
+  set_stiffness(line, line_stiffness(*this, line, out), out);
   return true;
 }
 

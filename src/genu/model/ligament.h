@@ -26,6 +26,20 @@ struct TwoBodyWrench {
   double energy = 0;                ///< J
 };
 
+/// The straight line between a point of A and one of B under a given tension: a ligament's only line, or one of the
+/// lines between its via points, which share one tension.
+struct TautLine {
+  Vec3 p_A = Vec3::Zero();  ///< m, in body A
+  Vec3 p_B = Vec3::Zero();  ///< m, in body B
+
+  /// Wrenches and their stiffness for a tension (N) that changes by `along` N for a metre of this line's length; fills
+  /// length and force too. 0 where the ends meet: the line has no direction there.
+  void evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out) const;
+
+  /// m
+  double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
+};
+
 struct Ligament {
   LigamentLaw law;
   Vec3 p_A = Vec3::Zero();  ///< m, in body A
@@ -34,8 +48,8 @@ struct Ligament {
   /// Wrenches, stiffness and what the results show, for the poses of A and B in the world (either may be fixed: pass
   /// its pose and ignore its part). Returns false where the ligament is slack: everything but length and strain is then
   /// 0. Where the ends meet and the law still has a force, its direction is undefined: wrench and stiffness are 0
-  /// there, except for a spring of slack length 0, which is smooth.
-  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;
+  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece.
+  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength) const;
 
   /// The same without the stiffness, which is left as it was.
   bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;

@@ -44,6 +44,7 @@ LigamentLaw::LigamentLaw(const LigamentDef& def)
 
 LawValue LigamentLaw::evaluate(double length) const {
   if (length <= slack_until_) return {};
+  if (custom_) return custom_->evaluate(length);
   // Exact up to twice the slack length (Sterbenz): the strain loses nothing near 0.
   const double stretch = length - slack_length_;
   const double k = stiffness_;
@@ -59,7 +60,7 @@ LawValue LigamentLaw::evaluate(double length) const {
     case Law::blankevoort:
       return toe_and_line(stretch / slack_length_);
     case Law::abdel_rahman:
-      return abdel_rahman(stretch);
+      return abdel_rahman(length);
     case Law::table:
       return tabulated(stretch / slack_length_);
   }
@@ -67,7 +68,7 @@ LawValue LigamentLaw::evaluate(double length) const {
 }
 
 double LigamentLaw::strain(double length) const {
-  if (slack_length_ == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (!(slack_length_ > 0)) return std::numeric_limits<double>::quiet_NaN();
   return (length - slack_length_) / slack_length_;
 }
 
@@ -78,9 +79,11 @@ LawValue LigamentLaw::toe_and_line(double e) const {
   return {k * (e - e_t / 2), k / slack_length_, slack_length_ * k * (e_t * e_t / 6 + e * (e - e_t) / 2)};
 }
 
-LawValue LigamentLaw::abdel_rahman(double d) const {
-  const double d_t = transition_strain_ * slack_length_;
-  if (d <= d_t) return {toe_stiffness_ * d * d, 2 * toe_stiffness_ * d, toe_stiffness_ * d * d * d / 3};
+LawValue LigamentLaw::abdel_rahman(double length) const {
+  const double d = length - slack_length_, d_t = transition_strain_ * slack_length_;
+  // The very comparison that parts the pieces: rounding of d must not put a length on the other side of the jump.
+  if (length <= transition_length_)
+    return {toe_stiffness_ * d * d, 2 * toe_stiffness_ * d, toe_stiffness_ * d * d * d / 3};
   return {stiffness_ * (d - d_t / 2), stiffness_,
           toe_stiffness_ * d_t * d_t * d_t / 3 + stiffness_ * d * (d - d_t) / 2};
 }
@@ -99,6 +102,8 @@ void LigamentLaw::set_slack_length(double slack_length) {
     slack_until_ = zero_until ? (1 + *zero_until) * slack_length : kNeverSlack;
     table_origin_ = table_->evaluate(zero_until.value_or(0)).integral;
   }
+  transition_length_ = (1 + transition_strain_) * slack_length;
+  set_breaks();
 }
 
 /// The strain at which a law of the strain alone has the force (N).

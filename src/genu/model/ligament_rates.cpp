@@ -9,14 +9,16 @@ using Law = LigamentDef::Law;
 using Rest = LigamentDef::Rest;
 using Kind = Parameter::Kind;
 
-/// What a parameter changes first, per SI unit: numbers of the law, what sets the slack length, an end.
+/// What a parameter changes first, per SI unit: numbers of the law, what sets the slack length, a point.
 struct Direct {
   double stiffness = 0, toe_stiffness = 0, transition_strain = 0, rest = 0;
-  Vec3 end_A = Vec3::Zero(), end_B = Vec3::Zero();  ///< in their bodies
+  int point = -1;  ///< of the points from end to end
+  int axis = 0;    ///< of its body
 };
 
-Direct direct_change(const Parameter& parameter) {
+Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
   Direct d;
+  d.axis = parameter.component % 3;
   switch (parameter.kind) {
     case Kind::stiffness:
       d.stiffness = 1;
@@ -33,15 +35,64 @@ Direct direct_change(const Parameter& parameter) {
       d.rest = 1;
       break;
     case Kind::from_point:
-      d.end_A[parameter.component] = 1;
+      d.point = 0;
+      break;
+    case Kind::via_point:
+      d.point = 1 + parameter.component / 3;
       break;
     case Kind::to_point:
-      d.end_B[parameter.component] = 1;
+      d.point = 1 + static_cast<int>(def.via.size());
       break;
     default:
       break;
   }
   return d;
+}
+
+/// One straight line of a ligament: from a to b, in the world, and how its ends move.
+struct Line {
+  int body_a, body_b;
+  Vec3 r_A, r_B;      ///< from the bodies' origins to the ends
+  Vec3 end_A, end_B;  ///< velocities of the ends
+  double length;
+  Vec3 u;  ///< direction; 0 where the ends meet
+
+  double length_rate() const { return u.dot(end_B - end_A); }
+};
+
+std::vector<Line> lines_of(const JointModel::LigamentBetween& ligament, const std::vector<Pose>& poses,
+                           const Direct& change) {
+  std::vector<Line> out;
+  for_each_line(ligament, [&](int a, int b, const TautLine& taut) {
+    const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
+    const int first = static_cast<int>(out.size());
+    const auto velocity = [&](const Pose& pose, int point) {
+      return point == change.point ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
+    };
+    Line line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1), 0, {}};
+    const Vec3 d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
+    line.length = d.norm();
+    line.u = line.length > 0 ? Vec3(d / line.length) : Vec3::Zero();
+    out.push_back(line);
+  });
+  return out;
+}
+
+/// Length (m) and its rate.
+std::pair<double, double> length_of(const std::vector<Line>& lines) {
+  double length = 0, rate = 0;
+  for (const Line& line : lines) {
+    length += line.length;
+    rate += line.length_rate();
+  }
+  return {length, rate};
+}
+
+/// Wrench on [a; b] of the pull t on A, with the rates of t and of the ends.
+Vec12 wrench_rate(const Line& line, const Vec3& t, const Vec3& t_rate) {
+  Vec12 out;
+  out << t_rate, line.end_A.cross(t) + line.r_A.cross(t_rate), -t_rate, -line.end_B.cross(t) - line.r_B.cross(t_rate);
+  return out;
 }
 
 double by_numbers(const LawRates& r, const Direct& d) {
@@ -58,8 +109,8 @@ double slack_by_length(const LigamentDef& def, const LigamentLaw& law, double le
 
 /// dL0 where the law has a force at the reference length.
 double slack_from_force(const LigamentAt& at, const Direct& d, double length, double length_rate) {
-  const double by_length = slack_by_length(at.def, at.ligament.law, length) * length_rate;
-  const LawRates r = law_rates(at.def, at.ligament.law, length);
+  const double by_length = slack_by_length(at.def, at.made.ligament.law, length) * length_rate;
+  const LawRates r = law_rates(at.def, at.made.ligament.law, length);
   const double missing = d.rest - by_numbers(r, d);  // force to be made up for by the slack length
   if (missing == 0) return by_length;
   if (r.slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -68,11 +119,9 @@ double slack_from_force(const LigamentAt& at, const Direct& d, double length, do
 
 double slack_rate(const LigamentAt& at, const Direct& d) {
   if (at.def.rest == Rest::slack_length) return d.rest;
-  const Vec3 line = at.reference_B * at.ligament.p_B - at.reference_A * at.ligament.p_A;
-  const double length = line.norm();
-  const double length_rate = line.dot(at.reference_B.R * d.end_B - at.reference_A.R * d.end_A) / length;
+  const auto [length, length_rate] = length_of(lines_of(at.made, at.reference_poses, d));
   if (at.def.rest == Rest::reference_force) return slack_from_force(at, d, length, length_rate);
-  const double slack = at.ligament.law.slack_length();
+  const double slack = at.made.ligament.law.slack_length();
   return slack / length * length_rate - slack / (1 + at.def.rest_value) * d.rest;
 }
 
@@ -111,33 +160,32 @@ LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length
 }
 
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
-  const Direct change = direct_change(parameter);
-  const LigamentLaw& law = at.ligament.law;
-  const Vec3 r_A = at.X_WA.R * at.ligament.p_A, r_B = at.X_WB.R * at.ligament.p_B;
-  const Vec3 end_A = at.X_WA.R * change.end_A, end_B = at.X_WB.R * change.end_B;
-  const Vec3 line = (at.X_WB.p - at.X_WA.p) + (r_B - r_A), line_rate = end_B - end_A;
-  const double length = line.norm(), slack = law.slack_length();
-  const double slack_change = slack_rate(at, change);
+  const Direct change = direct_change(at.def, parameter);
+  const LigamentLaw& law = at.made.ligament.law;
+  const std::vector<Line> lines = lines_of(at.made, at.poses, change);
+  const auto [length, length_rate] = length_of(lines);
+  const double slack = law.slack_length(), slack_change = slack_rate(at, change);
   LigamentRate out;
   if (slack == 0 && length == 0) {  // a spring without length: t = k d, whose size has no derivative
+    const double k = law.evaluate(length).stiffness;
+    for (const Line& line : lines)
+      out.lines.push_back({line.body_a, line.body_b, wrench_rate(line, Vec3::Zero(), k * (line.end_B - line.end_A))});
     out.length = out.strain = out.force = std::numeric_limits<double>::quiet_NaN();
-    out.on_a.head<3>() = law.evaluate(length).stiffness * line_rate;
-    out.on_a.tail<3>() = r_A.cross(out.on_a.head<3>());
-    out.on_b << -out.on_a.head<3>(), -r_B.cross(out.on_a.head<3>());
     return out;
   }
-  const Vec3 u = line / length;
-  out.length = u.dot(line_rate);
+  out.length = length_rate;
   out.strain = (out.length - length / slack * slack_change) / slack;
   if (length <= law.slack_until()) return out;
   const LawValue value = law.evaluate(length);
   const LawRates rates = law_rates(at.def, law, length);
   const double held = by_numbers(rates, change) + rates.slack_length * slack_change;  // at the length held
   out.force = value.stiffness * out.length + held;
-  const Vec3 pull = value.force * u;
-  const Vec3 pull_rate = out.force * u + value.force / length * (line_rate - u * out.length);
-  out.on_a << pull_rate, end_A.cross(pull) + r_A.cross(pull_rate);
-  out.on_b << -pull_rate, -end_B.cross(pull) - r_B.cross(pull_rate);
+  for (const Line& line : lines) {
+    const Vec3 across = line.end_B - line.end_A - line.u * line.length_rate();
+    const Vec3 turned = line.length > 0 ? Vec3(value.force / line.length * across) : Vec3::Zero();
+    out.lines.push_back(
+        {line.body_a, line.body_b, wrench_rate(line, value.force * line.u, out.force * line.u + turned)});
+  }
   return out;
 }
 

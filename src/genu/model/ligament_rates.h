@@ -8,7 +8,7 @@
 // A ligament's end moves L and, through the reference pose, L0.
 #pragma once
 
-#include "genu/model/ligament.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/parameters.h"
 
 namespace genu {
@@ -21,16 +21,19 @@ LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length
 
 /// Per SI unit of a parameter. Where the ligament is slack everything but length and strain is 0.
 struct LigamentRate {
-  Vec6 on_a = Vec6::Zero(), on_b = Vec6::Zero();  ///< wrenches as in TwoBodyWrench
+  struct Line {
+    int body_a, body_b;
+    Vec12 wrench;  ///< on [a; b] as in TwoBodyWrench
+  };
+  std::vector<Line> lines;  ///< from end to end
   double length = 0, strain = 0, force = 0;
 };
 
-/// A ligament of a scene: what it is said to be, what was made of it, and the poses of its bodies.
+/// A ligament of a scene: what it is said to be, what was made of it, and the poses of all bodies.
 struct LigamentAt {
   const LigamentDef& def;
-  const Ligament& ligament;
-  const Pose &reference_A, &reference_B;  ///< in the reference pose
-  const Pose &X_WA, &X_WB;
+  const JointModel::LigamentBetween& made;
+  const std::vector<Pose>&reference_poses, &poses;
 };
 
 /// The change of a ligament per SI unit of one of its own parameters. A slack length that has no derivative (a

@@ -1,5 +1,7 @@
 #include "genu/model/linearization.h"
 
+#include "genu/model/ligament_pieces.h"
+
 namespace genu {
 namespace {
 
@@ -30,15 +32,61 @@ class TwoBodyScatter {
   int index_[2];
 };
 
-void add_ligaments(const JointModel& model, const State& state, Linearization& out) {
+void add_straight(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, int piece,
+                  Linearization& out) {
   TwoBodyWrench pull;
-  for (const auto& l : model.ligaments) {
-    if (!l.ligament.evaluate(state.poses[at(l.body_a)], state.poses[at(l.body_b)], pull)) continue;
-    const TwoBodyScatter scatter(model, l.body_a, l.body_b);
-    Vec12 wrench;
-    wrench << pull.on_a, pull.on_b;
-    scatter.add_wrench(wrench, out.wrench);
+  if (!l.ligament.evaluate(state.poses[at(l.body_a)], state.poses[at(l.body_b)], pull, piece)) return;
+  const TwoBodyScatter scatter(model, l.body_a, l.body_b);
+  Vec12 wrench;
+  wrench << pull.on_a, pull.on_b;
+  scatter.add_wrench(wrench, out.wrench);
+  scatter.add_stiffness(pull.stiffness, out.stiffness);
+}
+
+/// Many lines under one tension T(L), g = dL/dX: wrench = -T g, stiffness = -T' g g^T - T dg/dX.
+void add_chain(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
+               const LawValue& tension, Linearization& out) {
+  TwoBodyWrench pull;
+  Vec12 wrench;
+  out.length_gradient.setZero(out.wrench.size());
+  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
+    if (model.bodies[at(body_a)].moving == model.bodies[at(body_b)].moving) return;  // its length is constant
+    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], 1, 0, pull);
+    const TwoBodyScatter scatter(model, body_a, body_b);
+    wrench << -pull.on_a, -pull.on_b;
+    scatter.add_wrench(wrench, out.length_gradient);
+    pull.stiffness *= tension.force;
     scatter.add_stiffness(pull.stiffness, out.stiffness);
+  });
+  out.wrench -= tension.force * out.length_gradient;
+  if (tension.stiffness == 0) return;
+  for (Eigen::Index j = 0; j < out.stiffness.cols(); ++j)
+    if (out.length_gradient[j] != 0)
+      out.stiffness.col(j) -= tension.stiffness * out.length_gradient[j] * out.length_gradient;
+}
+
+/// The multiplier is the tension: what shortens the ligament gives the constraint's gradient.
+void add_held_ligament(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
+                       const LigamentPiece& piece, Eigen::Index row, Linearization& out) {
+  add_chain(model, l, state, {piece.force, 0, 0}, out);
+  out.gradient.row(row) = -out.length_gradient.transpose();
+  out.constraint[row] = l.ligament.law.sharp_breaks()[at(piece.piece)].length - ligament_length(l, state.poses);
+}
+
+void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {
+  auto piece = state.pieces.begin();
+  for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
+    const auto& l = model.ligaments[i];
+    const bool has_piece = piece != state.pieces.end() && at(piece->ligament) == i;
+    const int k = has_piece && !piece->by_length ? piece->piece : LigamentLaw::kByLength;
+    if (has_piece && piece->held)
+      add_held_ligament(model, l, state, *piece, first_held++, out);
+    else if (l.via.empty())
+      add_straight(model, l, state, k, out);
+    else if (const LawValue tension = l.ligament.law.evaluate(ligament_length(l, state.poses), k);
+             tension.force != 0 || tension.stiffness != 0)
+      add_chain(model, l, state, tension, out);
+    if (has_piece) ++piece;
   }
 }
 
@@ -150,14 +198,15 @@ void Correction::resize(int moving_bodies, int constraints, int contacts) {
 
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   const int n = 6 * model.moving_count;
-  const auto m = static_cast<Eigen::Index>(constraint_count(model, target));
+  const auto held_from = static_cast<Eigen::Index>(constraint_count(model, target));
+  const Eigen::Index m = held_from + held_count(state);
   out.wrench.setZero(n);
   out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);
   out.constraint.setZero(m);
   out.contacts.resize(state.contacts.size());
   out.contact_bodies.resize(state.contacts.size());
-  add_ligaments(model, state, out);
+  add_ligaments(model, state, held_from, out);
   add_loads(model, state, target, out);
   add_joint_springs(model, state, out);
   add_prescribed(model, state, target, out);
@@ -224,6 +273,9 @@ bool retract(const JointModel& model, const State& state, const Correction& corr
   }
   for (std::size_t m = 0; m < state.multipliers.size(); ++m)
     out.multipliers[m] += fraction * correction.multipliers(static_cast<Eigen::Index>(m));
+  auto held = static_cast<Eigen::Index>(state.multipliers.size());
+  for (LigamentPiece& piece : out.pieces)
+    if (piece.held) piece.force += fraction * correction.multipliers(held++);
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
     ActiveContact& contact = out.contacts[c];
     const auto& pair = model.pairs[at(contact.pair)];

@@ -1,9 +1,10 @@
 // The equations of a pose, 6B + M + 5N of them (Dortmans 1984), and their exact derivatives at a state.
 //
 //   equilibrium  6 for each moving body: ligaments + loads + joint springs + contact forces + multipliers = 0
-//   constraints  M: prescribed coordinate, or combination of some, = target; coordinate that a joint holds = its value
+//   constraints  M: prescribed coordinate, or combination of some, = target; coordinate that a joint holds = its value;
+//                and H: length of a ligament held at a jump of its force = the jump's
 //   contacts     5 each: closure 2, gap 1, tangency 2 (contact_equations.h)
-// The unknowns are the twist of each moving body, M multipliers, and for each contact ds_A, ds_B and the force.
+// The unknowns are the twist of each moving body, M + H multipliers, and for each contact ds_A, ds_B and the force.
 #pragma once
 
 #include <array>
@@ -18,18 +19,20 @@ namespace genu {
 struct Linearization {
   VecX wrench;      ///< 6B: total wrench on each moving body, 0 at equilibrium
   MatX stiffness;   ///< 6B x 6B: its derivative to the twists with contact points and forces held
-  MatX gradient;    ///< M x 6B: derivative of the constraints, prescribed ones first (as in State::multipliers)
-  VecX constraint;  ///< M: value - target
+  MatX gradient;    ///< (M + H) x 6B: derivative of the constraints: prescribed, held by joints, held ligaments
+  VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
+  VecX length_gradient;  ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
 };
 
 /// A change of the unknowns.
 struct Correction {
   VecX twist;                 ///< 6B
-  VecX multipliers;           ///< M
+  VecX multipliers;           ///< M + H
   std::vector<Vec4> surface;  ///< ds_A, ds_B of each contact
   VecX forces;                ///< N
+  double parameter = 0;       ///< of the path's parameter, where that is an unknown (arc-length control)
 
   void resize(int moving_bodies, int constraints, int contacts);
 };

@@ -89,6 +89,15 @@ std::optional<double> MonotoneTable::zero_until() const {
   return knots_[i].x;
 }
 
+std::optional<double> MonotoneTable::zero_from() const {
+  const Knot& last = knots_.back();
+  if (!nonnegative_) return std::nullopt;
+  if (last.y > 0) return last.slope < 0 ? std::optional(last.x - last.y / last.slope) : std::nullopt;
+  std::size_t i = knots_.size() - 1;
+  while (i > 0 && knots_[i - 1].y == 0) --i;
+  return knots_[i].x;
+}
+
 MonotoneTable::Value MonotoneTable::straight_from(const Knot& knot, double x) const {
   double d = x - knot.x;
   Value v{knot.y + knot.slope * d, knot.slope, 0};

@@ -26,12 +26,18 @@ class MonotoneTable {
 
   Value evaluate(double x) const;
 
+  double first_x() const { return knots_.front().x; }
+  double last_x() const { return knots_.back().x; }
+
   /// The x from which the curve exceeds y for the first time: the end of a plateau at y, not its beginning. Where y is
   /// the largest value reached, its last point. Empty if the curve never rises to y.
   std::optional<double> first_rise_through(double y) const;
 
   /// The largest x such that the curve is 0 from -infinity to x; empty if there is none.
   std::optional<double> zero_until() const;
+
+  /// The smallest x such that the curve is 0 from x to +infinity; empty if there is none.
+  std::optional<double> zero_from() const;
 
  private:
   struct Knot {

@@ -89,14 +89,10 @@ void residual_rate(const Scene& scene, const JointModel& model, const State& sta
   out.contacts.resize(state.contacts.size());
   for (ContactBlock& block : out.contacts) block.residual.setZero();
   if (parameter.of_ligament()) {
-    const auto& l = model.ligaments[at(parameter.object)];
+    const std::size_t l = at(parameter.object);
     const LigamentRate rate =
-        ligament_rate({scene.ligaments[at(parameter.object)], l.ligament, model.reference_poses[at(l.body_a)],
-                       model.reference_poses[at(l.body_b)], state.poses[at(l.body_a)], state.poses[at(l.body_b)]},
-                      parameter);
-    Vec12 wrench;
-    wrench << rate.on_a, rate.on_b;
-    add_wrench(model, l.body_a, l.body_b, wrench, out.wrench);
+        ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses}, parameter);
+    for (const auto& line : rate.lines) add_wrench(model, line.body_a, line.body_b, line.wrench, out.wrench);
   } else if (parameter.of_surface()) {
     add_contact_rates(scene, model, state, parameter, out);
   } else if (parameter.of_load()) {

@@ -92,6 +92,8 @@ class Parameters {
     }
     add_point(l.name + ".from", Kind::from_point);
     add_point(l.name + ".to", Kind::to_point);
+    for (int k = 0; k < 3 * static_cast<int>(l.via.size()); ++k)
+      add_length(fmt::format("{}.via.{}.{}", l.name, k / 3 + 1, kAxes[k % 3]), Kind::via_point, k);
   }
 
   void add_surface(const SurfaceDef& s) {

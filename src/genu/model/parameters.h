@@ -9,9 +9,10 @@
 
 namespace genu {
 
-/// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "condyle.radii.z", "plateau.terms.2.0"
-/// (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the prescribed value). Where two have the
-/// same name, "ligament.", "surface.", "load.", "body." or "joint." stands before it.
+/// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "AAC.via.1.x" (of the first via point),
+/// "condyle.radii.z", "plateau.terms.2.0" (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the
+/// prescribed value). Where two have the same name, "ligament.", "surface.", "load.", "body." or "joint." stands before
+/// it.
 struct Parameter {
   enum class Kind {
     // of a ligament
@@ -23,6 +24,7 @@ struct Parameter {
     reference_force,
     from_point,
     to_point,
+    via_point,  ///< component: 3 times the point's index + axis
     // of a surface
     radius,
     radii,
@@ -60,7 +62,7 @@ struct Parameter {
   double change = 0;
   std::string change_text;  ///< "1 %", "1 mm", ...
 
-  bool of_ligament() const { return kind <= Kind::to_point; }
+  bool of_ligament() const { return kind <= Kind::via_point; }
   bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }
   bool of_load() const { return kind >= Kind::force && kind <= Kind::factor; }
 };

@@ -1,6 +1,7 @@
 // What a pose is: where the bodies are, which contacts carry load, and the forces that hold it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "genu/contact/contact_equations.h"
@@ -16,12 +17,24 @@ struct ActiveContact {
   double force = 0;  ///< N, normal, positive in compression
 };
 
+/// A ligament whose law has sharp breaks (ligament_law.h), and the piece of the law it is on.
+struct LigamentPiece {
+  int ligament = 0;  ///< index into JointModel::ligaments
+  int piece = 0;     ///< 0 up to the first sharp break
+  /// Where the force jumps up, between the pieces `piece` and `piece` + 1: the ligament keeps the break's length and
+  /// has any force between the two sides' (one more constraint, whose multiplier is `force`).
+  bool held = false;
+  bool by_length = false;  ///< the law is evaluated as it is, whichever piece the length lies in
+  double force = 0;        ///< N, of a held one
+};
+
 struct State {
   std::vector<Pose> poses;               ///< X_W of every body
   std::vector<JointValues> coordinates;  ///< of every joint, continuous along the path
   std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of all that is
                                          ///< prescribed, then of all that joints hold
   std::vector<ActiveContact> contacts;
+  std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
 };
 
 /// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the
@@ -37,11 +50,21 @@ struct Target {
 };
 
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.
-inline State reference_state(const JointModel& model) {
-  State state;
-  state.poses = model.reference_poses;
-  for (const auto& joint : model.joints) state.coordinates.push_back(joint.reference);
-  return state;
+State reference_state(const JointModel& model);
+
+/// The constraints beside those of constraint_count(): ligaments held at a break.
+int held_count(const State& state);
+
+/// Whether a contact of that name carries load in a state.
+inline bool contains(const State& state, const ActiveContact& contact) {
+  return std::any_of(state.contacts.begin(), state.contacts.end(),
+                     [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
+}
+
+/// Whether the same contacts carry load in two states.
+inline bool same_contacts(const State& a, const State& b) {
+  return a.contacts.size() == b.contacts.size() &&
+         std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ActiveContact& c) { return contains(b, c); });
 }
 
 /// M: what is prescribed and what joints hold.
@@ -49,9 +72,10 @@ inline std::size_t constraint_count(const JointModel& model, const Target& targe
   return target.prescribed.size() + model.held.size();
 }
 
-/// Whether constraint m is an angle.
+/// Whether constraint m is an angle. Those after constraint_count() are lengths of ligaments held at a break.
 inline bool is_rotation(const JointModel& model, const Target& target, std::size_t m) {
   const std::size_t prescribed = target.prescribed.size();
+  if (m >= constraint_count(model, target)) return false;
   return m < prescribed ? target.prescribed[m].coordinate.is_rotation()
                         : model.held[m - prescribed].coordinate.index < 3;
 }

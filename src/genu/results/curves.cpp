@@ -183,6 +183,8 @@ class Curves {
       }
       return;
     }
+    // A knee's ligaments become taut and slack so often that their marks would hide all others.
+    if (e.kind == Kind::taut || e.kind == Kind::slack || e.kind == Kind::transition) return;
     std::string word = to_string(e.kind);
     std::replace(word.begin(), word.end(), '_', ' ');
     const ChartEvent::Kind kind = e.kind == Kind::contact_gained ? ChartEvent::Kind::gained

@@ -195,6 +195,8 @@ class Outputs {
   std::vector<Output> out_;
 };
 
+constexpr const char* kAskedFor = "is what the scene asks for: nothing in the pose changes it";
+
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -208,12 +210,13 @@ std::vector<Output> outputs_of(const Scene& scene, const JointModel& model, cons
 
 std::string why_not_smooth(const std::string& column) {
   for (const char* name : {"step", "increment", "time_s"})
-    if (column == name) return "is what the scene asks for: nothing in the pose changes it";
+    if (column == name) return kAskedFor;
   for (const char* name : {"status", "stability", "newton.iterations", "residual"})
     if (column == name) return "is no smooth function of the pose";
   if (column == "stability.min_eigenvalue_Nmm")
     return "has no exact derivative here: that of an eigenvalue of the stiffness needs third derivatives of the "
            "surfaces";
+  if (ends_with(column, ".factor")) return kAskedFor;
   if (ends_with(column, ".points")) return "counts: it has no derivative";
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
 
 namespace genu {
@@ -74,6 +75,8 @@ class PoseTable {
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
+    for (std::size_t i = 0; i < model_.loads.size(); ++i)
+      if (varies(steps, i)) table_.add_column(model_.loads[i].name + ".factor");
     for (const char* name : {"stability.min_eigenvalue_Nmm", "stability", "newton.iterations", "residual"})
       table_.add_column(name);
   }
@@ -101,6 +104,7 @@ class PoseTable {
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
         table_.set(coordinate_column(scene_, p.coordinate), shown(p.coordinate, p.value));
+      set_factors(point.target);
       return;
     }
     set_coordinates(point);
@@ -113,6 +117,18 @@ class PoseTable {
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
     table_.set("residual", point.report.certificate.residual);
+  }
+
+  static bool varies(const std::vector<StepPlan>& steps, std::size_t load) {
+    return std::any_of(steps.begin(), steps.end(), [&](const StepPlan& s) {
+      return load < s.factors.size() && s.factors[load].from != s.factors[load].to;
+    });
+  }
+
+  void set_factors(const Target& target) {
+    for (std::size_t i = 0; i < target.load_factors.size(); ++i)
+      if (const std::string name = model_.loads[i].name + ".factor"; table_.has_column(name))
+        table_.set(name, target.load_factors[i]);
   }
 
   void set_coordinates(const PosePoint& point) {
@@ -204,12 +220,12 @@ class PoseTable {
   }
 
   void set_ligaments(const PosePoint& point) {
-    TwoBodyWrench pull;
-    for (const auto& l : model_.ligaments) {
-      l.ligament.evaluate_wrench(point.pose.state.poses[at(l.body_a)], point.pose.state.poses[at(l.body_b)], pull);
-      table_.set(l.name + ".length_mm", kMillimetre * pull.length);
-      table_.set(l.name + ".strain", pull.strain);
-      table_.set(l.name + ".force_N", pull.force);
+    for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
+      const std::string& name = model_.ligaments[i].name;
+      const LigamentShown shown_ligament = show_ligament(model_, point.pose.state, static_cast<int>(i));
+      table_.set(name + ".length_mm", kMillimetre * shown_ligament.length);
+      table_.set(name + ".strain", shown_ligament.strain);
+      table_.set(name + ".force_N", shown_ligament.force);
     }
   }
 
@@ -229,6 +245,9 @@ ResultTable pose_table(const Scene& scene, const JointModel& model, const std::v
 ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
   ResultTable table;
   for (const char* name : {"step", "t", "time_s", "event", "what"}) table.add_column(name);
+  for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
+    for (int i = 0; i < 6; ++i)
+      if (scene.joints[at(j)].leaves(i)) table.add_column(coordinate_column(scene, {j, i}));
   for (const StepPlan& step : steps)
     for (const auto& p : step.prescribed) table.add_column(coordinate_column(scene, p.coordinate));
   for (const LoadDef& load : scene.loads) table.add_column(load.name + ".factor");
@@ -239,6 +258,10 @@ ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, 
     table.set("time_s", event.target.time);
     table.set("event", std::string(to_string(event.kind)));
     table.set("what", event.what);
+    for (int j = 0; j < static_cast<int>(event.coordinates.size()); ++j)
+      for (int i = 0; i < 6; ++i)
+        if (scene.joints[at(j)].leaves(i))
+          table.set(coordinate_column(scene, {j, i}), shown({j, i}, event.coordinates[at(j)][at(i)]));
     for (const auto& p : event.target.prescribed)
       table.set(coordinate_column(scene, p.coordinate), shown(p.coordinate, p.value));
     for (std::size_t i = 0; i < event.target.load_factors.size(); ++i)

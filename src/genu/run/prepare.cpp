@@ -117,6 +117,7 @@ std::vector<StepPlan> plan_steps(const Scene& scene) {
     plan.factors.resize(scene.loads.size());
     for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
     plan.increments = def.increments;
+    plan.arc_length = def.arc_length;
     plan.start_time = time;
     plan.end_time = time += def.duration;
     steps.push_back(std::move(plan));

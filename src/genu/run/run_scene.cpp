@@ -166,6 +166,9 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   s.iterations = path.iterations;
   s.substeps = path.substeps;
   s.worst_residual = path.worst_residual;
+  const bool by_arc =
+      std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
+  if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
   s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);

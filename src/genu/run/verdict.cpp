@@ -37,6 +37,40 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
 }
 
+/// The coordinates that no step prescribes, where an event happened: "knee.flexion 80.9 deg, knee.x 1.2 mm".
+std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
+  std::string out;
+  for (int j = 0; j < static_cast<int>(event.coordinates.size()); ++j)
+    for (int i = 0; i < 6; ++i) {
+      const CoordinateRef c{j, i};
+      const auto prescribed = [&](const auto& p) { return p.coordinate == QuantityRef(c); };
+      const JointDef& joint = prepared.scene.joints[static_cast<std::size_t>(j)];
+      if (!joint.leaves(i) || std::any_of(event.target.prescribed.begin(), event.target.prescribed.end(), prescribed))
+        continue;
+      const double value = event.coordinates[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+      const bool angle = i < 3;
+      out += fmt::format("{}{} {:.6g} {}", out.empty() ? "" : ", ", coordinate_name(prepared.scene, c),
+                         value * (angle ? 180 / M_PI : 1e3), angle ? "deg" : "mm");
+    }
+  return out;
+}
+
+std::string in_brackets(const std::string& text) { return text.empty() ? text : " (" + text + ")"; }
+
+/// A peak of the reaction is where the joint would snap if that force drove it: the first one is told, the others
+/// counted.
+void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& events, std::vector<std::string>& out) {
+  const auto turns = [](const PathEvent& e) { return e.kind == PathEvent::Kind::reaction_turns && e.step > 0; };
+  const auto first = std::find_if(events.begin(), events.end(), turns);
+  if (first == events.end()) return;
+  const auto more = std::count_if(first + 1, events.end(), turns);
+  out.push_back(fmt::format(
+      "The reaction of what is prescribed is {} at {}: driven by such a load in its place, the path would turn back "
+      "there (a limit point) and the joint would snap; prescribed, it goes on.{}",
+      first->what, place(prepared, first->step, first->target),
+      more == 0 ? "" : fmt::format(" {} more such {} in events.csv.", more, more == 1 ? "turn is" : "turns are")));
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -71,7 +105,7 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
 
 /// What the user can do about a pose that was not found.
 std::string advice_without_pose(const Prepared& prepared, bool first, bool turned_back) {
-  if (turned_back) return "Prescribe another coordinate from there on.";
+  if (turned_back) return "Prescribe another coordinate from there on, or control the step by arc length.";
   const auto& surfaces = prepared.scene.surfaces;
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
                                   [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
@@ -135,11 +169,27 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
       out.push_back(
-          fmt::format("The path turns back at {}: the smallest stiffness vanishes and no equilibrium lies beyond. "
-                      "Prescribe another coordinate to follow it round.",
-                      place(prepared, e.step, e.target)));
+          fmt::format("The path turns back at {}{}: the smallest stiffness vanishes and no equilibrium lies beyond. "
+                      "Prescribe another coordinate, or follow it round with control = \"arc_length\".",
+                      place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+    if (e.kind == PathEvent::Kind::limit_point)
+      out.push_back(fmt::format("Limit point at {}{}: the path turns back there, and a joint that is driven on snaps.",
+                                place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+    if (e.kind == PathEvent::Kind::bifurcation)
+      out.push_back(fmt::format("Bifurcation at {}{}: another path of equilibria branches off.",
+                                place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+    if (e.kind == PathEvent::Kind::closed)
+      out.push_back("The path closes on itself: from here on it repeats what was found.");
     if (e.kind == PathEvent::Kind::snaps)
       out.push_back(fmt::format("From {} the joint would snap {}: start a scene there (`reference`) to follow it on.",
+                                place(prepared, e.step, e.target), e.what));
+    if (e.kind == PathEvent::Kind::held)
+      out.push_back(
+          fmt::format("From {} a ligament is held at the jump of its law, with a force between those of the two "
+                      "sides: {}.",
+                      place(prepared, e.step, e.target), e.what));
+    if (e.kind == PathEvent::Kind::jump)
+      out.push_back(fmt::format("At {} the force of a ligament drops and the joint moves on at once: {}.",
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
       out.push_back(
@@ -153,6 +203,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
       out.push_back(
           fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
   }
+  say_reaction_turns(prepared, events, out);
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;
     if (report.status == PoseStatus::ok) continue;

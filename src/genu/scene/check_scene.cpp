@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -68,6 +69,25 @@ Pose reference_pose(const JointDef& joint) {
 
 constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real distance far above
 
+/// What is wrong with a ligament through via points, bodies at `poses`; empty if nothing is.
+std::string via_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
+  const auto place = [&](const LigamentDef::End& end) -> Vec3 {
+    return poses[static_cast<std::size_t>(end.body)] * end.point;
+  };
+  Vec3 last = place(ligament.from);
+  for (std::size_t k = 0; k <= ligament.via.size(); ++k) {
+    const bool at_end = k == ligament.via.size();
+    const Vec3 next = place(at_end ? ligament.to : ligament.via[k]);
+    if ((next - last).norm() <= kCoincident) {
+      const std::string before = k == 0 ? "its first end" : fmt::format("via point {}", k);
+      return fmt::format("{} and {} coincide at the reference pose", before,
+                         at_end ? "its last end" : fmt::format("via point {}", k + 1));
+    }
+    last = next;
+  }
+  return {};
+}
+
 /// What is wrong with a ligament of this length (m) at the reference pose; empty if nothing is.
 std::string length_rule_broken(const LigamentDef& ligament, double length) {
   // The direction of the force is undefined at zero length, except for a spring, which may have no force there.
@@ -88,9 +108,9 @@ void check_lengths(ReadContext& context) {
   const std::vector<Pose> poses = reference_poses(scene);
   for (const LigamentDef& ligament : scene.ligaments) {
     if (ligament.from.body < 0 || ligament.to.body < 0) continue;
-    const Vec3 from = poses[static_cast<std::size_t>(ligament.from.body)] * ligament.from.point;
-    const Vec3 to = poses[static_cast<std::size_t>(ligament.to.body)] * ligament.to.point;
-    std::string broken = length_rule_broken(ligament, (to - from).norm());
+    if (std::any_of(ligament.via.begin(), ligament.via.end(), [](const auto& via) { return via.body < 0; })) continue;
+    std::string broken = ligament.via.empty() ? std::string() : via_rule_broken(ligament, poses);
+    if (broken.empty()) broken = length_rule_broken(ligament, path_length(ligament, poses));
     if (!broken.empty()) context.error(ligament.where, "ligament." + ligament.name, {}, std::move(broken));
   }
 }

@@ -98,6 +98,12 @@ void check_count(ReadContext& context, const Section& section, const StepDef& st
                             by_joints, constraints, context.rigid_pairs, constraints + context.rigid_pairs, most));
 }
 
+bool varies(const StepDef& step) {
+  const auto changes = [](const auto& x) { return x.from != x.to; };
+  return std::any_of(step.prescribe.begin(), step.prescribe.end(), changes) ||
+         std::any_of(step.factors.begin(), step.factors.end(), changes);
+}
+
 void read_step(ReadContext& context, const Item& item) {
   if (!is_table(context, item)) return;
   Section section(context, item, "a step");
@@ -109,6 +115,11 @@ void read_step(ReadContext& context, const Item& item) {
   step.increments = static_cast<int>(increments.value_or(1));
   const NumberRule seconds = positive({.unit = 1, .unit_name = "s", .above = {}, .at_least = {}});
   step.duration = read_number(context, section.find("duration"), seconds).value_or(1);
+  const auto control = read_choice(context, section.find("control"), {"values", "arc_length"});
+  step.arc_length = control.value_or(0) == 1;
+  if (step.arc_length && !varies(step))
+    context.error(section.item().node->member("control")->key_where, section.path("control"), {},
+                  "nothing changes over this step: let a prescribed coordinate or a load go from one value to another");
   section.finish();
   check_count(context, section, step);
   context.scene.steps.push_back(step);

@@ -26,6 +26,20 @@ bool RegionDef::contains(const Vec3& p) const {
   return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) { return holds(c, p[c.axis]); });
 }
 
+double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
+  const auto place = [&](const LigamentDef::End& end) -> Vec3 {
+    return poses[static_cast<std::size_t>(end.body)] * end.point;
+  };
+  double length = 0;
+  Vec3 last = place(ligament.from);
+  for (const LigamentDef::End& via : ligament.via) {
+    const Vec3 next = place(via);
+    length += (next - last).norm();
+    last = next;
+  }
+  return length + (place(ligament.to) - last).norm();
+}
+
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c) {
   const JointDef& joint = scene.joints[static_cast<std::size_t>(c.joint)];
   const auto k = static_cast<std::size_t>(c.index);

@@ -104,6 +104,7 @@ struct LigamentDef {
   };
   std::string name;
   End from, to;
+  std::vector<End> via;  ///< on the way from `from` to `to`
   Law law = Law::quadratic;
   double stiffness = 0;          ///< N (per unit strain); spring and abdel-rahman: see the law, SI (N/m, N/m)
   double toe_stiffness = 0;      ///< abdel-rahman K2, N/m^2
@@ -189,7 +190,8 @@ struct StepDef {
   std::vector<Prescribed> prescribe;
   std::vector<Factor> factors;  ///< loads not named keep the factor 1
   int increments = 1;
-  double duration = 1;  ///< s
+  double duration = 1;      ///< s
+  bool arc_length = false;  ///< what the step changes may turn back on its way
   SourceLocation where;
 };
 
@@ -208,6 +210,9 @@ struct Scene {
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;
 };
+
+/// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
+double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
 
 /// "knee.flexion"
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c);

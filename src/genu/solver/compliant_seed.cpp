@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "genu/model/ligament_pieces.h"
+
 namespace genu {
 namespace {
 
@@ -97,6 +99,8 @@ class Stage {
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
   SeedReport report;
   state.contacts.clear();
+  reset_pieces(model, state);
+  for (LigamentPiece& piece : state.pieces) piece.by_length = true;  // a seed may cross any break
   fit_multipliers(model, target, state);
   const double L = model.scales.length;
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
@@ -111,6 +115,7 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
     report.deepest = stage.deepest();
     if (report.deepest < kLittleOverlap * L) break;
   }
+  reset_pieces(model, state);
   return report;
 }
 

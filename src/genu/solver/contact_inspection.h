@@ -24,14 +24,20 @@ struct Findings {
   std::vector<Candidate> overlapping;  ///< minima with negative gap that are not held, deepest first
   std::vector<int> not_minimal;        ///< active contacts at a saddle of the gap
   std::vector<Candidate> beside;       ///< minima found beside those
+  std::vector<int> left_piece;         ///< entries of State::pieces whose ligament has left its piece of the law
   bool over_edge = false;              ///< a contact point or an overlap lies past the edge of a patch
   bool deep_overlap = false;           ///< samples overlap where no contact explains it
   double worst =
       std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
   std::string where;                            ///< for over_edge and deep_overlap, in words
 
+  bool only_left_piece() const {
+    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge &&
+           !deep_overlap;
+  }
   bool none() const {
-    return pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge && !deep_overlap;
+    return pulling.empty() && overlapping.empty() && not_minimal.empty() && left_piece.empty() && !over_edge &&
+           !deep_overlap;
   }
 };
 

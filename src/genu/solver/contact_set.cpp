@@ -4,6 +4,7 @@
 #include <set>
 
 #include "genu/solver/compliant_seed.h"
+#include "genu/solver/piece_changes.h"
 
 namespace genu {
 namespace {
@@ -11,10 +12,12 @@ namespace {
 constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A contact set as a sorted list of (pair, number), to notice when one comes back.
+/// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
   std::vector<std::pair<int, int>> s;
   for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
+  for (const LigamentPiece& p : state.pieces)
+    if (!p.by_length) s.emplace_back(-1 - p.ligament, 2 * p.piece + p.held);
   std::sort(s.begin(), s.end());
   return s;
 }
@@ -78,9 +81,14 @@ PoseReport ContactSetSolver::solve_held(Balanced& pose, const Target& target, Fi
     report.why = to_string(newton.outcome);
     return report;
   }
-  inspector_.inspect(state, findings);
   pose.state = std::move(state);
-  return judge(pose.state, newton, findings);
+  return inspect(pose.state, newton, findings);
+}
+
+PoseReport ContactSetSolver::inspect(const State& state, const NewtonReport& newton, Findings& findings) {
+  inspector_.inspect(state, findings);
+  inspect_pieces(*model_, state, findings);
+  return judge(state, newton, findings);
 }
 
 void ContactSetSolver::close(Balanced& pose, const Candidate& candidate) const {
@@ -152,6 +160,7 @@ bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findin
 
 PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
   Balanced trial = pose;
+  follow_lengths(*model_, trial.state);
   PoseReport report;
   std::set<std::vector<std::pair<int, int>>> seen;
   int iterations = 0;
@@ -159,15 +168,18 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
     Findings findings;
     report = solve_held(trial, target, findings);
     report.iterations = iterations += report.iterations;
+    const bool solved = report.newton.converged() && (report.newton.full_rank || held_count(trial.state) == 0);
+    if (!solved && (let_go(*model_, trial.state) || fix_pieces(*model_, trial.state))) continue;
     if (!report.newton.converged()) return settle_without_one(pose, trial, target, report);
     if (findings.none()) {
       if (report.status != PoseStatus::ok) return report;
+      fix_pieces(*model_, trial.state);
       follow_open(trial);
       pose = std::move(trial);
       return report;
     }
     seen.insert(signature(trial.state));
-    if (!change(trial, target, findings)) {
+    if (!change_pieces(*model_, findings, trial.state) && !change(trial, target, findings)) {
       if (report.status == PoseStatus::ok) report.status = PoseStatus::overconstrained;
       return report;
     }
@@ -175,6 +187,8 @@ PoseReport ContactSetSolver::settle(Balanced& pose, const Target& target) {
   }
   report.status = PoseStatus::chatter;
   report.why = "no set of contacts satisfies all conditions: the search comes back to one it has left";
+  if (const std::string gap = piece_in_doubt(*model_, trial.state); !gap.empty())
+    report.why = "no equilibrium on either side of the jump of " + gap;
   if (static_cast<int>(trial.state.contacts.size()) >= contact_limit(target)) {
     report.status = PoseStatus::overconstrained;
     report.why = "more contacts are needed than the prescribed coordinates and the joints leave room for";
@@ -195,6 +209,7 @@ PoseReport ContactSetSolver::settle_without_one(Balanced& pose, const Balanced& 
     PoseReport report = solve_held(trial, target, findings);
     report.iterations = iterations += report.iterations;
     if (report.status != PoseStatus::ok || !findings.none()) continue;
+    fix_pieces(*model_, trial.state);
     follow_open(trial);
     pose = std::move(trial);
     return report;

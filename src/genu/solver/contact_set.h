@@ -47,6 +47,12 @@ class ContactSetSolver {
   /// Newton with the contacts of `pose` as they are; checks, but changes no contact.
   PoseReport solve_held(Balanced& pose, const Target& target, Findings& findings);
 
+  /// Looks at a pose that is solved: what is wrong with its contacts, and what it is worth.
+  PoseReport inspect(const State& state, const NewtonReport& newton, Findings& findings);
+
+  /// One change of the contact set for what was found. False where there is none to make.
+  bool change(Balanced& pose, const Target& target, const Findings& findings) const;
+
   /// Newton and changes of the contact set until nothing is wrong. On failure `pose` is left as it was.
   PoseReport settle(Balanced& pose, const Target& target);
 
@@ -73,7 +79,6 @@ class ContactSetSolver {
  private:
   PoseReport settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                 const PoseReport& failure);
-  bool change(Balanced& pose, const Target& target, const Findings& findings) const;
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
   void close_touching(Balanced& pose, const Target& target, double below);
 

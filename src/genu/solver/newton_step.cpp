@@ -18,9 +18,10 @@ void for_moving(const std::array<int, 2>& bodies, Add add) {
 void NewtonStep::set_scales(const Target& target) {
   const double L = model_->scales.length, F = model_->scales.force;
   const bool dense = route_ == Route::dense;
-  const int size = twists_ + constraints_ + (dense ? 5 : 1) * contacts_;
+  const int size = twists_ + constraints_ + (dense ? 5 : 1) * contacts_ + (bordered_ ? 1 : 0);
   row_scale_.resize(size);
   column_scale_.resize(size);
+  if (bordered_) row_scale_[size - 1] = column_scale_[size - 1] = 1;
   for (int i = 0; i < twists_; ++i) {
     const bool translation = i % 6 < 3;
     row_scale_[i] = translation ? 1 / F : 1 / (F * L);
@@ -82,11 +83,20 @@ void NewtonStep::assemble_eliminated(const Linearization& at) {
   }
 }
 
-bool NewtonStep::factor(const Linearization& at, const Target& target, Route route) {
+void NewtonStep::add_border(const Border& border) {
+  const Eigen::Index last = matrix_.rows() - 1;
+  matrix_.col(last).head(twists_) = border.wrench_rate;
+  matrix_.col(last).segment(twists_, constraints_) = border.constraint_rate;
+  matrix_.row(last).head(twists_) = border.twist.transpose();
+  matrix_(last, last) = border.parameter;
+}
+
+bool NewtonStep::factor(const Linearization& at, const Target& target, Route route, const Border* border) {
   twists_ = static_cast<int>(at.wrench.size());
   constraints_ = static_cast<int>(at.constraint.size());
   contacts_ = static_cast<int>(at.contacts.size());
   bodies_ = at.contact_bodies;
+  bordered_ = border != nullptr;
   route_ = Route::dense;
   if (route != Route::dense) {
     if (eliminate(at))
@@ -99,12 +109,14 @@ bool NewtonStep::factor(const Linearization& at, const Target& target, Route rou
   matrix_.block(0, twists_, twists_, constraints_) = at.gradient.transpose();
   matrix_.block(twists_, 0, constraints_, twists_) = at.gradient;
   route_ == Route::dense ? assemble_dense(at) : assemble_eliminated(at);
+  if (bordered_) add_border(*border);
   matrix_ = row_scale_.asDiagonal() * matrix_ * column_scale_.asDiagonal();
   return solver_.factor(matrix_);
 }
 
 void NewtonStep::solve(const Linearization& at, Correction& out) {
   rhs_.resize(row_scale_.size());
+  if (bordered_) rhs_[rhs_.size() - 1] = 0;
   rhs_.head(twists_) = -at.wrench;
   rhs_.segment(twists_, constraints_) = -at.constraint;
   for (int c = 0; c < contacts_; ++c) {
@@ -129,6 +141,13 @@ void NewtonStep::solve_rates(const VecX& wrench_rate, const VecX& constraint_rat
   solve_and_unpack(out);
 }
 
+void NewtonStep::solve_direction(Correction& out) {
+  rhs_.setZero(row_scale_.size());
+  rhs_[rhs_.size() - 1] = 1;
+  for (EliminatedContact& contact : eliminated_) contact.set_residual(Vec5::Zero());
+  solve_and_unpack(out);
+}
+
 void NewtonStep::solve_and_unpack(Correction& out) {
   rhs_.array() *= row_scale_.array();
   solver_.solve(rhs_, x_);
@@ -136,6 +155,7 @@ void NewtonStep::solve_and_unpack(Correction& out) {
   out.resize(twists_ / 6, constraints_, contacts_);
   out.twist = x_.head(twists_);
   out.multipliers = x_.segment(twists_, constraints_);
+  out.parameter = bordered_ ? x_[x_.size() - 1] : 0;
   for (int c = 0; c < contacts_; ++c) {
     const auto k = static_cast<std::size_t>(c);
     if (route_ == Route::dense) {
@@ -176,6 +196,7 @@ double NewtonStep::norm(const Correction& correction, const Target& target) cons
         correction.multipliers[m] / (is_rotation(*model_, target, static_cast<std::size_t>(m)) ? F * L : F), 2);
   for (const Vec4& ds : correction.surface) square += ds.squaredNorm() / (L * L);
   square += correction.forces.squaredNorm() / (F * F);
+  square += correction.parameter * correction.parameter;
   return std::sqrt(square);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/solver/arc_walker.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -50,9 +51,9 @@ class PathRun {
     for (std::size_t i = 0; i < steps_.size() && !stopped_; ++i) {
       step_ = static_cast<int>(i) + 1;
       if (!reach_start(steps_[i])) break;
-      walk(steps_[i]);
+      steps_[i].arc_length ? walk_by_arc(steps_[i]) : walk(steps_[i]);
     }
-    result_.substeps = walker_.substeps();
+    result_.substeps += walker_.substeps();
     result_.iterations += walker_.iterations();
     return result_;
   }
@@ -102,6 +103,51 @@ class PathRun {
     report_ = walker_.report();
   }
 
+  /// The same by arc length: rows wherever t passes k / increments, upward or downward, until t = 1.
+  void walk_by_arc(const StepPlan& step) {
+    if (step_ == 1) {
+      walker_.begin(step, step_, pose_, report_);
+      hand_over(step, 0);
+    }
+    int handed_over = 0;
+    ArcWalker walker(solver_, options_, walker_.law_events(),
+                     {[&](int k, const ArcWalker::Point& p) {
+                        PosePoint point;
+                        point.increment = k;
+                        point.t = p.at.t;
+                        point.pose = p.at.pose;
+                        point.report = p.report;
+                        point.report.iterations = walker.iterations() - handed_over;
+                        handed_over = walker.iterations();
+                        point.stability = p.stability;
+                        hand_over(step, std::move(point));
+                      },
+                      [&](PathEvent::Kind kind, const ArcWalker::Point& p, const std::string& what) {
+                        emit({kind, step_, p.at.t, step.target(p.at.t), what, p.at.pose.state.coordinates});
+                      },
+                      observer_.cancelled});
+    const ArcWalker::End end = walker.walk(step, pose_, report_);
+    result_.substeps += walker.substeps();
+    result_.iterations += walker.iterations();
+    pose_ = walker.here().at.pose;
+    report_ = walker.here().report;
+    if (end == ArcWalker::End::cancelled) return stop();
+    if (end != ArcWalker::End::reached) explain_arc_end(step, end, walker);
+  }
+
+  void explain_arc_end(const StepPlan& step, ArcWalker::End end, const ArcWalker& walker) {
+    const ArcWalker::Point& last = walker.here();
+    PoseReport report = walker.failure();
+    report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
+    if (end == ArcWalker::End::closed) {
+      emit({PathEvent::Kind::closed, step_, last.at.t, step.target(last.at.t), "", last.at.pose.state.coordinates});
+      report.why = "the path closes on itself without reaching the end of the step";
+    }
+    if (end == ArcWalker::End::ran_away) report.why = "the path runs away from the end of the step";
+    where_ = last.at.t;
+    fail(step, step.increments, 1, report, "");
+  }
+
   void advance_to(const StepPlan& step, int k) {
     const double t = static_cast<double>(k) / step.increments;
     if (walker_.t() > t) {
@@ -131,32 +177,50 @@ class PathRun {
 
   void explain_end(const StepPlan& step, int k, double t) {
     PoseReport report = walker_.failure();
+    pose_ = walker_.pose();
     if (walker_.turning_back()) {
-      emit({PathEvent::Kind::turns_back, step_, walker_.t(), step.target(walker_.t()),
-            "no equilibrium beyond: the prescribed path turns back here"});
+      emit(limit_point(step));
       report.why = "the path turns back before this pose";
     }
     const auto [distance, angle] = walker_.snap();
     if (distance > 0 || angle > 0) {
       emit({PathEvent::Kind::snaps, step_, walker_.t(), step.target(walker_.t()),
-            fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI)});
+            fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI),
+            pose_.state.coordinates});
       report.status = PoseStatus::no_equilibrium;
       report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      if (!walker_.law_jump().empty()) report.why += ", as the force drops of ligament " + walker_.law_jump();
     }
     fail(step, k, t, report, "");
   }
 
+  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose.
+  PathEvent limit_point(const StepPlan& step) {
+    constexpr double kReach = 0.5;
+    constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
+    ArcWalker walker(solver_, options_, walker_.law_events(), {});
+    const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
+    result_.iterations += walker.iterations();
+    const double t = limit ? limit->at.t : walker_.t();
+    const State& state = limit ? limit->at.pose.state : walker_.pose().state;
+    return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
+  }
+
   void hand_over(const StepPlan& step, int k) {
     PosePoint point;
-    point.step = step_;
     point.increment = k;
     point.t = walker_.t();
-    point.target = step.target(point.t);
     point.pose = walker_.pose();
     point.report = walker_.report();
     point.report.iterations = walker_.iterations() - handed_over_;
     handed_over_ = walker_.iterations();
     point.stability = walker_.stability();
+    hand_over(step, std::move(point));
+  }
+
+  void hand_over(const StepPlan& step, PosePoint point) {
+    point.step = step_;
+    point.target = step.target(point.t);
     judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     observer_.pose(point);
@@ -188,9 +252,9 @@ class PathRun {
     observer_.pose(point);
     result_.complete = false;
     if (!last) return;
-    const double where = approaching_ ? 0 : walker_.t();
+    const double where = approaching_ ? 0 : step.arc_length ? where_ : walker_.t();
     emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
-          what.empty() ? report.why : what + ": " + report.why});
+          what.empty() ? report.why : what + ": " + report.why, pose_.state.coordinates});
     stop();
   }
 
@@ -216,6 +280,7 @@ class PathRun {
   std::vector<double> factors_;  // of the loads where the path stands
   bool approaching_ = false;
   int handed_over_ = 0;
+  double where_ = 0;  // of a step by arc length that ended early
   bool stopped_ = false;
 };
 
@@ -227,6 +292,16 @@ const char* to_string(PathEvent::Kind kind) {
       return "contact_gained";
     case PathEvent::Kind::contact_lost:
       return "contact_lost";
+    case PathEvent::Kind::taut:
+      return "taut";
+    case PathEvent::Kind::slack:
+      return "slack";
+    case PathEvent::Kind::transition:
+      return "transition";
+    case PathEvent::Kind::held:
+      return "held";
+    case PathEvent::Kind::jump:
+      return "jump";
     case PathEvent::Kind::stepped_over:
       return "stepped_over";
     case PathEvent::Kind::over_edge:
@@ -235,6 +310,14 @@ const char* to_string(PathEvent::Kind kind) {
       return "overlap";
     case PathEvent::Kind::turns_back:
       return "turns_back";
+    case PathEvent::Kind::limit_point:
+      return "limit_point";
+    case PathEvent::Kind::bifurcation:
+      return "bifurcation";
+    case PathEvent::Kind::reaction_turns:
+      return "reaction_turns";
+    case PathEvent::Kind::closed:
+      return "closed";
     case PathEvent::Kind::snaps:
       return "snaps";
     case PathEvent::Kind::flutter:

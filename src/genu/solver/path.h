@@ -31,20 +31,30 @@ struct PathEvent {
   enum class Kind {
     contact_gained,
     contact_lost,
+    taut,
+    slack,
+    transition,  ///< a ligament passes another break of its law
+    held,        ///< a ligament stays at a jump of its law, with a force between those of the two sides
+    jump,        ///< no equilibrium beyond that is near: the force of a ligament drops
     stepped_over,
     over_edge,
     overlap,
-    turns_back,
+    turns_back,         ///< a limit point that ends the walk: no equilibrium lies beyond what is prescribed there
+    limit_point,        ///< the same, passed by arc length
+    bifurcation,        ///< the smallest stiffness passes 0, and another path branches off
+    reaction_turns,     ///< the reaction of what is driven is largest or smallest: a limit point if it were the load
+    stability_changed,  ///< the smallest stiffness changes its sign
+    closed,             ///< the path is back where it started
     snaps,
     flutter,
-    stability_changed,
     stopped
   };
   Kind kind = Kind::stopped;
   int step = 0;  ///< 0 on the way from the reference pose (or the last step's end) to a step's start
   double t = 0;
-  Target target;     ///< where: prescribed coordinates and load factors
-  std::string what;  ///< e.g. "medial.2"
+  Target target;                              ///< where: prescribed coordinates and load factors
+  std::string what;                           ///< e.g. "medial.2"
+  std::vector<JointValues> coordinates = {};  ///< of every joint, where the pose is known
 };
 const char* to_string(PathEvent::Kind kind);
 

@@ -15,6 +15,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool Sensitivity::factor(const PosePoint& point) {
   if (!point.solved() || !point.undetermined.none()) return false;
+  if (held_count(point.pose.state) > 0) return false;  // a ligament at a jump of its law
   point_ = &point;
   linearize(*model_, state(), point.target, here_);
   if (!step_.factor(here_, point.target) || !step_.linear().full_rank()) return false;
@@ -83,20 +84,12 @@ Vec6 Sensitivity::held_reaction(int joint) const {
 
 LigamentMotion Sensitivity::ligament(int index) const {
   const auto& l = model_->ligaments[at(index)];
-  const Pose &X_A = pose(l.body_a), &X_B = pose(l.body_b);
+  const double length = ligament_length(l, state().poses);
+  if (!(length > 0)) return {kNone, kNone, kNone};
   LigamentRate own;
   if (parameter_.of_ligament() && parameter_.object == index)
-    own = ligament_rate({scene_->ligaments[at(index)], l.ligament, model_->reference_poses[at(l.body_a)],
-                         model_->reference_poses[at(l.body_b)], X_A, X_B},
-                        parameter_);
-  const Vec3 r_A = X_A.R * l.ligament.p_A, r_B = X_B.R * l.ligament.p_B;
-  const Vec3 line = (X_B.p - X_A.p) + (r_B - r_A);
-  const double length = line.norm();
-  if (!(length > 0)) return {kNone, kNone, kNone};
-  const Vec3 u = line / length;
-  const Vec6 a = twist(l.body_a), b = twist(l.body_b);
-  const double stretch =
-      u.dot(b.head<3>() - a.head<3>()) + b.tail<3>().dot(r_B.cross(u)) - a.tail<3>().dot(r_A.cross(u));
+    own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses}, parameter_);
+  const double stretch = ligament_length_rate(*model_, l, state().poses, motion_.twist);
   const LigamentLaw& law = l.ligament.law;
   return {own.length + stretch, own.strain + stretch / law.slack_length(),
           own.force + law.evaluate(length).stiffness * stretch};

@@ -26,7 +26,8 @@ class Sensitivity {
   Sensitivity(const Scene& scene, const JointModel& model) : scene_(&scene), model_(&model), step_(model) {}
 
   /// Factors the Jacobian at a pose, which is kept by reference. False where a derivative does not exist: the pose is
-  /// not solved, or not determined (a motion costs no force, a force can be traded for another).
+  /// not solved, or not determined (a motion costs no force, a force can be traded for another), or a ligament stays at
+  /// a jump of its law.
   bool factor(const PosePoint& point);
 
   /// The motion of the pose with a parameter; what follows is about the last one.

@@ -30,4 +30,15 @@ double StepPlan::angle_range() const {
   return range;
 }
 
+int StepPlan::only_driven() const {
+  int driven = -1;
+  for (std::size_t i = 0; i < prescribed.size(); ++i) {
+    if (prescribed[i].from == prescribed[i].to) continue;
+    if (driven >= 0) return -1;
+    driven = static_cast<int>(i);
+  }
+  const bool loads = std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.from != f.to; });
+  return loads ? -1 : driven;
+}
+
 }  // namespace genu

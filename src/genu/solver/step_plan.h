@@ -20,6 +20,7 @@ struct StepPlan {
   std::vector<Factor> factors;  ///< one for each load
   int increments = 1;
   double start_time = 0, end_time = 1;  ///< s
+  bool arc_length = false;              ///< t may turn back on the way from 0 to 1
 
   /// What is asked at t.
   Target target(double t) const;
@@ -27,6 +28,8 @@ struct StepPlan {
   Target rate() const;
   /// The largest change of a prescribed angle over the step, rad; 0 without one.
   double angle_range() const;
+  /// The prescribed coordinate that varies, if it is the only thing that does; -1 otherwise.
+  int only_driven() const;
 };
 
 }  // namespace genu

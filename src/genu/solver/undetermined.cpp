@@ -41,8 +41,8 @@ Undetermined find_undetermined(const JointModel& model, const State& state, cons
       out.shared_reactions.push_back(target.prescribed[at(row)].coordinate);
     else if (row < constraints)
       out.shared_reactions.push_back(model.held[at(row - prescribed)].coordinate);
-    else
-      out.shared_contacts.push_back(row - constraints);
+    else if (row >= constraints + held_count(state))  // a ligament held at its break has no coordinate to name
+      out.shared_contacts.push_back(row - constraints - held_count(state));
   }
   if (stability.verdict != Stability::Verdict::neutral || stability.mode.size() == 0) return out;
   const auto changes = changes_along(model, state, stability.mode);

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/bracket.h"
+#include "genu/solver/piece_changes.h"
+
 namespace genu {
 namespace {
 
@@ -12,29 +15,18 @@ namespace {
 // solution found at its end may lie on another branch. Characteristic lengths plus rad.
 constexpr double kFarthest = 0.25;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool contains(const State& state, const ActiveContact& contact) {
-  return std::any_of(state.contacts.begin(), state.contacts.end(),
-                     [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
-}
-
-bool same_contacts(const State& a, const State& b) {
-  return a.contacts.size() == b.contacts.size() &&
-         std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ActiveContact& c) { return contains(b, c); });
-}
-
 }  // namespace
 
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
   plan_ = plan;
   step_ = step;
+  driven_ = plan.only_driven();
+  t_ = 0;
   stiffest_seen_ = 0;
   stepped_over_ = 0;
+  tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
 }
-
-void Walker::emit(PathEvent::Kind kind, const std::string& what) { event_({kind, step_, t_, plan_.target(t_), what}); }
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
@@ -46,7 +38,7 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
     out.motion.resize(0, 0, 0);
     return;
   }
-  VecX constraint_rate = VecX::Zero(here_.constraint.size());
+  VecX constraint_rate = VecX::Zero(here_.constraint.size());  // a held ligament's length does not change
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
   step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
@@ -54,13 +46,28 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report) {
   compute_tangent(pose.state, t, next_);
+  const bool first = substeps_ == 0;
+  for (const Turn& turn : law_turns(t, pose.state)) emit_at(turn.kind, turn.t, turn.state, turn.what);
   take(t, std::move(pose), report);
+  if (first) return;
+  // Contacts may have changed here, and rates with them at once.
+  if (stability().verdict != next_.stability.verdict)
+    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
+  if (opposite(reaction_rate(next_), reaction_rate(tangent_)))
+    emit(PathEvent::Kind::reaction_turns, reaction_words(tangent_, pose_.state));
+}
+
+void Walker::pass(double t, Attempt trial) {
+  mark_turns(t, trial.pose.state);
+  solver_.follow_open(trial.pose);
+  take(t, std::move(trial.pose), trial.report);
 }
 
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
   const Stability before = tangent_.stability;
   const bool first = substeps_ == 0;
   t_ = t;
+  inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
   report_ = report;
   std::swap(tangent_, next_);
@@ -68,8 +75,6 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
   if (stability().complex_pair && (first || !before.complex_pair))
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
-  if (!first && stability().verdict != before.verdict)
-    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
 }
 
 Walker::Attempt Walker::attempt(double t) {
@@ -125,6 +130,8 @@ bool Walker::jumped(const State& state, double h) const {
 }
 
 bool Walker::walk_to(double t_end) {
+  snap_ = {0, 0};
+  law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
     h = std::min(h, kFarthest / std::max(speed(tangent_), 1e-300));
@@ -139,8 +146,9 @@ bool Walker::walk_to(double t_end) {
     if (solved && trial.valid() && !far_from_predicted(trial)) {
       compute_tangent(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
-        solver_.follow_open(trial.pose);
-        take(t, std::move(trial.pose), trial.report);
+        const double inside = trial.findings.worst;
+        pass(t, std::move(trial));
+        inside_ = inside;
         h *= 2;
         continue;
       }
@@ -159,34 +167,33 @@ bool Walker::walk_to(double t_end) {
 }
 
 bool Walker::pass_event(double t, Attempt violated) {
-  // Regula falsi (Illinois) on the worst force or gap, bisection where that has no two finite values to work with.
-  double low_value = std::numeric_limits<double>::infinity(), high_value = violated.findings.worst;
-  double weight_low = 1, weight_high = 1;
-  for (int i = 0; i < 100 && t - t_ > options_.event_tolerance; ++i) {
-    double middle = 0.5 * (t_ + t);
-    if (std::isfinite(low_value) && high_value < 0 && low_value > 0 && i % 3 != 2) {
-      const double low = weight_low * low_value, high = weight_high * high_value;
-      middle = t_ + (t - t_) * std::clamp(low / (low - high), 0.02, 0.98);
-    }
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
+  while (bracket.open()) {
+    // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
+    const double worst_there = violated.findings.worst;
+    if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
+        std::isfinite(inside_) && inside_ > 0 &&
+        -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
+      break;
+    const double middle = bracket.next();
     Attempt trial = attempt(middle);
+    const double worst = trial.findings.worst;
     if (trial.report.newton.converged() && trial.valid()) {
-      low_value = trial.findings.worst;
-      weight_low = 1;
-      weight_high *= 0.5;
-      solver_.follow_open(trial.pose);
-      accept(middle, std::move(trial.pose), trial.report);
+      bracket.move_low(middle, worst);
+      compute_tangent(trial.pose.state, middle, next_);
+      pass(middle, std::move(trial));
+      inside_ = worst;
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
+      bracket.move_high(middle, worst);
       t = middle;
-      high_value = trial.findings.worst;
-      weight_high = 1;
-      weight_low *= 0.5;
       violated = std::move(trial);
     } else {
+      bracket.move_high(middle, kUnknown);
       failure_ = trial.report;
-      t = middle;
-      high_value = 0;
     }
   }
+  t = bracket.high();
   Balanced next = violated.pose;
   if (violated.findings.over_edge || violated.findings.deep_overlap) {
     failure_ = violated.report;
@@ -205,6 +212,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     report.status = PoseStatus::no_equilibrium;
     report.why = "the equilibrium that was followed ends where its contacts change";
   }
+  name_jump(violated, next, t, report);
   if (report.status != PoseStatus::ok) {
     failure_ = report;
     return false;
@@ -213,16 +221,6 @@ bool Walker::pass_event(double t, Attempt violated) {
   accept(t, std::move(next), report);
   report_changes(before, pose_);
   return true;
-}
-
-void Walker::report_changes(const Balanced& before, const Balanced& after) {
-  const auto name = [&](const ActiveContact& c) {
-    return fmt::format("{}.{}", solver_.model().pairs[at(c.pair)].name, c.number);
-  };
-  for (const ActiveContact& c : after.state.contacts)
-    if (!contains(before.state, c)) emit(PathEvent::Kind::contact_gained, name(c));
-  for (const ActiveContact& c : before.state.contacts)
-    if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
 }
 
 void Walker::note_snap(const State& state) {
@@ -244,18 +242,19 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
 
 bool Walker::step_over(double window) {
   const double from = t_;
-  snap_ = {0, 0};
   // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
   // has to be stepped over again and again is no path.
   constexpr int kMost = 30;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
+  snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);
     Balanced next;
     PoseReport report;
     if (balance_at(t, next, report)) {
-      if (turning_back() && same_contacts(pose_.state, next.state)) {
+      constexpr double kRest = 1e-3;  // characteristic lengths, rad
+      if (turning_back() && same_contacts(pose_.state, next.state) && distance(pose_.state, next.state) > kRest) {
         // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
         note_snap(next.state);
         return false;

@@ -1,8 +1,10 @@
 // Walks along one step: from a solved pose to the next one asked for, however many substeps that takes.
 #pragma once
 
+#include <optional>
 #include <utility>
 
+#include "genu/solver/law_events.h"
 #include "genu/solver/path.h"
 
 namespace genu {
@@ -10,7 +12,7 @@ namespace genu {
 class Walker {
  public:
   Walker(ContactSetSolver& solver, const PathOptions& options, const std::function<void(PathEvent)>& event)
-      : solver_(solver), options_(options), event_(event) {}
+      : solver_(solver), options_(options), event_(event), law_events_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose that is solved there.
   void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
@@ -32,8 +34,12 @@ class Walker {
   bool turning_back() const;
   /// The last step_over() found an equilibrium, but far away (m and rad of the body that moves most); 0, 0 otherwise.
   std::pair<double, double> snap() const { return snap_; }
+  /// The jump of a ligament's force at which the last walk_to() ended, in words; empty where another cause ended it.
+  const std::string& law_jump() const { return law_jump_; }
   int substeps() const { return substeps_; }
   int iterations() const { return iterations_; }
+  /// Where ligaments stand with regard to the smooth breaks of their laws; other walkers go on from there.
+  LawEvents& law_events() { return law_events_; }
 
  private:
   /// Where the path leads from a pose, per unit of t, and whether the pose is stable.
@@ -49,6 +55,14 @@ class Walker {
     bool valid() const { return report.status == PoseStatus::ok && findings.none(); }
   };
 
+  /// Something between two poses of a smooth piece of the path.
+  struct Turn {
+    double t;
+    PathEvent::Kind kind;
+    State state;
+    std::string what;
+  };
+
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report);
   double distance(const State& from, const State& to) const;
@@ -61,6 +75,15 @@ class Walker {
   bool pass_event(double t, Attempt violated);
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
+  void emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what);
+  void mark_turns(double t, const State& next);
+  void pass(double t, Attempt trial);
+  std::optional<Attempt> locate(const std::function<double(const Tangent&)>& measure, double after, double t_end,
+                                double& where);
+  double reaction_rate(const Tangent& tangent) const;
+  std::string reaction_words(const Tangent& after, const State& state) const;
+  void name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report);
+  std::vector<Turn> law_turns(double t, const State& state);
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
@@ -72,9 +95,13 @@ class Walker {
   double t_ = 0;
   Balanced pose_;
   PoseReport report_, failure_;
-  Tangent tangent_, next_;
+  Tangent tangent_, next_, between_;
+  int driven_ = -1;  // the prescribed coordinate that alone varies over the step
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
+  std::string law_jump_;
+  LawEvents law_events_;
+  double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
   int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;

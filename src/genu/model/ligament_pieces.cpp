@@ -1,0 +1,104 @@
+#include "genu/model/ligament_pieces.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+double ligament_length(const JointModel::LigamentBetween& l, const std::vector<Pose>& poses) {
+  double length = 0;
+  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
+    length += line.length(poses[at(body_a)], poses[at(body_b)]);
+  });
+  return length;
+}
+
+double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
+                            const std::vector<Pose>& poses, const VecX& twist) {
+  double rate = 0;
+  TwoBodyWrench pull;
+  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
+    const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
+    if (a == b) return;  // its length is constant
+    line.evaluate(poses[at(body_a)], poses[at(body_b)], 1, 0, pull);
+    if (a >= 0) rate -= pull.on_a.dot(twist.segment<6>(6 * a));
+    if (b >= 0) rate -= pull.on_b.dot(twist.segment<6>(6 * b));
+  });
+  return rate;
+}
+
+LigamentShown show_ligament(const JointModel& model, const State& state, int ligament) {
+  const auto& l = model.ligaments[at(ligament)];
+  const LigamentLaw& law = l.ligament.law;
+  LigamentShown out;
+  out.length = ligament_length(l, state.poses);
+  out.strain = law.strain(out.length);
+  const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
+                                  [&](const LigamentPiece& p) { return p.ligament == ligament; });
+  if (piece == state.pieces.end() || piece->by_length)
+    out.force = law.evaluate(out.length).force;
+  else
+    out.force = piece->held ? piece->force : law.evaluate(out.length, piece->piece).force;
+  return out;
+}
+
+bool jumps(const LigamentLaw& law) {
+  return std::any_of(law.breaks().begin(), law.breaks().end(), [](const LawBreak& b) { return b.jumps(); });
+}
+
+void reset_pieces(const JointModel& model, State& state) {
+  state.pieces.clear();
+  for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
+    const auto& l = model.ligaments[i];
+    if (l.ligament.law.sharp_breaks().empty()) continue;
+    LigamentPiece piece;
+    piece.ligament = static_cast<int>(i);
+    piece.piece = l.ligament.law.piece_at(ligament_length(l, state.poses));
+    state.pieces.push_back(piece);
+  }
+}
+
+void follow_lengths(const JointModel& model, State& state) {
+  for (LigamentPiece& piece : state.pieces) piece.by_length = !jumps(model.ligaments[at(piece.ligament)].ligament.law);
+}
+
+bool fix_pieces(const JointModel& model, State& state) {
+  bool any = false;
+  for (LigamentPiece& piece : state.pieces) {
+    if (!piece.by_length) continue;
+    const auto& l = model.ligaments[at(piece.ligament)];
+    piece.piece = l.ligament.law.piece_at(ligament_length(l, state.poses));
+    piece.by_length = false;
+    any = true;
+  }
+  return any;
+}
+
+std::string describe_break(const JointModel& model, int ligament, int law_break) {
+  const auto& l = model.ligaments[at(ligament)];
+  const LawBreak& b = l.ligament.law.sharp_breaks()[at(law_break)];
+  return fmt::format("{} at {:.9g} mm, {:.9g} N below and {:.9g} N above", l.name, 1e3 * b.length, b.below.force,
+                     b.above.force);
+}
+
+State reference_state(const JointModel& model) {
+  State state;
+  state.poses = model.reference_poses;
+  for (const auto& joint : model.joints) state.coordinates.push_back(joint.reference);
+  reset_pieces(model, state);
+  return state;
+}
+
+int held_count(const State& state) {
+  int count = 0;
+  for (const LigamentPiece& piece : state.pieces) count += piece.held;
+  return count;
+}
+
+}  // namespace genu

@@ -1,0 +1,88 @@
+// Walks a step by arc length: the step's parameter t is an unknown, so that the path is followed round limit points.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "genu/solver/arc_newton.h"
+#include "genu/solver/law_events.h"
+#include "genu/solver/path.h"
+
+namespace genu {
+
+class ArcWalker {
+ public:
+  struct Point {
+    ArcPoint at;
+    PoseReport report;
+    Findings findings;
+    Stability stability;  ///< with what t commands held
+    bool valid() const { return report.status == PoseStatus::ok && findings.none(); }
+  };
+  struct Outputs {
+    std::function<void(int, const Point&)> row;  ///< t crosses increment / increments, upward or downward
+    std::function<void(PathEvent::Kind, const Point&, const std::string&)> event;
+    std::function<bool()> cancelled;  ///< may be empty
+  };
+  enum class End { reached, closed, ran_away, stuck, cancelled };
+
+  /// `law_events` are shared with the other walkers of a path.
+  ArcWalker(ContactSetSolver& solver, const PathOptions& options, LawEvents& law_events, Outputs outputs)
+      : solver_(solver),
+        options_(options),
+        newton_(solver.model(), options.newton),
+        law_events_(law_events),
+        outputs_(std::move(outputs)) {}
+
+  /// From a pose solved at t = 0 until t = 1. The path may leave that interval at 0 and come back.
+  End walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report);
+
+  /// The limit point at which t stops growing, if the path from a solved pose at `t` leads to one without a change of
+  /// contacts. Walks at most `reach` of arc length.
+  std::optional<Point> limit_ahead(const StepPlan& plan, const Balanced& pose, double t, double reach);
+
+  const Point& here() const { return here_; }
+  const PoseReport& failure() const { return failure_; }
+  int substeps() const { return substeps_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  /// A place within a substep.
+  struct Feature {
+    double arc;
+    Point point;
+    PathEvent::Kind kind;  ///< of an event
+    int increment;         ///< of a row
+    bool is_row;
+    std::string what;  ///< of an event
+  };
+  using Measure = std::function<double(const Point&)>;
+
+  bool begin(const StepPlan& plan, const Balanced& pose, double t);
+  Point attempt(double arc);
+  bool on_the_path(const Point& point, double arc) const;
+  bool substep(double arc);
+  bool pass_contact_change(double arc, Point violated);
+  bool leave(Point& changed);
+  bool pass(double arc, Point next);
+  std::vector<Feature> features(double arc, const Point& next);
+  void add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out);
+  Point locate(const Measure& measure, double low, double low_value, double high, double high_value, double& arc);
+  void add_law_events(double arc, const Point& next, std::vector<Feature>& out);
+  void settle_on(double t, Point& point);
+  bool closes(const Point& point) const;
+  void report_changes(const Balanced& before, const Point& after);
+
+  ContactSetSolver& solver_;
+  const PathOptions& options_;
+  ArcNewton newton_;
+  LawEvents& law_events_;
+  Outputs outputs_;
+  StepPlan plan_;
+  Point start_, here_;
+  PoseReport failure_;
+  std::optional<End> end_;
+  int substeps_ = 0, iterations_ = 0;
+};
+
+}  // namespace genu

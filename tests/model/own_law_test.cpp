@@ -1,0 +1,64 @@
+// The README's example of a law of one's own: compiled here, and held to be the README's text.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "genu/model/ligament_pieces.h"
+#include "support/scene_model.h"
+
+namespace genu {
+namespace {
+
+std::string between(const std::string& file, const std::string& begin, const std::string& end) {
+  std::ifstream in(std::string(GENU_SOURCE_DIR) + file);
+  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  const auto from = all.find(begin);
+  if (from == std::string::npos) return {};
+  std::string out = all.substr(from + begin.size(), all.find(end, from + begin.size()) - from - begin.size());
+  out.erase(std::remove_if(out.begin(), out.end(), [](unsigned char c) { return std::isspace(c) != 0; }), out.end());
+  return out;
+}
+
+TEST(OwnLaw, OfTheReadmePullsAsItSays) {
+  test::SceneModel s =
+      test::scene_model(test::bone_on_ground("{ z = 10 }") + test::spring("s", "[0, 0, 0]", "[0, 0, -20]", 1, 20));
+  JointModel& model = s.model;
+  const int femur = 1, tibia = 0;
+  const Vec3 p_femur = Vec3::Zero(), p_tibia(0, 0, -0.02);
+  // The example begins.
+  class Exponential final : public genu::ForceLaw {  // F = A (exp(b e) - 1) for e = L / L0 - 1 > 0
+   public:
+    genu::LawValue evaluate(double L) const override {
+      const double e = L / L0 - 1;
+      if (e <= 0) return {};
+      return {A * std::expm1(b * e), A * b / L0 * std::exp(b * e)};  // N, N/m; energy (J) if known
+    }
+    std::vector<genu::LawBreak> breaks() const override { return {{L0, {0, 0, true}, {0, A * b / L0}}}; }
+    std::optional<double> slack_length() const override { return L0; }
+    const double L0 = 0.022, A = 3, b = 8;
+  };
+
+  std::string why;
+  const auto law =
+      genu::LigamentLaw::custom(std::make_shared<Exponential>(), why);         // checks the breaks; empty: see why
+  genu::add_ligament(model, {"own", femur, tibia, {*law, p_femur, p_tibia}});  // indices of bodies; points in m
+  // The example ends.
+  const LigamentShown shown = show_ligament(model, reference_state(model), 1);
+  EXPECT_NEAR(shown.length, 0.03, 1e-16);
+  EXPECT_NEAR(shown.strain, 8.0 / 22, 1e-14);
+  EXPECT_NEAR(shown.force, 3 * std::expm1(8 * 8.0 / 22), 1e-11);
+}
+
+TEST(OwnLaw, OfTheReadmeIsTheOneCompiledHere) {
+  const std::string readme = between("/src/genu/model/README.md", "```cpp\n", "```");
+  EXPECT_FALSE(readme.empty());
+  EXPECT_EQ(readme, between("/tests/model/own_law_test.cpp", "// The example begins.\n", "// The example ends.\n"));
+}
+
+}  // namespace
+}  // namespace genu
