@@ -26,5 +26,25 @@ TEST(Words, Lists) {
   EXPECT_EQ(quoted_list({}), "");
 }
 
+TEST(Words, PatternsMatchWords) {
+  for (const auto& [pattern, word] : {std::pair{"AAC.stiffness", "AAC.stiffness"},
+                                      {"*", ""},
+                                      {"*.stiffness", "AAC.stiffness"},
+                                      {"A*C.*.?", "AAC.from.x"},
+                                      {"**x", "x"},
+                                      {"*a*b*", "xaybzb"},
+                                      {"?", "x"}})
+    EXPECT_TRUE(matches(pattern, word)) << pattern << " " << word;
+  for (const auto& [pattern, word] : {std::pair{"AAC", "AAC.stiffness"},
+                                      {"", "x"},
+                                      {"?", ""},
+                                      {"*.x", "from.y"},
+                                      {"A*C", "AB"},
+                                      {"aac*", "AAC"},
+                                      {"*a*b", "ba"}})
+    EXPECT_FALSE(matches(pattern, word)) << pattern << " " << word;
+  EXPECT_FALSE(matches("*a*a*a*a*a*a*a*a*b", std::string(5000, 'a')));  // no exponential search
+}
+
 }  // namespace
 }  // namespace genu

@@ -16,7 +16,7 @@ bool contains(const std::string& text, const std::string& piece) { return text.f
 TEST(Cli, SaysWhatItIs) {
   EXPECT_EQ(genu("").exit_code, 2);
   EXPECT_TRUE(contains(genu("").out, "genu run SCENE --out DIR"));
-  for (const char* command : {"", "run ", "check ", "mesh "})
+  for (const char* command : {"", "run ", "check ", "sensitivity ", "mesh "})
     EXPECT_EQ(genu(std::string(command) + "--help").exit_code, 0) << command;
   EXPECT_EQ(genu("--version").exit_code, 0);
   EXPECT_EQ(genu("--version").out.rfind("genu ", 0), 0u);
@@ -52,6 +52,25 @@ TEST(Cli, SearchesFromSeveralStarts) {
   EXPECT_EQ(read_file(folder / "again/starts.csv"), read_file(folder / "many/starts.csv"));
   EXPECT_TRUE(contains(read_file(folder / "many/starts.csv"), "energy_Nmm"));
   EXPECT_EQ(genu("run " + scene + " --starts 0 --out " + (folder / "none")).exit_code, 2);
+}
+
+TEST(Cli, DifferentiatesAScene) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), out = folder / "out";
+  const Outcome good =
+      genu("sensitivity " + scene + " --of knee.z medial.force --to '*.stiffness,ball.radius' --top 3 --out " + out);
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_TRUE(contains(good.out, "  1  ball.radius")) << good.out;
+  EXPECT_TRUE(contains(good.out, "and 2 more")) << good.out;
+  for (const char* file : {"results.csv", "sensitivity.csv", "ranking.csv", "sensitivity.svg"})
+    EXPECT_TRUE(std::filesystem::file_size(out + "/" + file) > 0) << file;
+  const std::string before = read_file(out + "/sensitivity.csv");
+  const Outcome bad = genu("sensitivity " + scene + " --of knee.q --to front.stifness --out " + out);
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_TRUE(contains(bad.err, "did you mean \"front.stiffness\"?")) << bad.err;
+  EXPECT_TRUE(contains(bad.err, "2 errors; nothing was computed")) << bad.err;
+  EXPECT_EQ(read_file(out + "/sensitivity.csv"), before);
+  EXPECT_EQ(genu("sensitivity " + scene + " --of knee.z").exit_code, 2);
 }
 
 struct Refusal {

@@ -92,18 +92,6 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
   }
 }
 
-JointPoint joint_point(const JointModel& model, const State& state, int index) {
-  const auto& joint = model.joints[at(index)];
-  return joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
-                                    state.coordinates[at(index)]);
-}
-
-/// A load at the factor 1.
-LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load) {
-  if (load.kind == Load::Kind::coordinate) return load.on_coordinate(joint_point(model, state, load.coordinate.joint));
-  return load.between(state.poses[at(load.body_a)], load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
-}
-
 void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
               Linearization& out) {
   const LoadWrench unit = load_wrench(model, state, load);
@@ -237,6 +225,17 @@ void linearize(const JointModel& model, const State& state, const Target& target
   add_held(model, state, target, out);
   add_contacts(model, state, out);
   place_own_origins(model, state, out.own_origins);
+}
+
+JointPoint joint_point(const JointModel& model, const State& state, int index) {
+  const auto& joint = model.joints[at(index)];
+  return joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],
+                                    state.coordinates[at(index)]);
+}
+
+LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load) {
+  if (load.kind == Load::Kind::coordinate) return load.on_coordinate(joint_point(model, state, load.coordinate.joint));
+  return load.between(state.poses[at(load.body_a)], load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
 }
 
 LoadScale::Value load_scale(const Load& load, const State& state, double time) {

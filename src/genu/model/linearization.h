@@ -40,6 +40,12 @@ struct Correction {
   void resize(int moving_bodies, int constraints, int contacts);
 };
 
+/// Values and derivatives of a joint's coordinates at `state`.
+JointPoint joint_point(const JointModel& model, const State& state, int joint);
+
+/// A load at the factor 1, scales not included.
+LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load);
+
 /// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
 

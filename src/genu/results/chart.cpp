@@ -14,7 +14,8 @@ namespace {
 
 // Pixels. Two panels side by side, the names of the lines to the right of each.
 constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbove = 38, kBelow = 44;
-constexpr double kPanelWidth = kLeft + kPlotWidth + kNames, kPanelHeight = kAbove + kPlotHeight + kBelow;
+constexpr double kPanelHeight = kAbove + kPlotHeight + kBelow;
+constexpr double kLetter = 6.2, kLeader = 16;  // of a name, and of the line that leads to it
 constexpr double kMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12;
 constexpr int kColumns = 2;
 constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
@@ -38,6 +39,14 @@ std::string escaped(const std::string& text) {
       out += c;  // XML 1.0 has no control characters
   }
   return out;
+}
+
+/// With room for the longest name.
+double panel_width(const Chart& chart) {
+  std::size_t longest = 0;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartSeries& series : panel.series) longest = std::max(longest, series.name.size());
+  return kLeft + kPlotWidth + std::max(kNames, kLeader + kLetter * static_cast<double>(longest));
 }
 
 std::string text_at(double x, double y, const std::string& text, const char* attributes) {
@@ -241,7 +250,7 @@ std::string list_events(const Chart& chart, double top) {
   const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
   for (std::size_t k = 0; k < shown; ++k) {
     const ChartEvent& e = chart.events[k];
-    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth,
+    const double left = kMargin + kLeft + (k % kColumns) * panel_width(chart),
                  y = top + kLine * static_cast<double>(k / kColumns);
     if (e.kind == ChartEvent::Kind::window)
       out +=
@@ -281,7 +290,7 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
 std::string to_svg(const Chart& chart) {
   const auto rows = static_cast<double>((chart.panels.size() + kColumns - 1) / kColumns);
   const auto lines = static_cast<double>((std::min(chart.events.size(), kMostEventLines) + kColumns - 1) / kColumns);
-  const double width = 2 * kMargin + kColumns * kPanelWidth;
+  const double width = 2 * kMargin + kColumns * panel_width(chart);
   const double height = kHeader + rows * kPanelHeight + lines * kLine + kMargin;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
@@ -290,7 +299,7 @@ std::string to_svg(const Chart& chart) {
       width, height, kStyle);
   out += text_at(kMargin, 26, chart.title, "class=\"title\"");
   for (std::size_t k = 0; k < chart.panels.size(); ++k) {
-    const double left = kMargin + kLeft + (k % kColumns) * kPanelWidth;
+    const double left = kMargin + kLeft + (k % kColumns) * panel_width(chart);
     out +=
         draw_panel(chart, chart.panels[k], left, kHeader + kAbove + static_cast<double>(k / kColumns) * kPanelHeight);
   }

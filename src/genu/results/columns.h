@@ -16,4 +16,10 @@ std::string reaction_column(const Scene& scene, const QuantityRef& c);
 /// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
 std::string held_column(const std::string& joint, std::size_t i);
 
+/// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
+std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);
+
+/// "knee.adduction" of "knee.adduction_deg"
+std::string without_unit(const std::string& column);
+
 }  // namespace genu

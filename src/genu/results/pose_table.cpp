@@ -94,16 +94,11 @@ class PoseTable {
         if (p.coordinate == quantity) table_.add_column(reaction_column(scene_, quantity));
   }
 
-  const std::string& surface_name(std::size_t pair, bool b) const {
-    const ContactDef& c = scene_.contacts[pair];
-    return scene_.surfaces[at(b ? c.surface_b : c.surface_a)].name;
-  }
-
   void add_contact_columns(const std::string& name, std::size_t pair) {
     table_.add_column(name + ".force_N");
     table_.add_column(name + ".gap_mm");
     for (const bool b : {false, true})
-      for (const char* axis : kAxes) table_.add_column(fmt::format("{}.{}.{}_mm", name, surface_name(pair, b), axis));
+      for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + point_column(scene_, pair, b, i));
   }
 
   void add_row(const PoseRecord& record) {
@@ -185,9 +180,11 @@ class PoseTable {
 
   void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
     for (const bool second : {false, true})
-      for (Eigen::Index i = 0; i < 3; ++i)
-        table_.set(fmt::format("{}.{}.{}_mm", name, surface_name(pair, second), kAxes[i]),
-                   kMillimetre * (second ? b : a)[i] + kMillimetre * centre(pair, second)[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        table_.set(name + "." + point_column(scene_, pair, second, i),
+                   kMillimetre * (second ? b : a)[axis] + kMillimetre * centre(pair, second)[axis]);
+      }
   }
 
   void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {

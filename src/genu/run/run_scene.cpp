@@ -78,21 +78,6 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }
 
-std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution) {
-  StagedFolder out;
-  std::string error = out.open(folder);
-  const auto write = [&](const char* name, const std::string& content) {
-    if (error.empty()) error = write_file_atomically(out.path() / name, content);
-  };
-  write("results.csv", solution.poses.to_csv());
-  write("events.csv", solution.event_rows.to_csv());
-  if (solution.starts) write("starts.csv", solution.starts->to_csv());
-  write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events)));
-  write("summary.json", to_json(solution.summary));
-  if (error.empty()) error = out.commit();
-  return error;
-}
-
 /// Whether a file lies in a folder, at any depth, links followed.
 bool holds(const std::filesystem::path& folder, const std::filesystem::path& file) {
   namespace fs = std::filesystem;
@@ -109,6 +94,23 @@ std::string interrupted_folder(std::string folder) {
 }
 
 }  // namespace
+
+std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
+                          const std::vector<std::pair<std::string, std::string>>& more) {
+  StagedFolder out;
+  std::string error = out.open(folder);
+  const auto write = [&](const std::string& name, const std::string& content) {
+    if (error.empty()) error = write_file_atomically(out.path() / name, content);
+  };
+  write("results.csv", solution.poses.to_csv());
+  write("events.csv", solution.event_rows.to_csv());
+  if (solution.starts) write("starts.csv", solution.starts->to_csv());
+  write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events)));
+  write("summary.json", to_json(solution.summary));
+  for (const auto& [name, content] : more) write(name, content);
+  if (error.empty()) error = out.commit();
+  return error;
+}
 
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
   const State start = reference_state(prepared.model);
@@ -189,27 +191,35 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
   return starts_table(prepared.scene, prepared.model, search);
 }
 
-int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
-              Solution* solution) {
+std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
+                                    Diagnostics& out) {
+  if (!folder) return prepare(path, out);
   {
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe;
-    if (const std::string error = probe.open(folder); !error.empty()) {
+    if (const std::string error = probe.open(*folder); !error.empty()) {
       out.add({.file = {}, .key = {}, .found = {}, .rule = error});
-      return kExitRefused;
+      return std::nullopt;
     }
   }
-  if (holds(folder, path)) {
-    out.error(folder, "holds the scene itself, which would be lost with the folder: choose another folder");
-    return kExitRefused;
+  if (holds(*folder, path)) {
+    out.error(*folder, "holds the scene itself, which would be lost with the folder: choose another folder");
+    return std::nullopt;
   }
-  const auto prepared = prepare(path, out);
-  if (!prepared) return kExitRefused;
+  auto prepared = prepare(path, out);
+  if (!prepared) return std::nullopt;
   for (const SurfaceDef& def : prepared->scene.surfaces) {
-    if (def.file.empty() || !holds(folder, def.file)) continue;
-    out.error(folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
-    return kExitRefused;
+    if (def.file.empty() || !holds(*folder, def.file)) continue;
+    out.error(*folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
+    return std::nullopt;
   }
+  return prepared;
+}
+
+int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
+              Solution* solution) {
+  const auto prepared = prepare_run(path, folder, out);
+  if (!prepared) return kExitRefused;
   const Timer timer;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;

@@ -30,6 +30,11 @@ struct RunOptions {
   std::function<bool()> cancelled;                    ///< may be empty
 };
 
+/// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the
+/// folder cannot be written or holds the input; without a `folder` nothing is to be written.
+std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
+                                    Diagnostics& out);
+
 /// Refuses what cannot be started (surfaces that overlap by more than 5 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
 
@@ -41,9 +46,13 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
 ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
                             const Solution& solution);
 
-/// Reads, solves, writes `folder`/results.csv, events.csv, curves.svg, summary.json, and starts.csv where several
-/// starts are asked for. Returns the exit code; `out`
-/// holds what was refused, `solution` (may be null) gets what was found.
+/// Writes a solution's results.csv, events.csv, curves.svg, summary.json and, where starts were searched, starts.csv
+/// into `folder`, and `more` beside them (name, content). Returns what went wrong, else an empty text.
+std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
+                          const std::vector<std::pair<std::string, std::string>>& more = {});
+
+/// Reads, solves, writes the results into `folder`. Returns the exit code; `out` holds what was refused, `solution`
+/// (may be null) gets what was found.
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution);
 

@@ -44,6 +44,26 @@ std::string quoted_list(const std::vector<std::string>& words) {
   return s;
 }
 
+bool matches(std::string_view pattern, std::string_view word) {
+  // After a mismatch the last * takes one letter more: linear in each star, no recursion.
+  std::size_t p = 0, w = 0, star = std::string_view::npos, taken = 0;
+  while (w < word.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      taken = w;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == word[w])) {
+      ++p;
+      ++w;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      w = ++taken;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > kLongestSuggested) return {};
   const std::string* best = nullptr;

@@ -19,4 +19,7 @@ std::string quoted_list(const std::vector<std::string>& words);
 /// a third of the word and never more than 3), else empty. The first of equally near ones.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
+/// Whether `word` is what `pattern` means, where * stands for any letters, also none, and ? for any one.
+bool matches(std::string_view pattern, std::string_view word);
+
 }  // namespace genu

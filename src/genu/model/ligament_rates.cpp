@@ -1,0 +1,192 @@
+#include "genu/model/ligament_rates.h"
+
+#include <limits>
+
+namespace genu {
+namespace {
+
+using Law = LigamentDef::Law;
+using Rest = LigamentDef::Rest;
+using Kind = Parameter::Kind;
+
+/// What a parameter changes first, per SI unit: numbers of the law, what sets the slack length, a point.
+struct Direct {
+  double stiffness = 0, toe_stiffness = 0, transition_strain = 0, rest = 0;
+  int point = -1;  ///< of the points from end to end
+  int axis = 0;    ///< of its body
+};
+
+Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
+  Direct d;
+  d.axis = parameter.component % 3;
+  switch (parameter.kind) {
+    case Kind::stiffness:
+      d.stiffness = 1;
+      break;
+    case Kind::toe_stiffness:
+      d.toe_stiffness = 1;
+      break;
+    case Kind::transition_strain:
+      d.transition_strain = 1;
+      break;
+    case Kind::slack_length:
+    case Kind::reference_strain:
+    case Kind::reference_force:
+      d.rest = 1;
+      break;
+    case Kind::from_point:
+      d.point = 0;
+      break;
+    case Kind::via_point:
+      d.point = 1 + parameter.component / 3;
+      break;
+    case Kind::to_point:
+      d.point = 1 + static_cast<int>(def.via.size());
+      break;
+    default:
+      break;
+  }
+  return d;
+}
+
+/// One straight line of a ligament: from a to b, in the world, and how its ends move.
+struct Line {
+  int body_a, body_b;
+  Vec3 r_A, r_B;      ///< from the bodies' origins to the ends
+  Vec3 end_A, end_B;  ///< velocities of the ends
+  double length;
+  Vec3 u;  ///< direction; 0 where the ends meet
+
+  double length_rate() const { return u.dot(end_B - end_A); }
+};
+
+std::vector<Line> lines_of(const JointModel::LigamentBetween& ligament, const std::vector<Pose>& poses,
+                           const Direct& change) {
+  std::vector<Line> out;
+  for_each_line(ligament, [&](int a, int b, const TautLine& taut) {
+    const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
+    const int first = static_cast<int>(out.size());
+    const auto velocity = [&](const Pose& pose, int point) {
+      return point == change.point ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
+    };
+    Line line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1), 0, {}};
+    const Vec3 d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
+    line.length = d.norm();
+    line.u = line.length > 0 ? Vec3(d / line.length) : Vec3::Zero();
+    out.push_back(line);
+  });
+  return out;
+}
+
+/// Length (m) and its rate.
+std::pair<double, double> length_of(const std::vector<Line>& lines) {
+  double length = 0, rate = 0;
+  for (const Line& line : lines) {
+    length += line.length;
+    rate += line.length_rate();
+  }
+  return {length, rate};
+}
+
+/// Wrench on [a; b] of the pull t on A, with the rates of t and of the ends.
+Vec12 wrench_rate(const Line& line, const Vec3& t, const Vec3& t_rate) {
+  Vec12 out;
+  out << t_rate, line.end_A.cross(t) + line.r_A.cross(t_rate), -t_rate, -line.end_B.cross(t) - line.r_B.cross(t_rate);
+  return out;
+}
+
+double by_numbers(const LawRates& r, const Direct& d) {
+  return r.stiffness * d.stiffness + r.toe_stiffness * d.toe_stiffness + r.transition_strain * d.transition_strain;
+}
+
+/// L / L0 times dL0/dL at a force held: strain laws keep the strain, the others the stretch.
+double slack_by_length(const LigamentDef& def, const LigamentLaw& law, double length) {
+  if (def.law == Law::spring) return 1;
+  if (def.law != Law::abdel_rahman) return law.slack_length() / length;
+  const bool toe = length - law.slack_length() <= def.transition_strain * law.slack_length();
+  return toe ? 1 : 1 / (1 + def.transition_strain / 2);
+}
+
+/// dL0 where the law has a force at the reference length.
+double slack_from_force(const LigamentAt& at, const Direct& d, double length, double length_rate) {
+  const double by_length = slack_by_length(at.def, at.made.ligament.law, length) * length_rate;
+  const LawRates r = law_rates(at.def, at.made.ligament.law, length);
+  const double missing = d.rest - by_numbers(r, d);  // force to be made up for by the slack length
+  if (missing == 0) return by_length;
+  if (r.slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
+  return by_length + missing / r.slack_length;
+}
+
+double slack_rate(const LigamentAt& at, const Direct& d) {
+  if (at.def.rest == Rest::slack_length) return d.rest;
+  const auto [length, length_rate] = length_of(lines_of(at.made, at.reference_poses, d));
+  if (at.def.rest == Rest::reference_force) return slack_from_force(at, d, length, length_rate);
+  const double slack = at.made.ligament.law.slack_length();
+  return slack / length * length_rate - slack / (1 + at.def.rest_value) * d.rest;
+}
+
+}  // namespace
+
+LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length) {
+  LawRates out;
+  if (length <= law.slack_until()) return out;
+  const LawValue value = law.evaluate(length);
+  const double slack = law.slack_length();
+  const bool toe = length - slack <= def.transition_strain * slack;
+  if (def.law != Law::table) out.stiffness = value.force / def.stiffness;
+  out.slack_length = -value.stiffness * length / slack;  // of a law of the strain alone
+  switch (def.law) {
+    case Law::spring:
+      out.slack_length = -value.stiffness;
+      break;
+    case Law::blankevoort:
+      out.transition_strain = toe ? -value.force / def.transition_strain : -def.stiffness / 2;
+      break;
+    case Law::abdel_rahman:
+      out.slack_length = -value.stiffness * (toe ? 1 : 1 + def.transition_strain / 2);
+      if (toe) {
+        out.stiffness = 0;
+        out.toe_stiffness = value.force / def.toe_stiffness;
+      } else {
+        out.transition_strain = -def.stiffness * slack / 2;
+      }
+      break;
+    case Law::quadratic:
+    case Law::linear:
+    case Law::table:
+      break;
+  }
+  return out;
+}
+
+LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
+  const Direct change = direct_change(at.def, parameter);
+  const LigamentLaw& law = at.made.ligament.law;
+  const std::vector<Line> lines = lines_of(at.made, at.poses, change);
+  const auto [length, length_rate] = length_of(lines);
+  const double slack = law.slack_length(), slack_change = slack_rate(at, change);
+  LigamentRate out;
+  if (slack == 0 && length == 0) {  // a spring without length: t = k d, whose size has no derivative
+    const double k = law.evaluate(length).stiffness;
+    for (const Line& line : lines)
+      out.lines.push_back({line.body_a, line.body_b, wrench_rate(line, Vec3::Zero(), k * (line.end_B - line.end_A))});
+    out.length = out.strain = out.force = std::numeric_limits<double>::quiet_NaN();
+    return out;
+  }
+  out.length = length_rate;
+  out.strain = (out.length - length / slack * slack_change) / slack;
+  if (length <= law.slack_until()) return out;
+  const LawValue value = law.evaluate(length);
+  const LawRates rates = law_rates(at.def, law, length);
+  const double held = by_numbers(rates, change) + rates.slack_length * slack_change;  // at the length held
+  out.force = value.stiffness * out.length + held;
+  for (const Line& line : lines) {
+    const Vec3 across = line.end_B - line.end_A - line.u * line.length_rate();
+    const Vec3 turned = line.length > 0 ? Vec3(value.force / line.length * across) : Vec3::Zero();
+    out.lines.push_back(
+        {line.body_a, line.body_b, wrench_rate(line, value.force * line.u, out.force * line.u + turned)});
+  }
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,110 @@
+#include "genu/model/parameter_rates.h"
+
+#include "genu/model/ligament_rates.h"
+#include "genu/model/load_rates.h"
+#include "genu/model/surface_rates.h"
+
+namespace genu {
+namespace {
+
+using Kind = Parameter::Kind;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void add_wrench(const JointModel& model, int body_a, int body_b, const Vec12& wrench, VecX& out) {
+  const int bodies[2] = {body_a, body_b};
+  for (int i = 0; i < 2; ++i) {
+    const int moving = bodies[i] < 0 ? -1 : model.bodies[at(bodies[i])].moving;
+    if (moving >= 0) out.segment<6>(6 * moving) += wrench.segment<6>(6 * i);
+  }
+}
+
+void add_load_rate(const JointModel& model, const State& state, const Target& target, const Parameter& parameter,
+                   VecX& out) {
+  const Load& load = model.loads[at(parameter.object)];
+  const double scale = load_scale(load, state, target.time).factor;
+  if (parameter.kind == Kind::factor) {
+    add_wrench(model, load.body_a, load.body_b, scale * load_wrench(model, state, load).wrench, out);
+    return;
+  }
+  const double factor = scale * target.load_factors[at(parameter.object)];
+  Vec12 wrench;
+  if (load.kind == Load::Kind::coordinate)
+    wrench = joint_point(model, state, load.coordinate.joint).gradient(load.coordinate.index).transpose();
+  else
+    wrench = load_wrench_rate(load, parameter, state.poses[at(load.body_a)],
+                              load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
+  add_wrench(model, load.body_a, load.body_b, factor * wrench, out);
+}
+
+void add_weight_rate(const Scene& scene, const JointModel& model, const State& state, const Parameter& parameter,
+                     VecX& out) {
+  for (const Load& weight : model.weights) {
+    if (weight.body_a != parameter.object) continue;
+    const Pose& pose = state.poses[at(weight.body_a)];
+    const Vec12 wrench = parameter.kind == Kind::mass
+                             ? Vec12(weight.between(pose, {}).wrench / scene.bodies[at(parameter.object)].mass)
+                             : load_wrench_rate(weight, parameter, pose, {});
+    add_wrench(model, weight.body_a, -1, wrench, out);
+  }
+}
+
+void add_spring_rate(const JointModel& model, const State& state, const Parameter& parameter, VecX& out) {
+  const auto& joint = model.joints[at(parameter.object)];
+  const JointPoint point = joint_point(model, state, parameter.object);
+  add_wrench(model, joint.parent, joint.child, -point.values()[0] * point.gradient(0).transpose(), out);
+}
+
+void add_contact_rates(const Scene& scene, const JointModel& model, const State& state, const Parameter& parameter,
+                       Linearization& out) {
+  for (std::size_t c = 0; c < state.contacts.size(); ++c) {
+    const ActiveContact& contact = state.contacts[c];
+    const PairChange change = pair_change(scene, parameter, contact.pair, contact.geometry);
+    if (change.none) continue;
+    const auto& pair = model.pairs[at(contact.pair)];
+    const ContactChange rate = contact_change(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)],
+                                              contact.geometry, contact.force, change.a, change.b);
+    out.contacts[c].residual = rate.residual;
+    add_wrench(model, pair.body_a, pair.body_b, rate.wrench, out.wrench);
+  }
+}
+
+}  // namespace
+
+PairChange pair_change(const Scene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact) {
+  PairChange out;
+  if (!parameter.of_surface()) return out;
+  const ContactDef& def = scene.contacts[at(pair)];
+  const SurfaceDef& surface = scene.surfaces[at(parameter.object)];
+  if (def.surface_a == parameter.object) out.a = surface_change(surface, parameter, contact.a);
+  if (def.surface_b == parameter.object) out.b = surface_change(surface, parameter, contact.b);
+  out.none = def.surface_a != parameter.object && def.surface_b != parameter.object;
+  return out;
+}
+
+void residual_rate(const Scene& scene, const JointModel& model, const State& state, const Target& target,
+                   const Parameter& parameter, Linearization& out) {
+  out.wrench.setZero(6 * model.moving_count);
+  out.constraint.setZero(static_cast<Eigen::Index>(constraint_count(model, target)));
+  out.contacts.resize(state.contacts.size());
+  for (ContactBlock& block : out.contacts) block.residual.setZero();
+  if (parameter.of_ligament()) {
+    const std::size_t l = at(parameter.object);
+    const LigamentRate rate =
+        ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses}, parameter);
+    for (const auto& line : rate.lines) add_wrench(model, line.body_a, line.body_b, line.wrench, out.wrench);
+  } else if (parameter.of_surface()) {
+    add_contact_rates(scene, model, state, parameter, out);
+  } else if (parameter.of_load()) {
+    add_load_rate(model, state, target, parameter, out.wrench);
+  } else if (parameter.kind == Kind::mass || parameter.kind == Kind::centre_of_mass) {
+    add_weight_rate(scene, model, state, parameter, out.wrench);
+  } else if (parameter.kind == Kind::joint_stiffness) {
+    add_spring_rate(model, state, parameter, out.wrench);
+  } else {
+    for (std::size_t m = 0; m < target.prescribed.size(); ++m)
+      if (target.prescribed[m].coordinate == parameter.quantity) out.constraint[static_cast<Eigen::Index>(m)] = -1;
+  }
+}
+
+}  // namespace genu

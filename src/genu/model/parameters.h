@@ -1,0 +1,74 @@
+// The numbers of a scene that can be varied, and by how much each is varied when parameters of different kinds are
+// ranked beside one another.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "AAC.via.1.x" (of the first via point),
+/// "condyle.radii.z", "plateau.terms.2.0" (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the
+/// prescribed value). Where two have the same name, "ligament.", "surface.", "load.", "body." or "joint." stands before
+/// it.
+struct Parameter {
+  enum class Kind {
+    // of a ligament
+    stiffness,
+    toe_stiffness,
+    transition_strain,
+    slack_length,
+    reference_strain,
+    reference_force,
+    from_point,
+    to_point,
+    via_point,  ///< component: 3 times the point's index + axis
+    // of a surface
+    radius,
+    radii,
+    major_radius,
+    minor_radius,
+    term,
+    origin,
+    offset,  ///< the whole surface moved along its outward normal; no key of a scene
+    // of a load
+    force,
+    moment,
+    point,
+    toward_point,
+    magnitude,  ///< toward: `magnitude`; on a coordinate: `value`
+    factor,     ///< the step's factor
+    // of a body with weight
+    mass,
+    centre_of_mass,
+    // of a revolute joint
+    joint_stiffness,
+    // of the steps
+    prescribed
+  };
+
+  std::string name;
+  Kind kind = Kind::stiffness;
+  int object = -1;       ///< index of the ligament, surface, load, body or joint
+  int component = 0;     ///< 0 x, 1 y, 2 z; index of the term
+  QuantityRef quantity;  ///< prescribed
+  std::string unit;      ///< as results have it, whatever the scene's units are: mm, deg, N, Nm, 1 ...
+  double si = 1;         ///< SI per unit
+  /// The standard change (SI): 1 % of a stiffness, slack length, mass or load factor; 1 mm of any other length; 0.01 of
+  /// a strain; 1 N; 0.01 N m; 1 deg; of a polynomial's term what moves the surface by 1 mm at 10 mm from its origin
+  /// (and theta = 1 rad).
+  double change = 0;
+  std::string change_text;  ///< "1 %", "1 mm", ...
+
+  bool of_ligament() const { return kind <= Kind::via_point; }
+  bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }
+  bool of_load() const { return kind >= Kind::force && kind <= Kind::factor; }
+};
+
+/// All of a scene, ligament by ligament, surface by surface, load by load, then weights, joints and what is prescribed.
+/// What a scene does not say has none: no slack length where a reference strain is given.
+std::vector<Parameter> parameters_of(const Scene& scene);
+
+}  // namespace genu

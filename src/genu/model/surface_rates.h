@@ -1,0 +1,12 @@
+// How a surface changes with the numbers that describe it.
+#pragma once
+
+#include "genu/contact/surface_change.h"
+#include "genu/model/parameters.h"
+
+namespace genu {
+
+/// The change of a surface at one of its points (frame of its body) per SI unit of one of its own parameters.
+SurfaceChange surface_change(const SurfaceDef& def, const Parameter& parameter, const SurfacePoint& point);
+
+}  // namespace genu

@@ -1,0 +1,167 @@
+#include "genu/results/sensitivity_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "genu/results/columns.h"
+
+namespace genu {
+namespace {
+
+constexpr std::size_t kMostPanels = 12, kMostLines = 6, kMostOutputs = 12;
+
+/// The columns of `poses` that say where on the path a row is.
+std::vector<std::string> place_columns(const Scene& scene, const std::vector<StepPlan>& steps) {
+  std::vector<std::string> out;
+  for (const StepPlan& step : steps) {
+    for (const auto& p : step.prescribed) {
+      const std::string name = coordinate_column(scene, p.coordinate);
+      if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+    }
+  }
+  return out;
+}
+
+std::string unit_of(const Output& output, const Parameter& parameter) {
+  return parameter.unit == "1" ? output.unit : output.unit + " per " + parameter.unit;
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string(); }
+
+}  // namespace
+
+std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t output) {
+  std::vector<RankedParameter> out;
+  for (std::size_t p = 0; p < rows.parameters.size(); ++p) {
+    RankedParameter ranked;
+    ranked.parameter = p;
+    double squares = 0;
+    int count = 0;
+    for (std::size_t row = 0; row < rows.rows(); ++row) {
+      const double effect = rows.effect(row, output, p);
+      if (!std::isfinite(effect)) continue;
+      squares += effect * effect;
+      ++count;
+      if (std::abs(effect) <= std::abs(ranked.largest)) continue;
+      ranked.largest = effect;
+      ranked.row = row;
+    }
+    if (ranked.largest == 0) continue;
+    ranked.mean_size = std::sqrt(squares / count);
+    out.push_back(ranked);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const RankedParameter& a, const RankedParameter& b) {
+    return std::abs(a.largest) > std::abs(b.largest);
+  });
+  constexpr double kRounding = 1e-12;  // of the largest effect
+  std::erase_if(out,
+                [&](const RankedParameter& r) { return std::abs(r.largest) < kRounding * std::abs(out[0].largest); });
+  return out;
+}
+
+std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+                            const ResultTable& poses) {
+  std::string out = "step,increment";
+  const std::vector<std::string> places = place_columns(scene, steps);
+  for (const std::string& name : places) out += "," + name;
+  out += ",output,parameter,derivative,unit,change,effect\n";
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    std::string start = fmt::format("{},{}", poses.number(row, "step"), poses.number(row, "increment"));
+    for (const std::string& name : places) start += "," + number(poses.number(row, name));
+    for (std::size_t o = 0; o < rows.outputs.size(); ++o) {
+      for (std::size_t p = 0; p < rows.parameters.size(); ++p) {
+        const Parameter& parameter = rows.parameters[p];
+        out += fmt::format("{},{},{},{},{},{},{}\n", start, rows.outputs[o].column, parameter.name,
+                           number(rows.derivative(row, o, p)), unit_of(rows.outputs[o], parameter),
+                           parameter.change_text, number(rows.effect(row, o, p)));
+      }
+    }
+  }
+  return out;
+}
+
+ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+                          const ResultTable& poses) {
+  ResultTable table;
+  const std::vector<std::string> places = place_columns(scene, steps);
+  for (const char* name :
+       {"output", "rank", "parameter", "change", "largest_effect", "rms_effect", "step", "increment"})
+    table.add_column(name);
+  for (const std::string& name : places) table.add_column(name);
+  for (std::size_t o = 0; o < rows.outputs.size(); ++o) {
+    long rank = 0;
+    for (const RankedParameter& r : ranking(rows, o)) {
+      table.add_row();
+      table.set("output", rows.outputs[o].column);
+      table.set("rank", ++rank);
+      table.set("parameter", rows.parameters[r.parameter].name);
+      table.set("change", rows.parameters[r.parameter].change_text);
+      table.set("largest_effect", r.largest);
+      table.set("rms_effect", r.mean_size);
+      table.set("step", poses.at(r.row, poses.column_index("step")));
+      table.set("increment", poses.at(r.row, poses.column_index("increment")));
+      for (const std::string& name : places) table.set(name, poses.number(r.row, name));
+    }
+  }
+  return table;
+}
+
+std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+                         const ResultTable& poses, std::size_t most) {
+  std::string out;
+  const std::vector<std::string> places = place_columns(scene, steps);
+  std::size_t width = 9;
+  for (const Parameter& p : rows.parameters) width = std::max(width, p.name.size());
+  for (std::size_t o = 0; o < std::min(kMostOutputs, rows.outputs.size()); ++o) {
+    const std::vector<RankedParameter> ranked = ranking(rows, o);
+    const std::string unit = rows.outputs[o].unit == "1" ? "" : " " + rows.outputs[o].unit;
+    out += fmt::format("{}: what one standard change of a parameter does to it, largest along the path\n",
+                       rows.outputs[o].column);
+    if (ranked.empty()) out += "  no parameter asked for changes it\n";
+    for (std::size_t k = 0; k < std::min(most, ranked.size()); ++k) {
+      const RankedParameter& r = ranked[k];
+      const Parameter& p = rows.parameters[r.parameter];
+      std::string place;
+      for (const std::string& name : places) {
+        const double value = poses.number(r.row, name);
+        if (!std::isfinite(value)) continue;
+        place += fmt::format("{} {} = {:.4g}", place.empty() ? "at" : ",", name, std::abs(value) < 1e-9 ? 0 : value);
+      }
+      out += fmt::format("  {:>3}  {:<{}}  {:>10}  {:>+12.5g}{}  (rms {:.4g})  {}\n", k + 1, p.name, width,
+                         p.change_text, r.largest, unit, r.mean_size, place);
+    }
+    if (ranked.size() > most) out += fmt::format("       and {} more\n", ranked.size() - most);
+    out += "\n";
+  }
+  if (rows.outputs.size() > kMostOutputs)
+    out += fmt::format("and {} more outputs: ranking.csv has them all\n\n", rows.outputs.size() - kMostOutputs);
+  return out;
+}
+
+Chart sensitivity_chart(const SensitivityRows& rows, const Chart& axis) {
+  Chart chart;
+  chart.title = axis.title + ": effects of one standard change";
+  chart.x_title = axis.x_title;
+  chart.x = axis.x;
+  for (std::size_t o = 0; o < rows.outputs.size() && chart.panels.size() < kMostPanels; ++o) {
+    const Output& output = rows.outputs[o];
+    const bool pure = output.unit == "1";  // strains: in thousandths, or they would be too small to see
+    ChartPanel panel;
+    panel.title = fmt::format("{} [{}]", without_unit(output.column), pure ? "1/1000" : output.unit);
+    panel.from_zero = true;
+    for (const RankedParameter& r : ranking(rows, o)) {
+      if (panel.series.size() == kMostLines) break;
+      ChartSeries series{rows.parameters[r.parameter].name, {}};
+      for (std::size_t row = 0; row < rows.rows(); ++row)
+        series.y.push_back((pure ? 1e3 : 1) * rows.effect(row, o, r.parameter));
+      panel.series.push_back(std::move(series));
+    }
+    if (!panel.series.empty()) chart.panels.push_back(std::move(panel));
+  }
+  return chart;
+}
+
+}  // namespace genu

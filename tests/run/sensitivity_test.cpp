@@ -1,0 +1,153 @@
+#include "genu/run/sensitivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "run/scenes.h"
+#include "support/finite_difference.h"
+#include "support/temporary_folder.h"
+
+namespace genu {
+namespace {
+
+/// Where a ligament is about to become taut differences straddle the bend of its law's slope.
+bool near_a_bend(const ResultTable& poses, std::size_t row) {
+  constexpr double kNear = 2e-3;
+  return std::any_of(poses.columns().begin(), poses.columns().end(), [&](const std::string& column) {
+    return column.find(".strain") != std::string::npos && std::abs(poses.number(row, column)) < kNear;
+  });
+}
+
+TEST(RunSensitivity, WholePathsOfTheEditedSceneAgree) {
+  // Nothing in common with the derivatives but the scene: every pose of two edited scenes, found from the start.
+  SensitivityResult r;
+  Diagnostics out;
+  const SensitivityChoice choice{{"knee.adduction", "knee.x", "medial.force", "LC.force", "knee.flexion.reaction"},
+                                 {"LC.stiffness", "AAC.reference_strain", "femur_medial.minor_radius", "PMC.to.y"}};
+  ASSERT_EQ(run_sensitivity(test::dortmans_file(), {}, choice, {}, out, r), kExitOk) << test::messages(out);
+  EXPECT_EQ(r.poses_without, 0);
+  ASSERT_EQ(r.rows.outputs.size(), 5u);
+  ASSERT_EQ(r.rows.parameters.size(), 4u);
+  Diagnostics ignored;
+  const auto scene = read_scene(test::dortmans_file(), ignored);
+  ASSERT_TRUE(scene);
+  double worst = 0;
+  int compared = 0;
+  for (std::size_t k = 0; k < r.rows.parameters.size(); ++k) {
+    const Parameter& p = r.rows.parameters[k];
+    const auto solved_with = [&](double share) {
+      Scene edited = *scene;
+      const auto o = static_cast<std::size_t>(p.object);
+      if (p.kind == Parameter::Kind::stiffness) edited.ligaments[o].stiffness += share * p.change;
+      if (p.kind == Parameter::Kind::reference_strain) edited.ligaments[o].rest_value += share * p.change;
+      if (p.kind == Parameter::Kind::minor_radius) edited.surfaces[o].minor_radius += share * p.change;
+      if (p.kind == Parameter::Kind::to_point) edited.ligaments[o].to.point[p.component] += share * p.change;
+      const ResultTable poses = test::solved(edited).poses;
+      MatX numbers(static_cast<Eigen::Index>(poses.rows()), 5);
+      for (Eigen::Index row = 0; row < numbers.rows(); ++row)
+        for (Eigen::Index o2 = 0; o2 < 5; ++o2)
+          numbers(row, o2) =
+              poses.number(static_cast<std::size_t>(row), r.rows.outputs[static_cast<std::size_t>(o2)].column);
+      return numbers;
+    };
+    const MatX truth = test::derivative(solved_with, 0.01);
+    for (Eigen::Index o = 0; o < 5; ++o) {
+      for (Eigen::Index row = 0; row < truth.rows(); ++row) {
+        if (near_a_bend(r.solution.poses, static_cast<std::size_t>(row))) continue;
+        ++compared;
+        const double exact = r.rows.effect(static_cast<std::size_t>(row), static_cast<std::size_t>(o), k);
+        const double error = std::abs(exact - truth(row, o)) / truth.col(o).cwiseAbs().maxCoeff();
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  std::printf("%d derivatives along the path: worst error %.2g of the largest\n", compared, worst);
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_GT(compared, 20 * 50);
+}
+
+TEST(RunSensitivity, RefusesAllUnknownNamesAtOnceWithSuggestions) {
+  SensitivityResult r;
+  Diagnostics out;
+  const SensitivityChoice choice{{"knee.aduction", "stability", "*.points", "medial.force", "*.min_eigenvalue"},
+                                 {"AAC.stifness", "LC.slack_length", "nothing.*", "LC.stiffness"}};
+  EXPECT_EQ(run_sensitivity(test::dortmans_file(), {}, choice, {}, out, r), kExitRefused);
+  const std::string said = test::messages(out);
+  EXPECT_EQ(out.items().size(), 7u) << said;
+  for (const char* piece :
+       {"did you mean \"knee.adduction\"?", "did you mean \"AAC.stiffness\"?", "\"stability\": matches stability",
+        "third derivatives", "\"nothing.*\": is no parameter", "\"LC.slack_length\": is no parameter"})
+    EXPECT_NE(said.find(piece), std::string::npos) << piece << "\n" << said;
+  EXPECT_TRUE(r.solution.records.empty());
+}
+
+TEST(RunSensitivity, RefusesMoreThanCanBeKept) {
+  Diagnostics out;
+  SensitivityResult r;
+  std::string text = test::read_file(test::dortmans_file());
+  const std::string increments = "increments = 70";
+  ASSERT_NE(text.find(increments), std::string::npos);
+  text.replace(text.find(increments), increments.size(), "increments = 7000");
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(run_sensitivity(folder.write("scene.toml", text), {}, {{"all"}, {"all"}}, {}, out, r), kExitRefused);
+  EXPECT_NE(test::messages(out).find("ask for fewer"), std::string::npos) << test::messages(out);
+}
+
+TEST(RunSensitivity, WritesTheRunAndItsDerivatives) {
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  SensitivityResult r;
+  for (int again = 0; again < 2; ++again)
+    ASSERT_EQ(run_sensitivity(test::dortmans_file(), folder / "out",
+                              {{"knee.rotation", "medial.7.gap"}, {"*.stiffness"}}, {}, out, r),
+              kExitOk)
+        << test::messages(out);
+  for (const char* file : {"results.csv", "summary.json", "sensitivity.csv", "ranking.csv", "sensitivity.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + file))) << file;
+  const std::string csv = test::read_file(folder / "out/sensitivity.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 71 * 7);
+  EXPECT_NE(r.text.find("medial.7.gap: no contact of that number was made"), std::string::npos) << r.text;
+  EXPECT_NE(r.text.find("knee.rotation_deg: what one standard change"), std::string::npos) << r.text;
+}
+
+TEST(RunSensitivity, PosesThatAreNotDeterminedHaveEmptyCellsAndACount) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.ground]
+fixed = true
+[body.ball]
+[joint.j]
+type = "free"
+parent = "ground"
+child = "ball"
+rotations = ["a x", "b y", "c z"]
+translations = ["x", "y", "z"]
+reference = { z = -20 }
+[ligament.rope]
+from = { body = "ball", point = [0, 0, 0] }
+to = { body = "ground", point = [0, 0, 0] }
+law = "spring"
+stiffness = 2
+slack_length = 20
+[load.pull]
+body = "ball"
+force = [0, 0, -5]
+[[step]]
+increments = 1
+)");
+  Diagnostics out;
+  SensitivityResult r;
+  run_sensitivity(scene, {}, {{"rope.length"}, {"rope.stiffness"}}, {}, out, r);
+  ASSERT_FALSE(r.rows.derivatives.empty()) << test::messages(out);
+  EXPECT_EQ(r.poses_without, static_cast<int>(r.solution.records.size()));
+  for (const double d : r.rows.derivatives) EXPECT_TRUE(std::isnan(d));
+  EXPECT_NE(r.text.find("have no derivative"), std::string::npos) << r.text;
+}
+
+}  // namespace
+}  // namespace genu
