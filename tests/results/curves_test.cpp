@@ -74,11 +74,12 @@ TEST(Curves, RunOverThePrescribedCoordinateAndLeaveItOut) {
 TEST(Curves, ThereAndBackRunsOverTheRows) {
   PathEvent event;
   event.step = 2;
-  event.t = 0.5;
+  event.t = 0.75;
+  event.rows_before = 4;
   const Chart chart = curves(knee(), flexion(2), table({0, 30, 60, 30, 0}), {event});
   EXPECT_EQ(chart.x, (std::vector<double>{1, 2, 3, 4, 5}));
   EXPECT_EQ(panel(chart, "Rotations [deg]").series.size(), 3u);
-  EXPECT_DOUBLE_EQ(chart.events.at(0).from, 4);  // row 3 ends step 1, row 5 step 2
+  EXPECT_DOUBLE_EQ(chart.events.at(0).from, 4.5);  // row 3 ends step 1, row 5 step 2
 }
 
 TEST(Curves, FibresOfALigamentAreAddedUpAndTheStrongestComeFirst) {

@@ -60,6 +60,23 @@ TEST(SensitivityTable, RanksByTheLargestEffectAlongThePath) {
   EXPECT_EQ(text.find("weak"), std::string::npos);
 }
 
+TEST(SensitivityTable, ParametersThatDoTheSameShareARank) {
+  Sample s;
+  s.rows.parameters[2].name = "twin";
+  s.rows.derivatives = {1, -3, -3, 0.1, 0.2, 0.2, 2, 4, 4, 0.1, -0.5, 0.5, NAN, NAN, NAN, NAN, NAN, NAN};
+  const auto force = ranking(s.rows, 0);
+  ASSERT_EQ(force.size(), 2u);
+  EXPECT_EQ(force[0].alike, std::vector<std::size_t>{2});
+  EXPECT_EQ(ranking(s.rows, 1).size(), 3u) << "of opposite signs at one pose: not the same";
+  const ResultTable table = ranking_table(s.rows, s.scene, s.steps, s.poses);
+  ASSERT_EQ(table.rows(), 6u);
+  EXPECT_EQ(table.number(0, "rank"), 1);
+  EXPECT_EQ(table.number(1, "rank"), 1);
+  EXPECT_EQ(table.number(2, "rank"), 2);
+  EXPECT_NE(ranking_text(s.rows, s.scene, s.steps, s.poses, 1).find("and so does twin"), std::string::npos);
+  EXPECT_EQ(sensitivity_chart(s.rows, {}).panels[0].series[0].name, "strong (and 1 alike)");
+}
+
 TEST(SensitivityTable, HasARowForEachPoseOutputAndParameter) {
   const Sample s;
   const std::string csv = sensitivity_csv(s.rows, s.scene, s.steps, s.poses);

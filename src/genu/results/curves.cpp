@@ -49,6 +49,7 @@ class Curves {
     add("Ligament force [N]", ligament_forces(), true);
     add("Reaction moment [N m]", reactions(true), true);
     add("Reaction force [N]", reactions(false), true);
+    add("Load factor [1]", load_factors(), true);
     add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}}, true);
     chart_.panels.back().mark_zero_crossings = true;
     for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
@@ -149,6 +150,13 @@ class Curves {
     return groups;
   }
 
+  std::vector<ChartSeries> load_factors() const {
+    std::vector<ChartSeries> out;
+    for (const LoadDef& l : scene_.loads)
+      if (poses_.has_column(l.name + ".factor")) out.push_back({l.name, column(poses_, l.name + ".factor")});
+    return out;
+  }
+
   /// Where an event lies on the x axis.
   double place(const PathEvent& event) const {
     if (x_) {
@@ -157,11 +165,11 @@ class Curves {
       return std::numeric_limits<double>::quiet_NaN();
     }
     if (over_time_) return event.target.time;
-    double row = 1;  // the first row is the start of step 1
-    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(event.step) && k < steps_.size(); ++k)
-      row += steps_[k].increments;
+    // On the axis of rows: between the last row before it and the next.
     const auto k = static_cast<std::size_t>(std::max(1, event.step)) - 1;
-    return row + (k < steps_.size() ? event.t * steps_[k].increments : 0);
+    if (event.step == 0 || k >= steps_.size()) return event.rows_before;
+    const double increments = event.t * steps_[k].increments;
+    return event.rows_before + (steps_[k].arc_length ? 0.5 : increments - std::floor(increments));
   }
 
   std::string text(double x) const {

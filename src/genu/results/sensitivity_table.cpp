@@ -31,6 +31,40 @@ std::string unit_of(const Output& output, const Parameter& parameter) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string(); }
 
+/// Whether two parameters do the same to an output at every pose.
+bool alike(const SensitivityRows& rows, std::size_t output, const RankedParameter& a, const RankedParameter& b) {
+  constexpr double kSame = 1e-8;  // of the largest effect
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    const double x = rows.effect(row, output, a.parameter), y = rows.effect(row, output, b.parameter);
+    if (std::isfinite(x) != std::isfinite(y) || std::abs(x - y) > kSame * std::abs(a.largest)) return false;
+  }
+  return true;
+}
+
+std::vector<RankedParameter> grouped(const SensitivityRows& rows, std::size_t output,
+                                     const std::vector<RankedParameter>& sorted) {
+  constexpr double kNear = 1 - 1e-6;  // those that are alike stand near each other
+  std::vector<RankedParameter> out;
+  for (const RankedParameter& r : sorted) {
+    const auto same = std::find_if(out.rbegin(), out.rend(), [&](const RankedParameter& group) {
+      return kNear * std::abs(group.largest) <= std::abs(r.largest) && alike(rows, output, group, r);
+    });
+    if (same == out.rend())
+      out.push_back(r);
+    else
+      same->alike.push_back(r.parameter);
+  }
+  return out;
+}
+
+std::string names_of(const SensitivityRows& rows, const std::vector<std::size_t>& parameters) {
+  constexpr std::size_t kMost = 6;
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kMost, parameters.size()); ++k)
+    out += (k == 0 ? "" : ", ") + rows.parameters[parameters[k]].name;
+  return parameters.size() > kMost ? out + fmt::format(" and {} more", parameters.size() - kMost) : out;
+}
+
 }  // namespace
 
 std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t output) {
@@ -59,7 +93,7 @@ std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t ou
   constexpr double kRounding = 1e-12;  // of the largest effect
   std::erase_if(out,
                 [&](const RankedParameter& r) { return std::abs(r.largest) < kRounding * std::abs(out[0].largest); });
-  return out;
+  return grouped(rows, output, out);
 }
 
 std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
@@ -94,16 +128,21 @@ ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const
   for (std::size_t o = 0; o < rows.outputs.size(); ++o) {
     long rank = 0;
     for (const RankedParameter& r : ranking(rows, o)) {
-      table.add_row();
-      table.set("output", rows.outputs[o].column);
-      table.set("rank", ++rank);
-      table.set("parameter", rows.parameters[r.parameter].name);
-      table.set("change", rows.parameters[r.parameter].change_text);
-      table.set("largest_effect", r.largest);
-      table.set("rms_effect", r.mean_size);
-      table.set("step", poses.at(r.row, poses.column_index("step")));
-      table.set("increment", poses.at(r.row, poses.column_index("increment")));
-      for (const std::string& name : places) table.set(name, poses.number(r.row, name));
+      std::vector<std::size_t> group = {r.parameter};
+      group.insert(group.end(), r.alike.begin(), r.alike.end());
+      ++rank;
+      for (const std::size_t parameter : group) {
+        table.add_row();
+        table.set("output", rows.outputs[o].column);
+        table.set("rank", rank);
+        table.set("parameter", rows.parameters[parameter].name);
+        table.set("change", rows.parameters[parameter].change_text);
+        table.set("largest_effect", r.largest);
+        table.set("rms_effect", r.mean_size);
+        table.set("step", poses.at(r.row, poses.column_index("step")));
+        table.set("increment", poses.at(r.row, poses.column_index("increment")));
+        for (const std::string& name : places) table.set(name, poses.number(r.row, name));
+      }
     }
   }
   return table;
@@ -132,6 +171,7 @@ std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const 
       }
       out += fmt::format("  {:>3}  {:<{}}  {:>10}  {:>+12.5g}{}  (rms {:.4g})  {}\n", k + 1, p.name, width,
                          p.change_text, r.largest, unit, r.mean_size, place);
+      if (!r.alike.empty()) out += fmt::format("       and so does {}\n", names_of(rows, r.alike));
     }
     if (ranked.size() > most) out += fmt::format("       and {} more\n", ranked.size() - most);
     out += "\n";
@@ -155,6 +195,7 @@ Chart sensitivity_chart(const SensitivityRows& rows, const Chart& axis) {
     for (const RankedParameter& r : ranking(rows, o)) {
       if (panel.series.size() == kMostLines) break;
       ChartSeries series{rows.parameters[r.parameter].name, {}};
+      if (!r.alike.empty()) series.name += fmt::format(" (and {} alike)", r.alike.size());
       for (std::size_t row = 0; row < rows.rows(); ++row)
         series.y.push_back((pure ? 1e3 : 1) * rows.effect(row, o, r.parameter));
       panel.series.push_back(std::move(series));

@@ -33,6 +33,8 @@ struct RankedParameter {
   std::size_t row = 0;   ///< where the effect is largest
   double largest = 0;    ///< its value there, signed
   double mean_size = 0;  ///< root of the mean square over all rows that have one
+  /// Others that do the same everywhere, such as both radii of a torus and its plane's height.
+  std::vector<std::size_t> alike = {};
 };
 
 /// Of one output, the most important first; without those that have no effect at all.

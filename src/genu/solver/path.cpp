@@ -223,6 +223,7 @@ class PathRun {
     point.target = step.target(point.t);
     judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
+    ++rows_;
     observer_.pose(point);
   }
 
@@ -249,13 +250,15 @@ class PathRun {
     point.target = step.target(t);
     point.report = report;
     if (point.report.status == PoseStatus::ok) point.report.status = PoseStatus::no_equilibrium;
+    if (last) {
+      const double where = approaching_ ? 0 : step.arc_length ? where_ : walker_.t();
+      emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
+            what.empty() ? report.why : what + ": " + report.why, pose_.state.coordinates});
+      stop();
+    }
+    ++rows_;
     observer_.pose(point);
     result_.complete = false;
-    if (!last) return;
-    const double where = approaching_ ? 0 : step.arc_length ? where_ : walker_.t();
-    emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
-          what.empty() ? report.why : what + ": " + report.why, pose_.state.coordinates});
-    stop();
   }
 
   void stop() {
@@ -263,7 +266,8 @@ class PathRun {
     stopped_ = true;
   }
 
-  void emit(const PathEvent& event) const {
+  void emit(PathEvent event) const {
+    event.rows_before = rows_;
     if (observer_.event) observer_.event(event);
   }
 
@@ -279,7 +283,7 @@ class PathRun {
   int step_ = 0;
   std::vector<double> factors_;  // of the loads where the path stands
   bool approaching_ = false;
-  int handed_over_ = 0;
+  int handed_over_ = 0, rows_ = 0;
   double where_ = 0;  // of a step by arc length that ended early
   bool stopped_ = false;
 };

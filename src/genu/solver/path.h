@@ -55,6 +55,7 @@ struct PathEvent {
   Target target;                              ///< where: prescribed coordinates and load factors
   std::string what;                           ///< e.g. "medial.2"
   std::vector<JointValues> coordinates = {};  ///< of every joint, where the pose is known
+  int rows_before = 0;                        ///< how many poses had been handed over when it happened
 };
 const char* to_string(PathEvent::Kind kind);
 
