@@ -236,6 +236,22 @@ TEST(PoseTable, AFailedPoseHasItsPrescribedCoordinatesAndNothingElse) {
   }
 }
 
+TEST(PoseTable, ALoadThatAStepChangesShowsItsFactor) {
+  Bench bench;
+  EXPECT_FALSE(bench.table().has_column("lift.factor")) << "no step changes it";
+  for (StepPlan& step : bench.steps) step.factors = {{1, 1}};
+  bench.steps[1].factors = {{0, 1}};
+  bench.add(1, 0, 1).target.load_factors = {1};
+  bench.add(2, 0, 1).target.load_factors = {-0.25};
+  PoseRecord failed;
+  failed.point.target.load_factors = {0.5};
+  bench.records.push_back(failed);
+  const ResultTable t = bench.table();
+  EXPECT_EQ(t.number(0, "lift.factor"), 1);
+  EXPECT_EQ(t.number(1, "lift.factor"), -0.25);
+  EXPECT_EQ(t.number(2, "lift.factor"), 0.5);
+}
+
 TEST(PoseTable, AScaledLoadShowsItsScale) {
   Bench bench;
   ScaleDef def;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "run/scenes.h"
 #include "validation/study_files.h"
 
 namespace genu::studies {
@@ -84,6 +85,45 @@ TEST(DortmansStudy, ContactsRollFirstAndSlideMoreAndMore) {
         EXPECT_GT(sliding_share(s, row - 10, row), sliding_share(s, row - 20, row - 10)) << s.name << " " << row;
     }
   }
+}
+
+TEST(DortmansStudy, BeyondSeventyDegreesTheMomentFalls) {
+  Diagnostics out;
+  auto driven = read_scene(kFolder + "/scene-moment.toml", out), flexed = read_scene(kFolder + "/scene.toml", out);
+  ASSERT_TRUE(driven && flexed) << test::messages(out);
+  flexed->steps[0].prescribe[0].to = 200 * M_PI / 180;
+  flexed->steps[0].increments = 200;
+  const Solution moment = test::solved(*driven), flexion = test::solved(*flexed);
+  EXPECT_EQ(moment.summary.exit_code, kExitOk);
+  EXPECT_EQ(flexion.summary.exit_code, kExitIncomplete);
+  const auto first = [](const Solution& s, PathEvent::Kind kind) {
+    const auto e = std::find_if(s.events.begin(), s.events.end(), [&](const PathEvent& x) { return x.kind == kind; });
+    return e == s.events.end() ? PathEvent{} : *e;
+  };
+  const PathEvent limit = first(moment, PathEvent::Kind::limit_point),
+                  peak = first(flexion, PathEvent::Kind::reaction_turns),
+                  end = first(flexion, PathEvent::Kind::turns_back);
+  ASSERT_FALSE(limit.coordinates.empty() || peak.coordinates.empty() || end.coordinates.empty());
+  EXPECT_NEAR(limit.target.load_factors[0], 0.5745, 5e-5);
+  for (const PathEvent& e : {limit, peak}) EXPECT_NEAR(e.coordinates[0][0] * 180 / M_PI, 80.9312789, 1e-6);
+  EXPECT_NEAR(end.coordinates[0][0] * 180 / M_PI, 196.2, 0.05);
+  const ResultTable& t = flexion.poses;
+  for (std::size_t row = 0; row < 197; ++row) {
+    const double degrees = t.number(row, "knee.flexion_deg"), held = t.number(row, "knee.flexion.reaction_Nm");
+    EXPECT_EQ(test::word(t, row, "stability"), "stable") << degrees;
+    if (degrees > 81.5) {
+      const bool flexes_itself = degrees > 106.4 && degrees < 127.1;
+      EXPECT_EQ(held < 0, flexes_itself) << degrees;
+    }
+    int pulling = 0;
+    for (const char* name : {"AAC", "PAC", "APC", "PPC", "LC", "AMC", "PMC"})
+      pulling += t.number(row, std::string(name) + ".force_N") > 0 ? 1 : 0;
+    if (degrees > 119.5 && degrees < 140.5) {
+      EXPECT_EQ(pulling, 3) << degrees;
+    }
+  }
+  EXPECT_NEAR(t.number(128, "knee.adduction_deg"), 8, 0.5);
+  EXPECT_NEAR(t.number(140, "knee.adduction_deg"), 18.5, 0.05);
 }
 
 TEST(DortmansStudy, TheTablesInTheFolderAreThoseOfThisBuild) {

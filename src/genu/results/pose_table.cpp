@@ -115,6 +115,7 @@ class PoseTable {
       return;
     }
     set_coordinates(point);
+    set_factors(point.target);
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
     set_ligaments(point);
     for (const Load& l : model_.loads)
