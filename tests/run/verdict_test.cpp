@@ -82,6 +82,7 @@ TEST_F(Verdict, EventsAreTold) {
   expect_said("At knee.flexion = 42.9718346 deg the force of a ligament drops");
   expect_said("medial.1 reaches the edge");
   expect_said("Limit point at knee.flexion = 41.2 deg (knee.adduction 5.72958 deg, knee.rotation 0 deg,");
+  expect_said("and is unstable from here on");
   expect_said("knee.z 2 mm)");
   expect_said("Bifurcation at knee.flexion = 41.2 deg: ");
   expect_said("is largest 0.57 Nm at knee.flexion = 41.2 deg");

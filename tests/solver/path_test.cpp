@@ -153,6 +153,17 @@ TEST(Path, TrussSnapsThroughUnderPrescribedHeight) {
   EXPECT_NEAR(largest, kSnapLoad, 0.02 * kSnapLoad);
 }
 
+TEST(Path, StartsWhereTheSceneSaysWithTheSameLigaments) {
+  // The truss begins below its supports: the slack lengths are those of the reference, the pose is the inverted one.
+  std::string text =
+      truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\nload = { w = [0, 10] }"));
+  text.replace(text.find("reference = { z = 12 }"), 22, "reference = { z = 12 }\nstart = { z = -11 }");
+  const Walk w = walk(text);
+  ASSERT_TRUE(w.result.complete) << w.story();
+  EXPECT_NEAR(w.points[0].pose.state.poses[1].p.z(), -0.012, 1e-12);
+  EXPECT_LT(w.points[1].pose.state.poses[1].p.z(), -0.012);
+}
+
 TEST(Path, ForwardAndBackwardAgree) {
   const Walk w =
       walk(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12\n"

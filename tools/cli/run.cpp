@@ -71,6 +71,8 @@ std::vector<std::string> short_columns(const ResultTable& table) {
     if (coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos)
       columns.push_back(name);
   }
+  for (const std::string& name : table.columns())
+    if (ends_with(name, ".factor") && columns.size() < kMost + 2) columns.push_back(name);
   columns.push_back("stability");
   columns.push_back("status");
   return columns;

@@ -92,7 +92,7 @@ Chart flexion_chart(const LaxityStudy& study) {
   chart.title = "Laxity over flexion (reconstructed knee)";
   chart.x_title = "flexion [deg]";
   ChartSeries forward{"forward", {}}, backward{"backward", {}}, total{"both", {}}, free{"at no force", {}},
-      ends{"at the ends", {}};
+      ends{"at both ends (mean)", {}};
   for (const Drawer& d : study.drawers) {
     chart.x.push_back(d.flexion);
     forward.y.push_back(d.at(kForce));

@@ -25,7 +25,7 @@ struct JointModel {
     std::string name;
     int parent, child;
     JointCoordinates coordinates;
-    JointValues reference;
+    JointValues reference, start;
   };
   /// A coordinate that a revolute or fixed joint holds: a constraint of every pose, with a multiplier.
   struct Held {

@@ -95,6 +95,14 @@ State reference_state(const JointModel& model) {
   return state;
 }
 
+State start_state(const JointModel& model) {
+  State state;
+  for (const auto& joint : model.joints) state.coordinates.push_back(joint.start);
+  state.poses = poses_from_coordinates(model, state.coordinates);
+  reset_pieces(model, state);
+  return state;
+}
+
 int held_count(const State& state) {
   int count = 0;
   for (const LigamentPiece& piece : state.pieces) count += piece.held;

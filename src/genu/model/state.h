@@ -52,6 +52,9 @@ struct Target {
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.
 State reference_state(const JointModel& model);
 
+/// The same at the coordinates where the search for equilibrium starts.
+State start_state(const JointModel& model);
+
 /// The constraints beside those of constraint_count(): ligaments held at a break.
 int held_count(const State& state);
 

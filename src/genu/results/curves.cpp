@@ -51,7 +51,8 @@ class Curves {
     add("Reaction force [N]", reactions(false), true);
     add("Load factor [1]", load_factors(), true);
     add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}}, true);
-    chart_.panels.back().mark_zero_crossings = true;
+    const auto located = [](const PathEvent& e) { return e.kind == PathEvent::Kind::stability_changed; };
+    chart_.panels.back().mark_zero_crossings = std::none_of(events.begin(), events.end(), located);
     for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
     return std::move(chart_);
   }
@@ -67,6 +68,7 @@ class Curves {
       chart_.x_title = fmt::format("{} [{}]", quantity_name(scene_, c), unit(c));
       return;
     }
+    if (choose_driven()) return;
     const auto in_time = [](const LoadDef& l) { return l.in_time(); };
     if (std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time)) {
       over_time_ = true;
@@ -77,6 +79,31 @@ class Curves {
     chart_.x_title = "row of results.csv";
     chart_.x.resize(poses_.rows());
     for (std::size_t k = 0; k < chart_.x.size(); ++k) chart_.x[k] = static_cast<double>(k + 1);
+  }
+
+  /// Where loads alone drive the joint: the coordinate that changes most, if it goes one way.
+  bool choose_driven() {
+    if (prescribed_changes() || load_factors().empty()) return false;
+    double most = 0;
+    for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j)
+      for (int i = 0; i < 3; ++i) {
+        const CoordinateRef c{j, i};
+        if (!scene_.joints[static_cast<std::size_t>(j)].leaves(i)) continue;
+        const std::vector<double> x = column(poses_, coordinate_column(c));
+        constexpr double kLeast = 5;  // deg
+        if (!one_way(x) || std::abs(x.back() - x.front()) <= std::max(most, kLeast)) continue;
+        most = std::abs(x.back() - x.front());
+        x_ = c;
+        chart_.x = x;
+        chart_.x_title = fmt::format("{} [{}]", quantity_name(scene_, c), unit(c));
+      }
+    return x_.has_value();
+  }
+
+  bool prescribed_changes() const {
+    return std::any_of(steps_.begin(), steps_.end(), [](const StepPlan& s) {
+      return std::any_of(s.prescribed.begin(), s.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+    });
   }
 
   void add(const char* title, std::vector<ChartSeries> series, bool from_zero) {
@@ -162,7 +189,9 @@ class Curves {
     if (x_) {
       for (const auto& p : event.target.prescribed)
         if (p.coordinate == *x_) return shown(p.coordinate, p.value);
-      return std::numeric_limits<double>::quiet_NaN();
+      const auto joint = static_cast<std::size_t>(x_->first.joint);
+      if (x_->combination >= 0 || event.coordinates.size() <= joint) return std::numeric_limits<double>::quiet_NaN();
+      return shown(*x_, event.coordinates[joint][static_cast<std::size_t>(x_->first.index)]);
     }
     if (over_time_) return event.target.time;
     // On the axis of rows: between the last row before it and the next.
@@ -181,6 +210,7 @@ class Curves {
     using Kind = PathEvent::Kind;
     const PathEvent& e = events[k];
     const double x = place(e);
+    if (!std::isfinite(x)) return;
     if (e.kind == Kind::stepped_over) {  // they come in pairs: where the window begins and where it ends
       if (window_from_) {
         chart_.events.push_back({ChartEvent::Kind::window, *window_from_, x,

@@ -30,7 +30,11 @@ struct ToCsv {
 struct ToText {
   int digits;
   std::string operator()(std::monostate) const { return "-"; }
-  std::string operator()(double value) const { return fmt::format("{:.{}f}", value, digits); }
+  std::string operator()(double value) const {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return zero && text[0] == '-' ? text.substr(1) : text;
+  }
   std::string operator()(long value) const { return fmt::format("{}", value); }
   std::string operator()(const std::string& value) const { return value; }
 };
@@ -77,7 +81,7 @@ std::string to_text(const ResultTable& table, const std::vector<std::string>& co
   std::vector<std::size_t> rows;
   const std::size_t shown = std::min(most_rows, table.rows());
   for (std::size_t k = 0; k < shown; ++k) rows.push_back(shown < 2 ? 0 : k * (table.rows() - 1) / (shown - 1));
-  std::string out(rows.empty() ? "" : "");
+  std::string out;
   std::vector<std::string> lines(rows.size() + 1);
   for (const std::string& name : columns) {
     const std::size_t column = table.column_index(name);

@@ -113,23 +113,22 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
 }
 
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
-  const State start = reference_state(prepared.model);
+  const State start = start_state(prepared.model);
   bool good = true;
   for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
     const double overlap = field.overlap(start, static_cast<int>(pair));
     if (overlap <= kLargestOverlap) continue;
     const ContactDef& def = prepared.scene.contacts[pair];
     good = false;
-    out.add(
-        {.file = prepared.scene.file,
-         .line = def.where.line,
-         .column = def.where.column,
-         .key = "contact." + def.name,
-         .found = {},
-         .rule = fmt::format("the surfaces overlap by {:.4g} mm in the reference pose, at most {:.0f} mm can be "
-                             "resolved: move the bodies apart with the joint's `reference`, or check the frames and "
-                             "units of the meshes",
-                             kMillimetre * overlap, kMillimetre * kLargestOverlap)});
+    out.add({.file = prepared.scene.file,
+             .line = def.where.line,
+             .column = def.where.column,
+             .key = "contact." + def.name,
+             .found = {},
+             .rule = fmt::format("the surfaces overlap by {:.4g} mm where the search starts, at most {:.0f} mm can be "
+                                 "resolved: move the bodies apart with the joint's `start`, or check the frames and "
+                                 "units of the meshes",
+                                 kMillimetre * overlap, kMillimetre * kLargestOverlap)});
   }
   return good;
 }
@@ -183,7 +182,7 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
   StartOptions how;
   how.count = options.starts;
   how.newton = options.path.newton;
-  std::vector<JointValues> first = reference_state(prepared.model).coordinates;
+  std::vector<JointValues> first = start_state(prepared.model).coordinates;
   if (!solution.records.empty() && solution.records.front().point.solved())
     first = solution.records.front().point.pose.state.coordinates;
   const StartSearch search =

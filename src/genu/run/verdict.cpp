@@ -110,7 +110,7 @@ std::string advice_without_pose(const Prepared& prepared, bool first, bool turne
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
                                   [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
   if (first)
-    return "Start nearer to where the joint balances (the joint's `reference`), and check that something holds every "
+    return "Start nearer to where the joint balances (the joint's `start`), and check that something holds every "
            "motion that is not prescribed.";
   return std::string("Try smaller increments") + (meshed ? " or another `fit_radius`." : ".");
 }
@@ -120,7 +120,7 @@ std::string advice(PoseStatus status) {
     case PoseStatus::over_edge:
       return "The surface ends there: extend its mesh or its patch, or shorten the motion.";
     case PoseStatus::overlap:
-      return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `reference`.";
+      return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `start`.";
     case PoseStatus::overconstrained:
       return "Prescribe fewer coordinates.";
     case PoseStatus::chatter:
@@ -173,15 +173,18 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                       "Prescribe another coordinate, or follow it round with control = \"arc_length\".",
                       place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
     if (e.kind == PathEvent::Kind::limit_point)
-      out.push_back(fmt::format("Limit point at {}{}: the path turns back there, and a joint that is driven on snaps.",
-                                place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+      out.push_back(fmt::format("Limit point at {}{}: the path turns back there, {}.",
+                                place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),
+                                e.what == to_string(Stability::Verdict::stable)
+                                    ? "and is stable from here on"
+                                    : "and is unstable from here on: a joint that is driven on snaps"));
     if (e.kind == PathEvent::Kind::bifurcation)
       out.push_back(fmt::format("Bifurcation at {}{}: another path of equilibria branches off.",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
     if (e.kind == PathEvent::Kind::closed)
       out.push_back("The path closes on itself: from here on it repeats what was found.");
     if (e.kind == PathEvent::Kind::snaps)
-      out.push_back(fmt::format("From {} the joint would snap {}: start a scene there (`reference`) to follow it on.",
+      out.push_back(fmt::format("From {} the joint would snap {}: begin there (the joint's `start`) to follow it on.",
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::held)
       out.push_back(
@@ -197,7 +200,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                       "coordinate) can drive an oscillation (flutter): whether it grows depends on mass and damping, "
                       "which a quasi-static run does not know.",
                       place(prepared, e.step, e.target)));
-    if (e.kind == PathEvent::Kind::stability_changed)
+    const bool told = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
+    if (e.kind == PathEvent::Kind::stability_changed && !told)
       out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)));
     if (e.kind == PathEvent::Kind::over_edge)
       out.push_back(

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "genu/scene/read_parts.h"
 
 namespace genu {
@@ -17,10 +19,10 @@ NumberRule stiffness_rule(const ReadContext& context) {
   return {.unit = 1 / context.scene.angle_unit, .unit_name = "N m/" + context.angle_name, .above = {}, .at_least = 0};
 }
 
-void read_angle(ReadContext& context, const Item& reference, JointDef& joint) {
-  if (!is_table(context, reference)) return;
-  Section section(context, reference, "the reference of a revolute joint");
-  joint.reference[0] = read_number(context, section.find("angle"), angle_rule(context)).value_or(0);
+void read_angle(ReadContext& context, const Item& item, const char* what, double& angle) {
+  if (!is_table(context, item)) return;
+  Section section(context, item, fmt::format("the {} of a revolute joint", what));
+  angle = read_number(context, section.find("angle"), angle_rule(context)).value_or(angle);
   section.finish();
 }
 
@@ -32,6 +34,7 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
   set_axes(Vec3::UnitX(), joint);
   if (const auto origin = read_vector(context, section.find("origin"), length_rule(context)))
     for (std::size_t k = 0; k < 3; ++k) joint.reference[3 + k] = (*origin)[static_cast<Eigen::Index>(k)];
+  joint.start = joint.reference;
   if (!revolute) return true;
 
   joint.rotations[0].name = "angle";
@@ -42,7 +45,9 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
   else if (axis)
     refuse(context, item, "must have a direction: not all three numbers may be 0");
   joint.stiffness = read_number(context, section.find("stiffness"), stiffness_rule(context)).value_or(0);
-  read_angle(context, section.find("reference"), joint);
+  read_angle(context, section.find("reference"), "reference", joint.reference[0]);
+  joint.start[0] = joint.reference[0];
+  read_angle(context, section.find("start"), "start", joint.start[0]);
   section.not_built({"damping"}, "damping of joints, which only dynamics has");
   return true;
 }

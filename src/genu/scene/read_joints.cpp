@@ -84,7 +84,7 @@ bool names_are_distinct(ReadContext& context, const Item& rotations, const Item&
   return good;
 }
 
-void read_reference_pose(ReadContext& context, const Item& item, JointDef& joint) {
+void read_pose(ReadContext& context, const Item& item, const JointDef& joint, std::array<double, 6>& out) {
   if (!is_table(context, item)) return;
   const std::vector<std::string> names = coordinate_names(joint);
   for (const TomlNode& child : item.node->children) {
@@ -96,7 +96,7 @@ void read_reference_pose(ReadContext& context, const Item& item, JointDef& joint
     }
     const auto k = static_cast<std::size_t>(found - names.begin());
     const NumberRule rule = k < 3 ? angle_rule(context) : length_rule(context);
-    joint.reference[k] = read_number(context, value, rule).value_or(0);
+    out[k] = read_number(context, value, rule).value_or(0);
   }
 }
 
@@ -104,12 +104,14 @@ void read_reference_pose(ReadContext& context, const Item& item, JointDef& joint
 bool read_coordinates(ReadContext& context, Section& section, JointDef& joint) {
   const Item rotations = section.require("rotations");
   const Item translations = section.require("translations");
-  const Item reference = section.find("reference");
+  const Item reference = section.find("reference"), start = section.find("start");
   const bool rotations_good = read_rotations(context, rotations, joint);
   const bool translations_good = read_translations(context, translations, joint);
   if (!rotations_good || !translations_good) return false;
   if (!names_are_distinct(context, rotations, translations, joint)) return false;
-  read_reference_pose(context, reference, joint);
+  read_pose(context, reference, joint, joint.reference);
+  joint.start = joint.reference;
+  read_pose(context, start, joint, joint.start);
   return true;
 }
 
@@ -154,7 +156,8 @@ void read_joints(ReadContext& context, Section& root) {
     const auto type = read_choice(context, section.require("type"), {"free", "revolute", "fixed"});
     bool understood = false;
     if (!type) {
-      for (const char* key : {"rotations", "translations", "reference", "origin", "axis", "stiffness", "damping"})
+      for (const char* key :
+           {"rotations", "translations", "reference", "start", "origin", "axis", "stiffness", "damping"})
         section.find(key);
     } else if (*type == 0) {
       understood = read_coordinates(context, section, joint);

@@ -96,21 +96,22 @@ class Stage {
 
 }  // namespace
 
-SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
+SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
+                          double stiffer) {
   SeedReport report;
   state.contacts.clear();
   reset_pieces(model, state);
   for (LigamentPiece& piece : state.pieces) piece.by_length = true;  // a seed may cross any break
   fit_multipliers(model, target, state);
   const double L = model.scales.length;
-  double modulus = kFirstModulus * model.scales.force / (L * L * L);
+  double modulus = stiffer * kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
     Stage stage(model, field, target, modulus);
-    State stiffer = state;
+    State next = state;
     // A foundation that stiff rests on a few samples only and may not settle: what balanced before it is a seed as
     // well.
-    if (!stage.run(stiffer, report)) break;
-    state = std::move(stiffer);
+    if (!stage.run(next, report)) break;
+    state = std::move(next);
     report.balanced = true;
     report.deepest = stage.deepest();
     if (report.deepest < kLittleOverlap * L) break;

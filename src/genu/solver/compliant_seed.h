@@ -15,6 +15,7 @@ struct SeedReport {
 };
 
 /// Moves `state` (poses and multipliers; its contacts are emptied) to the compliant equilibrium for `target`.
-SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state);
+SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
+                          double stiffer = 1);
 
 }  // namespace genu

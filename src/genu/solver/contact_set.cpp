@@ -10,6 +10,7 @@ namespace genu {
 namespace {
 
 constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
+constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
@@ -226,10 +227,10 @@ void ContactSetSolver::close_touching(Balanced& pose, const Target& target, doub
     if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
 }
 
-PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target) {
+PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, double stiffer) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const SeedReport seed = compliant_seed(*model_, *field_, target, trial.state);
+  const SeedReport seed = compliant_seed(*model_, *field_, target, trial.state, stiffer);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
@@ -244,16 +245,59 @@ PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& targ
   return report;
 }
 
+bool ContactSetSolver::passes_through(const State& from, const State& to) {
+  // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
+  // pose to the other the bodies then overlap, which they do at neither end.
+  constexpr int kMost = 200;
+  const double step = 2 * field_->spacing(), size = model_->scales.size;
+  double moved = 0;
+  for (std::size_t i = 0; i < from.poses.size(); ++i)
+    moved = std::max(moved, (to.poses[i].p - from.poses[i].p).norm() +
+                                size * log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm());
+  const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
+  State between = from;
+  for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
+    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + step;
+    for (int k = 1; k < steps; ++k) {
+      const double u = static_cast<double>(k) / steps;
+      for (std::size_t i = 0; i < from.poses.size(); ++i) {
+        const Pose &a = from.poses[i], &b = to.poses[i];
+        between.poses[i] = {exp_rotation(u * log_rotation(b.R * a.R.transpose())) * a.R, (1 - u) * a.p + u * b.p};
+      }
+      if (field_->overlap(between, pair) > allowed) return true;
+    }
+  }
+  return false;
+}
+
 PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   Balanced trial = pose;
   const double touching = 0.05 * field_->spacing();
   close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
   if (report.status == PoseStatus::ok) {
-    pose = std::move(trial);
-    return report;
+    if (!passes_through(pose.state, trial.state)) {
+      pose = std::move(trial);
+      return report;
+    }
+    report.status = PoseStatus::overlap;
+    report.why = kBehind;
   }
-  PoseReport seeded = settle_from_seed(pose, target);
+  // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one.
+  PoseReport seeded;
+  for (const double stiffer : {1.0, 30.0, 1000.0}) {
+    trial = pose;
+    const int before = seeded.iterations;
+    seeded = settle_from_seed(trial, target, stiffer);
+    seeded.iterations += before;
+    if (seeded.status != PoseStatus::ok) break;
+    if (!passes_through(pose.state, trial.state)) {
+      pose = std::move(trial);
+      break;
+    }
+    seeded.status = PoseStatus::overlap;
+    seeded.why = kBehind;
+  }
   seeded.iterations += report.iterations;
   // Of two failures the one that names a cause says more.
   const bool vague = seeded.status == PoseStatus::no_equilibrium;

@@ -57,9 +57,10 @@ class ContactSetSolver {
   PoseReport settle(Balanced& pose, const Target& target);
 
   /// From far: a compliant seed first, then settle() from the contacts it shows.
-  PoseReport settle_from_seed(Balanced& pose, const Target& target);
+  PoseReport settle_from_seed(Balanced& pose, const Target& target, double stiffer = 1);
 
-  /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed.
+  /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed; the seed as well
+  /// where the bodies would have to pass through each other on the way.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
   /// Follows open contacts to the new pose and forgets those that are no more.
@@ -81,6 +82,7 @@ class ContactSetSolver {
                                 const PoseReport& failure);
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
   void close_touching(Balanced& pose, const Target& target, double below);
+  bool passes_through(const State& from, const State& to);
 
   const JointModel* model_;
   ContactField* field_;

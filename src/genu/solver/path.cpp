@@ -42,7 +42,7 @@ class PathRun {
         observer_(observer),
         solver_(model, field, options.newton),
         walker_(solver_, options_, emit_) {
-    pose_.state = reference_state(model);
+    pose_.state = start_state(model);
     pose_.last_number.assign(model.pairs.size(), 0);
   }
 

@@ -1,0 +1,76 @@
+// A sheet that is open to the other side holds a body that starts in front of it, wherever that is.
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "run/scenes.h"
+
+namespace genu {
+namespace {
+
+/// A ball of 5 mm that springs pull down from `height` onto a sheet; without it the ball hangs at z = -8.3 mm.
+std::string scene(const std::string& sheet, double height) {
+  std::string text = fmt::format(R"(format = 1
+units = {{ length = "mm", angle = "deg" }}
+[body.base]
+fixed = true
+[body.ball]
+[joint.j]
+type = "free"
+parent = "base"
+child = "ball"
+rotations = ["a x", "b y", "c z"]
+translations = ["x", "y", "z"]
+reference = {{ z = 5.5 }}
+start = {{ z = {} }}
+[surface.ball]
+body = "ball"
+shape = "sphere"
+radius = 5
+[surface.sheet]
+body = "base"
+{}
+[contact.c]
+surfaces = ["ball", "sheet"]
+model = "rigid"
+[ligament.down]
+from = {{ body = "ball", point = [0, 0, -4] }}
+to = {{ body = "base", point = [0, 0, -40] }}
+law = "spring"
+stiffness = 2
+slack_length = 20
+[[step]]
+prescribe = {{}}
+)",
+                                 height, sheet);
+  const char* sides[][2] = {{"4, 0", "40, 0"}, {"-4, 0", "-40, 0"}, {"0, 4", "0, 40"}, {"0, -4", "0, -40"}};
+  for (int k = 0; k < 4; ++k)
+    text += fmt::format(
+        "[ligament.s{}]\nfrom = {{ body = \"ball\", point = [{}, 0] }}\nto = {{ body = \"base\", point = [{}, 0] }}\n"
+        "law = \"spring\"\nstiffness = 1\nslack_length = 20\n",
+        k, sides[k][0], sides[k][1]);
+  return text;
+}
+
+TEST(ThinSurfaces, HoldWhatStartsInFrontOfThem) {
+  const char* sheets[] = {"shape = \"plane\"\npatch = { x = [-25, 25], y = [-25, 25] }",
+                          "shape = \"polynomial\"\nterms = [[2, 0, 0.01], [0, 2, 0.01]]\npatch = { x = [-25, 25], y = "
+                          "[-25, 25] }"};
+  for (const char* sheet : sheets)
+    for (const double height : {5.1, 5.5, 7.0, 9.0, 20.0}) {
+      const ResultTable t = test::table_of(scene(sheet, height));
+      ASSERT_GT(t.rows(), 0u);
+      EXPECT_NEAR(t.number(0, "j.z_mm"), 5, 1e-9) << sheet << " from " << height;
+      EXPECT_GT(t.number(0, "c.force_N"), 10) << sheet << " from " << height;
+    }
+}
+
+TEST(ThinSurfaces, WhatStartsBehindStaysBehind) {
+  const ResultTable t = test::table_of(scene("shape = \"plane\"\npatch = { x = [-25, 25], y = [-25, 25] }", -7.0));
+  ASSERT_GT(t.rows(), 0u);
+  EXPECT_NEAR(t.number(0, "j.z_mm"), -8.34, 0.01);
+}
+
+}  // namespace
+}  // namespace genu
