@@ -22,6 +22,23 @@ bool near_a_bend(const ResultTable& poses, std::size_t row) {
   });
 }
 
+TEST(RunSensitivity, ACancelledRunKeepsItsRowsAndTheEarlierResult) {
+  test::TemporaryFolder folder;
+  Diagnostics out;
+  RunOptions options;
+  const SensitivityChoice choice{{"knee.adduction"}, {"LC.stiffness"}};
+  SensitivityResult whole, part;
+  ASSERT_EQ(run_sensitivity(test::dortmans_file(), folder / "a", choice, options, out, whole), kExitOk);
+  int rows = 0;
+  options.progress = [&](int done, int) { rows = done; };
+  options.cancelled = [&] { return rows >= 10; };
+  EXPECT_EQ(run_sensitivity(test::dortmans_file(), folder / "a", choice, options, out, part), kExitIncomplete);
+  EXPECT_EQ(part.solution.folder, folder / "a.interrupted");
+  const auto size = [&](const char* file) { return std::filesystem::file_size(folder / file); };
+  EXPECT_GT(size("a.interrupted/sensitivity.csv"), 0u);
+  EXPECT_GT(size("a/sensitivity.csv"), size("a.interrupted/sensitivity.csv"));
+}
+
 TEST(RunSensitivity, WholePathsOfTheEditedSceneAgree) {
   // Nothing in common with the derivatives but the scene: every pose of two edited scenes, found from the start.
   SensitivityResult r;

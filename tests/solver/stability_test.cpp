@@ -1,10 +1,13 @@
 // Eigenvalues of the tangent stiffness in closed form, and as the answer of the balanced joint to a small load.
 #include "genu/solver/stability.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "genu/scene/centre_bodies.h"
 #include "solver/solved.h"
@@ -85,6 +88,67 @@ TEST(Stability, IsAboutTheBodysOwnOriginWhereverItIsSolvedFrom) {
     EXPECT_EQ(found[1].verdict, found[0].verdict);
     EXPECT_EQ(found[1].verdict, unstable ? Verdict::unstable : Verdict::stable);
   }
+}
+
+/// The metric about an origin 1 km or 1000 km away spans up to 16 decades; neither sign nor size may be lost in them.
+TEST(Stability, KeepsSignAndSizeAboutAnOriginVeryFarAway) {
+  double worst = 0;
+  for (const double distance : {1e2, 1e3, 1e5, 1e6}) {
+    for (int seed = 0; seed < 20; ++seed) {
+      const auto number = [&](int i, int j) { return std::sin(1 + 3.7 * i + 1.3 * j + 0.9 * seed); };
+      const MatX root = MatX::NullaryExpr(6, 6, [&](Eigen::Index i, Eigen::Index j) {
+        return number(static_cast<int>(i), static_cast<int>(j)) + (i == j ? 3 : 0);
+      });
+      const Vec3 origin = distance * Vec3(number(7, 1), number(8, 1), number(9, 1)).normalized();
+      Linearization at;
+      at.wrench.setZero(6);
+      at.stiffness.setZero(6, 6);
+      const MatX stiffness = root * root.transpose();  // J, in the metric
+      const auto unit = [](Eigen::Index i) { return i < 3 ? kMetric : 1.0; };
+      for (Eigen::Index i = 0; i < 6; ++i)
+        for (Eigen::Index j = 0; j < 6; ++j) at.stiffness(i, j) = -stiffness(i, j) / unit(i) / unit(j);
+      at.own_origins = origin;
+      const Stability found = assess_stability(at, 0.03);
+      EXPECT_EQ(found.verdict, Verdict::stable);
+      // As large as the arm is, only turns count: the inverse of the largest response to a unit motion at the origin.
+      Eigen::Matrix<double, 3, 6> arm = Eigen::Matrix<double, 3, 6>::Zero();
+      arm << Mat3::Identity(), -skew(origin / kMetric);
+      const MatX response = arm * stiffness.inverse() * arm.transpose();
+      const double expected = 1 / Eigen::SelfAdjointEigenSolver<MatX>(response).eigenvalues()[2];
+      worst = std::max(worst, std::abs(found.smallest / expected - 1));
+    }
+  }
+  EXPECT_LT(worst, 1e-6) << "relative error of the smallest eigenvalue";
+}
+
+/// Nothing but a weight and a contact: all motions are free of cost, and what rounding leaves of the terms that cancel
+/// is neither a stiffness nor a complex pair.
+TEST(Stability, BallOnAFloorIsNeutralWhereverItRollsTo) {
+  for (int degrees = 0; degrees < 20; ++degrees) {
+    const auto s =
+        stability_of(bone_on_ground("{ a = " + std::to_string(degrees) + ", b = 7, z = 20, y = 0.3 }") +
+                         surface("ball", "bone", "sphere", "radius = 20") + surface("floor", "ground", "plane") +
+                         contact("c", "ball", "floor") + load("w", "force = [0, 0, -50]") +
+                         step("prescribe = { \"j.a\" = " + std::to_string(degrees) + " }"),
+                     {{0, 3e-4, 0}});
+    EXPECT_EQ(s.verdict, Verdict::neutral) << degrees << " deg: " << s.smallest << " J";
+    EXPECT_FALSE(s.flutter || s.complex_pair) << degrees;
+  }
+}
+
+TEST(Stability, CrossesZeroOnlyWhereItsSignMeansSomething) {
+  const auto at = [](double smallest, Verdict verdict) {
+    Stability s;
+    s.smallest = smallest;
+    s.verdict = verdict;
+    return s;
+  };
+  const Stability up = at(1, Verdict::stable), down = at(-1, Verdict::unstable), above = at(1e-17, Verdict::neutral),
+                  below = at(-1e-17, Verdict::neutral);
+  EXPECT_TRUE(crosses_zero(up, down) && crosses_zero(down, up));
+  EXPECT_TRUE(crosses_zero(up, below) && crosses_zero(above, down)) << "a row may lie on the bifurcation itself";
+  EXPECT_FALSE(crosses_zero(above, below) || crosses_zero(below, above)) << "rounding of a motion that costs nothing";
+  EXPECT_FALSE(crosses_zero(up, up) || crosses_zero(up, above));
 }
 
 TEST(Stability, PendulumHangsStandsOrFloats) {

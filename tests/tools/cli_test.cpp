@@ -206,11 +206,18 @@ TEST(Cli, RefusesArguments) {
                              "check " + (folder / "none.toml"),
                              "mesh " + scene + " --edge nan --out " + (folder / "out"),
                              "mesh " + scene + " --edge -1 --out " + (folder / "out"),
+                             "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top 0",
+                             "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top=-1",
+                             "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top 99999999999999999999",
+                             "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top ''",
+                             "run " + scene + " '--\x1b[31mred' --out " + (folder / "out"),
+                             "'\x1b[31mred'",
                              "swim"};
   for (const std::string& arguments : bad) {
     const Outcome refused = genu(arguments);
     EXPECT_EQ(refused.exit_code, 2) << arguments << "\n" << refused.out << refused.err;
     EXPECT_FALSE(refused.err.empty()) << arguments;
+    EXPECT_FALSE(contains(refused.err, "\x1b")) << "raw control characters: " << arguments;
     EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
   }
   EXPECT_EQ(read_file(file), "kept");

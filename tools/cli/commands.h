@@ -2,6 +2,8 @@
 // 0 all well, 2 the input is refused, 3 computed but not everything is ok, 1 anything else.
 #pragma once
 
+#include <functional>
+
 namespace CLI {
 class App;
 }
@@ -19,5 +21,8 @@ void add_sensitivity(CLI::App& app, int& exit_code);
 
 /// Every error and warning on standard error, then how many there were; `computed` where that came after the work.
 void print(const Diagnostics& diagnostics, bool computed = false);
+
+/// From here on Ctrl-C stops the work at the next pose and keeps what was found: says whether it was pressed.
+std::function<bool()> stop_on_interrupt();
 
 }  // namespace genu::cli

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
+#include "genu/core/diagnostics.h"
 
 namespace {
 
@@ -43,13 +45,19 @@ int run(int argc, char** argv) {
     return kRefused;
   }
   if (const std::string word = argv[1]; !word.empty() && word.front() != '-' && !known_command(app, word)) {
-    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, mesh\n", word);
+    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, mesh\n",
+               genu::printable(word));
     return kRefused;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kRefused;
+    std::ostringstream said, wrong;
+    const int code = app.exit(error, said, wrong);
+    std::fputs(said.str().c_str(), stdout);
+    std::istringstream lines(wrong.str());  // they quote what was typed
+    for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", genu::printable(line));
+    return code == 0 ? 0 : kRefused;
   }
   return exit_code;
 }

@@ -2,9 +2,7 @@
 //   1. read scene and meshes; refuse with every error at once
 //   2. solve pose after pose
 //   3. write results.csv, events.csv, curves.svg, summary.json; print a short table and the verdict
-#include <atomic>
 #include <cctype>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -23,9 +21,6 @@
 
 namespace genu::cli {
 namespace {
-
-std::atomic<bool> interrupted{false};
-void interrupt(int) { interrupted = true; }
 
 /// A line that is rewritten in a terminal, or a new one every few seconds elsewhere; nothing in the first second.
 class Progress {
@@ -98,12 +93,11 @@ void print_starts(const ResultTable& starts) {
 }
 
 int run(const std::string& scene, const std::string& folder, int starts, bool quiet) {
-  std::signal(SIGINT, interrupt);
   RunOptions options;
   options.starts = starts;
   auto progress = std::make_shared<Progress>();
   if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
-  options.cancelled = [] { return interrupted.load(); };
+  options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Solution solution;
   const int code = run_scene(scene, folder, options, diagnostics, &solution);

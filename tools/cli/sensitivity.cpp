@@ -10,12 +10,15 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
 
 #include "commands.h"
 #include "genu/run/sensitivity.h"
 
 namespace genu::cli {
 namespace {
+
+constexpr int kMostPrinted = 1'000'000;
 
 struct Arguments {
   std::string scene;
@@ -26,8 +29,9 @@ struct Arguments {
 int differentiate(const Arguments& arguments) {
   Diagnostics diagnostics;
   SensitivityResult result;
-  const int code =
-      run_sensitivity(arguments.scene, arguments.folder, arguments.choice, RunOptions{}, diagnostics, result);
+  RunOptions options;
+  options.cancelled = stop_on_interrupt();
+  const int code = run_sensitivity(arguments.scene, arguments.folder, arguments.choice, options, diagnostics, result);
   print(diagnostics, code == kExitFailed);
   if (code == kExitRefused) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), result.text);
@@ -61,6 +65,7 @@ void add_sensitivity(CLI::App& app, int& exit_code) {
       ->delimiter(',');
   command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
   command->add_option("--top", arguments->choice.most, "how many parameters to print for each output")
+      ->check(CLI::Range(1, kMostPrinted))
       ->capture_default_str();
   command->callback([arguments, &exit_code] { exit_code = differentiate(*arguments); });
 }

@@ -95,6 +95,13 @@ std::string interrupted_folder(std::string folder) {
 
 }  // namespace
 
+std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary) {
+  if (!options.cancelled || !options.cancelled()) return folder;
+  summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
+  std::error_code ignored;
+  return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
+}
+
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
                           const std::vector<std::pair<std::string, std::string>>& more) {
   StagedFolder out;
@@ -231,13 +238,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
     found.summary.seconds.emplace_back("searching from starts", searching.seconds());
   }
   int code = found.summary.exit_code;
-  found.folder = folder;
-  if (options.cancelled && options.cancelled()) {
-    found.summary.verdict.insert(found.summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
-    // A whole result is not given up for a part of one.
-    std::error_code ignored;
-    if (std::filesystem::exists(folder, ignored)) found.folder = interrupted_folder(folder);
-  }
+  found.folder = folder_for(folder, options, found.summary);
   if (const std::string error = write_results(found.folder, *prepared, found); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;

@@ -46,6 +46,10 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
 ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
                             const Solution& solution);
 
+/// Where the results go: into `folder`, or beside it where the run was cancelled and would replace a whole result by a
+/// part of one. The verdict then says so.
+std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary);
+
 /// Writes a solution's results.csv, events.csv, curves.svg, summary.json and, where starts were searched, starts.csv
 /// into `folder`, and `more` beside them (name, content). Returns what went wrong, else an empty text.
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,

@@ -167,13 +167,13 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   const Solution& solution = result.solution;
   result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(choice, result);
   if (!folder) return solution.summary.exit_code;
+  result.solution.folder = folder_for(*folder, options, result.solution.summary);
   const Chart chart = sensitivity_chart(result.rows, curves(scene, steps, solution.poses, solution.events));
   const std::string error =
-      write_results(*folder, *prepared, solution,
+      write_results(solution.folder, *prepared, solution,
                     {{"sensitivity.csv", sensitivity_csv(result.rows, scene, steps, solution.poses)},
                      {"ranking.csv", ranking_table(result.rows, scene, steps, solution.poses).to_csv()},
                      {"sensitivity.svg", to_svg(chart)}});
-  result.solution.folder = *folder;
   if (error.empty()) return solution.summary.exit_code;
   out.add({.file = {}, .key = {}, .found = {}, .rule = error});
   return kExitFailed;

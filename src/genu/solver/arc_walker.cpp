@@ -107,7 +107,7 @@ bool ArcWalker::pass(double arc, Point next) {
 std::vector<ArcWalker::Feature> ArcWalker::features(double arc, const Point& next) {
   std::vector<Feature> out;
   const double turn_before = here_.at.direction.parameter, turn_after = next.at.direction.parameter;
-  const bool restless = opposite(here_.stability.smallest, next.stability.smallest);
+  const bool restless = crosses_zero(here_.stability, next.stability);
   const std::string verdict = to_string(next.stability.verdict);
   double where = 0;
   if (opposite(turn_before, turn_after)) {
@@ -266,7 +266,7 @@ bool ArcWalker::leave(Point& changed) {
       const std::string verdict = to_string(here_.stability.verdict);
       if (opposite(before.at.direction.parameter, here_.at.direction.parameter))
         outputs_.event(PathEvent::Kind::limit_point, changed, verdict);
-      if (opposite(before.stability.smallest, here_.stability.smallest))
+      if (crosses_zero(before.stability, here_.stability))
         outputs_.event(PathEvent::Kind::stability_changed, changed, verdict);
       return true;
     }

@@ -8,11 +8,15 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "genu/core/bracket.h"
+
 namespace genu {
 namespace {
 
 // An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
 constexpr double kNeutral = 1e-10;
+// Where every free motion costs nothing, all eigenvalues are what rounding leaves of the terms that cancel.
+constexpr double kCancelled = 1e-13;
 
 template <typename Add>
 void for_moving(const std::array<int, 2>& bodies, Add add) {
@@ -20,19 +24,36 @@ void for_moving(const std::array<int, 2>& bodies, Add add) {
     if (bodies[static_cast<std::size_t>(i)] >= 0) add(6 * i, 6 * bodies[static_cast<std::size_t>(i)]);
 }
 
+/// J: forces times 10 mm, moments times 1 rad.
+VecX metric(Eigen::Index n) {
+  VecX out(n);
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
+  return out;
+}
+
+/// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
+double size_of_terms(const ContactBlock& block, const EliminatedContact& contact) {
+  const VecX unit = metric(12);
+  return (unit.asDiagonal() * (contact.stiffness.cwiseAbs() + block.wrench_d_twist.cwiseAbs()) * unit.asDiagonal())
+      .norm();
+}
+
 /// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
-/// conforming surfaces hold besides.
-void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
+/// conforming surfaces hold besides. Returns what the stiffness is known to, J: rounding of its terms, and the forces
+/// that do not balance, which make it unsymmetric by as much.
+double tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
   stiffness = at.stiffness;
   held.setZero(m + contacts, n);
   held.topRows(m) = at.gradient;
   Eigen::Index rows = m + contacts;
+  double terms = 0;
   for (Eigen::Index c = 0; c < contacts; ++c) {
     const auto k = static_cast<std::size_t>(c);
     EliminatedContact contact;
     if (!contact.factor(at.contacts[k], length_scale)) contact.factor_minimum_norm(at.contacts[k], length_scale);
+    terms += size_of_terms(at.contacts[k], contact);
     const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
     for_moving(at.contact_bodies[k], [&](int from, int to) {
       held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();
@@ -47,14 +68,14 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
                [&](int from, int to) { held.block(rows, to, more, 6) = contact.closure.middleCols<6>(from); });
     rows += more;
   }
-  VecX metric(n);
-  for (Eigen::Index i = 0; i < n; ++i) metric[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
-  stiffness = -(metric.asDiagonal() * stiffness * metric.asDiagonal());
-  held = held * metric.asDiagonal();
+  const VecX unit = metric(n);
+  stiffness = -(unit.asDiagonal() * stiffness * unit.asDiagonal());
+  held = held * unit.asDiagonal();
   for (Eigen::Index i = 0; i < held.rows(); ++i) {
     const double norm = held.row(i).norm();
     if (norm > 0) held.row(i) /= norm;
   }
+  return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
 }
 
 constexpr double kDependent = 1e-10;  // rows of unit length this near to a combination of others are one
@@ -92,16 +113,20 @@ MatX about_own_origins(const Linearization& at, MatX motions) {
 
 /// The smallest eigenvalue where the length of a motion is measured about the bodies' own origins, far from where
 /// things are: K y = lambda M y on the free motions. The metric M spans so many decades that rounding would hide the
-/// small eigenvalues of M^-1 K, but not the large ones of K^-1 M. Signs are those of K, wherever the origins are.
-double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness) {
+/// small eigenvalues of M^-1 K, but not the large ones of K^-1 M; the small ones of that are rounding in turn, and left
+/// out. Signs are those of K, wherever the origins are: where no eigenvalue that is left has the sign of `nearby`, the
+/// smallest about the origins of the poses, that one is returned.
+double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness, double nearby) {
   const MatX k = basis.transpose() * stiffness * basis, motions = about_own_origins(at, basis);
   const Eigen::FullPivLU<MatX> lu(k);
   if (!lu.isInvertible()) return 0;
   const Eigen::VectorXcd inverse =
       Eigen::EigenSolver<MatX>(lu.solve(motions.transpose() * motions), false).eigenvalues();
+  const double largest = inverse.cwiseAbs().maxCoeff();
   double smallest = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < inverse.size(); ++i) smallest = std::min(smallest, (1.0 / inverse[i]).real());
-  return smallest;
+  for (Eigen::Index i = 0; i < inverse.size(); ++i)
+    if (std::abs(inverse[i]) > kNeutral * largest) smallest = std::min(smallest, (1.0 / inverse[i]).real());
+  return (smallest < 0) == (nearby < 0) ? smallest : nearby;
 }
 
 }  // namespace
@@ -118,10 +143,16 @@ const char* to_string(Stability::Verdict verdict) {
   return "";
 }
 
+bool crosses_zero(const Stability& before, const Stability& after) {
+  const bool both_neutral =
+      before.verdict == Stability::Verdict::neutral && after.verdict == Stability::Verdict::neutral;
+  return !both_neutral && opposite(before.smallest, after.smallest);
+}
+
 Stability assess_stability(const Linearization& at, double length_scale) {
   Stability out;
   MatX stiffness, held;
-  tangent(at, length_scale, stiffness, held);
+  const double known_to = tangent(at, length_scale, stiffness, held);
   const MatX basis = free_basis(held, at.wrench.size());
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
@@ -137,12 +168,14 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   const std::complex<double> value = eigen.eigenvalues()[first];
   const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
   constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
-  out.complex_pair = eigen.eigenvalues().imag().cwiseAbs().maxCoeff() > kReal * largest;
-  out.smallest = at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness);
-  out.flutter = std::abs(value.imag()) > kReal * largest;
+  const double real = std::max(kReal * largest, known_to);
+  out.complex_pair = eigen.eigenvalues().imag().cwiseAbs().maxCoeff() > real;
+  out.smallest =
+      at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
+  out.flutter = std::abs(value.imag()) > real;
   out.mode = basis * eigen.eigenvectors().col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
-  if (std::abs(value.real()) <= kNeutral * largest)
+  if (std::abs(value.real()) <= std::max(kNeutral * largest, known_to))
     out.verdict = Stability::Verdict::neutral;
   else
     out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;

@@ -51,7 +51,7 @@ std::optional<Walker::Attempt> Walker::locate(const std::function<double(const T
 void Walker::mark_turns(double t, const State& next) {
   std::vector<Turn> turns = law_turns(t, next);
   double where = t;
-  if (opposite(stability().smallest, next_.stability.smallest)) {
+  if (crosses_zero(stability(), next_.stability)) {
     const auto smallest = [](const Tangent& x) { return x.stability.smallest; };
     const auto found = locate(smallest, next_.stability.smallest, t, where);
     const State& state = found ? found->pose.state : next;

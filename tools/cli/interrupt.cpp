@@ -1,0 +1,19 @@
+#include <atomic>
+#include <csignal>
+
+#include "commands.h"
+
+namespace genu::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+void interrupt(int) { interrupted = true; }
+
+}  // namespace
+
+std::function<bool()> stop_on_interrupt() {
+  std::signal(SIGINT, interrupt);
+  return [] { return interrupted.load(); };
+}
+
+}  // namespace genu::cli
