@@ -11,8 +11,10 @@
 namespace genu {
 namespace {
 
-// An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
-constexpr double kNeutral = 1e-10;
+// An eigenvalue below this fraction of the largest is rounding: the motion costs nothing. So it is below this fraction
+// of the terms that the stiffness is a sum of: where they cancel altogether (a ball that rolls on a plane) the largest
+// is rounding too.
+constexpr double kNeutral = 1e-10, kCancelled = 1e-13;
 
 template <typename Add>
 void for_moving(const std::array<int, 2>& bodies, Add add) {
@@ -21,11 +23,20 @@ void for_moving(const std::array<int, 2>& bodies, Add add) {
 }
 
 /// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
-/// conforming surfaces hold besides.
-void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
+/// conforming surfaces hold besides. Returns the largest term of the stiffness before contacts cancel.
+double tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
+  const auto metric_of = [](Eigen::Index i) { return i % 6 < 3 ? Stability::kMetricLength : 1.0; };
+  const auto largest_of = [&](const auto& matrix) {
+    double out = 0;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        out = std::max(out, metric_of(i) * metric_of(j) * std::abs(matrix(i, j)));
+    return out;
+  };
   stiffness = at.stiffness;
+  double largest = largest_of(stiffness);
   held.setZero(m + contacts, n);
   held.topRows(m) = at.gradient;
   Eigen::Index rows = m + contacts;
@@ -34,6 +45,7 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
     EliminatedContact contact;
     if (!contact.factor(at.contacts[k], length_scale)) contact.factor_minimum_norm(at.contacts[k], length_scale);
     const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
+    largest = std::max(largest, largest_of(at.contacts[k].wrench_d_twist));
     for_moving(at.contact_bodies[k], [&](int from, int to) {
       held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();
       for_moving(at.contact_bodies[k],
@@ -48,13 +60,14 @@ void tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX
     rows += more;
   }
   VecX metric(n);
-  for (Eigen::Index i = 0; i < n; ++i) metric[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) metric[i] = metric_of(i);
   stiffness = -(metric.asDiagonal() * stiffness * metric.asDiagonal());
   held = held * metric.asDiagonal();
   for (Eigen::Index i = 0; i < held.rows(); ++i) {
     const double norm = held.row(i).norm();
     if (norm > 0) held.row(i) /= norm;
   }
+  return largest;
 }
 
 constexpr double kDependent = 1e-10;  // rows of unit length this near to a combination of others are one
@@ -121,7 +134,7 @@ const char* to_string(Stability::Verdict verdict) {
 Stability assess_stability(const Linearization& at, double length_scale) {
   Stability out;
   MatX stiffness, held;
-  tangent(at, length_scale, stiffness, held);
+  const double terms = tangent(at, length_scale, stiffness, held);
   const MatX basis = free_basis(held, at.wrench.size());
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
@@ -142,7 +155,7 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   out.flutter = std::abs(value.imag()) > kReal * largest;
   out.mode = basis * eigen.eigenvectors().col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
-  if (std::abs(value.real()) <= kNeutral * largest)
+  if (std::abs(value.real()) <= std::max(kNeutral * largest, kCancelled * terms))
     out.verdict = Stability::Verdict::neutral;
   else
     out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;
