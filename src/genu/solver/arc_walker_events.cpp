@@ -95,6 +95,8 @@ bool ArcWalker::add_stability(double arc, const Point& next, double turned, std:
   }
   const double before = here_.stability.smallest, after = next.stability.smallest;
   if (!opposite(before, after)) return true;
+  constexpr auto kNeutral = Stability::Verdict::neutral;  // the sign of a stiffness that is none is rounding
+  if (here_.stability.verdict == kNeutral && next.stability.verdict == kNeutral) return true;
   const Measure smallest = [](const Point& p) { return p.stability.smallest; };
   Found there = locate(smallest, 0, here_, arc, next);
   if (there.leaps && arc > kFine) return false;

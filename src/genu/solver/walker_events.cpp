@@ -47,7 +47,8 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
 bool Walker::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;
-  if (opposite(before, after)) {
+  constexpr auto kNeutral = Stability::Verdict::neutral;  // the sign of a stiffness that is none is rounding
+  if (opposite(before, after) && (stability().verdict != kNeutral || next_.stability.verdict != kNeutral)) {
     const Found there = locate([](const Tangent& x) { return x.stability.smallest; }, t, next);
     // On one branch the two sides meet where the sign changes; if not, the substep has leapt to another one, be it the
     // other side of a limit point.
