@@ -28,6 +28,7 @@ bool ArcWalker::begin(const StepPlan& plan, const Balanced& pose, double t) {
     return false;
   }
   here_.stability = assess(pose.state);
+  last_definite_ = here_.stability.verdict == Stability::Verdict::neutral ? 0 : here_.stability.smallest;
   return true;
 }
 

@@ -84,6 +84,7 @@ class ArcWalker {
   void hand_over(Feature& row);
   bool find_features(double arc, const Point& next, std::vector<Feature>& out);
   bool add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out);
+  void add_neutral(double arc, const Point& next, std::vector<Feature>& out);
   void add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out);
   void add_rows_between(const Point& before, const Point& changed);
   std::vector<int> rows_between(double from, double to) const;
@@ -105,6 +106,7 @@ class ArcWalker {
   Point start_, here_;
   PoseReport failure_;
   std::optional<End> end_;
+  double last_definite_ = 0;  // the smallest stiffness where it was last more than rounding
   int substeps_ = 0, iterations_ = 0;
 };
 

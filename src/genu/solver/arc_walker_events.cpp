@@ -43,6 +43,7 @@ bool ArcWalker::pass(double arc, Point next) {
 void ArcWalker::accept(Point next) {
   solver_.follow_open(next.at.pose);
   here_ = std::move(next);
+  if (here_.stability.verdict != Stability::Verdict::neutral) last_definite_ = here_.stability.smallest;
   ++substeps_;
 }
 
@@ -94,9 +95,12 @@ bool ArcWalker::add_stability(double arc, const Point& next, double turned, std:
     out.push_back({there.arc, there.point, PathEvent::Kind::flutter, 0, false, kFlutter});
   }
   const double before = here_.stability.smallest, after = next.stability.smallest;
+  constexpr auto kNeutral = Stability::Verdict::neutral;
+  if (next.stability.verdict == kNeutral || here_.stability.verdict == kNeutral) {
+    add_neutral(arc, next, out);
+    return true;
+  }
   if (!opposite(before, after)) return true;
-  constexpr auto kNeutral = Stability::Verdict::neutral;  // the sign of a stiffness that is none is rounding
-  if (here_.stability.verdict == kNeutral && next.stability.verdict == kNeutral) return true;
   const Measure smallest = [](const Point& p) { return p.stability.smallest; };
   Found there = locate(smallest, 0, here_, arc, next);
   if (there.leaps && arc > kFine) return false;
@@ -122,6 +126,18 @@ void ArcWalker::add_law_events(double arc, const Point& next, std::vector<Featur
   const LawEvents::End from{here_.at.pose.state, &before}, to{next.at.pose.state, &after};
   for (const LawEvents::Passed& p : law_events_.over(from, to, options_.event_tolerance, pose_at))
     out.push_back({p.u * arc, solve(here_, p.u * arc), p.kind, 0, false, p.what});
+}
+
+void ArcWalker::add_neutral(double arc, const Point& next, std::vector<Feature>& out) {
+  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
+  constexpr double kTurning = 1e-6;  // of the direction in t: a limit point vanishes there too
+  if (next.stability.verdict == here_.stability.verdict) return;
+  const std::string verdict = to_string(next.stability.verdict);
+  const bool passes =
+      here_.stability.verdict == Stability::Verdict::neutral && opposite(last_definite_, next.stability.smallest);
+  if (passes && !next.stability.flutter && std::abs(here_.at.direction.parameter) > kTurning)
+    out.push_back({0, here_, PathEvent::Kind::bifurcation, 0, false, verdict});
+  out.push_back({passes ? 0 : arc, passes ? here_ : next, PathEvent::Kind::stability_changed, 0, false, verdict});
 }
 
 void ArcWalker::add_reaction_turn(double arc, const Point& next, std::vector<Feature>& out) {

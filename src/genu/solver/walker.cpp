@@ -24,6 +24,7 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   driven_ = plan.only_driven();
   t_ = 0;
   stiffest_seen_ = 0;
+  last_definite_ = 0;
   stepped_over_ = 0;
   tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
@@ -76,6 +77,7 @@ void Walker::take(double t, Balanced pose, const PoseReport& report) {
   report_ = report;
   std::swap(tangent_, next_);
   ++substeps_;
+  if (stability().verdict != Stability::Verdict::neutral) last_definite_ = stability().smallest;
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
 }
 

@@ -112,6 +112,7 @@ class Walker {
   LawEvents law_events_;
   double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
+  double last_definite_ = 0;  // the smallest eigenvalue where it was last more than rounding, N m
   int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;
 };

@@ -47,8 +47,13 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
 bool Walker::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;
-  constexpr auto kNeutral = Stability::Verdict::neutral;  // the sign of a stiffness that is none is rounding
-  if (opposite(before, after) && (stability().verdict != kNeutral || next_.stability.verdict != kNeutral)) {
+  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
+  constexpr auto kNeutral = Stability::Verdict::neutral;
+  const bool definite = stability().verdict != kNeutral && next_.stability.verdict != kNeutral;
+  if (stability().verdict == kNeutral && next_.stability.verdict != kNeutral && opposite(last_definite_, after)) {
+    if (!next_.stability.flutter) turns.push_back({t_, PathEvent::Kind::bifurcation, pose_.state, verdict});
+    turns.push_back({t_, PathEvent::Kind::stability_changed, pose_.state, verdict});
+  } else if (definite && opposite(before, after)) {
     const Found there = locate([](const Tangent& x) { return x.stability.smallest; }, t, next);
     // On one branch the two sides meet where the sign changes; if not, the substep has leapt to another one, be it the
     // other side of a limit point.
