@@ -231,5 +231,23 @@ TEST(ArcWalkerEvents, TheReactionTurnsByArcLengthAsByValues) {
   EXPECT_EQ(arc[0].what.substr(0, 7), values[0].what.substr(0, 7));
 }
 
+TEST(ArcWalkerEvents, TheRimOfAPatchIsToldOnce) {
+  // A ball of 5 mm on a cylinder of 20 mm is pushed over its rim at 0.7 rad.
+  const Walk w =
+      walk(test::bone_on_ground("{ z = 25 }") + test::surface("ball", "bone", "sphere", "radius = 5") +
+           test::surface(
+               "roof", "ground", "cylinder",
+               "radius = 20\nz_axis = [0, 1, 0]\nx_axis = [0, 0, 1]\npatch = { theta = [-0.7, 0.7], z = [-30, 30] }") +
+           test::contact("c", "ball", "roof") +
+           test::ligament("k", "[0, 0, 0]", "[-200, 0, 25]", "law = \"spring\"\nstiffness = 6\nreference_force = 0") +
+           test::ligament("y", "[0, 0, 0]", "[0, 100, 25]", "law = \"spring\"\nstiffness = 6\nreference_force = 0") +
+           test::load("push", "force = [1, 0, 0]") + test::load("weight", "force = [0, 0, -30]") +
+           test::step("prescribe = { " + kNoTurn + " }\n" + kArc + "load = { push = [0, 300] }"));
+  const auto rim = w.of(Kind::over_edge);
+  ASSERT_EQ(rim.size(), 1u) << w.story();
+  EXPECT_NEAR(rim[0].coordinates[0][3], 0.025 * std::sin(0.7), 1e-9);
+  EXPECT_EQ(w.points.back().report.status, PoseStatus::over_edge);
+}
+
 }  // namespace
 }  // namespace genu

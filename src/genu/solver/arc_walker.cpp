@@ -121,7 +121,8 @@ bool ArcWalker::pass_change(double arc, Point violated) {
     failure_ = violated.report;
     outputs_.event(violated.findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap, violated,
                    violated.findings.where);
-    return false;
+    end_ = End::stuck;
+    return true;
   }
   constexpr int kChanges = 6;
   Point changed = std::move(violated);

@@ -197,16 +197,18 @@ class PathRun {
     fail(step, k, t, report, "");
   }
 
-  /// Where the path turns back; none where it is all but vertical and yet goes on.
+  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
+  /// path is all but vertical and yet goes on.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
     constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
     ArcWalker walker(solver_, options_, walker_.law_events(), {});
     const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
     result_.iterations += walker.iterations();
-    if (!limit) return {};
-    return PathEvent{PathEvent::Kind::turns_back, step_, limit->at.t,
-                     step.target(limit->at.t),    kWhat, limit->at.pose.state.coordinates};
+    if (!limit && walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
+    const double t = limit ? limit->at.t : walker_.t();
+    const State& state = limit ? limit->at.pose.state : walker_.pose().state;
+    return PathEvent{PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
   }
 
   void hand_over(const StepPlan& step, int k) {
