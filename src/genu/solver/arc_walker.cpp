@@ -125,11 +125,19 @@ bool ArcWalker::pass_change(double arc, Point violated) {
     return true;
   }
   constexpr int kChanges = 6;
-  Point changed = std::move(violated);
+  Point changed = violated;
   for (int i = 0; i < kChanges; ++i) {
-    if (!change(changed)) break;
+    // The set that led here leads back the way the path came, and not on.
+    if (!change(changed) || same_set(here_.at.pose.state, changed.at.pose.state)) break;
     if (leave(changed)) return true;
   }
+  // Several changes at one place: the search that begins steps finds the set that belongs beyond it.
+  constexpr double kNear = 1e-5;
+  const PoseReport report = solver_.settle(violated.at.pose, plan_.target(violated.at.t));
+  iterations_ += report.iterations;
+  if (report.status == PoseStatus::ok && distance(here_.at.pose, violated.at.pose) < kNear &&
+      !same_set(here_.at.pose.state, violated.at.pose.state) && leave(violated))
+    return true;
   failure_.why = "no set of contacts leads on from here";
   return false;
 }
@@ -142,6 +150,7 @@ bool ArcWalker::change(Point& point) {
 }
 
 bool ArcWalker::leave(Point& changed) {
+  changed.findings = {};
   // The new set balances here too, its new force or gap being zero. Of its two directions one opens what was released
   // and presses what was gained, whether t grows that way or not. Very near, both may do within the tolerances: the
   // one on which everything is farther from a change is right.
@@ -179,6 +188,13 @@ void ArcWalker::depart(const Point& changed, double arc, Point next) {
   if (opposite(before.stability.smallest, changed.stability.smallest))
     outputs_.event(PathEvent::Kind::stability_changed, changed, verdict);
   if (!pass(arc, next)) accept(std::move(next));
+}
+
+bool ArcWalker::same_set(const State& a, const State& b) {
+  return same_contacts(a, b) && std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
+                                           [](const auto& p, const auto& q) {
+                                             return p.ligament == q.ligament && p.piece == q.piece && p.held == q.held;
+                                           });
 }
 
 std::optional<ArcWalker::Point> ArcWalker::limit_ahead(const StepPlan& plan, const Balanced& pose, double t,

@@ -93,6 +93,7 @@ class ArcWalker {
   bool settle_on(double t, Point& point);
   double distance(const Balanced& a, const Balanced& b) const;
   bool closes(const Point& point) const;
+  static bool same_set(const State& a, const State& b);
   static bool turns(const Point& from, const Point& to);
   void add_reaction_turn(double arc, const Point& next, std::vector<Feature>& out);
   void report_changes(const Balanced& before, const Point& after);
