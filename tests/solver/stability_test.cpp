@@ -136,21 +136,6 @@ TEST(Stability, BallOnAFloorIsNeutralWhereverItRollsTo) {
   }
 }
 
-TEST(Stability, CrossesZeroOnlyWhereItsSignMeansSomething) {
-  const auto at = [](double smallest, Verdict verdict) {
-    Stability s;
-    s.smallest = smallest;
-    s.verdict = verdict;
-    return s;
-  };
-  const Stability up = at(1, Verdict::stable), down = at(-1, Verdict::unstable), above = at(1e-17, Verdict::neutral),
-                  below = at(-1e-17, Verdict::neutral);
-  EXPECT_TRUE(crosses_zero(up, down) && crosses_zero(down, up));
-  EXPECT_TRUE(crosses_zero(up, below) && crosses_zero(above, down)) << "a row may lie on the bifurcation itself";
-  EXPECT_FALSE(crosses_zero(above, below) || crosses_zero(below, above)) << "rounding of a motion that costs nothing";
-  EXPECT_FALSE(crosses_zero(up, up) || crosses_zero(up, above));
-}
-
 TEST(Stability, PendulumHangsStandsOrFloats) {
   // A weight of 50 N at the height h over its hinge: stiffness -50 N h.
   const auto pendulum = [](const std::string& h) {

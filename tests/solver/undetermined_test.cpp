@@ -50,6 +50,18 @@ TEST(Undetermined, TheSpinThatCostsNothingIsNamed) {
   EXPECT_EQ(free[0].index, 2);  // about z
 }
 
+TEST(Undetermined, ABallThatRollsIsNoPoseWhereverItFellFrom) {
+  // Nothing but its weight: all five motions that are left cost nothing, to rounding where it fell from above.
+  for (const char* z : {"20", "20.5", "23"}) {
+    const auto w = test::walk(bone_on_ground(std::string("{ z = ") + z + " }") +
+                              surface("ball", "bone", "sphere", "radius = 20") + surface("floor", "ground", "plane") +
+                              contact("c", "ball", "floor") + load("press", "force = [0, 0, -100]") + step(""));
+    ASSERT_FALSE(w.points.empty());
+    EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << z << w.story();
+    EXPECT_FALSE(w.points[0].undetermined.free_motion.empty()) << z;
+  }
+}
+
 TEST(Undetermined, ABallThatFillsItsSocketCannotMove) {
   const std::string socket = bone_on_ground() + surface("ball", "bone", "sphere", "radius = 20") +
                              surface("cup", "ground", "sphere", "radius = 20\ninside = true") +

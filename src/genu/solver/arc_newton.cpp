@@ -108,7 +108,8 @@ NewtonReport ArcNewton::solve(const StepPlan& plan, const ArcPoint& from, double
   out.t = from.t + arc * from.direction.parameter;
   report.outcome = NewtonReport::Outcome::not_finite;
   if (!correct(plan, from.direction, out, report)) return report;
-  if (!direction(plan, out.pose.state, out.t, from.direction, out.direction)) return report;
+  directed_ = direction(plan, out.pose.state, out.t, from.direction, out.direction);
+  if (!directed_) out.direction = from.direction;
   report.outcome = NewtonReport::Outcome::converged;
   return report;
 }

@@ -29,11 +29,15 @@ class ArcNewton {
   /// The direction in which t grows; a regular point has one.
   bool forward(const StepPlan& plan, const State& state, double t, Correction& out);
 
-  /// Solves at distance `arc` ahead of `from` on the plane normal to its direction. `out.direction` is the new one.
+  /// Solves at distance `arc` ahead of `from` on the plane normal to its direction. `out.direction` is the new one, or
+  /// the old one where directed() says that there is none.
   NewtonReport solve(const StepPlan& plan, const ArcPoint& from, double arc, ArcPoint& out);
 
   /// The opposite direction.
   static void reverse(Correction& direction);
+
+  /// Whether one path leads on from where the last solve ended; false at a bifurcation.
+  bool directed() const { return directed_; }
 
   /// How far the last solve ended from where it was predicted.
   double strayed() const { return strayed_; }
@@ -57,6 +61,7 @@ class ArcNewton {
   Correction correction_;
   State trial_;
   double strayed_ = 0;
+  bool directed_ = true;
 };
 
 }  // namespace genu

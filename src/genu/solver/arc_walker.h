@@ -16,7 +16,8 @@ class ArcWalker {
     ArcPoint at;
     PoseReport report;
     Findings findings;
-    Stability stability;  ///< with what t commands held
+    Stability stability;   ///< with what t commands held
+    bool directed = true;  ///< false at a singular point, where more than one path leads on
     bool valid() const { return report.status == PoseStatus::ok && findings.none(); }
   };
   struct Outputs {
@@ -57,20 +58,44 @@ class ArcWalker {
     std::string what;  ///< of an event
   };
   using Measure = std::function<double(const Point&)>;
+  struct Found {
+    double arc;
+    Point point;
+    double value;  ///< of the measure
+    bool leaps;    ///< the poses on both sides do not meet: not one branch, or none was found between
+  };
 
   bool begin(const StepPlan& plan, const Balanced& pose, double t);
-  Point attempt(double arc);
-  bool on_the_path(const Point& point, double arc) const;
+  Point attempt(const Point& from, double arc);
+  Point attempt(double arc) { return attempt(here_, arc); }
+  /// The same without a look at its contacts: of a place within a substep whose end is inspected.
+  Point solve(const Point& from, double arc);
+  Stability assess(const State& state) const;
+  bool on_the_path(const Point& from, const Point& point, double arc) const;
   bool substep(double arc);
-  bool pass_contact_change(double arc, Point violated);
+  bool pass_change(double arc, Point violated);
+  bool change(Point& point);
   bool leave(Point& changed);
+  void depart(const Point& changed, double arc, Point next);
+
+  /// Tells everything on the way to `next` and goes there. False if the way seems to leave the branch: nothing is told.
   bool pass(double arc, Point next);
-  std::vector<Feature> features(double arc, const Point& next);
+  void accept(Point next);
+  void hand_over(Feature& row);
+  bool find_features(double arc, const Point& next, std::vector<Feature>& out);
+  bool add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out);
+  void add_neutral(double arc, const Point& next, std::vector<Feature>& out);
   void add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out);
-  Point locate(const Measure& measure, double low, double low_value, double high, double high_value, double& arc);
+  void add_rows_between(const Point& before, const Point& changed);
+  std::vector<int> rows_between(double from, double to) const;
+  Found locate(const Measure& measure, double low, const Point& from, double high, const Point& to);
   void add_law_events(double arc, const Point& next, std::vector<Feature>& out);
-  void settle_on(double t, Point& point);
+  bool settle_on(double t, Point& point);
+  double distance(const Balanced& a, const Balanced& b) const;
   bool closes(const Point& point) const;
+  static bool same_set(const State& a, const State& b);
+  static bool turns(const Point& from, const Point& to);
+  void add_reaction_turn(double arc, const Point& next, std::vector<Feature>& out);
   void report_changes(const Balanced& before, const Point& after);
 
   ContactSetSolver& solver_;
@@ -82,6 +107,7 @@ class ArcWalker {
   Point start_, here_;
   PoseReport failure_;
   std::optional<End> end_;
+  double last_definite_ = 0;  // the smallest stiffness where it was last more than rounding
   int substeps_ = 0, iterations_ = 0;
 };
 

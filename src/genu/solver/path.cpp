@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -179,8 +180,10 @@ class PathRun {
     PoseReport report = walker_.failure();
     pose_ = walker_.pose();
     if (walker_.turning_back()) {
-      emit(limit_point(step));
-      report.why = "the path turns back before this pose";
+      const auto limit = limit_point(step);
+      if (limit) emit(*limit);
+      report.why = limit ? "the path turns back before this pose"
+                         : "the path is too steep before this pose; control = \"arc_length\" may follow it";
     }
     const auto [distance, angle] = walker_.snap();
     if (distance > 0 || angle > 0) {
@@ -194,16 +197,18 @@ class PathRun {
     fail(step, k, t, report, "");
   }
 
-  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose.
-  PathEvent limit_point(const StepPlan& step) {
+  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
+  /// path is all but vertical and yet goes on.
+  std::optional<PathEvent> limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
     constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
     ArcWalker walker(solver_, options_, walker_.law_events(), {});
     const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
     result_.iterations += walker.iterations();
+    if (!limit && walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
     const double t = limit ? limit->at.t : walker_.t();
     const State& state = limit ? limit->at.pose.state : walker_.pose().state;
-    return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
+    return PathEvent{PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
   }
 
   void hand_over(const StepPlan& step, int k) {

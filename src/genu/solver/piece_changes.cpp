@@ -41,18 +41,20 @@ void hold(const LawBreak& b, int piece, bool from_below, LigamentPiece& out) {
   out.force = from_below ? b.below.force : b.above.force;
 }
 
-void move(const JointModel& model, const State& state, LigamentPiece& piece) {
+void move(const JointModel& model, const State& state, bool hold_drops, LigamentPiece& piece) {
   const auto& breaks = breaks_of(model, piece);
   const int k = piece.piece;
   if (piece.held) {
     piece.held = false;
-    piece.piece = piece.force > breaks[at(k)].above.force ? k + 1 : k;
+    const LawBreak& left = breaks[at(k)];
+    const bool above = std::abs(piece.force - left.above.force) < std::abs(piece.force - left.below.force);
+    piece.piece = above ? k + 1 : k;
     return;
   }
   const bool up = at(k) < breaks.size() && length_of(model, state, piece) > breaks[at(k)].length;
   const int passed = up ? k : k - 1;
   const LawBreak& b = breaks[at(passed)];
-  if (b.jumps() && b.force_jump() > 0)
+  if (b.jumps() && (b.force_jump() > 0 || hold_drops))
     hold(b, passed, up, piece);
   else
     piece.piece = up ? k + 1 : k - 1;
@@ -77,9 +79,15 @@ void inspect_pieces(const JointModel& model, const State& state, Findings& out) 
   }
 }
 
-bool change_pieces(const JointModel& model, const Findings& findings, State& state) {
-  for (const int i : findings.left_piece) move(model, state, state.pieces[at(i)]);
+bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops) {
+  for (const int i : findings.left_piece) move(model, state, hold_drops, state.pieces[at(i)]);
   return !findings.left_piece.empty();
+}
+
+bool holds_a_drop(const JointModel& model, const State& state) {
+  return std::any_of(state.pieces.begin(), state.pieces.end(), [&](const LigamentPiece& piece) {
+    return piece.held && breaks_of(model, piece)[at(piece.piece)].force_jump() < 0;
+  });
 }
 
 bool let_go(const JointModel& model, State& state) {

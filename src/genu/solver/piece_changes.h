@@ -20,8 +20,12 @@ namespace genu {
 void inspect_pieces(const JointModel& model, const State& state, Findings& out);
 
 /// Moves each ligament found to the next state of its law: over a kink or a drop of the force to the other side, at a
-/// rise first to the break itself, and from there to the side whose force is passed. False where there is none to move.
-bool change_pieces(const JointModel& model, const Findings& findings, State& state);
+/// rise first to the break itself, and from there to the side whose force is passed; with `hold_drops` so at a drop
+/// too. False where there is none to move.
+bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops = false);
+
+/// Whether a ligament is held at a break where its force drops: balanced, but never stable.
+bool holds_a_drop(const JointModel& model, const State& state);
 
 /// Puts ligaments that cannot be held, since what is prescribed fixes their length already, on the side their length is
 /// at. False where none is held.

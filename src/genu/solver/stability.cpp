@@ -8,8 +8,6 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "genu/core/bracket.h"
-
 namespace genu {
 namespace {
 
@@ -141,12 +139,6 @@ const char* to_string(Stability::Verdict verdict) {
       return "neutral";
   }
   return "";
-}
-
-bool crosses_zero(const Stability& before, const Stability& after) {
-  const bool both_neutral =
-      before.verdict == Stability::Verdict::neutral && after.verdict == Stability::Verdict::neutral;
-  return !both_neutral && opposite(before.smallest, after.smallest);
 }
 
 Stability assess_stability(const Linearization& at, double length_scale) {

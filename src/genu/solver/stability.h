@@ -26,9 +26,6 @@ struct Stability {
 
 const char* to_string(Stability::Verdict verdict);
 
-/// Whether the smallest eigenvalue passes 0 between two poses. Where both are neutral its sign is rounding.
-bool crosses_zero(const Stability& before, const Stability& after);
-
 /// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
 /// multipliers, included. At an equilibrium it is symmetric where every load has a potential (weights, dead forces,
 /// loads toward a point), and unsymmetric where one has none (followers, dead moments, most loads scaled over a

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace genu {
 
 Target StepPlan::target(double t) const {
@@ -39,6 +41,12 @@ int StepPlan::only_driven() const {
   }
   const bool loads = std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.from != f.to; });
   return loads ? -1 : driven;
+}
+
+std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state) {
+  const auto i = static_cast<std::size_t>(driven);
+  const bool angle = plan.prescribed[i].coordinate.is_rotation();
+  return fmt::format("{} {:.9g} {}", rate < 0 ? "largest" : "smallest", state.multipliers[i], angle ? "Nm" : "N");
 }
 
 }  // namespace genu

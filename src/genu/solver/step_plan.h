@@ -2,6 +2,7 @@
 // to 1.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "genu/model/state.h"
@@ -31,5 +32,8 @@ struct StepPlan {
   /// The prescribed coordinate that varies, if it is the only thing that does; -1 otherwise.
   int only_driven() const;
 };
+
+/// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond.
+std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state);
 
 }  // namespace genu

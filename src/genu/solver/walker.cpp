@@ -14,6 +14,7 @@ namespace {
 // Toward a limit point the tangent grows without bound: one step may move the bodies so far and no farther, or the
 // solution found at its end may lie on another branch. Characteristic lengths plus rad.
 constexpr double kFarthest = 0.25;
+constexpr double kLongest = 0.1;  // of a step: what comes and goes within a substep is not seen
 
 }  // namespace
 
@@ -23,6 +24,7 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   driven_ = plan.only_driven();
   t_ = 0;
   stiffest_seen_ = 0;
+  last_definite_ = 0;
   stepped_over_ = 0;
   tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
@@ -49,6 +51,8 @@ void Walker::accept(double t, Balanced pose, const PoseReport& report) {
   const bool first = substeps_ == 0;
   for (const Turn& turn : law_turns(t, pose.state)) emit_at(turn.kind, turn.t, turn.state, turn.what);
   take(t, std::move(pose), report);
+  if (stability().complex_pair && (first || !next_.stability.complex_pair))
+    emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
   if (first) return;
   // Contacts may have changed here, and rates with them at once.
   if (stability().verdict != next_.stability.verdict)
@@ -57,24 +61,24 @@ void Walker::accept(double t, Balanced pose, const PoseReport& report) {
     emit(PathEvent::Kind::reaction_turns, reaction_words(tangent_, pose_.state));
 }
 
-void Walker::pass(double t, Attempt trial) {
-  mark_turns(t, trial.pose.state);
+bool Walker::pass(double t, Attempt trial) {
+  std::vector<Turn> turns;
+  if (!find_turns(t, trial.pose.state, turns)) return false;
+  for (const Turn& turn : turns) emit_at(turn.kind, turn.t, turn.state, turn.what);
   solver_.follow_open(trial.pose);
   take(t, std::move(trial.pose), trial.report);
+  return true;
 }
 
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
-  const Stability before = tangent_.stability;
-  const bool first = substeps_ == 0;
   t_ = t;
   inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
   report_ = report;
   std::swap(tangent_, next_);
   ++substeps_;
+  if (stability().verdict != Stability::Verdict::neutral) last_definite_ = stability().smallest;
   stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
-  if (stability().complex_pair && (first || !before.complex_pair))
-    emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
 }
 
 Walker::Attempt Walker::attempt(double t) {
@@ -111,7 +115,9 @@ double Walker::speed(const Tangent& tangent) const {
 bool Walker::passes_a_fold(const Tangent& next, double h) const {
   // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
   // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
-  constexpr double kRatio = 4, kShortest = 1e-4, kStill = 1e-3;
+  // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
+  // differ by less than this: for a cubic one of the two tests notices then.
+  constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
   const double before = speed(tangent_), after = speed(next);
   if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
   return std::max(before, after) > kRatio * std::min(before, after);
@@ -134,7 +140,7 @@ bool Walker::walk_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min(h, kFarthest / std::max(speed(tangent_), 1e-300));
+    h = std::min({h, kLongest, kFarthest / std::max(speed(tangent_), 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
@@ -147,10 +153,11 @@ bool Walker::walk_to(double t_end) {
       compute_tangent(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
         const double inside = trial.findings.worst;
-        pass(t, std::move(trial));
-        inside_ = inside;
-        h *= 2;
-        continue;
+        if (pass(t, trial)) {
+          inside_ = inside;
+          h *= 2;
+          continue;
+        }
       }
     }
     if (solved && !trial.findings.none() && !far_from_predicted(trial)) {
@@ -179,10 +186,10 @@ bool Walker::pass_event(double t, Attempt violated) {
     const double middle = bracket.next();
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
-    if (trial.report.newton.converged() && trial.valid()) {
+    const bool valid = trial.report.newton.converged() && trial.valid();
+    if (valid) compute_tangent(trial.pose.state, middle, next_);
+    if (valid && pass(middle, trial)) {
       bracket.move_low(middle, worst);
-      compute_tangent(trial.pose.state, middle, next_);
-      pass(middle, std::move(trial));
       inside_ = worst;
     } else if (trial.report.newton.converged() && !trial.findings.none()) {
       bracket.move_high(middle, worst);
@@ -224,8 +231,12 @@ bool Walker::pass_event(double t, Attempt violated) {
 }
 
 void Walker::note_snap(const State& state) {
-  const Pose &from = pose_.state.poses.back(), &to = state.poses.back();
-  snap_ = {(to.p - from.p).norm(), log_rotation(to.R * from.R.transpose()).norm()};
+  snap_ = {0, 0};
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    const Pose &from = pose_.state.poses[i], &to = state.poses[i];
+    snap_.first = std::max(snap_.first, (to.p - from.p).norm());
+    snap_.second = std::max(snap_.second, log_rotation(to.R * from.R.transpose()).norm());
+  }
 }
 
 bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {

@@ -76,10 +76,19 @@ class Walker {
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
   void emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what);
-  void mark_turns(double t, const State& next);
-  void pass(double t, Attempt trial);
-  std::optional<Attempt> locate(const std::function<double(const Tangent&)>& measure, double after, double t_end,
-                                double& where);
+  /// Tells what happens on the way to `trial` and goes there. False if the way seems to leave the branch: nothing is
+  /// told.
+  bool pass(double t, Attempt trial);
+  using Measure = std::function<double(const Tangent&)>;
+  struct Found {
+    double t;
+    State state;
+    double value;  ///< of the measure
+    bool leaps;    ///< the poses on both sides do not meet: not one branch, or none was found between
+  };
+  Found locate(const Measure& measure, double t_end, const State& end);
+  bool find_turns(double t, const State& next, std::vector<Turn>& turns);
+  bool find_stability_change(double t, const State& next, std::vector<Turn>& turns);
   double reaction_rate(const Tangent& tangent) const;
   std::string reaction_words(const Tangent& after, const State& state) const;
   void name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report);
@@ -103,6 +112,7 @@ class Walker {
   LawEvents law_events_;
   double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
+  double last_definite_ = 0;  // the smallest eigenvalue where it was last more than rounding, N m
   int stepped_over_ = 0;
   int substeps_ = 0, iterations_ = 0;
 };

@@ -9,12 +9,6 @@
 #include "genu/solver/walker.h"
 
 namespace genu {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 void Walker::emit(PathEvent::Kind kind, const std::string& what) { emit_at(kind, t_, pose_.state, what); }
 
 void Walker::emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what) {
@@ -26,51 +20,69 @@ double Walker::reaction_rate(const Tangent& tangent) const {
 }
 
 std::string Walker::reaction_words(const Tangent& after, const State& state) const {
-  const bool angle = plan_.prescribed[at(driven_)].coordinate.is_rotation();
-  return fmt::format("{} {:.9g} {}", reaction_rate(after) < 0 ? "largest" : "smallest", state.multipliers[at(driven_)],
-                     angle ? "Nm" : "N");
+  return genu::reaction_words(plan_, driven_, reaction_rate(after), state);
 }
 
-std::optional<Walker::Attempt> Walker::locate(const std::function<double(const Tangent&)>& measure, double after,
-                                              double t_end, double& where) {
+Walker::Found Walker::locate(const Measure& measure, double t_end, const State& end) {
+  constexpr double kMeet = 1e-6;  // characteristic lengths, rad
+  const double after = measure(next_);
   Bracket bracket(t_, measure(tangent_), t_end, after, options_.event_tolerance);
-  std::optional<Attempt> found;
+  Found out{t_end, end, after, true};
+  State before = pose_.state, behind = end;
   while (bracket.open()) {
     const double t = bracket.next();
     Attempt trial = attempt(t);
-    if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) break;
+    if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) return out;
     compute_tangent(trial.pose.state, t, between_);
     const double value = measure(between_);
-    opposite(value, after) ? bracket.move_low(t, value) : bracket.move_high(t, value);
-    found = std::move(trial);
-    where = t;
+    const bool is_before = opposite(value, after);
+    is_before ? bracket.move_low(t, value) : bracket.move_high(t, value);
+    (is_before ? before : behind) = trial.pose.state;
+    out = {t, std::move(trial.pose.state), value, true};
   }
-  return found;
+  out.leaps = distance(before, behind) > kMeet;
+  return out;
 }
 
-void Walker::mark_turns(double t, const State& next) {
-  std::vector<Turn> turns = law_turns(t, next);
-  double where = t;
-  if (crosses_zero(stability(), next_.stability)) {
-    const auto smallest = [](const Tangent& x) { return x.stability.smallest; };
-    const auto found = locate(smallest, next_.stability.smallest, t, where);
-    const State& state = found ? found->pose.state : next;
-    if (!next_.stability.flutter && !stability().flutter)
-      turns.push_back({where, PathEvent::Kind::bifurcation, state, to_string(next_.stability.verdict)});
-    turns.push_back({where, PathEvent::Kind::stability_changed, state, to_string(next_.stability.verdict)});
+bool Walker::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
+  const char* verdict = to_string(next_.stability.verdict);
+  const double before = stability().smallest, after = next_.stability.smallest;
+  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
+  constexpr auto kNeutral = Stability::Verdict::neutral;
+  const bool definite = stability().verdict != kNeutral && next_.stability.verdict != kNeutral;
+  if (stability().verdict == kNeutral && next_.stability.verdict != kNeutral && opposite(last_definite_, after)) {
+    if (!next_.stability.flutter) turns.push_back({t_, PathEvent::Kind::bifurcation, pose_.state, verdict});
+    turns.push_back({t_, PathEvent::Kind::stability_changed, pose_.state, verdict});
+  } else if (definite && opposite(before, after)) {
+    const Found there = locate([](const Tangent& x) { return x.stability.smallest; }, t, next);
+    // On one branch the two sides meet where the sign changes; if not, the substep has leapt to another one, be it the
+    // other side of a limit point.
+    if (there.leaps) return false;
+    // Where a load's scale has a kink the stiffness may change its sign without vanishing.
+    constexpr double kVanishing = 1e-3;
+    const bool vanishes = std::abs(there.value) <= kVanishing * std::max(std::abs(before), std::abs(after));
+    if (vanishes && !next_.stability.flutter && !stability().flutter)
+      turns.push_back({there.t, PathEvent::Kind::bifurcation, there.state, verdict});
+    turns.push_back({there.t, PathEvent::Kind::stability_changed, there.state, verdict});
   } else if (stability().verdict != next_.stability.verdict) {
-    turns.push_back({t, PathEvent::Kind::stability_changed, next, to_string(next_.stability.verdict)});
+    turns.push_back({t, PathEvent::Kind::stability_changed, next, verdict});
   }
-  const double rate = reaction_rate(next_);
-  where = t;
-  if (opposite(reaction_rate(tangent_), rate)) {
-    const auto measure = [this](const Tangent& x) { return reaction_rate(x); };
-    const auto found = locate(measure, rate, t, where);
-    const State& state = found ? found->pose.state : next;
-    turns.push_back({where, PathEvent::Kind::reaction_turns, state, reaction_words(next_, state)});
+  return true;
+}
+
+bool Walker::find_turns(double t, const State& next, std::vector<Turn>& turns) {
+  if (!find_stability_change(t, next, turns)) return false;
+  if (next_.stability.complex_pair && !stability().complex_pair) {
+    const Found there = locate([](const Tangent& x) { return x.stability.complex_pair ? 1.0 : -1.0; }, t, next);
+    turns.push_back({there.t, PathEvent::Kind::flutter, there.state, "complex pair of stiffness eigenvalues"});
   }
+  if (opposite(reaction_rate(tangent_), reaction_rate(next_))) {
+    const Found there = locate([this](const Tangent& x) { return reaction_rate(x); }, t, next);
+    turns.push_back({there.t, PathEvent::Kind::reaction_turns, there.state, reaction_words(next_, there.state)});
+  }
+  for (Turn& turn : law_turns(t, next)) turns.push_back(std::move(turn));
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.t < b.t; });
-  for (const Turn& turn : turns) emit_at(turn.kind, turn.t, turn.state, turn.what);
+  return true;
 }
 
 std::vector<Walker::Turn> Walker::law_turns(double t, const State& state) {
@@ -96,7 +108,7 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state) {
 
 void Walker::report_changes(const Balanced& before, const Balanced& after) {
   const auto name = [&](const ActiveContact& c) {
-    return fmt::format("{}.{}", solver_.model().pairs[at(c.pair)].name, c.number);
+    return fmt::format("{}.{}", solver_.model().pairs[static_cast<std::size_t>(c.pair)].name, c.number);
   };
   for (const ActiveContact& c : after.state.contacts)
     if (!contains(before.state, c)) emit(PathEvent::Kind::contact_gained, name(c));
