@@ -96,7 +96,7 @@ class Stage {
 
 }  // namespace
 
-SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
+SeedReport stiffen(const JointModel& model, const Target& target, State& state, const SeedStage& stage) {
   SeedReport report;
   state.contacts.clear();
   reset_pieces(model, state);
@@ -105,18 +105,25 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
   const double L = model.scales.length;
   double modulus = kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
-    Stage stage(model, field, target, modulus);
     State stiffer = state;
     // A foundation that stiff rests on a few samples only and may not settle: what balanced before it is a seed as
     // well.
-    if (!stage.run(stiffer, report)) break;
+    if (!stage(modulus, stiffer, report)) break;
     state = std::move(stiffer);
     report.balanced = true;
-    report.deepest = stage.deepest();
     if (report.deepest < kLittleOverlap * L) break;
   }
   reset_pieces(model, state);
   return report;
+}
+
+SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
+  return stiffen(model, target, state, [&](double modulus, State& stiffer, SeedReport& report) {
+    Stage stage(model, field, target, modulus);
+    if (!stage.run(stiffer, report)) return false;
+    report.deepest = stage.deepest();
+    return true;
+  });
 }
 
 }  // namespace genu

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "genu/solver/compliant_seed.h"
+#include "genu/solver/downhill_seed.h"
 #include "genu/solver/piece_changes.h"
 
 namespace genu {
@@ -226,10 +227,11 @@ void ContactSetSolver::close_touching(Balanced& pose, const Target& target, doub
     if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
 }
 
-PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target) {
+PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const SeedReport seed = compliant_seed(*model_, *field_, target, trial.state);
+  const SeedReport seed = downhill ? downhill_seed(*model_, *field_, target, trial.state)
+                                   : compliant_seed(*model_, *field_, target, trial.state);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
