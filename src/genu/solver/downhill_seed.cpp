@@ -16,6 +16,7 @@ constexpr double kNearEnough = 0.05;      // the same where samples that come an
 constexpr double kLeastStiffness = 1e-3;  // of the characteristic one: keeps steps finite along motions that are free
 constexpr double kMostTranslation = 0.1;  // of the model's size, an iteration
 constexpr double kMostRotation = 0.1;     // rad an iteration
+constexpr double kShortStep = 1e-3;       // of the longest one: nearer, Newton's method is better
 constexpr double kShortest = 1e-7;        // of the longest step
 constexpr double kDependent = 1e-10;      // rows of unit length this near to a combination of others are one
 
@@ -32,7 +33,7 @@ class DownhillStage {
       report.deepest = deepest_;
       find_step(state);
       if (!std::isfinite(slope_)) return false;
-      if (force_ <= kBalanced) return true;
+      if (force_ <= kBalanced || excess() <= kShortStep) return true;
       const double fraction = std::min(1.0, longest / excess());
       if (!retract(model_, state, correction_, fraction, trial_)) return false;
       evaluate(trial_, there_);

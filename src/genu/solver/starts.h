@@ -21,10 +21,12 @@
 
 namespace genu {
 
+inline constexpr double kStartSpread = 20 * std::numbers::pi / 180;  ///< rad, unless asked for more or less
+
 struct StartOptions {
   int count = 1;
-  double angle = 20 * std::numbers::pi / 180;  ///< rad: largest change of a free angle
-  double translation = 0.5;                    ///< of the model's characteristic length: of a free translation
+  double angle = kStartSpread;  ///< rad: largest change of a free angle
+  double translation = 0.5;     ///< of the model's characteristic length: of a free translation
   /// Two poses are the same where no body differs by more: translations in characteristic lengths, rotations in rad.
   double same_pose = 1e-6;
   double largest_overlap = 5e-3;  ///< m: in a start, as in the reference pose of a run
