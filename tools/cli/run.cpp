@@ -78,7 +78,7 @@ std::vector<std::string> short_columns(const ResultTable& table) {
 }
 
 /// Every equilibrium that was found, and how many starts found none.
-void print_starts(const ResultTable& starts) {
+void print_starts(const ResultTable& starts, double spread) {
   std::vector<std::string> columns = starts.columns();
   columns.erase(columns.begin() + 2, columns.begin() + 4);  // the first start and its status: in starts.csv
   columns.pop_back();                                       // the residual as well
@@ -90,7 +90,7 @@ void print_starts(const ResultTable& starts) {
     for (std::size_t c = 0; c < starts.columns().size(); ++c) found.set(c, starts.at(row, c));
   }
   const std::size_t failed = starts.rows() - found.rows();
-  fmt::print("equilibria at the first pose: {}{}\n", found.rows(),
+  fmt::print("equilibria at the first pose: {}, from starts within {:g} deg{}\n", found.rows(), spread,
              failed > 0 ? fmt::format("; {} of the starts found none", failed) : "");
   bool any_stable = false;
   for (std::size_t row = 0; row < found.rows(); ++row)
@@ -119,7 +119,7 @@ int run(const std::string& scene, const std::string& folder, int starts, double 
     constexpr std::size_t kRows = 11;
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),
                to_text(solution.poses, short_columns(solution.poses), 4, kRows));
-    if (solution.starts) print_starts(*solution.starts);
+    if (solution.starts) print_starts(*solution.starts, spread);
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)

@@ -11,6 +11,8 @@ namespace {
 constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: nearer to the first one tells nothing new
 constexpr double kBeside = 0.02;         // rad or 10 mm: of a descent from a saddle, along its unstable motion
 constexpr std::size_t kMostSaddles = 100;
+constexpr std::size_t kMostBetween = 10;
+constexpr int kBisections = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -64,6 +66,7 @@ class Search {
 
   StartSearch run() {
     for (int k = 1; k <= options_.count && !stopped(); ++k) try_start(k);
+    look_between();
     // What is found beside a saddle may be one itself: the list grows while it is walked.
     for (std::size_t i = 0; i < out_.equilibria.size() && i < kMostSaddles && !stopped(); ++i) look_beside(i);
     return std::move(out_);
@@ -126,6 +129,43 @@ class Search {
     e.energy = potential_energy(model_, e.pose.state, target_);
     out_.equilibria.push_back(std::move(e));
     return out_.equilibria.size() - 1;
+  }
+
+  /// Saddles between stable equilibria that were found one after the other.
+  void look_between() {
+    std::vector<std::size_t> stable;
+    for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMostBetween; ++i)
+      if (out_.equilibria[i].stability.verdict == Stability::Verdict::stable) stable.push_back(i);
+    for (std::size_t i = 1; i < stable.size() && !stopped(); ++i) look_between(stable[i - 1], stable[i]);
+  }
+
+  void look_between(std::size_t low_end, std::size_t high_end) {
+    const auto from = out_.equilibria[low_end].pose.state.coordinates;
+    const auto to = out_.equilibria[high_end].pose.state.coordinates;
+    const int start = out_.equilibria[low_end].first_start;
+    double low = 0, high = 1;
+    for (int k = 0; k < kBisections; ++k) {
+      const double share = 0.5 * (low + high);
+      const std::size_t known = out_.equilibria.size();
+      const std::size_t near = add(settle_at(from, to, share, false), Equilibrium::Found::between, start);
+      if (near == known && out_.equilibria[near].stability.verdict == Stability::Verdict::unstable) return;
+      const std::size_t below = add(settle_at(from, to, share, true), Equilibrium::Found::between, start);
+      if (below != low_end && below != high_end) return;  // a third one lies between, or the descent has no end
+      (below == low_end ? low : high) = share;
+    }
+  }
+
+  Settled settle_at(const std::vector<JointValues>& from, const std::vector<JointValues>& to, double share,
+                    bool downhill) {
+    Settled out;
+    out.pose.last_number.assign(model_.pairs.size(), 0);
+    out.pose.state.coordinates = from;
+    for (std::size_t j = 0; j < from.size(); ++j)
+      for (std::size_t i = 0; i < 6; ++i) out.pose.state.coordinates[j][i] += share * (to[j][i] - from[j][i]);
+    out.pose.state.poses = poses_from_coordinates(model_, out.pose.state.coordinates);
+    if (!overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap))
+      out.report = solver_.settle_from_seed(out.pose, target_, downhill);
+    return out;
   }
 
   void look_beside(std::size_t saddle) {
@@ -207,6 +247,8 @@ const char* to_string(Equilibrium::Found found) {
       return "newton";
     case Equilibrium::Found::downhill:
       return "downhill";
+    case Equilibrium::Found::between:
+      return "between two";
     case Equilibrium::Found::beside:
       return "beside a saddle";
   }

@@ -8,7 +8,9 @@
 //
 // Each start is settled twice: by Newton's method alone, which finds equilibria of any kind, and downhill
 // (downhill_seed.h), which finds stable ones. From each equilibrium that is unstable two more descents set out,
-// displaced both ways along its unstable motion: to the stable poses on either side of a saddle.
+// displaced both ways along its unstable motion: to the stable poses on either side of a saddle. Between two stable
+// poses a saddle is looked for: where the straight way between them begins to lead down to the other one, by bisection,
+// and from there by Newton's method.
 #pragma once
 
 #include <functional>
@@ -34,7 +36,7 @@ struct StartOptions {
 };
 
 struct Equilibrium {
-  enum class Found { newton, downhill, beside };
+  enum class Found { newton, downhill, between, beside };
   Balanced pose;
   PoseReport report;
   Stability stability;
@@ -42,7 +44,7 @@ struct Equilibrium {
   /// From 1, each at one equilibrium: where it leads downhill, or, where that ends nowhere, by Newton's method alone
   std::vector<int> starts;
   Found found = Found::newton;  ///< the first way to it
-  int first_start = 0;          ///< the start of that way, of its saddle where found beside one
+  int first_start = 0;  ///< the start of that way; of the saddle beside which, or the first pose between which it lies
 };
 
 const char* to_string(Equilibrium::Found found);
@@ -67,8 +69,8 @@ std::vector<JointValues> start_coordinates(const JointModel& model, const Target
                                            const std::vector<JointValues>& first, int k, double share,
                                            const StartOptions& options);
 
-/// Settles every start, one after the other, at `target`, then looks beside the unstable equilibria; start 1 has the
-/// coordinates `first`. `cancelled` may be empty.
+/// Settles every start, one after the other, at `target`, then looks between stable equilibria and beside unstable
+/// ones; start 1 has the coordinates `first`. `cancelled` may be empty.
 StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
                           const std::vector<JointValues>& first, const StartOptions& options,
                           const std::function<bool()>& cancelled);
