@@ -132,7 +132,7 @@ std::string hump(double x, double z) {
 
 TEST(Starts, ABallOverAHumpRollsToBothSides) {
   const auto s = scene_model(hump(-10, 4));
-  const StartSearch found = search(s, 3);
+  const StartSearch found = search(s, 2);
   // The closed form's least energy right of the hump, by golden section.
   double low = 1, high = 10;
   for (int i = 0; i < 200; ++i) {

@@ -1,6 +1,7 @@
 #include "genu/solver/starts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "genu/model/potential_energy.h"
@@ -12,7 +13,7 @@ constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: nearer to the
 constexpr double kBeside = 0.02;         // rad or 10 mm: of a descent from a saddle, along its unstable motion
 constexpr std::size_t kMostSaddles = 100;
 constexpr std::size_t kMostBetween = 10;
-constexpr int kBisections = 8;
+constexpr int kBisections = 8;  // of the way between two stable poses
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -139,24 +140,48 @@ class Search {
     for (std::size_t i = 1; i < stable.size() && !stopped(); ++i) look_between(stable[i - 1], stable[i]);
   }
 
+  /// Drives the coordinate that differs most from one to the other: what that costs is 0 at both and at the saddle
+  /// between, where it changes its sign. From near there Newton's method finds the saddle with nothing driven.
   void look_between(std::size_t low_end, std::size_t high_end) {
     const auto from = out_.equilibria[low_end].pose.state.coordinates;
     const auto to = out_.equilibria[high_end].pose.state.coordinates;
     const int start = out_.equilibria[low_end].first_start;
+    const std::optional<CoordinateRef> c = most_different(from, to);
+    if (!c) return;
+    const double a = from[at(c->joint)][at(c->index)], b = to[at(c->joint)][at(c->index)];
+    Target driven = target_;
+    driven.prescribed.push_back({QuantityRef(*c), a});
     double low = 0, high = 1;
+    Settled near;
     for (int k = 0; k < kBisections; ++k) {
       const double share = 0.5 * (low + high);
-      const std::size_t known = out_.equilibria.size();
-      const std::size_t near = add(settle_at(from, to, share, false), Equilibrium::Found::between, start);
-      if (near == known && out_.equilibria[near].stability.verdict == Stability::Verdict::unstable) return;
-      const std::size_t below = add(settle_at(from, to, share, true), Equilibrium::Found::between, start);
-      if (below != low_end && below != high_end) return;  // a third one lies between, or the descent has no end
-      (below == low_end ? low : high) = share;
+      driven.prescribed.back().value = a + share * (b - a);
+      near = settle_between(from, to, share, driven);
+      if (near.report.status != PoseStatus::ok) return;
+      const double cost = near.pose.state.multipliers[driven.prescribed.size() - 1];
+      (cost * (b - a) > 0 ? low : high) = share;
     }
+    near.report = solver_.settle(near.pose, target_);
+    add(near, Equilibrium::Found::between, start);
   }
 
-  Settled settle_at(const std::vector<JointValues>& from, const std::vector<JointValues>& to, double share,
-                    bool downhill) {
+  std::optional<CoordinateRef> most_different(const std::vector<JointValues>& from,
+                                              const std::vector<JointValues>& to) const {
+    std::optional<CoordinateRef> out;
+    double most = 0;
+    for (int j = 0; j < static_cast<int>(from.size()); ++j) {
+      for (int i = 0; i < 6; ++i) {
+        const double change = std::abs(to[at(j)][at(i)] - from[at(j)][at(i)]) / (i < 3 ? 1 : model_.scales.length);
+        if (!(change > most) || fixed_value(model_, target_, {j, i})) continue;
+        most = change;
+        out = CoordinateRef{j, i};
+      }
+    }
+    return out;
+  }
+
+  Settled settle_between(const std::vector<JointValues>& from, const std::vector<JointValues>& to, double share,
+                         const Target& driven) {
     Settled out;
     out.pose.last_number.assign(model_.pairs.size(), 0);
     out.pose.state.coordinates = from;
@@ -164,7 +189,7 @@ class Search {
       for (std::size_t i = 0; i < 6; ++i) out.pose.state.coordinates[j][i] += share * (to[j][i] - from[j][i]);
     out.pose.state.poses = poses_from_coordinates(model_, out.pose.state.coordinates);
     if (!overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap))
-      out.report = solver_.settle_from_seed(out.pose, target_, downhill);
+      out.report = solver_.settle_from_seed(out.pose, driven, true);
     return out;
   }
 

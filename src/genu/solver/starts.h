@@ -9,8 +9,7 @@
 // Each start is settled twice: by Newton's method alone, which finds equilibria of any kind, and downhill
 // (downhill_seed.h), which finds stable ones. From each equilibrium that is unstable two more descents set out,
 // displaced both ways along its unstable motion: to the stable poses on either side of a saddle. Between two stable
-// poses a saddle is looked for: where the straight way between them begins to lead down to the other one, by bisection,
-// and from there by Newton's method.
+// poses the coordinate that differs most is driven to where that costs nothing, and let go: at the saddle.
 #pragma once
 
 #include <functional>
