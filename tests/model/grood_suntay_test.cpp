@@ -106,6 +106,39 @@ TEST(GroodSuntay, MirroredAndMovedKneesHaveTheSameNumbers) {
   EXPECT_LT(worst, 1e-13);
 }
 
+TEST(GroodSuntay, RatesAreDerivatives) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  double worst = 0;
+  for (int i = 0; i < 100; ++i) {
+    GroodSuntayDef def = upright(i % 2 == 0);
+    for (auto* bone : {&def.femur, &def.tibia}) {
+      const Pose axes = test::random_pose(generator, 0.1);
+      *bone = {0, axes.R.col(2), axes.R.col(1), axes.p};
+    }
+    const Pose F = test::random_pose(generator, 0.1), T = test::random_pose(generator, 0.1);
+    Vec12 twists;
+    for (Eigen::Index k = 0; k < 12; ++k) twists[k] = unit(generator);
+    const auto moved = [&](double t) {
+      return numbers(
+          *grood_suntay(def, retract(F, Vec6(t * twists.head<6>())), retract(T, Vec6(t * twists.tail<6>()))));
+    };
+    const Vec6 exact = numbers(*grood_suntay_rate(def, F, T, twists));
+    if (std::abs(numbers(*grood_suntay(def, F, T))[1]) > 1.4) continue;  // rates grow without bound toward 90 deg
+    const double h = 1e-4;
+    // Flexion and rotation jump by a turn at 180 deg.
+    Vec6 one = moved(h) - moved(-h), two = moved(2 * h) - moved(-2 * h);
+    for (const Eigen::Index k : {0, 2}) {
+      one[k] = std::remainder(one[k], 2 * kPi);
+      two[k] = std::remainder(two[k], 2 * kPi);
+    }
+    const Vec6 truth = (8 * one - two) / (12 * h);
+    worst = std::max(worst, (exact - truth).norm() / exact.norm());
+  }
+  std::printf("worst relative error of the rates %.1e\n", worst);
+  EXPECT_LT(worst, 1e-7);
+}
+
 TEST(GroodSuntay, NoFloatingAxisAtARightAngleOfAdduction) {
   const Mat3 right_angle = (Mat3() << 0, 0, 1, 0, 1, 0, -1, 0, 0).finished();
   EXPECT_FALSE(grood_suntay(upright(true), Pose{}, {right_angle, Vec3::Zero()}).has_value());

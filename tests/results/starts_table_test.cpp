@@ -19,6 +19,8 @@ TEST(StartsTable, OneRowAnEquilibriumThenOneAFailedStart) {
   e.stability.smallest = -0.5;
   e.stability.verdict = Stability::Verdict::unstable;
   e.starts = {2, 4};
+  e.first_start = 2;
+  e.found = Equilibrium::Found::downhill;
   search.equilibria = {e, e};
   search.equilibria[1].energy.reset();
   search.equilibria[1].stability.flutter = true;
@@ -36,6 +38,7 @@ TEST(StartsTable, OneRowAnEquilibriumThenOneAFailedStart) {
   const auto word = [&](std::size_t row, const char* column) {
     return std::get<std::string>(t.at(row, t.column_index(column)));
   };
+  EXPECT_EQ(word(0, "found"), "downhill");
   EXPECT_EQ(word(0, "stability"), "unstable");
   EXPECT_EQ(word(1, "stability"), "flutter");
   EXPECT_TRUE(std::isnan(t.number(1, "energy_Nmm")));

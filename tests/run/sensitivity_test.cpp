@@ -102,6 +102,54 @@ TEST(RunSensitivity, RefusesAllUnknownNamesAtOnceWithSuggestions) {
   EXPECT_TRUE(r.solution.records.empty());
 }
 
+TEST(RunSensitivity, SaysWhatTheObjectsThatAreNamedHave) {
+  SensitivityResult r;
+  Diagnostics out;
+  EXPECT_EQ(run_sensitivity(test::dortmans_file(), {}, {{"knee.x"}, {"*.slack_length", "femur_*.height"}}, {}, out, r),
+            kExitRefused);
+  const std::string said = test::messages(out);
+  EXPECT_NE(said.find("its ligaments have stiffness, reference_strain, from.x"), std::string::npos) << said;
+  EXPECT_NE(said.find("its surfaces have major_radius, minor_radius, origin.x"), std::string::npos) << said;
+}
+
+TEST(RunSensitivity, ParametersMovedTogetherAddTheirEffects) {
+  SensitivityResult r;
+  Diagnostics out;
+  const std::string bundle = "*AC.reference_strain+LC.stiffness:together";
+  const SensitivityChoice choice{{"knee.rotation", "medial.force"}, {"?AC.reference_strain", "LC.stiffness", bundle}};
+  ASSERT_EQ(run_sensitivity(test::dortmans_file(), {}, choice, {}, out, r), kExitOk) << test::messages(out);
+  ASSERT_EQ(r.rows.parameters.size(), 4u);  // AAC, PAC, LC and the bundle of them
+  EXPECT_EQ(r.rows.parameters[3].name, bundle);
+  double worst = 0, largest = 0;
+  for (std::size_t row = 0; row < r.rows.rows(); ++row) {
+    for (std::size_t o = 0; o < 2; ++o) {
+      double sum = 0;
+      for (std::size_t p = 0; p < 3; ++p) sum += r.rows.effect(row, o, p);
+      worst = std::max(worst, std::abs(r.rows.effect(row, o, 3) - sum));
+      largest = std::max(largest, std::abs(sum));
+    }
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_LT(worst, 1e-12 * largest);
+  EXPECT_NE(r.text.find(bundle), std::string::npos) << r.text;
+  EXPECT_EQ(run_sensitivity(test::dortmans_file(), {}, {{"knee.x"}, {":together", "none.*:together"}}, {}, out, r),
+            kExitRefused);
+  EXPECT_NE(test::messages(out).find("nothing to move together"), std::string::npos);
+}
+
+TEST(RunSensitivity, WhereLoadsDriveTheirFactorsSayWhere) {
+  const test::TemporaryFolder folder;
+  std::string text = test::read_file(test::dortmans_file());
+  text = text.substr(0, text.find("[[step]]"));
+  text += "[load.M]\non = \"knee.flexion\"\n[[step]]\nload = { M = [-0.5, 0] }\nincrements = 2\n";
+  Diagnostics out;
+  SensitivityResult r;
+  run_sensitivity(folder.write("scene.toml", text), folder / "out", {{"knee.flexion"}, {"LC.stiffness"}}, {}, out, r);
+  EXPECT_NE(r.text.find("at M.factor = "), std::string::npos) << test::messages(out) << r.text;
+  const std::string csv = test::read_file(folder / "out/sensitivity.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "step,increment,M.factor,output,parameter,derivative,unit,change,effect");
+}
+
 TEST(RunSensitivity, RefusesMoreThanCanBeKept) {
   Diagnostics out;
   SensitivityResult r;

@@ -1,8 +1,10 @@
 // Several equilibria of one joint, found from several starts, against closed forms.
 #include "genu/solver/starts.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -93,6 +95,98 @@ TEST(Starts, ABallOnAFloorBetweenTwoWells) {
   for (const Equilibrium& e : found.equilibria) {
     ASSERT_EQ(e.pose.state.contacts.size(), 1u);
     EXPECT_NEAR(e.pose.state.contacts[0].force, 30, 1e-9);
+  }
+}
+
+/// A ball of radius 5 mm on z = -0.03 x^2 + 1.5e-4 x^4 + 0.01 y^2 (mm), pulled by a spring of 2 N/mm from 4 mm below
+/// its centre to 40 mm below the hump's top, rest length 20 mm, and two of 1 N/mm along y. With y = 0 and turns about y
+/// alone it is a curve: the ball's centre x - 5 n(x), energy E(x, turn).
+struct Hump {
+  static double height(double x) { return -0.03 * x * x + 1.5e-4 * std::pow(x, 4); }
+  static double slope(double x) { return -0.06 * x + 6e-4 * std::pow(x, 3); }
+  static Vec3 centre(double foot) {
+    const double s = slope(foot), norm = std::hypot(1, s);
+    return {foot - 5 * s / norm, 0, height(foot) + 5 / norm};
+  }
+  /// N mm. A frictionless ball turns until its eccentric spring points at its centre: the end is 4 mm nearer.
+  static double energy(double foot) {
+    const Vec3 c = centre(foot);
+    const double down = (c - Vec3(0, 0, -40)).norm() - 4 - 20, side = std::hypot(36, c.x(), c.z()) - 20;
+    return 0.5 * 2 * down * down + 2 * 0.5 * side * side;
+  }
+};
+
+/// "x = -10" where the run of a user began, far down the slope.
+std::string hump(double x, double z) {
+  const auto spring_to = [](const char* name, const char* from, const char* to, const char* stiffness) {
+    return std::string("[ligament.") + name + "]\nfrom = { body = \"bone\", point = " + from +
+           " }\nto = { body = \"ground\", point = " + to + " }\nlaw = \"spring\"\nstiffness = " + stiffness +
+           "\nslack_length = 20\n";
+  };
+  return bone_on_ground(fmt::format("{{ x = {}, z = {} }}", x, z)) + surface("ball", "bone", "sphere", "radius = 5") +
+         surface("land", "ground", "polynomial", "terms = [[2, 0, -0.03], [4, 0, 0.00015], [0, 2, 0.01]]") +
+         contact("foot", "ball", "land") + spring_to("down", "[0, 0, -4]", "[0, 0, -40]", "2") +
+         spring_to("left", "[0, 4, 0]", "[0, 40, 0]", "1") + spring_to("right", "[0, -4, 0]", "[0, -40, 0]", "1") +
+         step("increments = 1");
+}
+
+TEST(Starts, ABallOverAHumpRollsToBothSides) {
+  const auto s = scene_model(hump(-10, 4));
+  const StartSearch found = search(s, 2);
+  // The closed form's least energy right of the hump, by golden section.
+  double low = 1, high = 10;
+  for (int i = 0; i < 200; ++i) {
+    const double a = high - 0.6180339887498949 * (high - low), b = low + 0.6180339887498949 * (high - low);
+    if (Hump::energy(a) < Hump::energy(b))
+      high = b;
+    else
+      low = a;
+  }
+  const double rest = Hump::centre(0.5 * (low + high)).x() * 1e-3;
+  const double at_rest = Hump::energy(0.5 * (low + high)) * 1e-3, on_top = Hump::energy(0) * 1e-3;
+  ASSERT_EQ(found.equilibria.size(), 3u);
+  std::array<int, 3> seen{};
+  for (const Equilibrium& e : found.equilibria) {
+    const double x = e.pose.state.coordinates[0][3];
+    ASSERT_TRUE(e.energy.has_value());
+    std::printf("x %.9g mm (closed form 0 or %.9g), energy %.12g N mm, %s\n", 1e3 * x, 1e3 * rest, 1e3 * *e.energy,
+                to_string(e.found));
+    const bool top = std::abs(x) < 1e-6;
+    ++seen[top ? 1 : x < 0 ? 0 : 2];
+    EXPECT_EQ(e.stability.verdict, top ? Stability::Verdict::unstable : Stability::Verdict::stable);
+    EXPECT_NEAR(std::abs(x), top ? 0 : rest, 1e-9);  // golden section finds a minimum to the root of rounding
+    EXPECT_NEAR(*e.energy / (top ? on_top : at_rest), 1, 1e-9);
+  }
+  EXPECT_EQ(seen, (std::array<int, 3>{1, 1, 1}));
+}
+
+TEST(Starts, BesideASaddleLieTheStablePoses) {
+  const auto s = scene_model(hump(0, 5));  // one start, which is the saddle itself
+  const StartSearch found = search(s, 1);
+  ASSERT_EQ(found.equilibria.size(), 3u);
+  EXPECT_EQ(found.equilibria[0].stability.verdict, Stability::Verdict::unstable);
+  EXPECT_EQ(found.equilibria[1].found, Equilibrium::Found::beside);
+  EXPECT_EQ(found.equilibria[1].first_start, 1);
+  EXPECT_NEAR(found.equilibria[1].pose.state.coordinates[0][3], -found.equilibria[2].pose.state.coordinates[0][3],
+              1e-12);
+}
+
+TEST(Starts, TheKneeThatAMomentBendsIsBistable) {
+  // The path by arc length passes 0.3 N m three times (and once in extension): at 57.5, 98.2 and 128.9 deg.
+  const auto file = scene_model(test::knee("[load.M]\non = \"knee.flexion\"\n[[step]]\nload = { M = 0.3 }\n"));
+  ContactField field(file.model);
+  StartOptions options;
+  options.count = 40;
+  options.angle = 90 * std::numbers::pi / 180;
+  options.translation *= 4.5;
+  const StartSearch found = search_starts(file.model, field, test::target_of(file.scene),
+                                          reference_state(file.model).coordinates, options, {});
+  for (const double flexion : {57.5, 98.2, 128.9}) {
+    const auto near = std::find_if(found.equilibria.begin(), found.equilibria.end(), [&](const Equilibrium& e) {
+      return std::abs(e.pose.state.coordinates[0][0] * 180 / std::numbers::pi - flexion) < 0.1;
+    });
+    ASSERT_NE(near, found.equilibria.end()) << flexion;
+    EXPECT_EQ(near->stability.verdict, flexion == 98.2 ? Stability::Verdict::unstable : Stability::Verdict::stable);
   }
 }
 

@@ -45,6 +45,7 @@ TEST(Cli, SearchesFromSeveralStarts) {
                 again = genu("run " + scene + " --starts 6 --out " + (folder / "again"));
   EXPECT_EQ(many.exit_code, 0) << many.err;
   EXPECT_TRUE(contains(many.out, "equilibria at the first pose: ")) << many.out;
+  EXPECT_TRUE(contains(many.out, "from starts within 20 deg")) << many.out;
   EXPECT_TRUE(contains(many.out, "starts.csv")) << many.out;
   EXPECT_FALSE(contains(one.out, "starts")) << one.out;
   EXPECT_FALSE(std::filesystem::exists(folder / "one/starts.csv"));

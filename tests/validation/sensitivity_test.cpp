@@ -23,6 +23,17 @@ TEST(Sensitivity, OfTheTorusKneeIsWhatSolvingTheEditedSceneGives) {
   compare("torus knee", knee(flexed(10, 60, 5)), {0, 2, 5});
 }
 
+TEST(Sensitivity, OfTheKneeAsCliniciansDescribeIt) {
+  std::string text = knee(flexed(10, 60, 5));
+  const std::string translations = "translations = [\"x\", \"y\", \"z\"]\n";
+  ASSERT_NE(text.find(translations), std::string::npos);
+  text.insert(
+      text.find(translations) + translations.size(),
+      "grood_suntay = { side = \"left\", femur = { body = \"bone\", proximal = \"z\", anterior = \"y\", origin = "
+      "[1, 2, 3] }, tibia = { body = \"ground\", proximal = \"z\", anterior = \"y\" } }\n");
+  compare("clinical motion", text, {1, 4}, {{"*.gs.*"}, {"all"}});
+}
+
 TEST(Sensitivity, OfLoadsOfEveryKind) {
   const std::string loads =
       load("push", "force = [3, -10, -20]\nmoment = [0.05, 0.02, 0.01]\npoint = [3, 4, 10]") +

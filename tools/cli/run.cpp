@@ -17,6 +17,7 @@
 
 #include "commands.h"
 #include "genu/core/timer.h"
+#include "genu/core/units.h"
 #include "genu/run/run_scene.h"
 
 namespace genu::cli {
@@ -74,7 +75,7 @@ std::vector<std::string> short_columns(const ResultTable& table) {
 }
 
 /// Every equilibrium that was found, and how many starts found none.
-void print_starts(const ResultTable& starts) {
+void print_starts(const ResultTable& starts, double spread) {
   std::vector<std::string> columns = starts.columns();
   columns.erase(columns.begin() + 2, columns.begin() + 4);  // the first start and its status: in starts.csv
   columns.pop_back();                                       // the residual as well
@@ -86,15 +87,21 @@ void print_starts(const ResultTable& starts) {
     for (std::size_t c = 0; c < starts.columns().size(); ++c) found.set(c, starts.at(row, c));
   }
   const std::size_t failed = starts.rows() - found.rows();
-  fmt::print("equilibria at the first pose: {}{}\n", found.rows(),
+  fmt::print("equilibria at the first pose: {}, from starts within {:g} deg{}\n", found.rows(), spread,
              failed > 0 ? fmt::format("; {} of the starts found none", failed) : "");
+  bool any_stable = false;
+  for (std::size_t row = 0; row < found.rows(); ++row)
+    any_stable |= std::get<std::string>(found.at(row, found.column_index("stability"))) == "stable";
+  if (found.rows() > 0 && !any_stable)
+    fmt::print("none of them is stable: the joint does not stay at any of these poses. Try a larger --spread.\n");
   constexpr std::size_t kRows = 20;
   if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
 }
 
-int run(const std::string& scene, const std::string& folder, int starts, bool quiet) {
+int run(const std::string& scene, const std::string& folder, int starts, double spread, bool quiet) {
   RunOptions options;
   options.starts = starts;
+  options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
   if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
   options.cancelled = stop_on_interrupt();
@@ -108,7 +115,7 @@ int run(const std::string& scene, const std::string& folder, int starts, bool qu
     constexpr std::size_t kRows = 11;
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),
                to_text(solution.poses, short_columns(solution.poses), 4, kRows));
-    if (solution.starts) print_starts(*solution.starts);
+    if (solution.starts) print_starts(*solution.starts, spread);
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
@@ -123,6 +130,7 @@ void add_run(CLI::App& app, int& exit_code) {
   struct Arguments {
     std::string scene, folder;
     int starts = 0;
+    double spread = 20;
     bool quiet = false;
   };
   auto arguments = std::make_shared<Arguments>();
@@ -134,9 +142,17 @@ void add_run(CLI::App& app, int& exit_code) {
       ->add_option("--starts", arguments->starts,
                    "search for equilibria at the first pose from this many starts, list them in starts.csv")
       ->check(CLI::Range(1, kMostStarts));
+  constexpr double kMostSpread = 180;  // deg
+  command
+      ->add_option(
+          "--spread", arguments->spread,
+          "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
+          "each 20 deg")
+      ->check(CLI::Range(0.1, kMostSpread))
+      ->capture_default_str();
   command->add_flag("--quiet", arguments->quiet, "print errors only");
   command->callback([arguments, &exit_code] {
-    exit_code = run(arguments->scene, arguments->folder, arguments->starts, arguments->quiet);
+    exit_code = run(arguments->scene, arguments->folder, arguments->starts, arguments->spread, arguments->quiet);
   });
 }
 

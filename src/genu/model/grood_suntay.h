@@ -28,4 +28,9 @@ struct KneeMotion {
 /// there is no floating axis.
 std::optional<KneeMotion> grood_suntay(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia);
 
+/// Its derivative where the two bodies move with `twists`: [twist of the femur's, twist of the tibia's], about the
+/// origins of the poses.
+std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia,
+                                            const Vec12& twists);
+
 }  // namespace genu

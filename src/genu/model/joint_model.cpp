@@ -132,7 +132,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   for (const JointDef& joint : scene.joints) {
     const JointCoordinates coordinates(joint, scene.bodies[at(joint.parent)].centre,
                                        scene.bodies[at(joint.child)].centre);
-    model.joints.push_back({joint.name, joint.parent, joint.child, coordinates, joint.reference, joint.start});
+    model.joints.push_back(
+        {joint.name, joint.parent, joint.child, coordinates, joint.reference, joint.start.value_or(joint.reference)});
     reference.push_back(joint.reference);
     add_constraints_of(joint, static_cast<int>(model.joints.size()) - 1, model);
   }

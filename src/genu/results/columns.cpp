@@ -17,6 +17,8 @@ std::string reaction_column(const Scene& scene, const QuantityRef& c) {
   return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
 }
 
+std::string clinical_column(const std::string& joint, std::size_t i) { return joint + ".gs." + kClinical[i]; }
+
 std::string held_column(const std::string& joint, std::size_t i) {
   return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
 }

@@ -1,6 +1,7 @@
 // Names of result columns that more than one table has.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "genu/scene/scene.h"
@@ -15,6 +16,11 @@ std::string reaction_column(const Scene& scene, const QuantityRef& c);
 
 /// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
 std::string held_column(const std::string& joint, std::size_t i);
+
+/// "knee.gs.flexion_deg": angles first, then lengths, as KneeMotion has them
+inline constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
+                                         "lateral_mm",  "anterior_mm",   "distraction_mm"};
+std::string clinical_column(const std::string& joint, std::size_t i);
 
 /// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);

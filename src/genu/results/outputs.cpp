@@ -123,6 +123,15 @@ class Outputs {
     for (int i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
       add(held_column(joint.name, at(i)), i < 3 ? "N" : "Nm", 1,
           [j, i](const PosePoint&, const Sensitivity& s) { return s.held_reaction(j)[i]; });
+    for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
+      add(clinical_column(joint.name, i), i < 3 ? "deg" : "mm", i < 3 ? kDegree : kMillimetre,
+          [j, i](const PosePoint&, const Sensitivity& s) {
+            const auto m = s.clinical(j);
+            if (!m) return kNone;
+            const double rates[] = {m->flexion, m->adduction, m->external_rotation,
+                                    m->lateral, m->anterior,  m->distraction};
+            return rates[i];
+          });
   }
 
   void add_pair(int p, int contact_numbers) {

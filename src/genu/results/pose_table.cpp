@@ -17,13 +17,10 @@ namespace {
 constexpr double kMillimetre = 1e3;
 constexpr double kDegree = 180 / M_PI;
 constexpr const char* kAxes[] = {"x", "y", "z"};
-constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
-                                  "lateral_mm",  "anterior_mm",   "distraction_mm"};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
-std::string clinical_column(const std::string& joint, const char* name) { return joint + ".gs." + name; }
 
 /// A contact point as shown: held or open.
 struct ShownContact {
@@ -59,8 +56,8 @@ class PoseTable {
       for (int i = 0; i < 6; ++i) add_reaction(steps, {j, i});
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
-      for (const char* name : kClinical)
-        if (joint.grood_suntay) table_.add_column(clinical_column(joint.name, name));
+      for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
+        table_.add_column(clinical_column(joint.name, i));
     }
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
@@ -165,7 +162,7 @@ class PoseTable {
     const double values[] = {kDegree * motion->flexion,           kDegree * motion->adduction,
                              kDegree * motion->external_rotation, kMillimetre * motion->lateral,
                              kMillimetre * motion->anterior,      kMillimetre * motion->distraction};
-    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, kClinical[i]), values[i]);
+    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
   }
 
   void set_held(int joint, const PosePoint& point) {

@@ -13,8 +13,14 @@ namespace {
 
 constexpr std::size_t kMostPanels = 12, kMostLines = 6, kMostOutputs = 12;
 
-/// The columns of `poses` that say where on the path a row is.
-std::vector<std::string> place_columns(const Scene& scene, const std::vector<StepPlan>& steps) {
+bool varies(const StepPlan& step) {
+  return std::any_of(step.prescribed.begin(), step.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+}
+
+/// The columns of `poses` that say where on the path a row is: what is prescribed, and where a step does not drive any
+/// of that, the load factors, and the time that loads follow.
+std::vector<std::string> place_columns(const Scene& scene, const std::vector<StepPlan>& steps,
+                                       const ResultTable& poses) {
   std::vector<std::string> out;
   for (const StepPlan& step : steps) {
     for (const auto& p : step.prescribed) {
@@ -22,6 +28,12 @@ std::vector<std::string> place_columns(const Scene& scene, const std::vector<Ste
       if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
     }
   }
+  if (std::all_of(steps.begin(), steps.end(), varies)) return out;
+  for (const LoadDef& load : scene.loads)
+    if (const std::string name = load.name + ".factor"; poses.has_column(name)) out.push_back(name);
+  if (std::any_of(scene.loads.begin(), scene.loads.end(), [](const LoadDef& l) { return l.in_time(); }) &&
+      poses.has_column("time_s"))
+    out.push_back("time_s");
   return out;
 }
 
@@ -99,7 +111,7 @@ std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t ou
 std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
                             const ResultTable& poses) {
   std::string out = "step,increment";
-  const std::vector<std::string> places = place_columns(scene, steps);
+  const std::vector<std::string> places = place_columns(scene, steps, poses);
   for (const std::string& name : places) out += "," + name;
   out += ",output,parameter,derivative,unit,change,effect\n";
   for (std::size_t row = 0; row < rows.rows(); ++row) {
@@ -120,7 +132,7 @@ std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, con
 ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
                           const ResultTable& poses) {
   ResultTable table;
-  const std::vector<std::string> places = place_columns(scene, steps);
+  const std::vector<std::string> places = place_columns(scene, steps, poses);
   for (const char* name :
        {"output", "rank", "parameter", "change", "largest_effect", "rms_effect", "step", "increment"})
     table.add_column(name);
@@ -151,7 +163,7 @@ ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const
 std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
                          const ResultTable& poses, std::size_t most) {
   std::string out;
-  const std::vector<std::string> places = place_columns(scene, steps);
+  const std::vector<std::string> places = place_columns(scene, steps, poses);
   std::size_t width = 9;
   for (const Parameter& p : rows.parameters) width = std::max(width, p.name.size());
   for (std::size_t o = 0; o < std::min(kMostOutputs, rows.outputs.size()); ++o) {

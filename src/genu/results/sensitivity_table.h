@@ -10,6 +10,9 @@ namespace genu {
 struct SensitivityRows {
   std::vector<Output> outputs;
   std::vector<Parameter> parameters;
+  /// Of each parameter: those that it moves together, each by its standard change, where it is a bundle; empty where it
+  /// is one of the scene's. Its derivative is per one such move, its effect the sum of theirs.
+  std::vector<std::vector<Parameter>> bundles = {};
   /// In the units of output and parameter: row by row, output by output, parameter by parameter; NaN where there is
   /// none.
   std::vector<double> derivatives;
@@ -44,7 +47,7 @@ std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t ou
 std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
                             const ResultTable& poses);
 
-/// ranking.csv: one row for each output and parameter, with the prescribed values where the effect is largest.
+/// ranking.csv: one row for each output and parameter, with the place on the path where the effect is largest.
 ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
                           const ResultTable& poses);
 

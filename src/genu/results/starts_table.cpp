@@ -25,8 +25,9 @@ void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibr
   table.add_row();
   table.set("equilibrium", number);
   table.set("starts", static_cast<long>(e.starts.size()));
-  table.set("first_start", static_cast<long>(e.starts.front()));
+  table.set("first_start", static_cast<long>(e.first_start));
   table.set("status", std::string(to_string(e.report.status)));
+  table.set("found", std::string(to_string(e.found)));
   for_coordinates(scene, [&](const CoordinateRef& c) {
     table.set(coordinate_column(scene, c), shown(c, quantity_value(model, state.coordinates, c)));
   });
@@ -41,7 +42,7 @@ void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibr
 
 ResultTable starts_table(const Scene& scene, const JointModel& model, const StartSearch& search) {
   ResultTable table;
-  for (const char* name : {"equilibrium", "starts", "first_start", "status"}) table.add_column(name);
+  for (const char* name : {"equilibrium", "starts", "first_start", "status", "found"}) table.add_column(name);
   for_coordinates(scene, [&](const CoordinateRef& c) { table.add_column(coordinate_column(scene, c)); });
   for (const char* name : {"contacts", "energy_Nmm", "stability.min_eigenvalue_Nmm", "stability", "residual"})
     table.add_column(name);

@@ -188,6 +188,8 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
                             const Solution& solution) {
   StartOptions how;
   how.count = options.starts;
+  how.angle = options.spread;
+  how.translation *= options.spread / kStartSpread;
   how.newton = options.path.newton;
   std::vector<JointValues> first = start_state(prepared.model).coordinates;
   if (!solution.records.empty() && solution.records.front().point.solved())

@@ -26,6 +26,8 @@ struct Solution {
 struct RunOptions {
   PathOptions path;
   int starts = 0;  ///< > 0: searches from this many starts at the first pose as well; the path is the same without
+  /// rad: how far the starts turn what is free; translations go half the characteristic length for each 20 deg of it
+  double spread = kStartSpread;
   std::function<void(int done, int asked)> progress;  ///< called after every row; may be empty
   std::function<bool()> cancelled;                    ///< may be empty
 };

@@ -1,7 +1,9 @@
 #include "genu/run/sensitivity.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -36,6 +38,48 @@ std::string no_output(const Prepared& prepared, const std::vector<Output>& known
          " (outputs are the columns of results.csv, with or without the unit)";
 }
 
+/// What a parameter's object is called, in the plural; "" for what is prescribed.
+const char* kind_of_object(const Parameter& p) {
+  if (p.of_ligament()) return "ligaments";
+  if (p.of_surface()) return "surfaces";
+  if (p.of_load()) return "loads";
+  if (p.kind == Parameter::Kind::joint_stiffness) return "joints";
+  return p.kind == Parameter::Kind::prescribed ? "" : "bodies";
+}
+
+/// Why a pattern names no parameter: what the objects that it names have, those of ligaments alone where it asks for a
+/// key that only ligaments can have.
+std::string no_parameter(const std::vector<Parameter>& known, const std::string& pattern) {
+  constexpr std::array kOfLigaments = {
+      "toe_stiffness", "transition_strain", "slack_length", "reference_strain", "reference_force", "from", "to", "via"};
+  const auto object_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  const auto key_of = [](const std::string& name) { return name.substr(std::min(name.size(), name.find('.') + 1)); };
+  const std::string object = object_of(pattern), key = pattern.find('.') == std::string::npos ? "" : key_of(pattern);
+  const bool ligaments_only = std::find(kOfLigaments.begin(), kOfLigaments.end(), object_of(key)) != kOfLigaments.end();
+  std::vector<std::string> words, kinds;
+  std::vector<std::vector<std::string>> keys;  // of each kind
+  for (const Parameter& p : known) {
+    words.push_back(p.name);
+    const std::string kind = kind_of_object(p), own = key_of(p.name);
+    if (kind.empty() || (ligaments_only && kind != "ligaments") || !matches(object, object_of(p.name))) continue;
+    const auto place = std::find(kinds.begin(), kinds.end(), kind);
+    const auto k = static_cast<std::size_t>(place - kinds.begin());
+    if (place == kinds.end()) {
+      kinds.push_back(kind);
+      keys.emplace_back();
+    }
+    if (std::find(keys[k].begin(), keys[k].end(), own) == keys[k].end()) keys[k].push_back(own);
+  }
+  std::string out = "is no parameter of this scene" + did_you_mean(pattern, words);
+  for (std::size_t k = 0; k < kinds.size() && !key.empty(); ++k) {
+    constexpr std::size_t kMost = 12;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(kMost, keys[k].size()); ++i) list += (i == 0 ? "" : ", ") + keys[k][i];
+    out += fmt::format("; its {} have {}{}", kinds[k], list, keys[k].size() > kMost ? ", ..." : "");
+  }
+  return out;
+}
+
 void choose_outputs(const Prepared& prepared, const std::vector<std::string>& patterns, int contact_numbers,
                     std::vector<Output>& chosen, Diagnostics& out) {
   const std::vector<Output> known = outputs_of(prepared.scene, prepared.model, prepared.steps, contact_numbers);
@@ -52,22 +96,60 @@ void choose_outputs(const Prepared& prepared, const std::vector<std::string>& pa
     if (wanted[k]) chosen.push_back(known[k]);
 }
 
-void choose_parameters(const Scene& scene, const std::vector<std::string>& patterns, std::vector<Parameter>& chosen,
+constexpr const char* kTogether = ":together";
+
+/// Marks what a pattern names in `wanted`, or refuses it.
+void mark_parameters(const std::vector<Parameter>& known, const std::string& pattern, std::vector<bool>& wanted,
+                     Diagnostics& out) {
+  bool found = false;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (pattern != "all" && !matches(pattern, known[k].name)) continue;
+    wanted[k] = found = true;
+  }
+  if (!found) refuse(out, "--to", pattern, no_parameter(known, pattern));
+}
+
+/// The one parameter that moves all of `members`, each by its standard change.
+Parameter bundle_of(const std::string& name, const std::vector<Parameter>& members) {
+  Parameter bundle;
+  bundle.name = name;
+  bundle.unit = "1";
+  bundle.change = 1;
+  const bool same = std::all_of(members.begin(), members.end(),
+                                [&](const Parameter& p) { return p.change_text == members[0].change_text; });
+  bundle.change_text = same && !members.empty() ? members[0].change_text + " each" : "one each";
+  return bundle;
+}
+
+/// Single parameters in the scene's order, then the bundles as asked for.
+void choose_parameters(const Scene& scene, const std::vector<std::string>& patterns, SensitivityRows& rows,
                        Diagnostics& out) {
   const std::vector<Parameter> known = parameters_of(scene);
-  std::vector<std::string> words;
-  for (const Parameter& p : known) words.push_back(p.name);
-  std::vector<bool> wanted(known.size());
+  const auto marked = [&](const std::vector<bool>& wanted) {
+    std::vector<Parameter> chosen;
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (wanted[k]) chosen.push_back(known[k]);
+    return chosen;
+  };
+  std::vector<bool> singles(known.size());
+  std::vector<Parameter> bundles;
+  std::vector<std::vector<Parameter>> members;
   for (const std::string& pattern : patterns) {
-    bool found = false;
-    for (std::size_t k = 0; k < known.size(); ++k) {
-      if (pattern != "all" && !matches(pattern, known[k].name)) continue;
-      wanted[k] = found = true;
+    if (!pattern.ends_with(kTogether)) {
+      mark_parameters(known, pattern, singles, out);
+      continue;
     }
-    if (!found) refuse(out, "--to", pattern, "is no parameter of this scene" + did_you_mean(pattern, words));
+    std::vector<bool> wanted(known.size());
+    std::stringstream parts(pattern.substr(0, pattern.size() - std::string_view(kTogether).size()));
+    for (std::string part; std::getline(parts, part, '+');) mark_parameters(known, part, wanted, out);
+    members.push_back(marked(wanted));
+    bundles.push_back(bundle_of(pattern, members.back()));
+    if (members.back().empty() && parts.str().empty()) refuse(out, "--to", pattern, "names nothing to move together");
   }
-  for (std::size_t k = 0; k < known.size(); ++k)
-    if (wanted[k]) chosen.push_back(known[k]);
+  rows.parameters = marked(singles);
+  rows.bundles.resize(rows.parameters.size());
+  rows.parameters.insert(rows.parameters.end(), bundles.begin(), bundles.end());
+  rows.bundles.insert(rows.bundles.end(), members.begin(), members.end());
 }
 
 int contacts_made(const Solution& solution) {
@@ -124,7 +206,7 @@ SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice
                        Diagnostics& out) {
   SensitivityRows rows;
   choose_outputs(prepared, choice.outputs, contact_numbers, rows.outputs, out);
-  choose_parameters(prepared.scene, choice.parameters, rows.parameters, out);
+  choose_parameters(prepared.scene, choice.parameters, rows, out);
   return rows;
 }
 
@@ -144,10 +226,21 @@ void differentiate(const Prepared& prepared, const SensitivityChoice& choice, Se
       continue;
     }
     for (std::size_t p = 0; p < parameters; ++p) {
+      const auto derivative = [&](std::size_t o) -> double& {
+        return rows.derivatives[row * one + o * parameters + p];
+      };
+      const std::vector<Parameter>& bundle = rows.bundles[p];
+      if (!bundle.empty())
+        for (std::size_t o = 0; o < rows.outputs.size(); ++o) derivative(o) = 0;
+      for (const Parameter& member : bundle) {
+        sensitivity.differentiate(member);
+        for (std::size_t o = 0; o < rows.outputs.size(); ++o)
+          derivative(o) += rows.outputs[o].rate(point, sensitivity) * rows.outputs[o].shown * member.change;
+      }
+      if (!bundle.empty()) continue;
       sensitivity.differentiate(rows.parameters[p]);
       for (std::size_t o = 0; o < rows.outputs.size(); ++o)
-        rows.derivatives[row * one + o * parameters + p] =
-            rows.outputs[o].rate(point, sensitivity) * rows.outputs[o].shown * rows.parameters[p].si;
+        derivative(o) = rows.outputs[o].rate(point, sensitivity) * rows.outputs[o].shown * rows.parameters[p].si;
     }
   }
 }

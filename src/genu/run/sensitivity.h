@@ -10,7 +10,9 @@
 namespace genu {
 
 /// Outputs and parameters chosen by name: columns of results.csv, with or without the unit at their end
-/// ("knee.adduction"), and Parameter::name. * and ? stand for letters, "all" for everything there is.
+/// ("knee.adduction"), and Parameter::name. * and ? stand for letters, "all" for everything there is. Parameters named
+/// by patterns joined by + with ":together" at the end ("MCLs*.stiffness+MCLd*.stiffness:together") are one that moves
+/// all of them at once.
 struct SensitivityChoice {
   std::vector<std::string> outputs, parameters;
   std::size_t most = 10;  ///< parameters of each output that the text of the result lists

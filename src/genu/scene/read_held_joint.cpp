@@ -34,7 +34,6 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
   set_axes(Vec3::UnitX(), joint);
   if (const auto origin = read_vector(context, section.find("origin"), length_rule(context)))
     for (std::size_t k = 0; k < 3; ++k) joint.reference[3 + k] = (*origin)[static_cast<Eigen::Index>(k)];
-  joint.start = joint.reference;
   if (!revolute) return true;
 
   joint.rotations[0].name = "angle";
@@ -46,8 +45,8 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
     refuse(context, item, "must have a direction: not all three numbers may be 0");
   joint.stiffness = read_number(context, section.find("stiffness"), stiffness_rule(context)).value_or(0);
   read_angle(context, section.find("reference"), "reference", joint.reference[0]);
-  joint.start[0] = joint.reference[0];
-  read_angle(context, section.find("start"), "start", joint.start[0]);
+  if (const Item start = section.find("start"))
+    read_angle(context, start, "start", joint.start.emplace(joint.reference)[0]);
   section.not_built({"damping"}, "damping of joints, which only dynamics has");
   return true;
 }

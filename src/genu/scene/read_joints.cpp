@@ -110,8 +110,7 @@ bool read_coordinates(ReadContext& context, Section& section, JointDef& joint) {
   if (!rotations_good || !translations_good) return false;
   if (!names_are_distinct(context, rotations, translations, joint)) return false;
   read_pose(context, reference, joint, joint.reference);
-  joint.start = joint.reference;
-  read_pose(context, start, joint, joint.start);
+  if (start) read_pose(context, start, joint, joint.start.emplace(joint.reference));
   return true;
 }
 

@@ -58,7 +58,7 @@ struct JointDef {
   std::array<Rotation, 3> rotations;
   std::array<std::string, 3> translations;
   std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
-  std::array<double, 6> start{};      ///< the same: where the search for equilibrium begins
+  std::optional<std::array<double, 6>> start;  ///< the same: where the search for equilibrium begins, if not there
   Type type = Type::free;
   double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
   std::optional<GroodSuntayDef> grood_suntay;

@@ -96,8 +96,8 @@ class Stage {
 
 }  // namespace
 
-SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
-                          double stiffer) {
+SeedReport stiffen(const JointModel& model, const Target& target, State& state, const SeedStage& stage,
+                   double stiffer) {
   SeedReport report;
   state.contacts.clear();
   reset_pieces(model, state);
@@ -106,18 +106,27 @@ SeedReport compliant_seed(const JointModel& model, ContactField& field, const Ta
   const double L = model.scales.length;
   double modulus = stiffer * kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
-    Stage stage(model, field, target, modulus);
     State next = state;
     // A foundation that stiff rests on a few samples only and may not settle: what balanced before it is a seed as
     // well.
-    if (!stage.run(next, report)) break;
+    if (!stage(modulus, next, report)) break;
     state = std::move(next);
     report.balanced = true;
-    report.deepest = stage.deepest();
     if (report.deepest < kLittleOverlap * L) break;
   }
   reset_pieces(model, state);
   return report;
+}
+
+SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
+                          double stiffer) {
+  const auto run = [&](double modulus, State& next, SeedReport& report) {
+    Stage stage(model, field, target, modulus);
+    if (!stage.run(next, report)) return false;
+    report.deepest = stage.deepest();
+    return true;
+  };
+  return stiffen(model, target, state, run, stiffer);
 }
 
 }  // namespace genu

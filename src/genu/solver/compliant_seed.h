@@ -3,6 +3,8 @@
 // to begin.
 #pragma once
 
+#include <functional>
+
 #include "genu/model/contact_field.h"
 #include "genu/solver/newton_step.h"
 
@@ -14,8 +16,17 @@ struct SeedReport {
   double deepest = 0;  ///< overlap that is left, m
 };
 
-/// Moves `state` (poses and multipliers; its contacts are emptied) to the compliant equilibrium for `target`.
+/// Moves `state` (poses and multipliers; its contacts are emptied) to the compliant equilibrium for `target`. The first
+/// foundation is `stiffer` times the usual one: what is soft for the forces at hand lets a body through a thin sheet.
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
                           double stiffer = 1);
+
+/// Balances a state on a foundation of `modulus` (Pa per m of overlap); false where that fails. Updates its part of the
+/// report.
+using SeedStage = std::function<bool(double modulus, State& state, SeedReport& report)>;
+
+/// The stages of a seed, each on a stiffer foundation, until little overlap is left or one of them fails.
+SeedReport stiffen(const JointModel& model, const Target& target, State& state, const SeedStage& stage,
+                   double stiffer = 1);
 
 }  // namespace genu

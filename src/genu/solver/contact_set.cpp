@@ -4,6 +4,7 @@
 #include <set>
 
 #include "genu/solver/compliant_seed.h"
+#include "genu/solver/downhill_seed.h"
 #include "genu/solver/piece_changes.h"
 
 namespace genu {
@@ -227,10 +228,11 @@ void ContactSetSolver::close_touching(Balanced& pose, const Target& target, doub
     if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
 }
 
-PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, double stiffer) {
+PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill, double stiffer) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const SeedReport seed = compliant_seed(*model_, *field_, target, trial.state, stiffer);
+  const SeedReport seed = downhill ? downhill_seed(*model_, *field_, target, trial.state)
+                                   : compliant_seed(*model_, *field_, target, trial.state, stiffer);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
@@ -288,7 +290,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   for (const double stiffer : {1.0, 30.0, 1000.0}) {
     trial = pose;
     const int before = seeded.iterations;
-    seeded = settle_from_seed(trial, target, stiffer);
+    seeded = settle_from_seed(trial, target, false, stiffer);
     seeded.iterations += before;
     if (seeded.status != PoseStatus::ok) break;
     if (!passes_through(pose.state, trial.state)) {

@@ -56,8 +56,10 @@ class ContactSetSolver {
   /// Newton and changes of the contact set until nothing is wrong. On failure `pose` is left as it was.
   PoseReport settle(Balanced& pose, const Target& target);
 
-  /// From far: a compliant seed first, then settle() from the contacts it shows.
-  PoseReport settle_from_seed(Balanced& pose, const Target& target, double stiffer = 1);
+  /// From far: a compliant seed first, then settle() from the contacts it shows. `downhill`: the seed moves toward less
+  /// energy all the way (downhill_seed.h), so that it ends at a stable pose. `stiffer`:
+  /// how much stiffer than usual the foundation is at first.
+  PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false, double stiffer = 1);
 
   /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed; the seed as well
   /// where the bodies would have to pass through each other on the way.

@@ -82,6 +82,13 @@ Vec6 Sensitivity::held_reaction(int joint) const {
   return out;
 }
 
+std::optional<KneeMotion> Sensitivity::clinical(int joint) const {
+  const auto& axes = scene_->joints[at(joint)].grood_suntay;
+  if (!axes) return std::nullopt;
+  return grood_suntay_rate(*axes, pose(axes->femur.body), pose(axes->tibia.body),
+                           twists(axes->femur.body, axes->tibia.body));
+}
+
 LigamentMotion Sensitivity::ligament(int index) const {
   const auto& l = model_->ligaments[at(index)];
   const double length = ligament_length(l, state().poses);

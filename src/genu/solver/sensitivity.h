@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "genu/model/grood_suntay.h"
 #include "genu/model/parameter_rates.h"
 #include "genu/solver/newton_step.h"
 #include "genu/solver/path.h"
@@ -40,6 +41,8 @@ class Sensitivity {
   double reaction(const QuantityRef& q) const;
   /// Of joint_reaction().
   Vec6 held_reaction(int joint) const;
+  /// Of grood_suntay() of a joint that describes it; empty where there is no floating axis.
+  std::optional<KneeMotion> clinical(int joint) const;
   LigamentMotion ligament(int index) const;
   /// Of State::contacts[index] and Balanced::open[index].
   ContactMotion closed(std::size_t index) const;

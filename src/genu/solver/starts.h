@@ -5,6 +5,11 @@
 // same starts on every machine, and more of them fill the same box more densely. A start in which surfaces overlap so
 // far that they might come out on the wrong sides, or which does not settle, is drawn back toward start 1: to a half, a
 // quarter, an eighth of the way.
+//
+// Each start is settled twice: by Newton's method alone, which finds equilibria of any kind, and downhill
+// (downhill_seed.h), which finds stable ones. From each equilibrium that is unstable two more descents set out,
+// displaced both ways along its unstable motion: to the stable poses on either side of a saddle. Between two stable
+// poses the coordinate that differs most is driven to where that costs nothing, and let go: at the saddle.
 #pragma once
 
 #include <functional>
@@ -17,10 +22,12 @@
 
 namespace genu {
 
+inline constexpr double kStartSpread = 20 * std::numbers::pi / 180;  ///< rad, unless asked for more or less
+
 struct StartOptions {
   int count = 1;
-  double angle = 20 * std::numbers::pi / 180;  ///< rad: largest change of a free angle
-  double translation = 0.5;                    ///< of the model's characteristic length: of a free translation
+  double angle = kStartSpread;  ///< rad: largest change of a free angle
+  double translation = 0.5;     ///< of the model's characteristic length: of a free translation
   /// Two poses are the same where no body differs by more: translations in characteristic lengths, rotations in rad.
   double same_pose = 1e-6;
   double largest_overlap = 5e-3;  ///< m: in a start, as in the reference pose of a run
@@ -28,12 +35,18 @@ struct StartOptions {
 };
 
 struct Equilibrium {
+  enum class Found { newton, downhill, between, beside };
   Balanced pose;
   PoseReport report;
   Stability stability;
   std::optional<double> energy;  ///< J, see potential_energy.h
-  std::vector<int> starts;       ///< that led to it, from 1
+  /// From 1, each at one equilibrium: where it leads downhill, or, where that ends nowhere, by Newton's method alone
+  std::vector<int> starts;
+  Found found = Found::newton;  ///< the first way to it
+  int first_start = 0;  ///< the start of that way; of the saddle beside which, or the first pose between which it lies
 };
+
+const char* to_string(Equilibrium::Found found);
 
 struct FailedStart {
   int start = 0;  ///< from 1
@@ -42,7 +55,7 @@ struct FailedStart {
 
 struct StartSearch {
   int count = 0;                        ///< starts that were tried
-  std::vector<Equilibrium> equilibria;  ///< distinct ones, by their first start
+  std::vector<Equilibrium> equilibria;  ///< distinct ones, in the order they were found in
   std::vector<FailedStart> failed;
 };
 
@@ -55,8 +68,8 @@ std::vector<JointValues> start_coordinates(const JointModel& model, const Target
                                            const std::vector<JointValues>& first, int k, double share,
                                            const StartOptions& options);
 
-/// Settles every start, one after the other, at `target`; start 1 has the coordinates `first`. `cancelled` may be
-/// empty.
+/// Settles every start, one after the other, at `target`, then looks between stable equilibria and beside unstable
+/// ones; start 1 has the coordinates `first`. `cancelled` may be empty.
 StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
                           const std::vector<JointValues>& first, const StartOptions& options,
                           const std::function<bool()>& cancelled);
