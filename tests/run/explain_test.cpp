@@ -98,6 +98,15 @@ TEST(Explain, TheTorusKneeIsSeventeenEquations) {
   expect_said(text, "off           loads");
 }
 
+TEST(Explain, ArcLengthIsOneUnknownMore) {
+  Diagnostics out;
+  Scene scene = *read_scene(test::dortmans_file(), out);
+  scene.steps[0].arc_length = true;
+  const std::string text = explain(scene);
+  EXPECT_NE(text.find("by arc length from the last pose"), std::string::npos) << text;
+  EXPECT_NE(text.find("N = 2: 18 x 18"), std::string::npos) << text;
+}
+
 TEST(Explain, WithoutContactTheSystemIsTheBodysAndTheConstraints) {
   const std::string text = torus_knee([](Scene& s) {
     s.contacts.clear();

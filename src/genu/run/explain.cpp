@@ -220,7 +220,8 @@ class Explanation {
       row(held, fmt::format("reaction of {} (3 forces, {} moments)", joint.name, held - 3), held,
           "what the joint holds = its value");
     }
-    const std::size_t square = 6 * moving + constraints;
+    if (s.arc_length) row(1, "how far the step has come", 1, "by arc length from the last pose");
+    const std::size_t square = 6 * moving + constraints + (s.arc_length ? 1 : 0);
     if (scene_.contacts.empty()) {
       out_ += fmt::format("    {:>4}  in all\n", square);
       return;
@@ -229,8 +230,8 @@ class Explanation {
         "     5 N  for each of N contact points found: where       5 N  closure 2, gap 1, tangency 2\n"
         "          on either surface (2 + 2), normal force\n";
     const std::size_t most = moving == 1 ? 5 - constraints : 6 * moving - 1 - constraints;
-    out_ += fmt::format("     {} + 5 N in all (6B + M + 5N: B = {}, M = {}); room for N <= {}", square, moving,
-                        constraints, most);
+    out_ += fmt::format("     {} + 5 N in all (6B + M + 5N{}: B = {}, M = {}); room for N <= {}", square,
+                        s.arc_length ? " + 1" : "", moving, constraints, most);
     const std::size_t likely = std::min(most, scene_.contacts.size());
     out_ += fmt::format("; N = {}: {} x {}\n", likely, square + 5 * likely, square + 5 * likely);
   }
