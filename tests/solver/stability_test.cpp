@@ -103,6 +103,7 @@ TEST(Stability, KeepsSignAndSizeAboutAnOriginVeryFarAway) {
       Linearization at;
       at.wrench.setZero(6);
       at.stiffness.setZero(6, 6);
+      at.gradient.setZero(0, 6);
       const MatX stiffness = root * root.transpose();  // J, in the metric
       const auto unit = [](Eigen::Index i) { return i < 3 ? kMetric : 1.0; };
       for (Eigen::Index i = 0; i < 6; ++i)

@@ -58,8 +58,21 @@ TEST(Undetermined, ABallThatRollsIsNoPoseWhereverItFellFrom) {
                               contact("c", "ball", "floor") + load("press", "force = [0, 0, -100]") + step(""));
     ASSERT_FALSE(w.points.empty());
     EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << z << w.story();
-    EXPECT_FALSE(w.points[0].undetermined.free_motion.empty()) << z;
+    const auto& free = w.points[0].undetermined.free_motion;
+    ASSERT_EQ(free.size(), 5u) << z << ": all but the height";
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(free[static_cast<std::size_t>(i)].index, i) << z;
   }
+}
+
+TEST(Undetermined, ABodyThatNothingHoldsIsFreeAltogether) {
+  // No contact, nothing prescribed, and the one ligament slack.
+  const auto w = test::walk(
+      bone_on_ground("{ z = 10 }") +
+      test::ligament("l", "[0, 0, 0]", "[0, 0, -10]", "law = \"quadratic\"\nstiffness = 100\nslack_length = 30") +
+      step(""));
+  ASSERT_FALSE(w.points.empty());
+  EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << w.story();
+  EXPECT_EQ(w.points[0].undetermined.free_motion.size(), 6u);
 }
 
 TEST(Undetermined, ABallThatFillsItsSocketCannotMove) {

@@ -167,10 +167,21 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   out.flutter = std::abs(value.imag()) > real;
   out.mode = basis * eigen.eigenvectors().col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
-  if (std::abs(value.real()) <= std::max(kNeutral * largest, known_to))
+  const double nothing = std::max(kNeutral * largest, known_to);
+  if (std::abs(value.real()) <= nothing) {
     out.verdict = Stability::Verdict::neutral;
-  else
+    for (Eigen::Index i = 0; i < eigen.eigenvalues().size(); ++i) {
+      if (std::abs(eigen.eigenvalues()[i]) > nothing) continue;
+      out.neutral.conservativeResize(at.wrench.size(), out.neutral.cols() + 1);
+      // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
+      const Eigen::VectorXcd vector = eigen.eigenvectors().col(i);
+      const bool second = eigen.eigenvalues()[i].imag() < 0;
+      out.neutral.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
+    }
+    if (out.neutral.cols() == basis.cols()) out.neutral = basis;  // everything: no eigenvector says it better
+  } else {
     out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;
+  }
   return out;
 }
 

@@ -44,13 +44,18 @@ Undetermined find_undetermined(const JointModel& model, const State& state, cons
     else if (row >= constraints + held_count(state))  // a ligament held at its break has no coordinate to name
       out.shared_contacts.push_back(row - constraints - held_count(state));
   }
-  if (stability.verdict != Stability::Verdict::neutral || stability.mode.size() == 0) return out;
-  const auto changes = changes_along(model, state, stability.mode);
-  double largest = 0;
-  for (const auto& [coordinate, change] : changes) largest = std::max(largest, change);
   constexpr double kWorthNaming = 0.2;
-  for (const auto& [coordinate, change] : changes)
-    if (change > kWorthNaming * largest) out.free_motion.push_back(coordinate);
+  std::vector<std::pair<CoordinateRef, bool>> named;
+  for (Eigen::Index mode = 0; mode < stability.neutral.cols(); ++mode) {
+    const auto changes = changes_along(model, state, stability.neutral.col(mode));
+    double largest = 0;
+    for (const auto& [coordinate, change] : changes) largest = std::max(largest, change);
+    named.resize(changes.size());
+    for (std::size_t i = 0; i < changes.size(); ++i)
+      named[i] = {changes[i].first, named[i].second || changes[i].second > kWorthNaming * largest};
+  }
+  for (const auto& [coordinate, is_free] : named)
+    if (is_free) out.free_motion.push_back(coordinate);
   return out;
 }
 

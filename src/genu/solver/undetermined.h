@@ -8,7 +8,7 @@
 namespace genu {
 
 struct Undetermined {
-  std::vector<CoordinateRef> free_motion;     ///< coordinates that change along the motion that costs no force
+  std::vector<CoordinateRef> free_motion;     ///< coordinates that change along some motion that costs no force
   std::vector<QuantityRef> shared_reactions;  ///< what is prescribed or held, without a reaction of its own
   std::vector<int> shared_contacts;           ///< the same of contacts: indices into State::contacts
   bool none() const { return free_motion.empty() && shared_reactions.empty() && shared_contacts.empty(); }
