@@ -256,6 +256,57 @@ TEST(PieceChanges, AKneeBendsThroughAHeldStretchAndBack) {
   }
 }
 
+/// An ellipsoidal knee whose collateral ligament loses 98 N at 46.8311292 deg of flexion: adduction leaps by 2.2 deg.
+/// `steps` bend it from wherever they like.
+Walk leap(const std::string& steps) {
+  const auto ellipsoid = [](const std::string& name, int x, int y_radius) {
+    return "[surface." + name + "]\nbody = \"femur\"\nshape = \"ellipsoid\"\norigin = [" + std::to_string(x) +
+           ", 0, 0]\nradii = [12, " + std::to_string(y_radius) + ", 20]\n[contact.c_" + name + "]\nsurfaces = [\"" +
+           name + "\", \"plateau\"]\nmodel = \"rigid\"\n";
+  };
+  const auto fibre = [](const std::string& name, const std::string& from, const std::string& to,
+                        const std::string& law) {
+    return "[ligament." + name + "]\nfrom = { body = \"femur\", point = " + from +
+           " }\nto = { body = \"tibia\", point = " + to + " }\n" + law + "\n";
+  };
+  return walk(
+      "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.tibia]\nfixed = true\n[body.femur]\n"
+      "[joint.knee]\ntype = \"free\"\nparent = \"tibia\"\nchild = \"femur\"\n"
+      "rotations = [\"flexion x\", \"adduction y\", \"rotation z\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
+      "reference = { z = 20 }\n[surface.plateau]\nbody = \"tibia\"\nshape = \"polynomial\"\n"
+      "terms = [[0, 0, 0], [2, 0, 0.0005], [0, 2, 0.005]]\npatch = { x = [-40, 40], y = [-30, 30] }\n" +
+      ellipsoid("med", -22, 24) + ellipsoid("lat", 22, 22) +
+      fibre("ACL", "[8, -8, 0]", "[-3, 12, -3]", "law = \"quadratic\"\nstiffness = 30000\nreference_strain = 0.03") +
+      fibre("PCL", "[-8, 8, -6]", "[0, -22, -12]",
+            "law = \"blankevoort\"\nstiffness = 9000\ntransition_strain = 0.06\nreference_strain = 0.01") +
+      fibre("LCL", "[38, 0, 6]", "[36, -12, -45]", "law = \"linear\"\nstiffness = 2000\nreference_strain = 0.03") +
+      fibre("MCL", "[-38, 0, 6]", "[-24, 6, -60]",
+            "via = [{ body = \"tibia\", point = [-41, 2, -12] }]\nlaw = \"abdel-rahman\"\nstiffness = 60\n"
+            "toe_stiffness = 12\ntransition_strain = 0.05\nreference_strain = 0.02") +
+      "[load.weight]\nbody = \"femur\"\nforce = [0, 0, -100]\n" + steps);
+}
+
+TEST(PieceChanges, ADropOnTheWayLeadsToTheSamePoseHoweverTheStepsAreCut) {
+  const auto bent = [](const std::string& range, int increments) {
+    return test::step("prescribe = { \"knee.flexion\" = " + range + " }\nincrements = " + std::to_string(increments));
+  };
+  std::vector<Walk> walks;
+  for (const int increments : {1, 3, 47, 100}) walks.push_back(leap(bent("[0, 47]", increments)));
+  walks.push_back(leap(bent("47", 1)));
+  walks.push_back(leap(bent("[60, 47]", 13)));  // its approach passes the drop
+  const Pose& first = walks[0].points.back().pose.state.poses[1];
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    const Walk& w = walks[i];
+    ASSERT_TRUE(w.result.complete) << i << "\n" << w.story();
+    const auto jump = w.of(Kind::jump);
+    ASSERT_EQ(jump.size(), 1u) << w.story();
+    EXPECT_NEAR(jump[0].target.prescribed[0].value * 180 / M_PI, 46.8311292, 1e-6) << i;
+    EXPECT_TRUE(w.of(Kind::stepped_over).empty()) << i << "\n" << w.story();
+    EXPECT_LT((w.points.back().pose.state.poses[1].p - first.p).norm(), 1e-11) << i;
+    EXPECT_EQ(w.points.back().stability.verdict, Stability::Verdict::stable) << i;
+  }
+}
+
 // Ropes over pulleys.
 
 std::string rope(const std::string& via, const std::string& to, const std::string& law) {

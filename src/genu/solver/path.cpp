@@ -80,7 +80,7 @@ class PathRun {
     }
     walker_.begin(plan, kApproach, pose_, report_);
     while (!walker_.walk_to(1)) {
-      if (walker_.step_over(window(plan))) continue;
+      if (walker_.law_jump().empty() && walker_.step_over(window(plan))) continue;
       fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");
       return false;
     }
@@ -158,7 +158,7 @@ class PathRun {
     }
     while (!walker_.walk_to(t)) {
       const bool edge = walker_.failure().status == PoseStatus::over_edge;
-      if (!edge && walker_.step_over(window(step))) {
+      if (!edge && walker_.law_jump().empty() && walker_.step_over(window(step))) {
         if (walker_.t() <= t) continue;
         fail(step, k, t, walker_.failure(), "", false);
         return;

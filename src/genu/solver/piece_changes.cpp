@@ -41,6 +41,13 @@ void hold(const LawBreak& b, int piece, bool from_below, LigamentPiece& out) {
   out.force = from_below ? b.below.force : b.above.force;
 }
 
+/// The break past which a ligament that left its piece has gone.
+int break_passed(const JointModel& model, const State& state, const LigamentPiece& piece) {
+  const auto& breaks = breaks_of(model, piece);
+  const int k = piece.piece;
+  return at(k) < breaks.size() && length_of(model, state, piece) > breaks[at(k)].length ? k : k - 1;
+}
+
 void move(const JointModel& model, const State& state, bool hold_drops, LigamentPiece& piece) {
   const auto& breaks = breaks_of(model, piece);
   const int k = piece.piece;
@@ -51,8 +58,8 @@ void move(const JointModel& model, const State& state, bool hold_drops, Ligament
     piece.piece = above ? k + 1 : k;
     return;
   }
-  const bool up = at(k) < breaks.size() && length_of(model, state, piece) > breaks[at(k)].length;
-  const int passed = up ? k : k - 1;
+  const int passed = break_passed(model, state, piece);
+  const bool up = passed == k;
   const LawBreak& b = breaks[at(passed)];
   if (b.jumps() && (b.force_jump() > 0 || hold_drops))
     hold(b, passed, up, piece);
@@ -88,6 +95,16 @@ bool holds_a_drop(const JointModel& model, const State& state) {
   return std::any_of(state.pieces.begin(), state.pieces.end(), [&](const LigamentPiece& piece) {
     return piece.held && breaks_of(model, piece)[at(piece.piece)].force_jump() < 0;
   });
+}
+
+std::string dropped_force(const JointModel& model, const Findings& findings, const State& state) {
+  for (const int i : findings.left_piece) {
+    const LigamentPiece& piece = state.pieces[at(i)];
+    const int passed = break_passed(model, state, piece);
+    if (piece.held || !breaks_of(model, piece)[at(passed)].jumps()) continue;
+    if (breaks_of(model, piece)[at(passed)].force_jump() < 0) return describe_break(model, piece.ligament, passed);
+  }
+  return {};
 }
 
 bool let_go(const JointModel& model, State& state) {

@@ -27,6 +27,10 @@ bool change_pieces(const JointModel& model, const Findings& findings, State& sta
 /// Whether a ligament is held at a break where its force drops: balanced, but never stable.
 bool holds_a_drop(const JointModel& model, const State& state);
 
+/// The first of the ligaments found whose break is a drop of the force with its length, in words; empty if there is
+/// none. Beyond it, either way, the joint is out of balance by the whole drop and moves on.
+std::string dropped_force(const JointModel& model, const Findings& findings, const State& state);
+
 /// Puts ligaments that cannot be held, since what is prescribed fixes their length already, on the side their length is
 /// at. False where none is held.
 bool let_go(const JointModel& model, State& state);

@@ -207,6 +207,26 @@ bool Walker::pass_event(double t, Attempt violated) {
     emit(violated.findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap, violated.findings.where);
     return false;
   }
+  PoseReport report;
+  if (const std::string drop = dropped_force(solver_.model(), violated.findings, violated.pose.state); !drop.empty()) {
+    constexpr double kRest = 1e-6;
+    report = fall(t, drop, next);
+    if (report.status != PoseStatus::ok || distance(violated.pose.state, next.state) > kRest)
+      emit_at(PathEvent::Kind::jump, t, violated.pose.state, drop);
+  } else {
+    report = settle_beyond(t, next);
+  }
+  if (report.status != PoseStatus::ok) {
+    failure_ = report;
+    return false;
+  }
+  const Balanced before = pose_;
+  accept(t, std::move(next), report);
+  report_changes(before, pose_);
+  return true;
+}
+
+PoseReport Walker::settle_beyond(double t, Balanced& next) {
   PoseReport report = solver_.settle(next, plan_.target(t));
   iterations_ += report.iterations;
   if (report.status != PoseStatus::ok) {
@@ -219,15 +239,25 @@ bool Walker::pass_event(double t, Attempt violated) {
     report.status = PoseStatus::no_equilibrium;
     report.why = "the equilibrium that was followed ends where its contacts change";
   }
-  name_jump(violated, next, t, report);
-  if (report.status != PoseStatus::ok) {
-    failure_ = report;
-    return false;
+  return report;
+}
+
+PoseReport Walker::fall(double t, const std::string& drop, Balanced& next) {
+  // What is prescribed stands still while the joint moves on, downhill: not to any equilibrium, but to a near one.
+  const Balanced edge = next;
+  PoseReport report;
+  for (const bool seeded : {false, true}) {
+    next = edge;
+    report = seeded ? solver_.settle_from_seed(next, plan_.target(t), true) : solver_.settle(next, plan_.target(t));
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    if (distance(edge.state, next.state) <= kFarthest) return report;
+    note_snap(next.state);
+    report.status = PoseStatus::no_equilibrium;
   }
-  const Balanced before = pose_;
-  accept(t, std::move(next), report);
-  report_changes(before, pose_);
-  return true;
+  law_jump_ = drop;
+  report.why = "no equilibrium is near beyond the jump of ligament " + drop;
+  return report;
 }
 
 void Walker::note_snap(const State& state) {

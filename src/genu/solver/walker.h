@@ -73,6 +73,10 @@ class Walker {
   void note_snap(const State& state);
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
+  /// The pose beyond a change of contacts or of a law's piece, near where the path was.
+  PoseReport settle_beyond(double t, Balanced& next);
+  /// The pose in which the joint comes to rest where the force of a ligament has dropped.
+  PoseReport fall(double t, const std::string& drop, Balanced& next);
   void report_changes(const Balanced& before, const Balanced& after);
   void emit(PathEvent::Kind kind, const std::string& what);
   void emit_at(PathEvent::Kind kind, double t, const State& state, const std::string& what);
@@ -91,7 +95,6 @@ class Walker {
   bool find_stability_change(double t, const State& next, std::vector<Turn>& turns);
   double reaction_rate(const Tangent& tangent) const;
   std::string reaction_words(const Tangent& after, const State& state) const;
-  void name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report);
   std::vector<Turn> law_turns(double t, const State& state);
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);

@@ -117,17 +117,4 @@ void Walker::report_changes(const Balanced& before, const Balanced& after) {
   for (const auto& [kind, what] : piece_events(solver_.model(), before.state, after.state)) emit(kind, what);
 }
 
-void Walker::name_jump(const Attempt& violated, const Balanced& next, double t, PoseReport& report) {
-  if (violated.findings.left_piece.empty()) return;
-  const std::string where = piece_in_doubt(solver_.model(), violated.pose.state);
-  // Where the force of a ligament drops the bodies may move on at once; where it rises they rest.
-  constexpr double kRest = 1e-6;
-  const double moved = report.status == PoseStatus::ok ? distance(pose_.state, next.state) : 1.0;
-  if (where.empty() || moved <= kRest + 4 * (t - t_) * speed(tangent_)) return;
-  emit(PathEvent::Kind::jump, where);
-  if (report.status == PoseStatus::ok) return;
-  law_jump_ = where;
-  report.why = "no equilibrium is near beyond the jump of ligament " + where;
-}
-
 }  // namespace genu
