@@ -18,7 +18,7 @@ TEST(Outputs, AreAllColumnsOfResultsOrSayWhyNot) {
   const std::string pair = "surfaces = [\"torus_medial\", \"plane_medial\"]\n";
   text.insert(text.find(pair) + pair.size(), "regions = { front = \"y < 0\", back = \"y >= 0\" }\n");
   const auto s = test::scene_model(text);
-  const auto steps = test::plans_of(s.scene);
+  const auto steps = plan_steps(s.scene);
   PoseRecord record;  // two contacts have been seen
   record.point.pose.last_number.assign(s.model.pairs.size(), 2);
   const ResultTable table = pose_table(s.scene, s.model, steps, {record});

@@ -73,35 +73,5 @@ TEST(Prepare, KeepsWarningsOfAMeshThatCanBeUsed) {
   ASSERT_TRUE(p->notes.at(0).mesh.has_value());
 }
 
-TEST(PlanSteps, LoadsThatAreNotNamedKeepTheFactorOne) {
-  Scene scene;
-  scene.loads.resize(3);
-  scene.steps.resize(2);
-  scene.steps[0].factors = {{1, 0, 0.5}};
-  scene.steps[0].increments = 7;
-  scene.steps[1].prescribe = {{{0, 4}, 1e-3, 2e-3}};
-  const std::vector<StepPlan> plans = plan_steps(scene);
-  ASSERT_EQ(plans.size(), 2u);
-  EXPECT_EQ(plans[0].increments, 7);
-  EXPECT_EQ(plans[1].increments, 1);
-  EXPECT_EQ(plans[0].target(1).load_factors, (std::vector<double>{1, 0.5, 1}));
-  EXPECT_EQ(plans[1].target(0).load_factors, (std::vector<double>{1, 1, 1}));
-  ASSERT_EQ(plans[1].prescribed.size(), 1u);
-  EXPECT_EQ(plans[1].prescribed[0].to, 2e-3);
-}
-
-TEST(PlanSteps, TimeGoesOnFromStepToStep) {
-  Scene scene;
-  scene.steps.resize(3);
-  scene.steps[0].duration = 0.25;
-  scene.steps[2].duration = 4;
-  const std::vector<StepPlan> plans = plan_steps(scene);
-  EXPECT_EQ(plans[0].target(0).time, 0);
-  EXPECT_EQ(plans[0].target(1).time, 0.25);
-  EXPECT_EQ(plans[1].target(1).time, 1.25);
-  EXPECT_EQ(plans[2].target(0).time, 1.25);
-  EXPECT_EQ(plans[2].target(0.5).time, 3.25);
-}
-
 }  // namespace
 }  // namespace genu

@@ -132,7 +132,7 @@ load = { weight = [0, 1] }
   Diagnostics out;
   const auto model = build_model(moved, {}, out);
   ASSERT_TRUE(model.has_value());
-  const test::Walk again = test::walk(*model, test::plans_of(moved));
+  const test::Walk again = test::walk(*model, plan_steps(moved));
   ASSERT_TRUE(again.result.complete) << again.story();
   EXPECT_LT((joint_reaction(*model, again.points.back().pose.state, 1) - reaction).norm(), 1e-9);
   EXPECT_NEAR(again.points.back().stability.smallest / w.points.back().stability.smallest, 1, 1e-9);

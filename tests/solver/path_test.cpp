@@ -266,7 +266,7 @@ TEST(Path, StopsWhenCancelled) {
   PathObserver observer;
   observer.pose = [&](const PosePoint&) { ++poses; };
   observer.cancelled = [&] { return poses >= 5; };
-  const PathResult result = follow_path(s.model, field, test::plans_of(s.scene), {}, observer);
+  const PathResult result = follow_path(s.model, field, plan_steps(s.scene), {}, observer);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(poses, 5);
 }

@@ -9,23 +9,6 @@
 
 namespace genu::test {
 
-inline std::vector<StepPlan> plans_of(const Scene& scene) {
-  std::vector<StepPlan> plans;
-  double time = 0;
-  for (const StepDef& def : scene.steps) {
-    StepPlan plan;
-    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
-    plan.factors.resize(scene.loads.size());
-    for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
-    plan.increments = def.increments;
-    plan.arc_length = def.arc_length;
-    plan.start_time = time;
-    plan.end_time = time += def.duration;
-    plans.push_back(plan);
-  }
-  return plans;
-}
-
 struct Walk {
   PathResult result;
   std::vector<PosePoint> points;
@@ -61,7 +44,7 @@ inline Walk walk(const JointModel& model, const std::vector<StepPlan>& plans, co
 
 inline Walk walk(const std::string& text, const PathOptions& options = {}) {
   const SceneModel s = scene_model(text);
-  return walk(s.model, plans_of(s.scene), options);
+  return walk(s.model, plan_steps(s.scene), options);
 }
 
 /// Holds a pair closed at the points of its surfaces nearest to x (world).
@@ -93,7 +76,7 @@ inline SolvedKnee solved_knee(double flexion, const std::string& more = "") {
                  {},
                  {},
                  {}};
-  const Walk w = walk(out.scene.model, plans_of(out.scene.scene));
+  const Walk w = walk(out.scene.model, plan_steps(out.scene.scene));
   EXPECT_TRUE(w.result.complete) << w.story();
   if (w.points.empty()) return out;
   out.target = w.points.back().target;

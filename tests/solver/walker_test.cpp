@@ -25,7 +25,7 @@ struct Walking {
     Balanced pose;
     pose.state = reference_state(scene.model);
     pose.last_number.assign(scene.model.pairs.size(), 0);
-    const StepPlan plan = test::plans_of(scene.scene).front();
+    const StepPlan plan = plan_steps(scene.scene).front();
     const PoseReport report = solver.settle_cold(pose, plan.target(0));
     EXPECT_EQ(report.status, PoseStatus::ok) << report.why;
     walker.begin(plan, 1, pose, report);

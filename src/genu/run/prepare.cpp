@@ -120,23 +120,6 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
   return surfaces;
 }
 
-std::vector<StepPlan> plan_steps(const Scene& scene) {
-  std::vector<StepPlan> steps;
-  double time = 0;
-  for (const StepDef& def : scene.steps) {
-    StepPlan plan;
-    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
-    plan.factors.resize(scene.loads.size());
-    for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
-    plan.increments = def.increments;
-    plan.arc_length = def.arc_length;
-    plan.start_time = time;
-    plan.end_time = time += def.duration;
-    steps.push_back(std::move(plan));
-  }
-  return steps;
-}
-
 namespace {
 
 /// Two planes touch over an area or not at all: no point of contact can stand for that.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "genu/geometry/mesh_check.h"
-#include "genu/solver/step_plan.h"
+#include "genu/model/step_plan.h"
 
 namespace genu {
 
@@ -35,9 +35,5 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out);
-
-/// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
-/// it ends, the first at 0.
-std::vector<StepPlan> plan_steps(const Scene& scene);
 
 }  // namespace genu

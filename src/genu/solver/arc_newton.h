@@ -6,8 +6,8 @@
 // path (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977).
 #pragma once
 
+#include "genu/model/step_plan.h"
 #include "genu/solver/contact_set.h"
-#include "genu/solver/step_plan.h"
 
 namespace genu {
 

@@ -5,6 +5,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/solver/piece_changes.h"
+#include "genu/solver/state_difference.h"
 
 namespace genu {
 namespace {
@@ -135,7 +136,8 @@ bool ArcWalker::pass_change(double arc, Point violated) {
   constexpr double kNear = 1e-5;
   const PoseReport report = solver_.settle(violated.at.pose, plan_.target(violated.at.t));
   iterations_ += report.iterations;
-  if (report.status == PoseStatus::ok && distance(here_.at.pose, violated.at.pose) < kNear &&
+  if (report.status == PoseStatus::ok &&
+      distance(solver_.model(), here_.at.pose.state, violated.at.pose.state) < kNear &&
       !same_set(here_.at.pose.state, violated.at.pose.state) && leave(violated))
     return true;
   failure_.why = "no set of contacts leads on from here";

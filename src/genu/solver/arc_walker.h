@@ -91,7 +91,6 @@ class ArcWalker {
   Found locate(const Measure& measure, double low, const Point& from, double high, const Point& to);
   void add_law_events(double arc, const Point& next, std::vector<Feature>& out);
   bool settle_on(double t, Point& point);
-  double distance(const Balanced& a, const Balanced& b) const;
   bool closes(const Point& point) const;
   static bool same_set(const State& a, const State& b);
   static bool turns(const Point& from, const Point& to);

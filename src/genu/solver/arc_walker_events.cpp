@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "genu/core/bracket.h"
 #include "genu/solver/arc_walker.h"
-#include "genu/solver/piece_changes.h"
+#include "genu/solver/state_difference.h"
 
 namespace genu {
 namespace {
@@ -14,8 +12,6 @@ namespace {
 constexpr const char* kFlutter = "complex pair of stiffness eigenvalues";
 constexpr double kRounding = 1e-14;  // of t, where the path runs on at one value
 constexpr double kClosed = 1e-6;     // characteristic lengths, rad: nearer than this the path is back at its start
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -218,7 +214,7 @@ ArcWalker::Found ArcWalker::locate(const Measure& measure, double low, const Poi
     if (value == 0) before = behind;
     if (value == 0) break;
   }
-  best.leaps = distance(before, behind) > kMeet;
+  best.leaps = distance(solver_.model(), before.state, behind.state) > kMeet;
   return best;
 }
 
@@ -229,7 +225,9 @@ bool ArcWalker::settle_on(double t, Point& point) {
   Findings findings;
   const PoseReport report = solver_.solve_held(pose, plan_.target(t), findings);
   iterations_ += report.iterations;
-  if (report.status != PoseStatus::ok || !findings.none() || distance(pose, point.at.pose) > kSame) return false;
+  if (report.status != PoseStatus::ok || !findings.none() ||
+      distance(solver_.model(), pose.state, point.at.pose.state) > kSame)
+    return false;
   solver_.follow_open(pose);
   point.at.pose = std::move(pose);
   point.at.t = t;
@@ -237,29 +235,13 @@ bool ArcWalker::settle_on(double t, Point& point) {
   return true;
 }
 
-double ArcWalker::distance(const Balanced& a, const Balanced& b) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.state.poses.size(); ++i) {
-    const Pose &X = a.state.poses[i], &Y = b.state.poses[i];
-    sum += (X.p - Y.p).norm() / solver_.model().scales.length + log_rotation(X.R * Y.R.transpose()).norm();
-  }
-  return sum;
-}
-
 bool ArcWalker::closes(const Point& point) const {
-  return substeps_ > 0 && distance(point.at.pose, start_.at.pose) < kClosed &&
+  return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kClosed &&
          newton_.product(point.at.direction, start_.at.direction) > 0;
 }
 
 void ArcWalker::report_changes(const Balanced& before, const Point& after) {
-  const auto report = [&](const State& from, const State& to, PathEvent::Kind kind) {
-    for (const ActiveContact& c : to.contacts)
-      if (!contains(from, c))
-        outputs_.event(kind, after, fmt::format("{}.{}", solver_.model().pairs[at(c.pair)].name, c.number));
-  };
-  report(before.state, after.at.pose.state, PathEvent::Kind::contact_gained);
-  report(after.at.pose.state, before.state, PathEvent::Kind::contact_lost);
-  for (const auto& [kind, what] : piece_events(solver_.model(), before.state, after.at.pose.state))
+  for (const auto& [kind, what] : changes(solver_.model(), before.state, after.at.pose.state))
     outputs_.event(kind, after, what);
 }
 

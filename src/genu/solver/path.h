@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "genu/model/step_plan.h"
 #include "genu/solver/contact_set.h"
 #include "genu/solver/stability.h"
-#include "genu/solver/step_plan.h"
 #include "genu/solver/undetermined.h"
 
 namespace genu {

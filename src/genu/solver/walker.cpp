@@ -7,6 +7,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/solver/piece_changes.h"
+#include "genu/solver/state_difference.h"
 
 namespace genu {
 namespace {
@@ -94,15 +95,6 @@ Walker::Attempt Walker::attempt(double t) {
   return out;
 }
 
-double Walker::distance(const State& from, const State& to) const {
-  const double L = solver_.model().scales.length;
-  double sum = 0;
-  for (std::size_t i = 0; i < from.poses.size(); ++i)
-    sum +=
-        (to.poses[i].p - from.poses[i].p).norm() / L + log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm();
-  return sum;
-}
-
 double Walker::speed(const Tangent& tangent) const {
   const double L = solver_.model().scales.length;
   const VecX& twist = tangent.motion.twist;
@@ -126,13 +118,14 @@ bool Walker::passes_a_fold(const Tangent& next, double h) const {
 bool Walker::far_from_predicted(const Attempt& attempt) const {
   // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
   constexpr double kShare = 0.5, kSlack = 1e-5;
-  return distance(attempt.predicted, attempt.pose.state) > kShare * distance(pose_.state, attempt.predicted) + kSlack;
+  return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
+         kShare * distance(solver_.model(), pose_.state, attempt.predicted) + kSlack;
 }
 
 bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
-  return distance(pose_.state, state) > std::min(kFactor * h * speed(tangent_), kFarthest) + kSlack;
+  return distance(solver_.model(), pose_.state, state) > std::min(kFactor * h * speed(tangent_), kFarthest) + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
@@ -211,7 +204,7 @@ bool Walker::pass_event(double t, Attempt violated) {
   if (const std::string drop = dropped_force(solver_.model(), violated.findings, violated.pose.state); !drop.empty()) {
     constexpr double kRest = 1e-6;
     report = fall(t, drop, next);
-    if (report.status != PoseStatus::ok || distance(violated.pose.state, next.state) > kRest)
+    if (report.status != PoseStatus::ok || distance(solver_.model(), violated.pose.state, next.state) > kRest)
       emit_at(PathEvent::Kind::jump, t, violated.pose.state, drop);
   } else {
     report = settle_beyond(t, next);
@@ -235,7 +228,7 @@ PoseReport Walker::settle_beyond(double t, Balanced& next) {
     iterations_ += report.iterations;
   }
   if (report.status == PoseStatus::ok && jumped(next.state, t - t_)) {
-    note_snap(next.state);
+    snap_ = largest_motion(pose_.state, next.state);
     report.status = PoseStatus::no_equilibrium;
     report.why = "the equilibrium that was followed ends where its contacts change";
   }
@@ -251,22 +244,13 @@ PoseReport Walker::fall(double t, const std::string& drop, Balanced& next) {
     report = seeded ? solver_.settle_from_seed(next, plan_.target(t), true) : solver_.settle(next, plan_.target(t));
     iterations_ += report.iterations;
     if (report.status != PoseStatus::ok) continue;
-    if (distance(edge.state, next.state) <= kFarthest) return report;
-    note_snap(next.state);
+    if (distance(solver_.model(), edge.state, next.state) <= kFarthest) return report;
+    snap_ = largest_motion(pose_.state, next.state);
     report.status = PoseStatus::no_equilibrium;
   }
   law_jump_ = drop;
   report.why = "no equilibrium is near beyond the jump of ligament " + drop;
   return report;
-}
-
-void Walker::note_snap(const State& state) {
-  snap_ = {0, 0};
-  for (std::size_t i = 0; i < state.poses.size(); ++i) {
-    const Pose &from = pose_.state.poses[i], &to = state.poses[i];
-    snap_.first = std::max(snap_.first, (to.p - from.p).norm());
-    snap_.second = std::max(snap_.second, log_rotation(to.R * from.R.transpose()).norm());
-  }
 }
 
 bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
@@ -276,7 +260,7 @@ bool Walker::balance_at(double t, Balanced& next, PoseReport& report) {
     iterations_ += report.iterations;
     if (report.status != PoseStatus::ok) continue;
     if (!jumped(next.state, t - t_)) return true;
-    note_snap(next.state);
+    snap_ = largest_motion(pose_.state, next.state);
   }
   return false;
 }
@@ -295,9 +279,10 @@ bool Walker::step_over(double window) {
     PoseReport report;
     if (balance_at(t, next, report)) {
       constexpr double kRest = 1e-3;  // characteristic lengths, rad
-      if (turning_back() && same_contacts(pose_.state, next.state) && distance(pose_.state, next.state) > kRest) {
+      if (turning_back() && same_contacts(pose_.state, next.state) &&
+          distance(solver_.model(), pose_.state, next.state) > kRest) {
         // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
-        note_snap(next.state);
+        snap_ = largest_motion(pose_.state, next.state);
         return false;
       }
       const Balanced before = pose_;

@@ -65,12 +65,10 @@ class Walker {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report);
-  double distance(const State& from, const State& to) const;
   double speed(const Tangent& tangent) const;
   bool passes_a_fold(const Tangent& next, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
   bool jumped(const State& state, double h) const;
-  void note_snap(const State& state);
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
   /// The pose beyond a change of contacts or of a law's piece, near where the path was.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/bracket.h"
-#include "genu/solver/piece_changes.h"
+#include "genu/solver/state_difference.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -40,7 +40,7 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
     (is_before ? before : behind) = trial.pose.state;
     out = {t, std::move(trial.pose.state), value, true};
   }
-  out.leaps = distance(before, behind) > kMeet;
+  out.leaps = distance(solver_.model(), before, behind) > kMeet;
   return out;
 }
 
@@ -107,14 +107,7 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state) {
 }
 
 void Walker::report_changes(const Balanced& before, const Balanced& after) {
-  const auto name = [&](const ActiveContact& c) {
-    return fmt::format("{}.{}", solver_.model().pairs[static_cast<std::size_t>(c.pair)].name, c.number);
-  };
-  for (const ActiveContact& c : after.state.contacts)
-    if (!contains(before.state, c)) emit(PathEvent::Kind::contact_gained, name(c));
-  for (const ActiveContact& c : before.state.contacts)
-    if (!contains(after.state, c)) emit(PathEvent::Kind::contact_lost, name(c));
-  for (const auto& [kind, what] : piece_events(solver_.model(), before.state, after.state)) emit(kind, what);
+  for (const auto& [kind, what] : changes(solver_.model(), before.state, after.state)) emit(kind, what);
 }
 
 }  // namespace genu

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "genu/model/state.h"
+#include "genu/scene/scene.h"
 
 namespace genu {
 
@@ -32,6 +33,10 @@ struct StepPlan {
   /// The prescribed coordinate that varies, if it is the only thing that does; -1 otherwise.
   int only_driven() const;
 };
+
+/// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
+/// it ends, the first at 0.
+std::vector<StepPlan> plan_steps(const Scene& scene);
 
 /// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond.
 std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state);

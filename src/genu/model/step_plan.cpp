@@ -1,4 +1,4 @@
-#include "genu/solver/step_plan.h"
+#include "genu/model/step_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +41,23 @@ int StepPlan::only_driven() const {
   }
   const bool loads = std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.from != f.to; });
   return loads ? -1 : driven;
+}
+
+std::vector<StepPlan> plan_steps(const Scene& scene) {
+  std::vector<StepPlan> steps;
+  double time = 0;
+  for (const StepDef& def : scene.steps) {
+    StepPlan plan;
+    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
+    plan.factors.resize(scene.loads.size());
+    for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
+    plan.increments = def.increments;
+    plan.arc_length = def.arc_length;
+    plan.start_time = time;
+    plan.end_time = time += def.duration;
+    steps.push_back(std::move(plan));
+  }
+  return steps;
 }
 
 std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state) {
