@@ -29,7 +29,7 @@ constexpr int kNoiseLengths = 24;  // from an eighth of it, by 2^(1/4), and whit
 constexpr double kShortest = 1.0 / 8;
 constexpr int kReweightings = 3;
 constexpr double kEvidence = 10;        // the misfit without noise must be larger by this
-constexpr double kAsGood = 1;         // misfits that differ by less are alike
+constexpr double kAsGood = 1;           // misfits that differ by less are alike
 constexpr std::size_t kFirstShell = 2;  // degrees 0 and 1 are how the patch lies
 constexpr double kTiny = 1e-300;
 
@@ -156,7 +156,8 @@ class Mixture {
  public:
   explicit Mixture(const std::vector<Band>& bands) : bands_(bands), first_(bands.front().radius) {
     for (const Band& band : bands) {
-      for (std::size_t shell = kFirstShell; shell < kShells; ++shell) rows_.push_back({band.energies[shell], Vec3::Zero()});
+      for (std::size_t shell = kFirstShell; shell < kShells; ++shell)
+        rows_.push_back({band.energies[shell], Vec3::Zero()});
       references_.try_emplace(band.samples, band.samples);
     }
   }

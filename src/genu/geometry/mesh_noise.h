@@ -8,9 +8,9 @@
 // correlation exp(-r^2 / l^2) has s^2 e_m(rho / l), a known function that hardly falls with the degree once rho exceeds
 // l. The medians over the mesh of degrees 2 to 5 and the rest, at radii from 3 to 17 edges, are compared with
 //     A_even^2, A_odd^2, L, s, l
-// in their logarithms; of lengths l that do about as well, one on the short side (the less noise) is taken. So truncation of
-// curvature is no noise: exact shapes give 0. Measured (mesh_noise_test.cpp): s and l within a factor of 2 wherever
-// noise stands out of the shape.
+// in their logarithms; of lengths l that do about as well, one on the short side (the less noise) is taken. So
+// truncation of curvature is no noise: exact shapes give 0. Measured (mesh_noise_test.cpp): s and l within a factor of
+// 2 wherever noise stands out of the shape.
 //
 // What it cannot see: noise that looks like shape. That is noise correlated over more than about half the radius of
 // curvature, or so weak that the shape hides it in all of these bands; a mesh whose edges are longer than a quarter of
