@@ -8,6 +8,9 @@
 
 namespace genu {
 
+constexpr double kBlendRadius = 0.7;   ///< of the fit radius
+constexpr double kNodeSpacing = 0.25;  ///< of the fit radius
+
 struct NodeSeed {
   Vec3 position = Vec3::Zero();   ///< m, on the mesh
   Vec3 normal = Vec3::UnitZ();    ///< outward

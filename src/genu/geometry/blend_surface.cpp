@@ -14,10 +14,8 @@
 namespace genu {
 namespace {
 
-constexpr double kBlendRadius = 0.7;  // of the fit radius
-constexpr double kSpacing = 0.25;     // of the fit radius
-constexpr double kNodeReach = 1.4;    // of the blend radius: nodes that one point of the surface may see together
-constexpr double kLinkReach = 2;      // of the spacing
+constexpr double kNodeReach = 1.4;  // of the blend radius: nodes that one point of the surface may see together
+constexpr double kLinkReach = 2;    // of the spacing
 constexpr int kMaxIterations = 20;
 constexpr double kLongestStep = 0.5;     // of the blend radius
 constexpr double kSettled = 1e-11;       // of the blend radius: a step this short leaves the derivatives as they are
@@ -98,7 +96,7 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   facts.degree = choice.degree;
   facts.fit_radius = choice.radius;
   facts.blend_radius = kBlendRadius * choice.radius;
-  facts.node_spacing = kSpacing * choice.radius;
+  facts.node_spacing = kNodeSpacing * choice.radius;
   facts.median_edge = graph.median_edge;
   facts.noise_rms = choice.noise_rms;
   facts.why = std::move(choice.why);
