@@ -2,6 +2,7 @@
 //   1. read scene and meshes; refuse with every error at once
 //   2. solve pose after pose
 //   3. write results.csv, events.csv, curves.svg, summary.json; print a short table and the verdict
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <memory>
@@ -98,9 +99,36 @@ void print_starts(const ResultTable& starts, double spread) {
   if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
 }
 
-int run(const std::string& scene, const std::string& folder, int starts, double spread, bool quiet) {
+/// The error bars of the columns shown, the largest and what causes it.
+void print_error_bars(const Solution& solution) {
+  const std::vector<std::string> shown = short_columns(solution.poses);
+  ResultTable table;
+  for (const char* column : {"error bar of", "median", "largest", "at row", "mostly"}) table.add_column(column);
+  for (const ErrorBars::Largest& l : solution.error_bars->largest) {
+    if (std::find(shown.begin(), shown.end(), l.column) == shown.end() || !(l.largest > 1e-9))
+      continue;  // what is prescribed
+    table.add_row();
+    table.set(0, l.column);
+    table.set(1, l.median);
+    table.set(2, l.largest);
+    table.set(3, static_cast<long>(l.row + 1));
+    table.set(4, std::string(to_string(l.cause)));
+  }
+  if (table.rows() > 0) fmt::print("{}\n", to_text(table, table.columns(), 4, table.rows()));
+}
+
+struct Arguments {
+  std::string scene, folder;
+  int starts = 0;
+  double spread = 20;
+  bool error_bars = false, quiet = false;
+};
+
+int run(const Arguments& arguments) {
+  const auto& [scene, folder, starts, spread, error_bars, quiet] = arguments;
   RunOptions options;
   options.starts = starts;
+  options.error_bars = error_bars;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
   if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
@@ -116,23 +144,18 @@ int run(const std::string& scene, const std::string& folder, int starts, double 
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),
                to_text(solution.poses, short_columns(solution.poses), 4, kRows));
     if (solution.starts) print_starts(*solution.starts, spread);
+    if (solution.error_bars) print_error_bars(solution);
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
-    fmt::print("  {:<12}{}/results.csv, events.csv, {}curves.svg, summary.json\n", "written", solution.folder,
-               solution.starts ? "starts.csv, " : "");
+    fmt::print("  {:<12}{}/results.csv, events.csv, {}{}curves.svg, summary.json\n", "written", solution.folder,
+               solution.starts ? "starts.csv, " : "", solution.error_bars ? "error_bars.csv, error_shares.csv, " : "");
   return code;
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
-  struct Arguments {
-    std::string scene, folder;
-    int starts = 0;
-    double spread = 20;
-    bool quiet = false;
-  };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
@@ -150,10 +173,11 @@ void add_run(CLI::App& app, int& exit_code) {
           "each 20 deg")
       ->check(CLI::Range(0.1, kMostSpread))
       ->capture_default_str();
+  command->add_flag("--error-bars", arguments->error_bars,
+                    "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "
+                    "points), and write how far each result may be off");
   command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] {
-    exit_code = run(arguments->scene, arguments->folder, arguments->starts, arguments->spread, arguments->quiet);
-  });
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -102,7 +102,11 @@ Axis horizontal(const Chart& chart, double left) {
 
 Axis vertical(const ChartPanel& panel, double top) {
   std::vector<double> all;
-  for (const ChartSeries& s : panel.series) all.insert(all.end(), s.y.begin(), s.y.end());
+  for (const ChartSeries& s : panel.series) {
+    all.insert(all.end(), s.y.begin(), s.y.end());
+    for (std::size_t k = 0; k < std::min(s.y.size(), s.bar.size()); ++k)
+      for (const double sign : {-1.0, 1.0}) all.push_back(s.y[k] + sign * s.bar[k]);
+  }
   if (panel.from_zero) all.push_back(0);
   const auto [low, high] = range(all);
   Axis axis;
@@ -139,6 +143,27 @@ std::string draw_series(const Chart& chart, const ChartSeries& series, const Axi
   return fmt::format("<path class=\"line\" stroke=\"{}\" d=\"{}\"/>\n", colour, path) + dots;
 }
 
+/// The band within which a series may lie, in pieces where it is known without a gap.
+std::string draw_band(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y, const char* colour) {
+  const std::size_t n = std::min({chart.x.size(), series.y.size(), series.bar.size()}), stride = 1 + n / kMostPoints;
+  std::string path, upper, lower;
+  const auto end_run = [&] {
+    if (!upper.empty()) path += "M" + upper.substr(1) + lower + "Z";
+    upper.clear();
+    lower.clear();
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!std::isfinite(chart.x[k]) || !std::isfinite(series.y[k]) || !std::isfinite(series.bar[k])) {
+      end_run();
+    } else if (k % stride == 0 || k + 1 == n) {
+      upper += fmt::format("L{:.1f} {:.1f}", x(chart.x[k]), y(series.y[k] + series.bar[k]));
+      lower = fmt::format("L{:.1f} {:.1f}", x(chart.x[k]), y(series.y[k] - series.bar[k])) + lower;
+    }
+  }
+  end_run();
+  return path.empty() ? path : fmt::format("<path class=\"band\" fill=\"{}\" d=\"{}\"/>\n", colour, path);
+}
+
 /// Heights of the names: as near to the ends of their lines as they can be without touching each other.
 std::vector<double> name_heights(const std::vector<double>& ends, double top) {
   std::vector<std::size_t> order(ends.size());
@@ -173,6 +198,8 @@ std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& 
   }
   const std::vector<double> heights = name_heights(ends, top);
   const double right = x.at_high;
+  for (std::size_t k = 0; k < panel.series.size(); ++k)
+    out += draw_band(chart, panel.series[k], x, y, kColours[k % kColours.size()]);
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
     const char* colour = kColours[k % kColours.size()];
     out += draw_series(chart, panel.series[k], x, y, colour);
@@ -267,7 +294,8 @@ std::string list_events(const Chart& chart, double top) {
 constexpr const char* kStyle =
     "text{font:11.5px 'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;fill-opacity:1}"
     ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}.tick{fill:#444}"
-    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.grid{stroke:#e6e6e6}.zero{stroke:#9a9a9a}.axis{stroke:#"
+    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.band{fill-opacity:.16;stroke:none}.grid{stroke:#e6e6e6}."
+    "zero{stroke:#9a9a9a}.axis{stroke:#"
     "444}"
     ".event{stroke:#777;stroke-dasharray:2 3}.sign{fill:#333}.hollow{fill:#fff;stroke:#333}.window{fill:#ddd}"
     ".crossing{fill:none;stroke:#000;stroke-width:1.5}";

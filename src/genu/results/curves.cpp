@@ -32,8 +32,8 @@ bool one_way(const std::vector<double>& values) {
 
 class Curves {
  public:
-  Curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses)
-      : scene_(scene), steps_(steps), poses_(poses) {
+  Curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses, const ResultTable* bars)
+      : scene_(scene), steps_(steps), poses_(poses), bars_(bars) {
     for (const StepPlan& step : steps)
       for (const auto& p : step.prescribed)
         if (std::find(prescribed_.begin(), prescribed_.end(), p.coordinate) == prescribed_.end())
@@ -50,7 +50,7 @@ class Curves {
     add("Reaction moment [N m]", reactions(true), true);
     add("Reaction force [N]", reactions(false), true);
     add("Load factor [1]", load_factors(), true);
-    add("Smallest stiffness eigenvalue [N mm]", {{"eigenvalue", column(poses_, "stability.min_eigenvalue_Nmm")}}, true);
+    add("Smallest stiffness eigenvalue [N mm]", {series("eigenvalue", "stability.min_eigenvalue_Nmm")}, true);
     const auto located = [](const PathEvent& e) { return e.kind == PathEvent::Kind::stability_changed; };
     chart_.panels.back().mark_zero_crossings = std::none_of(events.begin(), events.end(), located);
     for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
@@ -106,6 +106,12 @@ class Curves {
     });
   }
 
+  ChartSeries series(const std::string& name, const std::string& of) const {
+    ChartSeries out{name, column(poses_, of)};
+    if (bars_ != nullptr && bars_->has_column(of)) out.bar = column(*bars_, of);
+    return out;
+  }
+
   void add(const char* title, std::vector<ChartSeries> series, bool from_zero) {
     if (!series.empty()) chart_.panels.push_back({title, std::move(series), from_zero, false});
   }
@@ -122,7 +128,7 @@ class Curves {
       for (int i = first; i < first + 3; ++i) {
         const CoordinateRef c{j, i};
         if (x_ == QuantityRef(c) || !scene_.joints[static_cast<std::size_t>(j)].leaves(i)) continue;
-        out.push_back({short_name(c), column(poses_, coordinate_column(c))});
+        out.push_back(series(short_name(c), coordinate_column(c)));
       }
     }
     return out;
@@ -133,10 +139,10 @@ class Curves {
     for (const ContactDef& contact : scene_.contacts) {
       for (const RegionDef& region : contact.regions) {
         const std::string name = contact.name + "." + region.name;
-        out.push_back({scene_.contacts.size() > 1 ? name : region.name, column(poses_, name + ".force_N")});
+        out.push_back(series(scene_.contacts.size() > 1 ? name : region.name, name + ".force_N"));
       }
       const bool whole = contact.regions.empty() || scene_.contacts.size() > 1;
-      out.push_back({whole ? contact.name : "whole pair", column(poses_, contact.name + ".force_N")});
+      out.push_back(series(whole ? contact.name : "whole pair", contact.name + ".force_N"));
     }
     return out;
   }
@@ -145,8 +151,7 @@ class Curves {
     std::vector<ChartSeries> out;
     for (const QuantityRef& c : prescribed_) {
       if (c.is_rotation() != moments) continue;
-      out.push_back(
-          {short_name(c), column(poses_, quantity_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N"))});
+      out.push_back(series(short_name(c), quantity_name(scene_, c) + (moments ? ".reaction_Nm" : ".reaction_N")));
     }
     return out;
   }
@@ -235,6 +240,7 @@ class Curves {
   const Scene& scene_;
   const std::vector<StepPlan>& steps_;
   const ResultTable& poses_;
+  const ResultTable* bars_;
   std::vector<QuantityRef> prescribed_;
   std::optional<QuantityRef> x_;
   bool over_time_ = false;
@@ -245,8 +251,8 @@ class Curves {
 }  // namespace
 
 Chart curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
-             const std::vector<PathEvent>& events) {
-  return Curves(scene, steps, poses).draw(events);
+             const std::vector<PathEvent>& events, const ResultTable* bars) {
+  return Curves(scene, steps, poses, bars).draw(events);
 }
 
 }  // namespace genu

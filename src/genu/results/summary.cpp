@@ -25,6 +25,8 @@ std::string to_json(const RunSummary& s) {
   for (const auto& e : s.effects)
     j["effects"].push_back({{"name", e.name}, {"count", e.count}, {"unknowns", e.unknowns}});
   for (const auto& f : s.surfaces) j["surfaces"].push_back({{"name", f.name}, {"facts", f.text}});
+  for (const auto& v : s.variants)
+    j["error_bars"].push_back({{"cause", v.cause}, {"variant", v.name}, {"poses_solved", v.poses_solved}});
   j["scales"] = {{"length_mm", 1e3 * s.length_scale}, {"force_N", s.force_scale}};
   j["poses"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}, {"stable", s.poses_stable}};
   j["contacts"] = {{"fewest", s.fewest_contacts}, {"most", s.most_contacts}};

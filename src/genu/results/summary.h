@@ -19,11 +19,16 @@ struct RunSummary {
     std::string name;
     std::string text;
   };
+  struct Variant {
+    std::string cause, name;
+    int poses_solved = 0;
+  };
   std::string scene_file, title, version;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;
-  double length_scale = 0;  ///< m
-  double force_scale = 0;   ///< N
+  std::vector<Variant> variants;  ///< of the surfaces, solved for error bars
+  double length_scale = 0;        ///< m
+  double force_scale = 0;         ///< N
   int poses_asked = 0, poses_solved = 0, poses_stable = 0;
   int fewest_contacts = 0, most_contacts = 0;
   int iterations = 0, substeps = 0;

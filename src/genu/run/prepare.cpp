@@ -61,7 +61,7 @@ void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found,
 std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, SurfaceNote& note,
                                                   double& read_seconds, Diagnostics& out) {
   Diagnostics found;
-  std::unique_ptr<BlendSurface> surface;
+  std::shared_ptr<const BlendSurface> surface;
   std::optional<Mesh> mesh;
   {
     const ScopedTimer timing(read_seconds);
@@ -77,6 +77,7 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
   if (mesh && !found.has_errors())
     surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
   if (surface) note.text = describe(*note.mesh, surface->facts());
+  note.blend = surface;
   add_at(scene, def, found, out);
   return surface;
 }
@@ -90,7 +91,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
   double read = 0;
   const Timer timer;
   for (const SurfaceDef& def : scene.surfaces) {
-    SurfaceNote note{def.name, "closed form", std::nullopt};
+    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
       surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
     else

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/geometry/blend_surface.h"
 #include "genu/geometry/mesh_check.h"
 #include "genu/model/step_plan.h"
 
@@ -17,6 +18,7 @@ struct SurfaceNote {
   std::string name;
   std::string text;
   std::optional<MeshReport> mesh;
+  std::shared_ptr<const BlendSurface> blend;  ///< of a mesh: the whole of it, whatever patch is used; else null
 };
 
 struct Prepared {

@@ -1,15 +1,18 @@
 #include "genu/run/run_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/results/curves.h"
+#include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
 
 namespace genu {
@@ -112,7 +115,10 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   write("results.csv", solution.poses.to_csv());
   write("events.csv", solution.event_rows.to_csv());
   if (solution.starts) write("starts.csv", solution.starts->to_csv());
-  write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events)));
+  if (solution.error_bars) write("error_bars.csv", solution.error_bars->bars.to_csv());
+  if (solution.error_bars) write("error_shares.csv", solution.error_bars->shares.to_csv());
+  const ResultTable* bars = solution.error_bars ? &solution.error_bars->bars : nullptr;
+  write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events, bars)));
   write("summary.json", to_json(solution.summary));
   for (const auto& [name, content] : more) write(name, content);
   if (error.empty()) error = out.commit();
@@ -199,6 +205,30 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
   return starts_table(prepared.scene, prepared.model, search);
 }
 
+ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, Solution& solution) {
+  const std::vector<SurfaceVariant>& variants = surface_variants();
+  const std::vector<MeshNoise> noises = mesh_noises(prepared);
+  RunOptions same = options;
+  same.progress = {};
+  std::vector<std::optional<Solution>> varied(variants.size());
+  std::atomic<int> done = 0;
+  tbb::parallel_for(std::size_t{0}, variants.size(), [&](std::size_t i) {
+    if (const auto other = vary(prepared, noises, variants[i])) {
+      ContactField field(other->model);
+      varied[i] = solve(*other, field, same);
+    }
+    ++done;
+  });
+  std::vector<VariedPoses> poses;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    solution.summary.variants.push_back({to_string(variants[i].cause), variants[i].name, 0});
+    if (!varied[i]) continue;
+    solution.summary.variants.back().poses_solved = varied[i]->summary.poses_solved;
+    poses.push_back({variants[i].cause, &varied[i]->poses});
+  }
+  return error_bars(solution.poses, poses);
+}
+
 std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
                                     Diagnostics& out) {
   if (!folder) return prepare(path, out);
@@ -238,6 +268,11 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
     const Timer searching;
     found.starts = find_equilibria(*prepared, field, options, found);
     found.summary.seconds.emplace_back("searching from starts", searching.seconds());
+  }
+  if (options.error_bars && has_meshes(*prepared)) {
+    const Timer varying;
+    found.error_bars = find_error_bars(*prepared, options, found);
+    found.summary.seconds.emplace_back("error bars", varying.seconds());
   }
   int code = found.summary.exit_code;
   found.folder = folder_for(folder, options, found.summary);

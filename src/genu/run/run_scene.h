@@ -5,6 +5,7 @@
 #include <string>
 
 #include "genu/core/diagnostics.h"
+#include "genu/results/error_bars.h"
 #include "genu/results/pose_table.h"
 #include "genu/results/starts_table.h"
 #include "genu/results/summary.h"
@@ -18,13 +19,15 @@ struct Solution {
   std::vector<PoseRecord> records;
   std::vector<PathEvent> events;
   ResultTable poses, event_rows;
-  std::optional<ResultTable> starts;  ///< where several starts were asked for
+  std::optional<ResultTable> starts;    ///< where several starts were asked for
+  std::optional<ErrorBars> error_bars;  ///< where they were asked for and the scene has meshes
   RunSummary summary;
   std::string folder;  ///< where the results were written
 };
 
 struct RunOptions {
   PathOptions path;
+  bool error_bars = false;  ///< solves the scene on other surfaces its meshes might have given as well
   int starts = 0;  ///< > 0: searches from this many starts at the first pose as well; the path is the same without
   /// rad: how far the starts turn what is free; translations go half the characteristic length for each 20 deg of it
   double spread = kStartSpread;
@@ -48,12 +51,17 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
 ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const RunOptions& options,
                             const Solution& solution);
 
+/// The error bars of a solution: the same path on every variant of the surfaces (surface_variants.h), side by side on
+/// all threads. What a variant does not solve is said in the summary.
+ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, Solution& solution);
+
 /// Where the results go: into `folder`, or beside it where the run was cancelled and would replace a whole result by a
 /// part of one. The verdict then says so.
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary);
 
-/// Writes a solution's results.csv, events.csv, curves.svg, summary.json and, where starts were searched, starts.csv
-/// into `folder`, and `more` beside them (name, content). Returns what went wrong, else an empty text.
+/// Writes a solution's results.csv, events.csv, curves.svg, summary.json and, where they were asked for, starts.csv,
+/// error_bars.csv and error_shares.csv into `folder`, and `more` beside them (name, content). Returns what went wrong,
+/// else an empty text.
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
                           const std::vector<std::pair<std::string, std::string>>& more = {});
 
