@@ -42,7 +42,7 @@ inline SensitivityResult differentiated(const Prepared& p, const SensitivityChoi
   EXPECT_EQ(result.solution.summary.exit_code, kExitOk);
   for (const std::string& sentence : result.solution.summary.verdict)
     if (result.solution.summary.exit_code != kExitOk) ADD_FAILURE() << sentence;
-  differentiate(p, choice, result);
+  differentiate(p, field, choice, result);
   EXPECT_EQ(result.poses_without, 0);
   return result;
 }

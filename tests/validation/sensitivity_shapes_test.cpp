@@ -85,6 +85,16 @@ TEST(SensitivityOfShapes, AContactThatHasOpened) {
           {0, 3}, {{"all"}, {"all"}}, 0.001);
 }
 
+TEST(SensitivityOfShapes, APairThatNeverTouched) {
+  // The stop is 3 mm or more from the ball all along.
+  compare("never closed",
+          bone_on_ground("{ z = 20 }") + surface("ball", "bone", "ellipsoid", "radii = [15, 18, 20]") +
+              surface("floor", "ground", "polynomial", "terms = [[2, 0, -0.004], [0, 2, -0.006], [1, 0, 0.01]]") +
+              surface("stop", "ground", "sphere", "radius = 6\norigin = [4, 30, 22]") +
+              contact("foot", "ball", "floor") + contact("guard", "ball", "stop") + stays() + kDown + kTurned,
+          {0, 3}, {{"all"}, {"all"}}, 0.001);
+}
+
 TEST(SensitivityOfShapes, HingesWeightsAndCombinations) {
   compare("joints", R"(format = 1
 units = { length = "mm", angle = "deg" }

@@ -87,6 +87,14 @@ double ContactField::smallest_gap(const State& state, int pair) {
   return std::numeric_limits<double>::infinity();
 }
 
+std::optional<LocalMinimum> ContactField::nearest(const State& state, int pair) {
+  const double gap = smallest_gap(state, pair);
+  const auto lowest = std::min_element(scan_.minima.begin(), scan_.minima.end(),
+                                       [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; });
+  if (!std::isfinite(gap) || lowest == scan_.minima.end() || lowest->gap > gap) return std::nullopt;
+  return *lowest;
+}
+
 double ContactField::overlap(const State& state, int pair) {
   return std::max(0.0, -pairs_[at(pair)].smallest_sample_gap(relative(state, pair)));
 }

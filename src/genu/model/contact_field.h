@@ -47,6 +47,9 @@ class ContactField {
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
   double smallest_gap(const State& state, int pair);
 
+  /// Where that gap is: the local minimum that lies lowest; empty where an edge is nearer, or nothing near.
+  std::optional<LocalMinimum> nearest(const State& state, int pair);
+
   /// How far (m) the samples of a pair overlap, 0 where none does: coarse, but cheap however deep it is.
   double overlap(const State& state, int pair);
 

@@ -26,7 +26,9 @@ struct MovingContact {
   ContactMotion motion;
 };
 
-std::vector<MovingContact> contacts_of(int pair, const PosePoint& point, const Sensitivity& s) {
+/// `never_closed`: with the nearest points of a pair that never touched, which have a gap and nothing else.
+std::vector<MovingContact> contacts_of(int pair, const PosePoint& point, const Sensitivity& s,
+                                       bool never_closed = false) {
   std::vector<MovingContact> out;
   const auto& held = point.pose.state.contacts;
   for (std::size_t k = 0; k < held.size(); ++k)
@@ -34,7 +36,7 @@ std::vector<MovingContact> contacts_of(int pair, const PosePoint& point, const S
       out.push_back({held[k].number, true, held[k].force, 0, held[k].geometry.a.p, held[k].geometry.b.p, s.closed(k)});
   const auto& open = point.pose.open;
   for (std::size_t k = 0; k < open.size(); ++k)
-    if (open[k].pair == pair)
+    if (open[k].pair == pair && (never_closed || open[k].number > 0))
       out.push_back({open[k].number, false, 0, open[k].gap, open[k].geometry.a.p, open[k].geometry.b.p, s.open(k)});
   return out;
 }
@@ -139,7 +141,7 @@ class Outputs {
     add(name + ".force_N", "N", 1,
         [p](const PosePoint& point, const Sensitivity& s) { return force_rate(contacts_of(p, point, s)); });
     add(name + ".gap_mm", "mm", kMillimetre, [p](const PosePoint& point, const Sensitivity& s) {
-      const auto contacts = contacts_of(p, point, s);
+      const auto contacts = contacts_of(p, point, s, true);
       const MovingContact* c = nearest(contacts);
       return c == nullptr ? kNone : c->motion.gap;
     });

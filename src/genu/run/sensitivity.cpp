@@ -210,7 +210,26 @@ SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice
   return rows;
 }
 
-void differentiate(const Prepared& prepared, const SensitivityChoice& choice, SensitivityResult& result) {
+namespace {
+
+/// The pose with the nearest points of pairs that never touched: their gaps have derivatives too.
+PosePoint with_clear_pairs(const PosePoint& point, const JointModel& model, ContactField& field) {
+  PosePoint out = point;
+  for (int pair = 0; point.solved() && pair < static_cast<int>(model.pairs.size()); ++pair) {
+    const auto of_pair = [pair](const auto& c) { return c.pair == pair; };
+    const auto& held = point.pose.state.contacts;
+    const auto& open = point.pose.open;
+    if (std::any_of(held.begin(), held.end(), of_pair) || std::any_of(open.begin(), open.end(), of_pair)) continue;
+    if (const auto there = field.nearest(point.pose.state, pair))
+      out.pose.open.push_back({.pair = pair, .number = 0, .geometry = there->contact, .gap = there->gap});
+  }
+  return out;
+}
+
+}  // namespace
+
+void differentiate(const Prepared& prepared, ContactField& field, const SensitivityChoice& choice,
+                   SensitivityResult& result) {
   const ScopedTimer timing(result.seconds);
   Diagnostics said_before;
   result.rows = choose(prepared, choice, contacts_made(result.solution), said_before);
@@ -220,7 +239,7 @@ void differentiate(const Prepared& prepared, const SensitivityChoice& choice, Se
   rows.derivatives.assign(result.solution.records.size() * one, std::numeric_limits<double>::quiet_NaN());
   Sensitivity sensitivity(prepared.scene, prepared.model);
   for (std::size_t row = 0; row < result.solution.records.size(); ++row) {
-    const PosePoint& point = result.solution.records[row].point;
+    const PosePoint point = with_clear_pairs(result.solution.records[row].point, prepared.model, field);
     if (!sensitivity.factor(point)) {
       ++result.poses_without;
       continue;
@@ -254,7 +273,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;
   result.solution = solve(*prepared, field, options);
-  differentiate(*prepared, choice, result);
+  differentiate(*prepared, field, choice, result);
   const Scene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;

@@ -33,7 +33,8 @@ SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice
                        Diagnostics& out);
 
 /// Derivatives of what is chosen at every record of `result.solution`, of all contacts that it has.
-void differentiate(const Prepared& prepared, const SensitivityChoice& choice, SensitivityResult& result);
+void differentiate(const Prepared& prepared, ContactField& field, const SensitivityChoice& choice,
+                   SensitivityResult& result);
 
 /// Reads, solves and differentiates a scene, and writes the run's results with sensitivity.csv, ranking.csv and
 /// sensitivity.svg into `folder` where there is one. Returns the exit code.

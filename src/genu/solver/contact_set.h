@@ -16,7 +16,7 @@ namespace genu {
 /// A contact point that was closed once and is open now: still followed for its gap.
 struct OpenContact {
   int pair = 0;
-  int number = 0;
+  int number = 0;  ///< 0: never closed, and looked at for its gap alone
   ContactGeometry geometry;
   double gap = 0;  ///< m
 };
