@@ -76,7 +76,10 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
   }
   if (mesh && !found.has_errors())
     surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
-  if (surface) note.text = describe(*note.mesh, surface->facts());
+  if (surface) {
+    note.text = describe(*note.mesh, surface->facts());
+    note.uncertainty = surface->facts().uncertainty;
+  }
   add_at(scene, def, found, out);
   return surface;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/geometry/fit_uncertainty.h"
 #include "genu/geometry/mesh_check.h"
 #include "genu/solver/step_plan.h"
 
@@ -17,6 +18,7 @@ struct SurfaceNote {
   std::string name;
   std::string text;
   std::optional<MeshReport> mesh;
+  FitUncertainty uncertainty{};  ///< 0 for a closed form and for a mesh without noise
 };
 
 struct Prepared {
