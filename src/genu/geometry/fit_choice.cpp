@@ -20,7 +20,8 @@ constexpr double kNarrowest = 3;       // edges: the radius without noise
 constexpr double kSecondRadius = 1.4;  // ratio of the two radii at which disagreement is measured
 constexpr double kPartner = 0.7;       // radii between two fits that are compared
 // From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
-// degree 3, the curvature's standard deviation; correlated noise shows in the disagreement itself.
+// degree 3, about twice the blend's standard deviation in one direction; correlated noise shows in the disagreement
+// itself.
 constexpr double kGain = 2.8;
 constexpr double kTolerated = 0.15;  // error of the curvature beside the flat parts' mean curvature
 // Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
@@ -176,7 +177,7 @@ FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<d
   choice.noise = estimate_noise(mesh, graph);
   choice.uncertainty = fit_uncertainty(choice.noise, graph.median_edge, choice.radius, choice.degree);
   if (choice.noise.rms > 0) {
-    choice.why += fmt::format("; noise {:.2g} um over {:.2g} mm: curvature known to {:.2g} 1/m, normal to {:.2g} deg",
+    choice.why += fmt::format("; noise {:.3g} um over {:.2g} mm: curvature known to {:.2g} 1/m, normal to {:.2g} deg",
                               1e6 * choice.noise.rms, 1e3 * choice.noise.correlation_length,
                               choice.uncertainty.curvature, choice.uncertainty.slope / units::kDegree);
   }
