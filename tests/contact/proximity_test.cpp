@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
 #include "genu/geometry/blend_surface.h"
+#include "genu/geometry/noise_field.h"
 #include "support/brute_force.h"
 
 namespace genu {
@@ -169,6 +171,44 @@ TEST(Proximity, MeshFindsWhatItsSphereFinds) {
     proximity.scan({exp_rotation({1, 2, height}), {0, 0, height}}, 2e-4, scan);
     ASSERT_EQ(scan.minima.size(), 1u) << height;
     EXPECT_NEAR(scan.minima[0].gap, height - 0.02, 2e-6);
+  }
+}
+
+TEST(Proximity, NoPointsOfNoisyMeshesAreNearerByBruteForce) {
+  const auto noisy = [](const Surface& surface, double edge, std::uint64_t seed) {
+    Diagnostics diagnostics;
+    const Mesh mesh = perturbed(surface.triangles(edge, Vec3::Zero(), 1), {20e-6, 3e-3}, seed);
+    return BlendSurface::build(mesh, {}, "mesh", diagnostics);
+  };
+  const auto ball = noisy(*make_sphere({}, 0.02, false), 1e-3, 1), cup = noisy(*make_sphere({}, 0.022, true), 1e-3, 2);
+  ASSERT_TRUE(ball && cup);
+  // Many points of each facet, put onto the ball's smooth surface one by one.
+  std::vector<Vec3> points;
+  const Mesh& mesh = ball->mesh();
+  constexpr int kCut = 3;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i <= kCut; ++i)
+      for (int j = 0; i + j <= kCut; ++j) {
+        const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[0])],
+                   &b = mesh.vertices[static_cast<std::size_t>(t[1])],
+                   &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+        SurfacePoint on;
+        if (ball->project(a + (i * (b - a) + j * (c - a)) / kCut, on)) points.push_back(on.p);
+      }
+  Proximity proximity(*cup, *ball, kOptions);
+  ProximityScan scan;
+  for (const Vec3& shift : {Vec3(0.0018, 0, 0), Vec3(0, -0.0011, 0.0013), Vec3(-0.0008, 0.0008, -0.0012)}) {
+    double smallest = 1;
+    for (const Vec3& p : points) {
+      if (const auto gap = cup->gap(p + shift)) smallest = std::min(smallest, *gap);
+    }
+    proximity.scan({Mat3::Identity(), shift}, 5e-4, scan);
+    ASSERT_FALSE(scan.minima.empty());
+    std::printf("least gap: found %.4f um, of %zu points %.4f um\n", 1e6 * scan.minima[0].gap, points.size(),
+                1e6 * smallest);
+    EXPECT_LE(scan.minima[0].gap, smallest + 1e-9);  // the gap is second order off the surface
+    // A point a quarter of an edge beside the minimum lies that much higher, with relative curvatures below 300 1/m.
+    EXPECT_GE(scan.minima[0].gap, smallest - 0.5 * 300 * std::pow(0.25e-3, 2));
   }
 }
 

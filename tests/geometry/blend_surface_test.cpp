@@ -62,9 +62,9 @@ TEST(BlendSurface, SmoothsANoisySphere) {
   std::printf(
       "h %.2f mm, fit radius %.2f mm, noise seen %.1f um, position error %.1f um, relative curvature error %.3f"
       " (%s)\n",
-      1e3 * facts.median_edge, 1e3 * facts.fit_radius, 1e6 * facts.noise_rms, 1e6 * position, curvature,
+      1e3 * facts.median_edge, 1e3 * facts.fit_radius, 1e6 * facts.noise.rms, 1e6 * position, curvature,
       facts.why.c_str());
-  EXPECT_NEAR(facts.noise_rms, noise, 0.2 * noise);
+  EXPECT_NEAR(facts.noise.rms, noise, 0.2 * noise);
   EXPECT_LT(position, 0.5 * noise);
   EXPECT_LT(curvature, 0.15);
 }

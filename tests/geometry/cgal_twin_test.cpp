@@ -151,7 +151,7 @@ TEST_P(JetTwin, AgreesOnATorusToTheOrderOfTheFit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Degree, JetTwin, ::testing::Values(3, 4));
+INSTANTIATE_TEST_SUITE_P(Degree, JetTwin, ::testing::Values(2, 3, 4));
 
 void print_quantiles(const char* name, const Differences& d, double size) {
   std::printf(

@@ -19,7 +19,7 @@ TEST(FitChoice, IsThreeEdgesWithoutNoise) {
     const FitChoice choice = choose(torus);
     const double h = vertex_graph(torus).median_edge;
     std::printf("torus edge %.2f mm: fit radius %.3f h, noise seen %.2f um\n", 1e3 * edge, choice.radius / h,
-                1e6 * choice.noise_rms);
+                1e6 * choice.noise.rms);
     EXPECT_NEAR(choice.radius, 3 * h, 1e-12);
     EXPECT_EQ(choice.degree, 3);
   }
@@ -38,10 +38,10 @@ TEST(FitChoice, GrowsWithTheCubeRootOfTheNoise) {
     const FitChoice choice = choose(bowl);
     const double h = vertex_graph(bowl).median_edge, expected = std::cbrt(28 * noise * h / (0.15 * 25));
     std::printf("noise %.0f um: fit radius %.2f mm, expected %.2f mm, noise seen %.1f um (%s)\n", 1e6 * noise,
-                1e3 * choice.radius, 1e3 * expected, 1e6 * choice.noise_rms, choice.why.c_str());
+                1e3 * choice.radius, 1e3 * expected, 1e6 * choice.noise.rms, choice.why.c_str());
     EXPECT_GT(choice.radius, last);
     EXPECT_NEAR(choice.radius, std::max(expected, 3 * h), 0.3 * expected);
-    EXPECT_NEAR(choice.noise_rms, noise, 0.15 * noise);
+    EXPECT_NEAR(choice.noise.rms, noise, 0.15 * noise);
     last = choice.radius;
   }
 }

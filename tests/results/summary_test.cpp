@@ -28,6 +28,25 @@ TEST(Summary, IsValidJsonWhateverItsWords) {
   EXPECT_EQ(json["seconds"]["solving"], 0.25);
 }
 
+TEST(Summary, SaysHowWellContactsAreLocated) {
+  RunSummary s;
+  ContactLocation location;
+  location.contact = "medial";
+  location.spread = 1.3e-3;
+  location.least_curvature = 8;
+  location.curvature_uncertainty = 2;
+  location.doubtful = 5;
+  location.poses = 91;
+  s.locations = {location};
+  const auto json = nlohmann::json::parse(to_json(s))["contact_location"][0];
+  EXPECT_EQ(json["contact"], "medial");
+  EXPECT_DOUBLE_EQ(json["worst_mm"], 1.3);
+  EXPECT_EQ(json["least_ratio"], 4);
+  EXPECT_EQ(json["poses_below_ratio_10"], 5);
+  EXPECT_EQ(json["poses"], 91);
+  EXPECT_FALSE(nlohmann::json::parse(to_json(RunSummary{})).contains("contact_location"));
+}
+
 TEST(Summary, EmptyOneIsValidToo) {
   EXPECT_FALSE(nlohmann::json::parse(to_json(RunSummary{}), nullptr, false).is_discarded());
   EXPECT_FALSE(to_text(RunSummary{}).empty());

@@ -98,7 +98,8 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   facts.blend_radius = kBlendRadius * choice.radius;
   facts.node_spacing = kNodeSpacing * choice.radius;
   facts.median_edge = graph.median_edge;
-  facts.noise_rms = choice.noise_rms;
+  facts.noise = choice.noise;
+  facts.uncertainty = choice.uncertainty;
   facts.why = std::move(choice.why);
 
   std::vector<NodeSeed> seeds = sample_nodes(mesh, graph, facts.node_spacing);

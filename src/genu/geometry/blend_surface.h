@@ -14,6 +14,7 @@
 #include "genu/geometry/blend_field.h"
 #include "genu/geometry/blend_nodes.h"
 #include "genu/geometry/boundary_edges.h"
+#include "genu/geometry/fit_uncertainty.h"
 #include "genu/geometry/surface.h"
 
 namespace genu {
@@ -32,8 +33,9 @@ struct BlendFacts {
   double node_spacing = 0;  ///< m
   int node_count = 0;
   int sheet_count = 0;
-  double median_edge = 0;  ///< m
-  double noise_rms = 0;    ///< m, of the mesh's vertices about the surface; 0 where none is seen
+  double median_edge = 0;      ///< m
+  MeshNoise noise;             ///< of the mesh's vertices about the surface; 0 where none is seen
+  FitUncertainty uncertainty;  ///< what it does to the surface; rms over it
   std::string why;
 };
 

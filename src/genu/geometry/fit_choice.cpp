@@ -10,17 +10,18 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "genu/core/units.h"
 #include "genu/geometry/local_fit.h"
 
 namespace genu {
 namespace {
 
 constexpr double kNarrowest = 3;       // edges: the radius without noise
-constexpr double kResidualFrom = 2.4;  // edges: the residuals here and at kNarrowest give the noise
 constexpr double kSecondRadius = 1.4;  // ratio of the two radii at which disagreement is measured
 constexpr double kPartner = 0.7;       // radii between two fits that are compared
 // From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
-// degree 3, the curvature's standard deviation; correlated noise shows in the disagreement itself.
+// degree 3, about twice the blend's standard deviation in one direction; correlated noise shows in the disagreement
+// itself.
 constexpr double kGain = 2.8;
 constexpr double kTolerated = 0.15;  // error of the curvature beside the flat parts' mean curvature
 // Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
@@ -48,15 +49,6 @@ class Probe {
     for (std::size_t v = 0; v < mesh.vertices.size(); v += step) {
       if (graph.component[v] >= 0) vertices_.push_back(static_cast<int>(v));
     }
-  }
-
-  double residual(double radius) {
-    return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
-                      const HeightFit fit = at(fitter, vertices_[i], radius);
-                      out = fit.residual_rms;
-                      return fit.degree > 0;
-                    }),
-                    0.5);
   }
 
   /// Median square of the disagreement about curvature, 1/m^2.
@@ -136,13 +128,6 @@ class Probe {
   tbb::enumerable_thread_specific<HeightFitter> fitters_;
 };
 
-/// Rms noise from residuals at two radii: e^2 = noise^2 + T^2 rho^(2 (degree + 1)).
-double noise_from_residuals(Probe& probe, double h, int degree) {
-  const double narrow = probe.residual(kResidualFrom * h), wide = probe.residual(kNarrowest * h);
-  const double growth = std::pow(kNarrowest / kResidualFrom, 2 * (degree + 1));
-  return std::sqrt(std::max(0.0, (growth * narrow * narrow - wide * wide) / (growth - 1)));
-}
-
 /// The part of the curvature's error at the narrowest radius that comes from noise, 1/m:
 /// D^2 = N^2 rho^-6 + T^2 rho^(2 (degree - 1)).
 double curvature_noise(Probe& probe, double h, int degree) {
@@ -151,26 +136,16 @@ double curvature_noise(Probe& probe, double h, int degree) {
   return kGain * std::sqrt(std::max(0.0, (growth * first - second) / (growth - fall)));
 }
 
-}  // namespace
-
-FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<double> radius,
-                     std::optional<int> degree) {
+/// Sets the radius of a choice whose degree is set, and says why.
+void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice) {
   const double h = graph.median_edge, narrowest = kNarrowest * h;
-  FitChoice choice;
-  choice.degree = degree.value_or(3);
   Probe probe(mesh, graph, choice.degree);
-  choice.noise_rms = noise_from_residuals(probe, h, choice.degree);
-  if (radius) {
-    choice.radius = choice.least_radius = *radius;
-    choice.why = "fit radius as given";
-    return choice;
-  }
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
   const double sheet = kMostOfSheet * std::sqrt(graph.area / components);
   choice.radius = choice.least_radius = narrowest;
   choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
-  if (noise * narrowest < kNegligible) return choice;
+  if (noise * narrowest < kNegligible) return;
   // The curvature itself is known only as well as the radius is wide: a few rounds settle both.
   for (int round = 0; round < kRounds; ++round) {
     const auto [flat, typical] = probe.flat_and_typical(choice.radius);
@@ -184,6 +159,27 @@ FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<d
                                noise, flat, wanted > cap ? "; held back by curvature or size" : "");
     }
     if (settled) break;
+  }
+}
+
+}  // namespace
+
+FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<double> radius,
+                     std::optional<int> degree) {
+  FitChoice choice;
+  choice.degree = degree.value_or(3);
+  if (radius) {
+    choice.radius = choice.least_radius = *radius;
+    choice.why = "fit radius as given";
+  } else {
+    choose_radius(mesh, graph, choice);
+  }
+  choice.noise = estimate_noise(mesh, graph);
+  choice.uncertainty = fit_uncertainty(choice.noise, graph.median_edge, choice.radius, choice.degree);
+  if (choice.noise.rms > 0) {
+    choice.why += fmt::format("; noise {:.3g} um over {:.2g} mm: curvature known to {:.2g} 1/m, normal to {:.2g} deg",
+                              1e6 * choice.noise.rms, 1e3 * choice.noise.correlation_length,
+                              choice.uncertainty.curvature, choice.uncertainty.slope / units::kDegree);
   }
   return choice;
 }

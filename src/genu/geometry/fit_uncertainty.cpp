@@ -1,7 +1,6 @@
 #include "genu/geometry/fit_uncertainty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -96,10 +95,13 @@ Functionals reference(int degree) {
   return out;
 }
 
-const Functionals& reference_of(int degree) {
-  static const std::array<Functionals, kMaxDegree - kMinDegree + 1> all{reference(2), reference(3), reference(4)};
-  return all[static_cast<std::size_t>(std::clamp(degree, kMinDegree, kMaxDegree) - kMinDegree)];
+template <int D>
+const Functionals& once() {
+  static const Functionals functionals = reference(D);
+  return functionals;
 }
+
+const Functionals& reference_of(int degree) { return degree <= 2 ? once<2>() : degree == 3 ? once<3>() : once<4>(); }
 
 /// The area over which noise of vertices `edge` apart errs alike: the sum of its correlations times a vertex's area.
 double correlated_area(double edge, double length) {

@@ -227,6 +227,7 @@ MeshNoise estimate_noise(const Mesh& mesh, const VertexGraph& graph) {
   if (bands.size() < kFewestBands) return {};
   Mixture mixture(bands);
   const double without = mixture.best(false).misfit;
+  if (without < kEvidence) return {};
   std::vector<Mixture::Fit> fits;
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n <= kNoiseLengths && mixture.length(n) <= bands.back().radius; ++n) {

@@ -15,7 +15,9 @@
 // What it cannot see: noise that looks like shape. That is noise correlated over more than about half the radius of
 // curvature, or so weak that the shape hides it in all of these bands; a mesh whose edges are longer than a quarter of
 // its radius of curvature hides any. Conversely what a surface really has at the scale of its edges (a ridge, steps of
-// a segmentation, too coarse a mesh of a rough bone) counts as noise, as it should for the fits.
+// a segmentation) counts as noise, as it should for the fits. Of a measured knee's coarser meshes (edges 1.2 to 5 mm)
+// the vertices are 23, 79 and 230 um (femur) and 27, 29 and 59 um (tibia) off the smooth surface of the finest; seen
+// are 62, 204 and 506 um, and 26, 20 and 131 um: on the femur, which no short power series describes, too much.
 #pragma once
 
 #include "genu/geometry/mesh.h"

@@ -33,6 +33,15 @@ std::string to_json(const RunSummary& s) {
   j["newton"] = {{"iterations", s.iterations}, {"substeps", s.substeps}, {"worst_residual", s.worst_residual}};
   j["certificate"] = {{"smallest_force_N", number_or_null(s.smallest_force)},
                       {"smallest_gap_mm", number_or_null(1e3 * s.smallest_gap)}};
+  for (const ContactLocation& c : s.locations)
+    j["contact_location"].push_back({{"contact", c.contact},
+                                     {"worst_mm", number_or_null(1e3 * c.spread)},
+                                     {"typical_mm", number_or_null(1e3 * c.typical_spread)},
+                                     {"least_relative_curvature_per_m", number_or_null(c.least_curvature)},
+                                     {"curvature_uncertainty_per_m", c.curvature_uncertainty},
+                                     {"least_ratio", number_or_null(c.ratio())},
+                                     {"poses_below_ratio_10", c.doubtful},
+                                     {"poses", c.poses}});
   for (const auto& [stage, seconds] : s.seconds) j["seconds"][stage] = seconds;
   j["machine"] = {{"hardware_threads", std::thread::hardware_concurrency()}};
   // Names come from files: whatever is no UTF-8 there is replaced, not refused.

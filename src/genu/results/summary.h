@@ -1,6 +1,7 @@
 // What a run did, as facts: for summary.json and for the terminal. Times and the machine stand here alone.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,20 @@
 #include "genu/solver/path.h"
 
 namespace genu {
+
+/// How well the places of a pair's contacts are known, where that is worst.
+struct ContactLocation {
+  std::string contact;
+  double spread = 0;          ///< m, standard deviation along the direction of least relative curvature
+  double typical_spread = 0;  ///< m, the median over the poses in contact
+  double least_curvature = std::numeric_limits<double>::infinity();  ///< 1/m, relative, of any contact in any pose
+  double curvature_uncertainty = 0;                                  ///< 1/m, from the meshes' noise
+  int doubtful = 0;        ///< poses with a contact whose relative curvature is below 10 times its uncertainty
+  int poses = 0;           ///< poses in contact
+  std::size_t record = 0;  ///< the pose where it is worst
+
+  double ratio() const { return least_curvature / curvature_uncertainty; }
+};
 
 struct RunSummary {
   struct Effect {
@@ -35,6 +50,7 @@ struct RunSummary {
   double worst_residual = 0;
   double smallest_force = 0;                            ///< N, +infinity without contact
   double smallest_gap = 0;                              ///< m, +infinity without contact
+  std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
   int exit_code = 0;

@@ -12,6 +12,7 @@
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/results/curves.h"
+#include "genu/run/contact_location.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
 
@@ -183,6 +184,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
   if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
   s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
+  s.locations = locate_contacts(prepared, out.records);
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);

@@ -50,8 +50,7 @@ bool has_meshes(const Prepared& prepared) {
 std::vector<MeshNoise> mesh_noises(const Prepared& prepared) {
   std::vector<MeshNoise> out(prepared.notes.size());
   for (std::size_t i = 0; i < out.size(); ++i)
-    if (const auto& blend = prepared.notes[i].blend)
-      out[i] = estimate_noise(blend->mesh(), vertex_graph(blend->mesh()));
+    if (const auto& blend = prepared.notes[i].blend) out[i] = blend->facts().noise;
   return out;
 }
 

@@ -147,6 +147,21 @@ void say_windows(const Prepared& prepared, const std::vector<PathEvent>& events,
   }
 }
 
+void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                   const std::vector<ContactLocation>& locations, std::vector<std::string>& out) {
+  for (const ContactLocation& c : locations) {
+    if (c.doubtful == 0) continue;
+    const PosePoint& worst = records[c.record].point;
+    out.push_back(fmt::format(
+        "The contact of {} is located to ± {:.2g} mm at {}: the surfaces are nearly parallel there (relative curvature "
+        "{:.2g} 1/m, known to {:.2g} 1/m from the noise of the meshes). In {} of {} poses a place is doubtful in this "
+        "way, "
+        "typically to ± {:.2g} mm; the poses themselves are known better.",
+        c.contact, 1e3 * c.spread, place(prepared, worst.step, worst.target), c.least_curvature,
+        c.curvature_uncertainty, c.doubtful, c.poses, 1e3 * c.typical_spread));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
@@ -208,6 +223,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
           fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
   }
   say_reaction_turns(prepared, events, out);
+  say_locations(prepared, records, summary.locations, out);
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;
     if (report.status == PoseStatus::ok) continue;
