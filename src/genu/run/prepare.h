@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "genu/geometry/mesh_check.h"
+#include "genu/geometry/mesh_flaws.h"
 #include "genu/solver/step_plan.h"
 
 namespace genu {
