@@ -117,6 +117,55 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
   EXPECT_LT(beyond, 450);
 }
 
+/// The side of random points, told by the mesh without what makes it hard.
+void expect_side_of(const Facets& facets, const Surface& exact, double reach) {
+  const FarDistance far(facets);
+  std::mt19937 random(3);
+  int inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 x = test::random_vector(random, reach);
+    const auto gap = exact.gap(x);
+    if (!gap || std::abs(*gap) < 1e-3) continue;
+    EXPECT_EQ(far.nearest(x).distance < 0, *gap < 0) << x.transpose();
+    inside += *gap < 0;
+  }
+  EXPECT_GT(inside, 20);
+}
+
+TEST(FarDistance, AHoleDoesNotLetTheInsideOut) {
+  const auto torus = make_torus({}, 0.015, 0.005, false);
+  Mesh mesh = torus->triangles(1e-3, Vec3::Zero(), 1);
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return (mesh.vertices[static_cast<std::size_t>(t[0])] - Vec3(0.02, 0, 0)).norm() < 3e-3;
+  });
+  expect_side_of(Facets(mesh), *torus, 0.025);
+}
+
+TEST(FarDistance, APieceInsideAnotherDoesNotLetTheInsideOut) {
+  const auto ball = make_sphere({}, 0.02, false), debris = make_sphere({Mat3::Identity(), {0.005, 0, 0}}, 0.006, false);
+  Mesh mesh = ball->triangles(2e-3, Vec3::Zero(), 1);
+  const Mesh more = debris->triangles(1e-3, Vec3::Zero(), 1);
+  const int first = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const auto& [i, j, k] : more.triangles) mesh.triangles.push_back({i + first, j + first, k + first});
+  expect_side_of(Facets(mesh), *ball, 0.03);
+}
+
+TEST(FarDistance, TrianglesWithoutAreaSayNothing) {
+  const auto ball = make_sphere({}, 0.02, false);
+  Mesh mesh = ball->triangles(2e-3, Vec3::Zero(), 1);
+  const std::size_t whole = mesh.triangles.size();
+  for (std::size_t t = 0; t < whole; t += 3) {
+    const auto c = mesh.triangles[t];
+    const int middle = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.push_back(
+        Vec3(0.5 * (mesh.vertices[static_cast<std::size_t>(c[0])] + mesh.vertices[static_cast<std::size_t>(c[1])])));
+    mesh.triangles.push_back({c[0], middle, c[1]});
+    mesh.triangles.push_back({c[0], c[1], c[1]});
+  }
+  expect_side_of(Facets(mesh), *ball, 0.03);
+}
+
 TEST(FarDistance, SurfacesThatKnowTheirDistanceAnswerThemselves) {
   std::mt19937 random(10);
   for (const auto& s : test::some_surfaces()) {

@@ -75,6 +75,42 @@ TEST(MeshReader, AllFormatsGiveTheSameSheet) {
   }
 }
 
+TEST(MeshReader, CoordinatesThatSinglePrecisionRoundsAreToldOf) {
+  TemporaryFolder folder;
+  Mesh mesh = geodesic_mesh({0.03, 0.02, 0.01}, 0.004);
+  const auto warnings = [&](const Vec3& by, double unit) {
+    Mesh moved = mesh;
+    for (Vec3& v : moved.vertices) v += by;
+    EXPECT_EQ(write_stl(moved, folder / "far.stl", unit, "far"), "");
+    Diagnostics out;
+    MeshFileFacts facts;
+    EXPECT_TRUE(read_mesh(folder / "far.stl", unit, out, &facts));
+    EXPECT_GT(facts.rounding, 0);
+    return out.items().empty() ? std::string() : out.items().back().rule;
+  };
+  EXPECT_EQ(warnings(Vec3::Zero(), 1e-3), "");
+  EXPECT_EQ(warnings({2, 0, 0}, 1e-3), "") << "2 m: rounded to 0.1 um";
+  EXPECT_NE(warnings({1000, 0, 0}, 1e-3).find("rounded to 0.06"), std::string::npos);
+  EXPECT_NE(warnings({100, 0, 0}, 1).find("rounded to 0.007"), std::string::npos);
+}
+
+TEST(MeshReader, OffAndVtpAreRead) {
+  TemporaryFolder folder;
+  Diagnostics out;
+  const auto off = read_mesh(folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 1, out);
+  const auto vtp =
+      read_mesh(folder.write("a.vtp",
+                             "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">"
+                             "<Points><DataArray format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>"
+                             "<DataArray Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>"
+                             "<DataArray Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece></PolyData>"
+                             "</VTKFile>"),
+                1, out);
+  ASSERT_TRUE(off && vtp);
+  EXPECT_EQ(off->vertices, vtp->vertices);
+  EXPECT_EQ(off->triangles, vtp->triangles);
+}
+
 TEST(MeshReader, TornCornersWithinRoundingAreWeldedAndRepeatsDropped) {
   TemporaryFolder folder;
   const std::string torn = ascii_facet("vertex 0 0 0\nvertex 1.0000005 1 0\nvertex 0 1 0\n");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/solver/path.h"
 #include "solver/solved.h"
 
 namespace genu {
@@ -114,6 +115,42 @@ TEST(ContactInspection, FindsAContactPastAnEdgeAndNamesIt) {
     EXPECT_EQ(f.none(), !past);
     EXPECT_EQ(f.where, past ? "foot.1" : "");
     EXPECT_NEAR(inspector.certify(state, 0).edge_distance, end, 1e-12);
+  }
+}
+
+/// A plane with a place at (x, 0, 0) that is not to be trusted.
+struct Flawed final : Surface {
+  std::unique_ptr<Surface> plane = make_plane({}, false);
+  std::vector<DoubtfulPlace> places;
+  Flawed(double x, double reach, bool missing) : places{{"a hole near here", {{x, 0, 0}}, reach, missing}} {}
+  bool project(const Vec3& x, SurfacePoint& out) const override { return plane->project(x, out); }
+  std::optional<double> gap(const Vec3& x) const override { return plane->gap(x); }
+  Mesh triangles(double edge, const Vec3& centre, double reach) const override {
+    return plane->triangles(edge, centre, reach);
+  }
+  std::span<const DoubtfulPlace> doubtful() const override { return places; }
+};
+
+TEST(ContactInspection, FindsAContactThatLeansOnAFlawAndNamesIt) {
+  // The ball of 20 mm is 0.16 mm above the plane at x = 2.5 mm and 0.57 mm above it at 4.75 mm.
+  const std::tuple<double, double, bool, bool> cases[] = {{1e-3, 3e-3, false, true},  {4e-3, 3e-3, false, false},
+                                                          {4e-3, 3e-3, true, false},  {2.5e-3, 2e-3, false, false},
+                                                          {2.5e-3, 2e-3, true, true}, {20e-3, 3e-3, true, false}};
+  for (const auto& [x, reach, missing, leans] : cases) {
+    test::SceneModel scene = test::scene_model(test::held_ball("", 20));
+    scene.model.pairs[0].b = std::make_shared<Flawed>(x, reach, missing);
+    ContactField field(scene.model);
+    ContactInspector inspector(scene.model, field);
+    State state = reference_state(scene.model);
+    test::hold(scene.model, state, 0, Vec3::Zero());
+    state.contacts[0].force = 1;
+    Findings f;
+    inspector.inspect(state, f);
+    EXPECT_EQ(f.doubtful, leans) << x << " " << missing;
+    EXPECT_EQ(f.none(), !leans) << x << " " << missing;
+    EXPECT_EQ(f.final(), leans);
+    EXPECT_EQ(f.where, leans ? "a hole near here" : "");
+    EXPECT_EQ(end_of(f), leans ? PathEvent::Kind::flawed_mesh : PathEvent::Kind::overlap);
   }
 }
 

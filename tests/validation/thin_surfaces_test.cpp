@@ -66,10 +66,15 @@ TEST(ThinSurfaces, HoldWhatStartsInFrontOfThem) {
     }
 }
 
-TEST(ThinSurfaces, WhatStartsBehindStaysBehind) {
-  const ResultTable t = test::table_of(scene("shape = \"plane\"\npatch = { x = [-25, 25], y = [-25, 25] }", -7.0));
-  ASSERT_GT(t.rows(), 0u);
-  EXPECT_NEAR(t.number(0, "j.z_mm"), -8.34, 0.01);
+TEST(ThinSurfaces, WhatStartsBehindIsInsideAndRefused) {
+  const test::TemporaryFolder folder;
+  for (const double height : {-7.0, -15.0, -40.0}) {
+    const std::string file =
+        folder.write("scene.toml", scene("shape = \"plane\"\npatch = { x = [-25, 25], y = [-25, 25] }", height));
+    Diagnostics out;
+    EXPECT_EQ(run_scene(file, folder / "out", {}, out, nullptr), kExitRefused) << height;
+    EXPECT_NE(test::messages(out).find("surfaces overlap by"), std::string::npos) << test::messages(out);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
 #include <Eigen/Geometry>
+
+#include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/winding_number.h"
 
 namespace genu {
 namespace {
@@ -32,6 +36,8 @@ class FeatureNormals {
       open_vertex_[static_cast<std::size_t>(edge.i)] = open_vertex_[static_cast<std::size_t>(edge.j)] = true;
     }
   }
+
+  bool any_open() const { return std::find(open_vertex_.begin(), open_vertex_.end(), true) != open_vertex_.end(); }
 
   /// The normal of the feature of triangle t on which `p` lies; `open` says that it belongs to an edge of the sheet.
   Vec3 at(int triangle, const Vec3& p, bool& open) const {
@@ -115,10 +121,40 @@ class FeatureNormals {
   std::vector<Edge> edges_;  // by (i, j)
 };
 
+/// Without the triangles that have no area, to rounding: the nearest point on one has no side.
+Mesh with_area(Mesh mesh) {
+  constexpr double kSmallestSine = 1e-9;
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
+    const Vec3 u = corner(1) - corner(0), v = corner(2) - corner(0), w = corner(2) - corner(1);
+    return !(u.cross(v).norm() > kSmallestSine * std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()}));
+  });
+  return mesh;
+}
+
+/// Do the boxes of any two pieces overlap?
+bool pieces_may_meet(const Mesh& mesh) {
+  const Components parts = connected_components(mesh);
+  constexpr int kMost = 64;  // so many pieces are looked at; with more the answer is yes
+  if (parts.count < 2 || parts.count > kMost) return parts.count > 1;
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Vec3> low(static_cast<std::size_t>(parts.count), Vec3::Constant(infinity)), high(low.size(), -low[0]);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const int v : mesh.triangles[t]) {
+      const auto part = static_cast<std::size_t>(parts.of_triangle[t]);
+      low[part] = low[part].cwiseMin(mesh.vertices[static_cast<std::size_t>(v)]);
+      high[part] = high[part].cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
+    }
+  for (std::size_t i = 0; i < low.size(); ++i)
+    for (std::size_t j = i + 1; j < low.size(); ++j)
+      if ((low[i].array() <= high[j].array()).all() && (low[j].array() <= high[i].array()).all()) return true;
+  return false;
+}
+
 }  // namespace
 
 struct FarDistance::Triangles {
-  explicit Triangles(Mesh m) : mesh(std::move(m)), normals(mesh) {
+  explicit Triangles(Mesh m) : mesh(with_area(std::move(m))), normals(mesh) {
     std::vector<Vec3> vertices;
     std::vector<fcl::Triangle> triangles;
     vertices.reserve(mesh.vertices.size());
@@ -127,6 +163,10 @@ struct FarDistance::Triangles {
     for (const auto& t : mesh.triangles)
       triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
                              static_cast<std::size_t>(t[2]));
+    // The nearest point of one sheet tells the side for certain. At the edge of a hole it tells nothing, and between
+    // pieces that run into each other it may lie on the one whose outside x is.
+    entangled = pieces_may_meet(mesh);
+    if (normals.any_open() || entangled) winding = std::make_unique<WindingNumber>(mesh);
     bvh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
     bvh->addSubModel(vertices, triangles);
     bvh->endModel();
@@ -134,6 +174,8 @@ struct FarDistance::Triangles {
 
   Mesh mesh;
   FeatureNormals normals;
+  std::unique_ptr<WindingNumber> winding;  // where the nearest point does not tell the side for certain
+  bool entangled = false;                  // which is everywhere
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
 
@@ -168,7 +210,8 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   bool open = false;
   const Vec3 normal = triangles_->normals.at(result.b1, on_mesh, open).normalized();
   out.beyond_edge = open;
-  const double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
+  double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
+  if (side > 0 && (open || triangles_->entangled) && triangles_->winding->inside(x)) side = -1;
   out.distance = side * distance;
   out.direction = distance > 1e-9 ? Vec3(side * away / distance) : normal;
   return out;

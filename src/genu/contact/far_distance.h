@@ -1,5 +1,6 @@
 // Signed distance of a point to a surface wherever the point is. Where the surface does not know it (a mesh outside the
-// band of its smooth surface, a polynomial), FCL finds the closest triangle and angle-weighted normals tell the side.
+// band of its smooth surface, a polynomial), FCL finds the closest triangle and angle-weighted normals tell the side;
+// at the edge of an open sheet, and between several sheets, the winding number does.
 #pragma once
 
 #include <memory>
@@ -21,7 +22,8 @@ class FarDistance {
   struct Nearest {
     double distance = 0;            ///< m, positive outside; of facets where the surface is a mesh: error O(h^2)
     Vec3 direction = Vec3::Zero();  ///< unit, outward: where the distance grows
-    bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: no side, distance unsigned
+    bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: outside, unless most of
+                                    ///< what is seen from x is the sheet's inner side
   };
   Nearest nearest(const Vec3& x) const;
 

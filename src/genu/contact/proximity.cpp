@@ -69,6 +69,8 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
+  swallowed_.emplace(*queried_, *sampled_, samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
+                     samples_b_ ? options.centre_b : options.centre_a, options.reach);
   build_groups();
 }
 
@@ -151,13 +153,22 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) cons
     if (direction == nullptr && *gap > 0) return *gap;
     if (!queried_->project(x, foot)) return kInfinity;
     if (direction != nullptr) *direction = foot.n;
-    // The back of a thin shell, or a place beyond the edge of an open sheet: not an overlap of the two outer sides.
-    if (*gap < 0 && (foot.n.dot(normal) > kSameSide || queried_->edge_distance(foot.p) < 0)) return kInfinity;
+    // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
+    if (*gap < 0 && (foot.n.dot(normal) > kSameSide || queried_->edge_distance(foot.p) < 0))
+      return doubtful_gap(x, *gap);
     return *gap;
   }
   const FarDistance::Nearest nearest = far_.nearest(x);
   if (direction != nullptr) *direction = nearest.direction;
   return nearest.distance;
+}
+
+/// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
+/// then the point is inside, as all of a small body may be that a large one has swallowed.
+double Proximity::doubtful_gap(const Vec3& x, double gap) const {
+  constexpr double kShallow = 0.05;  // of the spacing: facets lie off the smooth surface
+  const double facets = far_.nearest(x).distance;
+  return facets < -kShallow * spacing_ ? std::max(gap, facets) : kInfinity;
 }
 
 void Proximity::measure(const Pose& X_qs, double window) {
@@ -233,6 +244,7 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
       deepest = sample;
     }
   }
+  out.swallowed = swallowed_->deepest(X_qs.inverse()).gap;
   find_minima(X_qs, window, out);
   auto by_gap = [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; };
   std::stable_sort(out.minima.begin(), out.minima.end(), by_gap);
@@ -248,7 +260,8 @@ double Proximity::smallest_sample_gap(const Pose& X_ab) {
   double smallest = kInfinity;
   const Pose X_qs = query_from_samples(X_ab);
   visit_near(X_qs, 0, [&](int sample) { smallest = std::min(smallest, sample_gap(X_qs, sample, nullptr)); });
-  return smallest;
+  const double swallowed = swallowed_->deepest(X_qs.inverse()).gap;
+  return swallowed < 0 ? std::min(smallest, swallowed) : smallest;
 }
 
 void Proximity::near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out) {

@@ -5,7 +5,7 @@
 // that is known to be clear is skipped, with all it holds, until the bodies have moved by as much as it was clear.
 // What is left is looked at sample by sample, and every local minimum among neighbouring samples is refined on the
 // smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest
-// triangle.
+// triangle, and a surface that lies inside the other as a whole through points of its own (swallowed.h).
 #pragma once
 
 #include <memory>
@@ -13,6 +13,7 @@
 
 #include "genu/contact/far_distance.h"
 #include "genu/contact/local_minimum.h"
+#include "genu/contact/swallowed.h"
 
 namespace genu {
 
@@ -29,6 +30,7 @@ struct ProximityScan {
   std::vector<LocalMinimum> edge;    ///< the gap still falls at the edge of a patch and is below the window there
   double smallest_sample_gap = 0;    ///< m; of the smooth surface in its band, of facets beyond
   NearSample deepest;                ///< the sample of that gap
+  double swallowed = 0;              ///< m, < 0: how deep a point of the asked surface lies inside the sampled one
 };
 
 class Proximity {
@@ -84,6 +86,7 @@ class Proximity {
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;
+  double doubtful_gap(const Vec3& x, double gap) const;
   void build_groups();
   Group sphere_round(int first, int last, int& axis) const;
   template <typename Visit>
@@ -96,6 +99,7 @@ class Proximity {
   FarDistance far_;
   double reserve_;  // m: what facets may lie off the smooth surface
   SampleSet samples_;
+  std::optional<Swallowed> swallowed_;  // the asked surface in the sampled one
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;

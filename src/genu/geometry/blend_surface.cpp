@@ -191,6 +191,11 @@ double BlendSurface::edge_distance(const Vec3& p) const {
   return node < 0 ? -edge_cap() : boundary_.signed_distance(p, node_component_[node]);
 }
 
+void BlendSurface::set_doubtful(std::vector<DoubtfulPlace> places) {
+  doubtful_ = std::move(places);
+  for (DoubtfulPlace& place : doubtful_) place.reach = facts_.blend_radius;
+}
+
 SampleSet BlendSurface::samples(double, const Vec3&, double) const {
   SampleSet set;
   set.points = node_positions_;

@@ -54,6 +54,7 @@ class BlendSurface final : public Surface {
   Mesh triangles(double edge, const Vec3& centre, double reach) const override;
   /// The nodes, whatever the spacing: they lie on the surface and stand about node_spacing apart.
   SampleSet samples(double spacing, const Vec3& centre, double reach) const override;
+  std::span<const DoubtfulPlace> doubtful() const override { return doubtful_; }
   bool is_global() const override { return false; }
 
   /// The implicit function (see blend_field.h): false outside the band.
@@ -62,6 +63,9 @@ class BlendSurface final : public Surface {
   bool implicit(const Vec3& x, double& f, Vec3& gradient, Mat3& hessian) const {
     return field_.value(x, f, gradient, hessian);
   }
+
+  /// Where the mesh was wrong; their reach becomes the blend radius.
+  void set_doubtful(std::vector<DoubtfulPlace> places);
 
   const BlendFacts& facts() const { return facts_; }
   const Mesh& mesh() const { return mesh_; }
@@ -88,6 +92,7 @@ class BlendSurface final : public Surface {
   std::vector<Vec3> node_positions_, node_normals_;
   std::vector<double> node_areas_;  // m^2: each vertex gives its area to the nearest node
   NodeLinks node_links_;
+  std::vector<DoubtfulPlace> doubtful_;
 };
 
 }  // namespace genu

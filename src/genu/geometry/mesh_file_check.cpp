@@ -133,7 +133,7 @@ MeshFileCheck check_mesh_file(const std::string& path) {
   if (!fs::exists(status))
     return {.problem = "there is no such mesh file; check the path, relative to the scene's folder"};
   if (fs::is_directory(status)) return {.problem = "is a folder; name the mesh file inside it"};
-  if (!fs::is_regular_file(status)) return {.problem = "is not a regular file; name an STL, PLY or OBJ file"};
+  if (!fs::is_regular_file(status)) return {.problem = "is not a regular file; name an STL, PLY, OBJ, OFF or VTP file"};
   const std::uint64_t size = fs::file_size(path, failure);
   if (failure || !std::ifstream(path, std::ios::binary)) return {.problem = "cannot be opened; check its permissions"};
   if (size == 0) return {.problem = "is empty; copy or export it again"};
@@ -143,8 +143,8 @@ MeshFileCheck check_mesh_file(const std::string& path) {
   const std::string extension = lower(fs::path(path).extension().string());
   if (extension == ".stl") return check_stl(path, size);
   if (extension == ".ply") return check_ply(path, size);
-  if (extension == ".obj") return {};
-  return {.problem = "has the ending \"" + extension + "\"; genu reads .stl, .ply and .obj"};
+  if (extension == ".obj" || extension == ".off" || extension == ".vtp") return {};
+  return {.problem = "has the ending \"" + extension + "\"; genu reads .stl, .ply, .obj, .off and .vtp"};
 }
 
 }  // namespace genu

@@ -1,66 +1,75 @@
 #include "genu/geometry/mesh_reader.h"
 
-#include <exception>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
-#include <assimp/scene.h>
-#include <assimp/Importer.hpp>
+#include <fmt/format.h>
 
 #include "genu/geometry/mesh_file_check.h"
-#include "genu/geometry/mesh_weld.h"
+#include "genu/geometry/mesh_formats.h"
 
 namespace genu {
 namespace {
 
-// Positions and triangles alone: a normal or texture coordinate that differs never parts two corners, so none of
-// assimp's own joining (which keeps STL torn along its facet normals) is needed. Empty text where all is well.
-std::string append(const aiMesh& part, Mesh& mesh) {
-  const std::size_t base = mesh.vertices.size();
-  if (base + part.mNumVertices > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    return "has more vertices than can be counted: reduce the mesh";
-  }
-  for (unsigned v = 0; v < part.mNumVertices; ++v) {
-    const aiVector3D& p = part.mVertices[v];
-    mesh.vertices.emplace_back(p.x, p.y, p.z);
-    if (!mesh.vertices.back().allFinite()) {
-      return "has a coordinate that is not a finite number (vertex " + std::to_string(base + v + 1) +
-             "): repair or export the mesh again";
-    }
-  }
-  for (unsigned f = 0; f < part.mNumFaces; ++f) {
-    const aiFace& face = part.mFaces[f];
-    for (unsigned k = 0; k < face.mNumIndices; ++k) {
-      if (face.mIndices[k] >= part.mNumVertices)
-        return "has a face that names a vertex it does not have: export it again";
-    }
-    const auto corner = [&](unsigned k) { return static_cast<int>(base + face.mIndices[k]); };
-    // Points and lines are not a surface; a polygon becomes a fan.
-    for (unsigned k = 2; k < face.mNumIndices; ++k) mesh.triangles.push_back({corner(0), corner(k - 1), corner(k)});
-  }
-  return {};
+std::string lower_extension(const std::string& path) {
+  std::string s = std::filesystem::path(path).extension().string();
+  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return s;
 }
 
-// Empty text where all is well.
+/// Empty text where all is well.
 std::string import(const std::string& path, Mesh& mesh) {
-  try {
-    Assimp::Importer importer;
-    // No post-processing: assimp's triangulation aborts the program on some broken files (5.2.5).
-    const aiScene* scene = importer.ReadFile(path, 0);
-    if (scene == nullptr) {
-      return std::string("cannot be read as a mesh (") + importer.GetErrorString() + "): export it again as binary STL";
-    }
-    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-      if (std::string problem = append(*scene->mMeshes[m], mesh); !problem.empty()) return problem;
-    }
-  } catch (const std::exception& e) {  // assimp's own parsers may throw on a broken file, and memory may run out
-    return std::string("cannot be read as a mesh (") + e.what() + "): export it again as binary STL";
+  const std::string extension = lower_extension(path);
+  std::string problem;
+  if (extension == ".stl")
+    problem = read_stl(path, mesh);
+  else if (extension == ".off")
+    problem = read_off(path, mesh);
+  else if (extension == ".vtp")
+    problem = read_vtp(path, mesh);
+  else if (problem = check_numbers(path); problem.empty())
+    problem = read_by_assimp(path, mesh);
+  for (std::size_t v = 0; problem.empty() && v < mesh.vertices.size(); ++v)
+    if (!mesh.vertices[v].allFinite())
+      problem = fmt::format("has a coordinate that is not a finite number (vertex {}): repair or export the mesh again",
+                            v + 1);
+  return problem;
+}
+
+/// What single precision leaves of the coordinates (file units): vertices lie on a grid that wide.
+double rounding_of(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& v : mesh.vertices) {
+    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    for (int k = 0; k < 3; ++k)
+      if (v[k] != static_cast<double>(static_cast<float>(v[k]))) return 0;
   }
-  return {};
+  const auto most = static_cast<float>(largest);
+  return static_cast<double>(std::nextafter(most, std::numeric_limits<float>::infinity())) - static_cast<double>(most);
+}
+
+void warn(const std::string& path, const std::string& what, Diagnostics& out) {
+  out.add({.severity = Diagnostic::Severity::warning, .file = path, .key = {}, .found = {}, .rule = what});
+}
+
+/// A surface far from its origin has no room left for its shape in seven digits.
+void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_unit, double rounding,
+                   Diagnostics& out) {
+  constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
+  if (!(rounding * metres_per_unit > kCoarse)) return;
+  warn(path,
+       fmt::format("has single-precision coordinates {:.3g} mm from its origin: they are rounded to {:.2g} mm, which "
+                   "curvature and contact feel; export it again about an origin near the joint",
+                   1e3 * metres_per_unit * mesh.vertices.front().norm(), 1e3 * metres_per_unit * rounding),
+       out);
 }
 
 }  // namespace
 
-std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out) {
+std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts) {
   const MeshFileCheck check = check_mesh_file(path);
   if (!check.problem.empty()) {
     out.error(path, check.problem);
@@ -73,7 +82,8 @@ std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, D
               std::to_string(mesh.triangles.size()) + " triangles: it is truncated; copy or export it again";
   }
   if (problem.empty() && mesh.empty()) problem = "has no triangles: export the surface as a triangle mesh";
-  const WeldReport report = problem.empty() ? weld(mesh, weld_tolerance(mesh)) : WeldReport{};
+  MeshFileFacts found{mesh.vertices.size(), mesh.triangles.size(), {}, metres_per_unit * rounding_of(mesh)};
+  const WeldReport report = found.weld = problem.empty() ? weld(mesh, weld_tolerance(mesh)) : WeldReport{};
   if (problem.empty() && mesh.empty()) {
     problem = "has triangles without extent only: all its points are one; check the export's number format";
   }
@@ -81,14 +91,12 @@ std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, D
     out.error(path, problem);
     return std::nullopt;
   }
-  if (report.degenerate + report.duplicate > 0) {
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = path,
-             .key = {},
-             .found = {},
-             .rule = "dropped " + std::to_string(report.degenerate) + " triangles without extent and " +
-                     std::to_string(report.duplicate) + " repeated ones"});
-  }
+  if (report.degenerate + report.duplicate > 0)
+    warn(path,
+         fmt::format("dropped {} triangles without extent and {} repeated ones", report.degenerate, report.duplicate),
+         out);
+  warn_rounding(path, mesh, metres_per_unit, found.rounding / metres_per_unit, out);
+  if (facts != nullptr) *facts = found;
   for (Vec3& v : mesh.vertices) v *= metres_per_unit;
   return mesh;
 }

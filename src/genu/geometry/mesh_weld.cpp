@@ -79,6 +79,13 @@ void join_near(const std::vector<Vec3>& vertices, double tolerance, std::vector<
   }
 }
 
+/// How many vertices stand for themselves.
+std::size_t own_count(const std::vector<int>& first) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < first.size(); ++v) count += first[v] == static_cast<int>(v) ? 1 : 0;
+  return count;
+}
+
 std::size_t drop_degenerate(Mesh& mesh) {
   return std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
@@ -129,11 +136,14 @@ double weld_tolerance(const Mesh& mesh) {
 
 WeldReport weld(Mesh& mesh, double tolerance) {
   std::vector<int> first = join_equal(mesh.vertices);
+  const std::size_t equal = own_count(first);
   join_near(mesh.vertices, tolerance, first);
   for (auto& t : mesh.triangles) {
     for (int& v : t) v = first[at(v)];
   }
   WeldReport report;
+  report.joined = first.size() - equal;
+  report.joined_near = equal - own_count(first);
   report.degenerate = drop_degenerate(mesh);
   report.duplicate = drop_duplicate(mesh);
   compact(mesh);

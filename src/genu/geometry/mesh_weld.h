@@ -9,8 +9,10 @@
 namespace genu {
 
 struct WeldReport {
-  std::size_t degenerate = 0;  ///< triangles dropped because two of their corners became one
-  std::size_t duplicate = 0;   ///< triangles dropped because another has the same corners, in either direction
+  std::size_t joined = 0;       ///< vertices equal to an earlier one: STL repeats each in all of its triangles
+  std::size_t joined_near = 0;  ///< further vertices within the tolerance of an earlier one
+  std::size_t degenerate = 0;   ///< triangles dropped because two of their corners became one
+  std::size_t duplicate = 0;    ///< triangles dropped because another has the same corners, in either direction
 };
 
 /// The distance within which vertices are the same: 1e-6 of the bounding box' diagonal, or what float32 cannot tell

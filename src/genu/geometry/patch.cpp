@@ -108,6 +108,7 @@ class PatchSurface final : public Surface {
     return set;
   }
 
+  std::span<const DoubtfulPlace> doubtful() const override { return whole_->doubtful(); }
   bool is_global() const override { return whole_->is_global(); }
   bool knows_distance() const override { return false; }
   bool is_unbounded() const override {

@@ -8,6 +8,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
@@ -22,6 +25,14 @@ struct SurfacePoint {
   Vec3 n = Vec3::UnitZ();   ///< outward unit normal
   Mat32 T = Mat32::Zero();  ///< orthonormal tangent basis, T.col(0) x T.col(1) = n
   Mat2 S = Mat2::Zero();    ///< shape operator in that basis, 1/m, symmetric: dn = -T S ds
+};
+
+/// A place where what the surface was made from is wrong or missing: contact there is not to be trusted.
+struct DoubtfulPlace {
+  std::string what;          ///< for the user: what is wrong, and where in the file
+  std::vector<Vec3> points;  ///< m, in the body's frame: they stand for the place
+  double reach = 0;          ///< m: a contact nearer than this to one of them leans on it
+  bool missing = false;      ///< part of the surface is missing there: what comes near may touch what is not there
 };
 
 class Surface {
@@ -50,6 +61,9 @@ class Surface {
 
   /// Samples about `spacing` (m) apart: the vertices of triangles() unless a surface knows better ones.
   virtual SampleSet samples(double spacing, const Vec3& centre, double reach) const;
+
+  /// Where not to trust it: empty for all but flawed meshes.
+  virtual std::span<const DoubtfulPlace> doubtful() const { return {}; }
 
   /// True for a surface whose project() and gap() hold everywhere (a closed form), not in a band alone.
   virtual bool is_global() const { return true; }

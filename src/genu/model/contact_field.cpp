@@ -40,6 +40,7 @@ ContactField::ContactField(const JointModel& model) : model_(&model), spacing_(c
     options.centre_a = model.reference_poses[at(pair.body_a)].inverse() * centre;
     options.centre_b = model.reference_poses[at(pair.body_b)].inverse() * centre;
     pairs_.emplace_back(*pair.a, *pair.b, options);
+    any_doubtful_ = any_doubtful_ || !pair.a->doubtful().empty() || !pair.b->doubtful().empty();
   }
 }
 
@@ -56,6 +57,7 @@ void ContactField::survey(const State& state, Survey& out) {
     pairs_[at(pair)].scan(relative(state, pair), window(), scan_);
     double& smallest = out.smallest_gap[at(pair)];
     smallest = scan_.smallest_sample_gap;
+    if (scan_.swallowed < 0) smallest = std::min(smallest, scan_.swallowed);
     for (const LocalMinimum& m : scan_.minima) {
       out.minima.push_back({pair, m});
       smallest = std::min(smallest, m.gap);
@@ -77,10 +79,39 @@ double ContactField::edge_distance(int pair, const ContactGeometry& contact) con
   return pairs_[at(pair)].edge_distance(contact);
 }
 
+const DoubtfulPlace* ContactField::doubtful(const State& state) const {
+  for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair)
+    for (const bool of_a : {true, false}) {
+      const auto& p = model_->pairs[at(pair)];
+      for (const DoubtfulPlace& place : (of_a ? p.a : p.b)->doubtful())
+        if (leans_on(place, state, pair, of_a)) return &place;
+    }
+  return nullptr;
+}
+
+bool ContactField::leans_on(const DoubtfulPlace& place, const State& state, int pair, bool of_a) const {
+  for (const ActiveContact& c : state.contacts) {
+    if (c.pair != pair) continue;
+    const Vec3& foot = of_a ? c.geometry.a.p : c.geometry.b.p;
+    for (const Vec3& p : place.points)
+      if ((p - foot).squaredNorm() < place.reach * place.reach) return true;
+  }
+  if (!place.missing) return false;
+  // What would fill a hole stands out of its rim by no more than this.
+  constexpr double kStandsOut = 0.1;  // of the reach
+  const Pose X = of_a ? relative(state, pair).inverse() : relative(state, pair);
+  const auto& other = of_a ? model_->pairs[at(pair)].b : model_->pairs[at(pair)].a;
+  return std::any_of(place.points.begin(), place.points.end(), [&](const Vec3& p) {
+    const auto gap = other->gap(X * p);
+    return gap && *gap<kStandsOut * place.reach&& * gap> - place.reach;
+  });
+}
+
 double ContactField::smallest_gap(const State& state, int pair) {
   for (double within = window(); within < 100 * model_->scales.length; within *= 8) {
     pairs_[at(pair)].scan(relative(state, pair), within, scan_);
     double smallest = scan_.smallest_sample_gap;
+    if (scan_.swallowed < 0) smallest = std::min(smallest, scan_.swallowed);
     for (const LocalMinimum& m : scan_.minima) smallest = std::min(smallest, m.gap);
     if (smallest < within) return smallest;
   }

@@ -44,6 +44,11 @@ class ContactField {
 
   double edge_distance(int pair, const ContactGeometry& contact) const;
 
+  /// The first doubtful place of a surface that a contact of `state` leans on, or where the other surface comes near
+  /// to what is missing; null where there is none.
+  const DoubtfulPlace* doubtful(const State& state) const;
+  bool any_doubtful() const { return any_doubtful_; }
+
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
   double smallest_gap(const State& state, int pair);
 
@@ -59,9 +64,11 @@ class ContactField {
 
  private:
   Pose relative(const State& state, int pair) const;
+  bool leans_on(const DoubtfulPlace& place, const State& state, int pair, bool of_a) const;
 
   const JointModel* model_;
   double spacing_;
+  bool any_doubtful_ = false;
   std::vector<Proximity> pairs_;
   ProximityScan scan_;
   std::vector<NearSample> near_;

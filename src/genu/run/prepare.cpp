@@ -7,6 +7,7 @@
 #include "genu/core/timer.h"
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/mesh_reader.h"
+#include "genu/geometry/mesh_shape.h"
 #include "genu/run/build_surface.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
@@ -28,6 +29,38 @@ void place(const SurfaceDef& def, Mesh& mesh) {
   for (Vec3& v : mesh.vertices) v = def.placement * v;
   if (!def.inside) return;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+/// Takes the flaws out of a mesh, tells of them with the place of each, and remembers where they were.
+std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Diagnostics& out) {
+  constexpr std::size_t kTold = 4;
+  std::vector<DoubtfulPlace> places;
+  std::string told;
+  std::size_t count = 0;
+  for (const Flaw& flaw : cut_out_flaws(mesh)) {
+    const std::string what = describe(flaw, def.file_unit);
+    if (++count <= kTold) told += (told.empty() ? "" : "; ") + what;
+    // What lies inside another piece is out of reach and leaves nothing missing.
+    if (flaw.kind == Flaw::Kind::inner_piece) continue;
+    places.push_back({def.file + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
+  }
+  if (count == 0) return places;
+  if (count > kTold) told += fmt::format("; and {} more (genu mesh-check lists them)", count - kTold);
+  out.add({.severity = Diagnostic::Severity::warning,
+           .file = def.file,
+           .key = {},
+           .found = {},
+           .rule = "has flaws, left out of its surface; poses whose contact leans on one are refused: " + told});
+  return places;
+}
+
+void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
+  if (turned == 0) return;
+  out.add({.severity = Diagnostic::Severity::warning,
+           .file = def.file,
+           .key = {},
+           .found = {},
+           .rule = fmt::format("has {} triangles wound against the rest of it: turned round", turned)});
 }
 
 /// A closed mesh tells its outward side by its volume. An open sheet cannot be judged.
@@ -61,8 +94,9 @@ void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found,
 std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, SurfaceNote& note,
                                                   double& read_seconds, Diagnostics& out) {
   Diagnostics found;
-  std::shared_ptr<const BlendSurface> surface;
+  std::shared_ptr<BlendSurface> surface;
   std::optional<Mesh> mesh;
+  std::vector<DoubtfulPlace> doubtful;
   {
     const ScopedTimer timing(read_seconds);
     mesh = read_mesh(def.file, def.file_unit, found);
@@ -71,13 +105,20 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
       check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
       make_winding_consistent(*mesh, mesh_edges(*mesh));
       warn_inside_out(*mesh, *note.mesh, def, found);
+      doubtful = set_flaws_apart(*mesh, def, found);
+      warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
       place(def, *mesh);
+      for (DoubtfulPlace& d : doubtful)
+        for (Vec3& p : d.points) p = def.placement * p;
     }
   }
   if (mesh && !found.has_errors())
     surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
-  if (surface) note.text = describe(*note.mesh, surface->facts());
-  note.blend = surface;
+  if (surface) {
+    note.text = describe(*note.mesh, surface->facts());
+    surface->set_doubtful(std::move(doubtful));
+    note.blend = surface;
+  }
   add_at(scene, def, found, out);
   return surface;
 }

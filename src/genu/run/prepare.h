@@ -9,6 +9,7 @@
 
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/mesh_check.h"
+#include "genu/geometry/mesh_flaws.h"
 #include "genu/model/step_plan.h"
 
 namespace genu {

@@ -256,6 +256,20 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   return prepared;
 }
 
+namespace {
+
+/// Not one pose, because contact leans on a flaw of a mesh from the start: the input is to blame.
+bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnostics& out) {
+  if (found.summary.poses_solved > 0 || found.records.empty()) return false;
+  const PoseReport& first = found.records.front().point.report;
+  if (first.status != PoseStatus::flawed_mesh) return false;
+  out.error(prepared.scene.file,
+            first.why + ": no pose can be trusted. Mend the mesh (genu mesh-check FILE --repair OUT)");
+  return true;
+}
+
+}  // namespace
+
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution) {
   const auto prepared = prepare_run(path, folder, out);
@@ -265,6 +279,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   if (!check_start(*prepared, field, out)) return kExitRefused;
   const double search_seconds = timer.seconds();
   Solution found = solve(*prepared, field, options);
+  if (refused_for_flaws(*prepared, found, out)) return kExitRefused;
   found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
   if (options.starts > 0) {
     const Timer searching;

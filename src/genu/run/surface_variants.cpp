@@ -23,7 +23,9 @@ std::shared_ptr<const Surface> vary(const BlendSurface& surface, const SurfaceDe
   const double edge = vertex_graph(mesh).median_edge;
   if (options.fit_radius) options.fit_radius = std::max(*options.fit_radius, edge);
   Diagnostics unused;  // what is wrong with a variant is its own matter: it is left out
-  return BlendSurface::build(std::move(mesh), options, def.name, unused);
+  auto varied = BlendSurface::build(std::move(mesh), options, def.name, unused);
+  if (varied) varied->set_doubtful(surface.doubtful());
+  return varied;
 }
 
 }  // namespace

@@ -125,6 +125,9 @@ std::string advice(PoseStatus status) {
       return "Prescribe fewer coordinates.";
     case PoseStatus::chatter:
       return "Two sets of contacts exclude each other here: smaller increments or another `fit_radius` may part them.";
+    case PoseStatus::flawed_mesh:
+      return "Mend the mesh there (genu mesh-check FILE --repair OUT), or keep contact away with the surface's "
+             "`patch`.";
     case PoseStatus::undetermined:
     case PoseStatus::no_equilibrium:
     case PoseStatus::ok:

@@ -118,10 +118,9 @@ bool ArcWalker::pass_change(double arc, Point violated) {
     if (!pass(bracket.low(), std::move(last))) return false;
     if (end_) return true;
   }
-  if (violated.findings.over_edge || violated.findings.deep_overlap) {
+  if (violated.findings.final()) {
     failure_ = violated.report;
-    outputs_.event(violated.findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap, violated,
-                   violated.findings.where);
+    outputs_.event(end_of(violated.findings), violated, violated.findings.where);
     end_ = End::stuck;
     return true;
   }

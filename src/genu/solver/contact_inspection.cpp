@@ -57,9 +57,17 @@ void ContactInspector::inspect(const State& state, Findings& out) {
   out = {};
   inspect_held(state, out);
   look_everywhere(state, out);
+  if (field_->any_doubtful()) look_for_doubt(state, out);
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
   std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
                    [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
+}
+
+void ContactInspector::look_for_doubt(const State& state, Findings& out) {
+  const DoubtfulPlace* place = field_->doubtful(state);
+  if (place == nullptr) return;
+  out.doubtful = true;
+  out.where = place->what;
 }
 
 void ContactInspector::inspect_held(const State& state, Findings& out) {

@@ -27,18 +27,21 @@ struct Findings {
   std::vector<int> left_piece;         ///< entries of State::pieces whose ligament has left its piece of the law
   bool over_edge = false;              ///< a contact point or an overlap lies past the edge of a patch
   bool deep_overlap = false;           ///< samples overlap where no contact explains it
+  bool doubtful = false;               ///< a contact leans on a place where a mesh is flawed
   double worst =
       std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
-  std::string where;                            ///< for over_edge and deep_overlap, in words
+  std::string where;                            ///< for over_edge, deep_overlap and doubtful, in words
 
   bool only_left_piece() const {
     return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge &&
-           !deep_overlap;
+           !deep_overlap && !doubtful;
   }
   bool none() const {
     return pulling.empty() && overlapping.empty() && not_minimal.empty() && left_piece.empty() && !over_edge &&
-           !deep_overlap;
+           !deep_overlap && !doubtful;
   }
+  /// Nothing that a change of the contact set could mend.
+  bool final() const { return over_edge || deep_overlap || doubtful; }
 };
 
 /// Whether two contact geometries of one pair are nearer to each other than `distance` (m) on both surfaces.
@@ -69,6 +72,7 @@ class ContactInspector {
   void inspect_held(const State& state, Findings& out);
   void look_beside(const State& state, int contact, Findings& out);
   void look_everywhere(const State& state, Findings& out);
+  void look_for_doubt(const State& state, Findings& out);
 
   const JointModel* model_;
   ContactField* field_;

@@ -42,6 +42,8 @@ const char* to_string(PoseStatus status) {
       return "overconstrained";
     case PoseStatus::undetermined:
       return "undetermined";
+    case PoseStatus::flawed_mesh:
+      return "flawed_mesh";
   }
   return "";
 }
@@ -63,7 +65,10 @@ PoseReport ContactSetSolver::judge(const State& state, const NewtonReport& newto
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
-  if (findings.over_edge) {
+  if (findings.doubtful) {
+    report.status = PoseStatus::flawed_mesh;
+    report.why = "contact leans on " + findings.where;
+  } else if (findings.over_edge) {
     report.status = PoseStatus::over_edge;
     report.why = "contact " + findings.where + " lies past the edge of its surface";
   } else if (findings.deep_overlap) {
@@ -285,6 +290,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
+  if (report.status == PoseStatus::flawed_mesh) return report;  // another pose would be no better founded
   // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one.
   PoseReport seeded;
   for (const double stiffer : {1.0, 30.0, 1000.0}) {
@@ -292,6 +298,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     const int before = seeded.iterations;
     seeded = settle_from_seed(trial, target, false, stiffer);
     seeded.iterations += before;
+    if (seeded.status == PoseStatus::overlap) continue;
     if (seeded.status != PoseStatus::ok) break;
     if (!passes_through(pose.state, trial.state)) {
       pose = std::move(trial);

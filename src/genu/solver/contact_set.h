@@ -29,7 +29,7 @@ struct Balanced {
 };
 
 /// Why a pose is or is not accepted; `status` words in results are to_string of it.
-enum class PoseStatus { ok, no_equilibrium, over_edge, overlap, chatter, overconstrained, undetermined };
+enum class PoseStatus { ok, no_equilibrium, over_edge, overlap, chatter, overconstrained, undetermined, flawed_mesh };
 const char* to_string(PoseStatus status);
 
 struct PoseReport {

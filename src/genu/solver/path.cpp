@@ -157,7 +157,8 @@ class PathRun {
       return;
     }
     while (!walker_.walk_to(t)) {
-      const bool edge = walker_.failure().status == PoseStatus::over_edge;
+      const PoseStatus status = walker_.failure().status;
+      const bool edge = status == PoseStatus::over_edge || status == PoseStatus::flawed_mesh;
       if (!edge && walker_.law_jump().empty() && walker_.step_over(window(step))) {
         if (walker_.t() <= t) continue;
         fail(step, k, t, walker_.failure(), "", false);
@@ -317,6 +318,8 @@ const char* to_string(PathEvent::Kind kind) {
       return "over_edge";
     case PathEvent::Kind::overlap:
       return "overlap";
+    case PathEvent::Kind::flawed_mesh:
+      return "flawed_mesh";
     case PathEvent::Kind::turns_back:
       return "turns_back";
     case PathEvent::Kind::limit_point:
@@ -337,6 +340,11 @@ const char* to_string(PathEvent::Kind kind) {
       return "stopped";
   }
   return "";
+}
+
+PathEvent::Kind end_of(const Findings& findings) {
+  if (findings.doubtful) return PathEvent::Kind::flawed_mesh;
+  return findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap;
 }
 
 PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,

@@ -39,6 +39,7 @@ struct PathEvent {
     stepped_over,
     over_edge,
     overlap,
+    flawed_mesh,
     turns_back,         ///< a limit point that ends the walk: no equilibrium lies beyond what is prescribed there
     limit_point,        ///< the same, passed by arc length
     bifurcation,        ///< the smallest stiffness passes 0, and another path branches off
@@ -58,6 +59,8 @@ struct PathEvent {
   int rows_before = 0;                        ///< how many poses had been handed over when it happened
 };
 const char* to_string(PathEvent::Kind kind);
+/// What ends a path where findings are final().
+PathEvent::Kind end_of(const Findings& findings);
 
 struct PathOptions {
   NewtonOptions newton;

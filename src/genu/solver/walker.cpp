@@ -195,9 +195,9 @@ bool Walker::pass_event(double t, Attempt violated) {
   }
   t = bracket.high();
   Balanced next = violated.pose;
-  if (violated.findings.over_edge || violated.findings.deep_overlap) {
+  if (violated.findings.final()) {
     failure_ = violated.report;
-    emit(violated.findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap, violated.findings.where);
+    emit(end_of(violated.findings), violated.findings.where);
     return false;
   }
   PoseReport report;

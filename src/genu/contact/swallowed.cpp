@@ -1,0 +1,78 @@
+#include "genu/contact/swallowed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace genu {
+namespace {
+
+constexpr double kAcross = 10;     // points of the inner surface are a tenth of its box apart
+constexpr double kCoarse = 3;      // of the spacing: samples of the outer surface that are looked at first
+constexpr double kShallow = 0.05;  // of the spacing: what facets may say wrongly of the smooth surface
+
+double box_of(const std::vector<Vec3>& points) {
+  if (points.empty()) return 0;
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).norm();
+}
+
+}  // namespace
+
+Swallowed::Swallowed(const Surface& inner, const Surface& outer, const SampleSet& outer_samples, double spacing,
+                     const Vec3& inner_centre, const Vec3& outer_centre, double reach)
+    : outer_(&outer), spacing_(spacing), reach_(reach), outer_centre_(outer_centre) {
+  if (inner.is_unbounded()) return;
+  const SampleSet all = inner.samples(spacing, inner_centre, reach);
+  for (const Vec3& p : thin_samples(all, std::max(spacing, box_of(all.points) / kAcross)).points)
+    points_.push_back({p});
+  if (outer.knows_distance()) return;
+  cover_ = 2 * kCoarse * spacing;
+  const SampleSet coarse = thin_samples(outer_samples, kCoarse * spacing);
+  near_points_ = coarse.points;
+  near_normals_ = coarse.normals;
+}
+
+const FarDistance& Swallowed::far() {
+  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarse * spacing_, outer_centre_, reach_);
+  return *far_;
+}
+
+double Swallowed::gap(const Vec3& x, double& clearance) {
+  if (outer_->knows_distance()) {
+    const double g = outer_->gap(x).value_or(0);
+    clearance = std::abs(g);
+    return g;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < near_points_.size(); ++i) {
+    const double square = (near_points_[i] - x).squaredNorm();
+    if (square < least) least = square, nearest = i;
+  }
+  if (near_points_.empty()) return 0;
+  const double side = near_normals_[nearest].dot(x - near_points_[nearest]);
+  clearance = std::sqrt(least) - cover_;
+  if (side >= 0) return side;
+  const double distance = far().nearest(x).distance;
+  clearance = std::abs(distance) - spacing_;
+  if (distance >= 0) return distance;
+  const auto smooth = outer_->gap(x);
+  return smooth && *smooth < 0 ? std::max(*smooth, distance) : distance;
+}
+
+Swallowed::Depth Swallowed::deepest(const Pose& X_oi) {
+  Depth out;
+  for (Point& point : points_) {
+    const Vec3 x = X_oi * point.p;
+    if (point.clearance > (x - point.at).norm()) continue;
+    const double g = gap(x, point.clearance);
+    point.at = x;
+    if (g >= -kShallow * spacing_) continue;
+    point.clearance = -1;  // only what is outside stays so while it is clear
+    if (g < out.gap) out = {g, point.p};
+  }
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,46 @@
+// Whether a surface lies inside another one without crossing it: then no sample of the outer surface overlaps, and
+// only points of the inner one can tell.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "genu/contact/far_distance.h"
+#include "genu/geometry/samples.h"
+
+namespace genu {
+
+class Swallowed {
+ public:
+  /// Looks for points of `inner` inside `outer`, of which `outer_samples` are samples `spacing` (m) apart. A surface
+  /// without an extent of its own is never inner. `edge`, `centre` and `reach` as for FarDistance.
+  Swallowed(const Surface& inner, const Surface& outer, const SampleSet& outer_samples, double spacing,
+            const Vec3& inner_centre, const Vec3& outer_centre, double reach);
+
+  struct Depth {
+    double gap = 0;             ///< m, < 0 where a point is inside, else 0
+    Vec3 point = Vec3::Zero();  ///< of the inner surface, in its frame
+  };
+  /// The deepest of a few points that stand for the whole of the inner surface; X_oi is its frame in the outer's.
+  Depth deepest(const Pose& X_oi);
+
+ private:
+  struct Point {
+    Vec3 p;                 ///< m
+    double clearance = -1;  ///< m, of `at` to the outer surface
+    Vec3 at = Vec3::Zero();
+  };
+  double gap(const Vec3& x, double& clearance);
+  const FarDistance& far();
+
+  const Surface* outer_;
+  double spacing_, reach_;
+  Vec3 outer_centre_;
+  std::vector<Point> points_;
+  std::vector<Vec3> near_points_, near_normals_;  // a coarse choice of the outer surface's samples
+  double cover_ = 0;                              // m: no point of the outer surface is farther from one of them
+  std::unique_ptr<FarDistance> far_;              // made when first a point is suspected: most joints never need it
+};
+
+}  // namespace genu

@@ -1,0 +1,199 @@
+#include "genu/geometry/mesh_examination.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "genu/geometry/mesh_check.h"
+#include "genu/geometry/mesh_crossings.h"
+#include "genu/geometry/mesh_shape.h"
+#include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/vertex_fans.h"
+
+namespace genu {
+namespace {
+
+using Verdict = MeshFinding::Verdict;
+
+constexpr double kMillimetre = 1e3;
+
+class Examiner {
+ public:
+  Examiner(const Mesh& mesh, const MeshFileFacts& facts, double metres_per_unit)
+      : mesh_(mesh), facts_(facts), unit_(metres_per_unit), report_(check_mesh(mesh)), wound_(mesh) {
+    make_winding_consistent(wound_, mesh_edges(wound_));
+    clean_ = wound_;
+    out_.flaws = cut_out_flaws(clean_);
+  }
+
+  MeshExamination take() {
+    say_size();
+    say_pieces();
+    say_triangles();
+    say_edges();
+    say_orientation();
+    say_crossings();
+    say_shape();
+    return std::move(out_);
+  }
+
+ private:
+  void say(const std::string& question, const std::string& number, Verdict verdict, const std::string& why = {}) {
+    out_.findings.push_back({question, number, verdict, why});
+  }
+
+  /// A count that should be 0; `places` adds where the first ones are.
+  void count(const std::string& question, std::size_t n, Verdict otherwise, const std::string& why) {
+    say(question, std::to_string(n), n == 0 ? Verdict::good : otherwise, n == 0 ? "" : why);
+  }
+
+  std::string where(Flaw::Kind kind) const {
+    constexpr int kTold = 3;
+    std::string text;
+    int told = 0, all = 0;
+    for (const Flaw& flaw : out_.flaws) {
+      if (flaw.kind != kind || ++all > kTold) continue;
+      text += (told++ > 0 ? "; " : "") + describe(flaw, unit_);
+    }
+    return all > told ? text + fmt::format("; and {} more", all - told) : text;
+  }
+
+  std::size_t places(Flaw::Kind kind) const {
+    return static_cast<std::size_t>(
+        std::count_if(out_.flaws.begin(), out_.flaws.end(), [&](const Flaw& f) { return f.kind == kind; }));
+  }
+
+  void say_size() {
+    const double diagonal = report_.box.diagonal() / unit_;
+    const char* unit = unit_ == 1 ? "m" : "mm";
+    const std::string guess = guess_unit(diagonal);
+    say("size", fmt::format("{:.4g} {} across", diagonal, unit), guess == unit ? Verdict::good : Verdict::bad,
+        guess == unit   ? ""
+        : guess.empty() ? "no unit makes this a knee's surface: 5 to 500 mm"
+        : guess.size() < 3 && guess != "cm"
+            ? "a knee's in " + guess + ": say --units " + guess + ", and units in the scene"
+            : "a knee's in " + guess + ", which genu does not read: scale it to mm");
+    say("vertices, triangles", fmt::format("{}, {}", report_.vertices, report_.triangles), Verdict::good);
+    say("edges 5/50/95 %",
+        fmt::format("{:.3f} / {:.3f} / {:.3f} mm", kMillimetre * report_.edge_length[1],
+                    kMillimetre * report_.edge_length[2], kMillimetre * report_.edge_length[3]),
+        Verdict::good);
+    const double step = facts_.rounding;
+    say("coordinates rounded to", step > 0 ? fmt::format("{:.2g} mm", kMillimetre * step) : "double precision",
+        step > 2e-6 ? Verdict::bad : Verdict::good,
+        step > 2e-6 ? "single precision, far from the origin: export it again about an origin near the joint" : "");
+  }
+
+  void say_pieces() {
+    const std::size_t strays = places(Flaw::Kind::stray_piece), inner = places(Flaw::Kind::inner_piece);
+    say("components", std::to_string(report_.components), Verdict::good);
+    count("stray pieces", strays, Verdict::bad, where(Flaw::Kind::stray_piece));
+    count("pieces inside others", inner, Verdict::note, where(Flaw::Kind::inner_piece) + "; contact leaves them out");
+    std::size_t borders = 0;
+    for (const FreeLoop& loop : free_loops(mesh_)) borders += loop.border ? 1 : 0;
+    say("borders of open sheets", std::to_string(borders), borders == 0 ? Verdict::good : Verdict::note,
+        borders == 0 ? "" : "contact cannot run over them");
+    count("holes", places(Flaw::Kind::hole), Verdict::bad, where(Flaw::Kind::hole));
+  }
+
+  void say_triangles() {
+    const std::size_t left = facts_.vertices - facts_.weld.joined - facts_.weld.joined_near;
+    const bool soup = facts_.vertices == 3 * facts_.triangles;
+    say("duplicate vertices", fmt::format("{}, {} nearly", facts_.weld.joined, facts_.weld.joined_near),
+        (facts_.weld.joined == 0 || soup) && facts_.weld.joined_near == 0 ? Verdict::good : Verdict::note,
+        facts_.weld.joined + facts_.weld.joined_near == 0 ? ""
+        : soup && facts_.weld.joined_near == 0            ? "as every STL has"
+                                                          : fmt::format("joined to {}", left));
+    count("duplicate faces", facts_.weld.duplicate, Verdict::note, "dropped");
+    count("degenerate faces", facts_.weld.degenerate + report_.degenerate, Verdict::note, "without area: not used");
+    count("sliver faces", report_.slivers, Verdict::note, "an angle below 5 deg: fits use the vertices alone");
+  }
+
+  void say_edges() {
+    count("non-manifold edges", report_.non_manifold_edges, Verdict::bad, where(Flaw::Kind::non_manifold));
+    Mesh split = mesh_;
+    count("non-manifold vertices", split_fans(split), Verdict::note, "sheets that touch in one vertex");
+    count("flipped faces", report_.flipped, Verdict::note, "wound against most of their piece; turned when read");
+    count("spikes", places(Flaw::Kind::spike), Verdict::bad, where(Flaw::Kind::spike));
+    const std::size_t unorientable = places(Flaw::Kind::unorientable);
+    count("no winding agrees", unorientable, Verdict::bad, where(Flaw::Kind::unorientable));
+  }
+
+  void say_orientation() {
+    const Orientation o = orientation_of(wound_);
+    if (o.closed_pieces > 0)
+      count("inside-out pieces", static_cast<std::size_t>(o.inside_out), Verdict::bad,
+            "normals point into the volume they close: inside = true in the scene turns the surface round");
+    if (o.open_area <= 0) return;
+    say("open sheets face", fmt::format("({:.2f}, {:.2f}, {:.2f})", o.facing.x(), o.facing.y(), o.facing.z()),
+        Verdict::note,
+        fmt::format("mean outward normal; a sheet does not tell its outward side: it must face the other bone "
+                    "(inside = true turns it)"));
+  }
+
+  void say_crossings() {
+    const std::size_t pairs = crossing_triangles(wound_).size();
+    count("self-intersections", pairs, Verdict::bad, where(Flaw::Kind::crossing));
+  }
+
+  void say_shape() {
+    if (clean_.empty()) return say("smooth surface", "none", Verdict::bad, "nothing is left without the flaws");
+    const MeshShape s = shape_of(clean_);
+    const double edge = report_.edge_length[2];
+    say("noise", fmt::format("{:.2g} mm rms", kMillimetre * s.noise),
+        s.noise > 0.1 * edge ? Verdict::note : Verdict::good,
+        fmt::format("fit radius {:.2f} mm", kMillimetre * s.fit_radius));
+    if (s.fits > 0) {
+      const double tightest = 1 / std::max(s.sharpest, 1e-300);
+      say("curvature 1/50/99 %",
+          fmt::format("{:.3g} / {:.3g} / {:.3g} 1/m", s.curvature[0], s.curvature[1], s.curvature[2]),
+          tightest < 2 * edge ? Verdict::note : Verdict::good,
+          tightest < 2 * edge
+              ? fmt::format("the sharpest twentieth bends within {:.2g} mm, less than two edges: too coarse there",
+                            kMillimetre * tightest)
+              : fmt::format("positive bulges outward; sharpest twentieth: radius {:.2g} mm", kMillimetre * tightest));
+    }
+    if (s.thickness_rays > 0)
+      say("thickness 5/50/95 %",
+          fmt::format("{:.2f} / {:.2f} / {:.2f} mm", kMillimetre * s.thickness[0], kMillimetre * s.thickness[1],
+                      kMillimetre * s.thickness[2]),
+          s.thickness[0] < edge ? Verdict::note : Verdict::good,
+          s.thickness[0] < edge ? "thinner than an edge in places: the two faces are kept apart by their normals" : "");
+    else
+      say("thickness", "-", Verdict::good, "nothing behind the surface");
+  }
+
+  const Mesh& mesh_;
+  const MeshFileFacts& facts_;
+  double unit_;
+  MeshReport report_;
+  Mesh wound_, clean_;
+  MeshExamination out_;
+};
+
+}  // namespace
+
+const char* to_string(MeshFinding::Verdict verdict) {
+  return verdict == Verdict::good ? "ok" : verdict == Verdict::note ? "note" : "BAD";
+}
+
+std::string guess_unit(double diagonal) {
+  constexpr double kSmallest = 5e-3, kLargest = 0.5;  // m: a knee's surfaces
+  const std::pair<const char*, double> units[] = {
+      {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
+  for (const auto& [name, metres] : units)
+    if (diagonal * metres >= kSmallest && diagonal * metres <= kLargest) return name;
+  return {};
+}
+
+bool MeshExamination::bad() const {
+  return std::any_of(findings.begin(), findings.end(), [](const MeshFinding& f) { return f.verdict == Verdict::bad; });
+}
+
+MeshExamination examine_mesh(const Mesh& mesh, const MeshFileFacts& facts, double metres_per_unit) {
+  return Examiner(mesh, facts, metres_per_unit).take();
+}
+
+}  // namespace genu

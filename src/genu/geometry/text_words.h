@@ -1,0 +1,79 @@
+// The words of a text file, with the line each stands in.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace genu {
+
+class TextWords {
+ public:
+  /// `comment` starts what is passed over up to the line's end; 0: nothing does. The text must outlive this.
+  explicit TextWords(std::string_view text, char comment = 0) : text_(text), comment_(comment) {}
+
+  /// The next word; empty at the end of the text.
+  std::string_view next() {
+    skip();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  std::string_view peek() {
+    const std::size_t at = at_, line = line_;
+    const std::string_view word = next();
+    at_ = at;
+    line_ = line;
+    return word;
+  }
+
+  void skip_line() {
+    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+  }
+
+  /// Of the word that came last.
+  std::size_t line() const { return line_; }
+
+  /// A whole word that is a number ("nan" and "inf" are, as far as this goes); false for anything else.
+  template <class T>
+  static bool number(std::string_view word, T& value) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (failure == std::errc::result_out_of_range && std::is_floating_point_v<T>) {
+      value = 0;  // 1e-400; 1e400 is none anybody means
+      return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+    }
+    return failure == std::errc() && end == word.data() + word.size() && !word.empty();
+  }
+
+ private:
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  void skip() {
+    while (at_ < text_.size()) {
+      if (text_[at_] == '\n') ++line_;
+      if (comment_ != 0 && text_[at_] == comment_)
+        skip_line();
+      else if (is_space(text_[at_]))
+        ++at_;
+      else
+        return;
+    }
+  }
+
+  std::string_view text_;
+  char comment_;
+  std::size_t at_ = 0, line_ = 1;
+};
+
+/// "word" cut short and with what cannot be printed left out: for messages.
+inline std::string in_quotes(std::string_view word) {
+  std::string out = "\"";
+  for (const char c : word.substr(0, 24)) out += c >= ' ' && c < 127 ? c : '?';
+  return out + (word.size() > 24 ? "...\"" : "\"");
+}
+
+}  // namespace genu
