@@ -30,7 +30,8 @@ int run(int argc, char** argv) {
       "  genu check SCENE                     say everything that is wrong with a scene and its meshes\n"
       "  genu explain SCENE                   say what system a scene asks for, before it is solved\n"
       "  genu sensitivity SCENE --of OUTPUTS --to PARAMETERS   which number of a scene matters how much, exactly\n"
-      "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL",
+      "  genu fit MESH --out DIR              fit polynomial surfaces to a mesh; --scene SCENE: to all meshes of a scene\n"
+      "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL, PLY or OBJ",
       "genu"};
   app.set_version_flag("--version", GENU_VERSION_TEXT);
   app.require_subcommand(1);
@@ -39,13 +40,14 @@ int run(int argc, char** argv) {
   genu::cli::add_check(app, exit_code);
   genu::cli::add_explain(app, exit_code);
   genu::cli::add_sensitivity(app, exit_code);
+  genu::cli::add_fit(app, exit_code);
   genu::cli::add_mesh(app, exit_code);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);
     return kRefused;
   }
   if (const std::string word = argv[1]; !word.empty() && word.front() != '-' && !known_command(app, word)) {
-    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, mesh\n",
+    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, fit, mesh\n",
                genu::printable(word));
     return kRefused;
   }
