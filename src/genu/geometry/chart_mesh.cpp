@@ -30,6 +30,13 @@ std::vector<double> lines(const std::vector<double>& stretch, double cell) {
   return at;
 }
 
+/// No less than about the largest curvature (1/m): what slopes take off it is left out.
+double curvature_bound(const PolynomialJet& h, bool cylindrical) {
+  const double unit = cylindrical ? std::max(std::abs(h.f), 1e-9) : 1;  // m of length a unit of u
+  return std::max({std::abs(h.xx) / (unit * unit), std::abs(h.xy) / unit, std::abs(h.yy), 1e-9}) +
+         (cylindrical ? 1 / unit : 0);
+}
+
 }  // namespace
 
 Mesh chart_mesh(const SurfaceChart& chart, const ChartBox& box, const std::vector<PolynomialTerm>& terms, bool inside,
@@ -40,8 +47,9 @@ Mesh chart_mesh(const SurfaceChart& chart, const ChartBox& box, const std::vecto
     for (std::size_t j = 0; j < kSamples; ++j) {
       const PolynomialJet h = P(box.u0 + box.width() * (static_cast<double>(i) + 0.5) / kSamples,
                                 box.v0 + box.height() * (static_cast<double>(j) + 0.5) / kSamples);
-      along_u[i] = std::max(along_u[i], box.width() * std::hypot(chart.cylindrical ? h.f : 1, h.x));
-      along_v[j] = std::max(along_v[j], box.height() * std::hypot(1, h.y));
+      const double finer = edge / graded_edge(edge, 1 / curvature_bound(h, chart.cylindrical));
+      along_u[i] = std::max(along_u[i], finer * box.width() * std::hypot(chart.cylindrical ? h.f : 1, h.x));
+      along_v[j] = std::max(along_v[j], finer * box.height() * std::hypot(1, h.y));
     }
   }
   double size_u = 0, size_v = 0;
