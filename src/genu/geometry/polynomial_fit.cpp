@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kIndependent = 1e-7;  // of a column's own length: what must be left of it beside the ones before
 constexpr int kFolds = 10;
+constexpr double kRounding = 1e-16;    // m: what a term with less adds nowhere shows
 
 using Index = Eigen::Index;
 
@@ -102,8 +103,11 @@ std::vector<PolynomialTerm> PolynomialFit::terms(int degree) const {
     ++column;
   });
   std::vector<PolynomialTerm> out;
+  const double u = std::max(std::abs(box_.u0), std::abs(box_.u1)), v = std::max(std::abs(box_.v0), std::abs(box_.v1));
   for_each_column(degree, [&](int i, int j) {
-    out.push_back({i, j, powers[static_cast<std::size_t>(i) * size + static_cast<std::size_t>(j)]});
+    const double p = powers[static_cast<std::size_t>(i) * size + static_cast<std::size_t>(j)];
+    const bool matters = std::abs(p) * std::pow(u, i) * std::pow(v, j) > kRounding;
+    out.push_back({i, j, matters ? p : 0.0});
   });
   return out;
 }

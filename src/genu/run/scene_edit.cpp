@@ -84,9 +84,10 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
   std::ifstream in(file, std::ios::binary);
   std::ostringstream read;
   read << in.rdbuf();
-  const auto document = parse_toml(read.str(), file, out);
+  const std::string source = read.str();
+  const auto document = parse_toml(source, file, out);
   if (!document) return {};
-  Lines lines(read.str(), *document);
+  Lines lines(source, *document);
   std::set<int> replaced, used;
   for (const FittedPair& p : pairs) replaced.insert(p.contact);
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
@@ -94,7 +95,7 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
     used.insert(scene.contacts[k].surface_a);
     used.insert(scene.contacts[k].surface_b);
   }
-  int first = static_cast<int>(std::count(read.str().begin(), read.str().end(), '\n')) + 1;
+  int first = static_cast<int>(std::count(source.begin(), source.end(), '\n')) + 1;
   const auto drop = [&](const std::string& what, const SourceLocation& where) {
     if (!lines.drop_table(where.line))
       out.add({.file = file,

@@ -34,12 +34,13 @@ std::string polynomial_table(const SurfaceDef& def, const std::string& body, dou
   out += "terms = [\n";
   int row = -1;  // one line for each total degree
   for (const SurfaceDef::Term& t : def.terms) {
+    if (t.c == 0 && t.i + t.j > 0) continue;
     const int lengths = cylindrical ? 1 - t.j : 1 - t.i - t.j;
-    if (t.i + t.j != row) out += row < 0 ? "  " : "\n  ";
+    out += row < 0 ? "  " : t.i + t.j == row ? ", " : ",\n  ";
     row = t.i + t.j;
-    out += fmt::format("[{}, {}, {}], ", t.i, t.j, number(t.c * std::pow(length_unit, -lengths)));
+    out += fmt::format("[{}, {}, {}]", t.i, t.j, number(t.c * std::pow(length_unit, -lengths)));
   }
-  out += "\n]\n";
+  out += ",\n]\n";
   if (!def.patch) return out;
   std::string ranges = range_text("x", def.patch->box[0], length_unit) +
                        range_text("y", def.patch->box[1], length_unit) +
