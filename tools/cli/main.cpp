@@ -30,7 +30,9 @@ int run(int argc, char** argv) {
       "  genu check SCENE                     say everything that is wrong with a scene and its meshes\n"
       "  genu explain SCENE                   say what system a scene asks for, before it is solved\n"
       "  genu sensitivity SCENE --of OUTPUTS --to PARAMETERS   which number of a scene matters how much, exactly\n"
-      "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL\n"
+      "  genu fit MESH --out DIR              fit polynomial surfaces to a mesh; --scene SCENE: to all meshes of a "
+      "scene\n"
+      "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL, PLY or OBJ\n"
       "  genu mesh-check FILE ...             say what is wrong with mesh files; --repair OUT mends one",
       "genu"};
   app.set_version_flag("--version", GENU_VERSION_TEXT);
@@ -40,6 +42,7 @@ int run(int argc, char** argv) {
   genu::cli::add_check(app, exit_code);
   genu::cli::add_explain(app, exit_code);
   genu::cli::add_sensitivity(app, exit_code);
+  genu::cli::add_fit(app, exit_code);
   genu::cli::add_mesh(app, exit_code);
   genu::cli::add_mesh_check(app, exit_code);
   if (argc == 1) {
@@ -47,7 +50,8 @@ int run(int argc, char** argv) {
     return kRefused;
   }
   if (const std::string word = argv[1]; !word.empty() && word.front() != '-' && !known_command(app, word)) {
-    fmt::print(stderr, "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, mesh, mesh-check\n",
+    fmt::print(stderr,
+               "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, fit, mesh, mesh-check\n",
                genu::printable(word));
     return kRefused;
   }

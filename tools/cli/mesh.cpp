@@ -1,7 +1,7 @@
 // genu mesh knee.toml --edge 1 --out meshes
-//   1. read the scene
-//   2. cut each surface that has a formula (or only those named) into triangles
-//   3. write DIR/<surface>.stl, in the frame of the surface's body
+//   1. read the scene, or the surfaces.toml that `genu fit` writes
+//   2. cut each surface that has a formula (or only those named) into triangles; with --thickness close open ones
+//   3. write DIR/<surface>.stl, .ply or .obj, in the frame of the surface's body
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -18,8 +18,9 @@
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/mesh_check.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/geometry/mesh_writer.h"
 #include "genu/geometry/tessellate.h"
+#include "genu/geometry/thicken.h"
 #include "genu/run/build_surface.h"
 #include "genu/scene/reader.h"
 
@@ -39,9 +40,9 @@ const CLI::Validator kPositive(
     "POSITIVE");
 
 struct MeshOptions {
-  std::string scene, folder, unit = "mm";
+  std::string scene, folder, unit = "mm", format = "stl";
   std::vector<std::string> surfaces;
-  double edge = 0, reach = 0;  ///< in `unit`
+  double edge = 0, reach = 0, thickness = 0;  ///< in `unit`
 };
 
 // The surfaces to mesh; says in `out` which names cannot be.
@@ -86,7 +87,7 @@ void describe(const std::string& path, const Mesh& mesh, double wanted, const Me
 int mesh_scene(const MeshOptions& options) {
   const double unit = options.unit == "m" ? 1.0 : 1e-3;
   Diagnostics problems;
-  const std::optional<Scene> scene = read_scene(options.scene, problems);
+  const std::optional<Scene> scene = read_surface_file(options.scene, problems);
   if (!scene) return refuse(problems);
   const std::vector<const SurfaceDef*> chosen = choose(*scene, options, problems);
   std::vector<std::shared_ptr<const Surface>> surfaces;
@@ -94,6 +95,17 @@ int mesh_scene(const MeshOptions& options) {
     surfaces.push_back(within_patch(make_analytic_surface(*def), *def));
     if (!surfaces.back())
       problems.error(scene->file, "surface \"" + def->name + "\" has sizes or a patch that make no surface");
+  }
+  if (problems.has_errors()) return refuse(problems);
+  std::vector<Mesh> meshes;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const double reach = options.reach > 0 ? options.reach * unit : kReach;
+    meshes.push_back(surfaces[k]->triangles(options.edge * unit, chosen[k]->placement.p, reach));
+    if (options.thickness > 0) {
+      std::string why;
+      meshes[k] = thicken(meshes[k], *surfaces[k], options.thickness * unit, options.edge * unit, why);
+      if (!why.empty()) problems.error(scene->file, "surface \"" + chosen[k]->name + "\" " + why);
+    }
   }
   if (problems.has_errors()) return refuse(problems);
 
@@ -104,16 +116,13 @@ int mesh_scene(const MeshOptions& options) {
     return kFailed;
   }
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const double edge = options.edge * unit;
-    const double reach = options.reach > 0 ? options.reach * unit : kReach;
-    const Mesh mesh = surfaces[k]->triangles(edge, chosen[k]->placement.p, reach);
-    const std::string path = options.folder + "/" + chosen[k]->name + ".stl";
+    const std::string path = options.folder + "/" + chosen[k]->name + "." + options.format;
     const std::string title = fmt::format("genu mesh: {}, edge {} {}", chosen[k]->name, options.edge, options.unit);
-    if (const std::string error = write_stl(mesh, path, unit, title); !error.empty()) {
+    if (const std::string error = write_mesh(meshes[k], path, unit, title); !error.empty()) {
       fmt::print(stderr, "{}\n", error);
       return kFailed;
     }
-    describe(path, mesh, edge, options, unit);
+    describe(path, meshes[k], options.edge * unit, options, unit);
   }
   return kOk;
 }
@@ -122,8 +131,8 @@ int mesh_scene(const MeshOptions& options) {
 
 void add_mesh(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as binary STL");
-  command->add_option("SCENE", options->scene, "scene file")->required();
+  CLI::App* command = app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as STL, PLY or OBJ");
+  command->add_option("SCENE", options->scene, "scene file, or the surfaces.toml of genu fit")->required();
   command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
   command
       ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
@@ -133,6 +142,13 @@ void add_mesh(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"mm", "m"}))
       ->capture_default_str();
   command->add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
+      ->check(kPositive);
+  command->add_option("--format", options->format, "of the files: stl is binary float32, ply binary float64, obj text")
+      ->check(CLI::IsMember({"stl", "ply", "obj"}))
+      ->capture_default_str();
+  command
+      ->add_option("--thickness", options->thickness,
+                   "closes open surfaces: watertight solids so thick, behind the surface; closed ones stay")
       ->check(kPositive);
   command->add_option("--out", options->folder, "folder for the files, made if need be")->required();
   command->footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");

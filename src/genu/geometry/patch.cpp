@@ -60,8 +60,8 @@ std::vector<Side> sides_of(const Patch& patch) {
 class PatchSurface final : public Surface {
  public:
   PatchSurface(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-               const std::array<bool, 3>& endless)
-      : whole_(std::move(surface)), X_BS_(X_BS), patch_(patch), endless_(endless) {}
+               const std::array<bool, 3>& endless, std::function<Mesh(double)> own_mesh)
+      : whole_(std::move(surface)), X_BS_(X_BS), patch_(patch), endless_(endless), own_mesh_(std::move(own_mesh)) {}
 
   bool project(const Vec3& x, SurfacePoint& out) const override { return whole_->project(x, out); }
   bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override {
@@ -80,6 +80,7 @@ class PatchSurface final : public Surface {
   }
 
   Mesh triangles(double edge, const Vec3& centre, double reach) const override {
+    if (own_mesh_) return own_mesh_(edge);
     Extent extent = extent_round(to_own(centre), reach);
     Mesh mesh = cut_out(edge, extent);
     // A patch much narrower than the edges slips through between the vertices.
@@ -178,6 +179,7 @@ class PatchSurface final : public Surface {
   Pose X_BS_;
   Patch patch_;
   std::array<bool, 3> endless_;
+  std::function<Mesh(double)> own_mesh_;
 };
 
 }  // namespace
@@ -192,8 +194,8 @@ double Patch::edge_distance(const Vec3& p) const {
 }
 
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-                                    const std::array<bool, 3>& endless) {
-  return std::make_unique<PatchSurface>(std::move(surface), X_BS, patch, endless);
+                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh) {
+  return std::make_unique<PatchSurface>(std::move(surface), X_BS, patch, endless, std::move(own_mesh));
 }
 
 }  // namespace genu

@@ -1,7 +1,9 @@
 #include "genu/run/build_surface.h"
 
 #include "genu/geometry/analytic.h"
+#include "genu/geometry/chart_mesh.h"
 #include "genu/geometry/patch.h"
+#include "genu/run/surface_fits.h"
 
 namespace genu {
 namespace {
@@ -49,8 +51,14 @@ std::unique_ptr<Surface> make_analytic_surface(const SurfaceDef& def) {
 std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surface, const SurfaceDef& def) {
   if (!surface || !def.patch) return surface;
   constexpr double kCoarse = 0.01, kReach = 0.1;  // m: to see whether anything is there
-  std::shared_ptr<const Surface> part =
-      make_patch(std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape));
+  std::function<Mesh(double)> own_mesh;
+  // Past its patch a polynomial of high degree is anything: it is not cut into triangles there.
+  if (const auto known = known_patch(def))
+    own_mesh = [k = *known, terms = polynomial_terms(def)](double edge) {
+      return chart_mesh(k.chart, k.patch, terms, k.inside, edge);
+    };
+  std::shared_ptr<const Surface> part = make_patch(std::move(surface), def.placement,
+                                                   {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh);
   if (part->triangles(kCoarse, def.placement.p, kReach).triangles.empty()) return nullptr;
   return part;
 }

@@ -24,7 +24,7 @@ std::shared_ptr<const Surface> vary(const BlendSurface& surface, const SurfaceDe
   if (options.fit_radius) options.fit_radius = std::max(*options.fit_radius, edge);
   Diagnostics unused;  // what is wrong with a variant is its own matter: it is left out
   auto varied = BlendSurface::build(std::move(mesh), options, def.name, unused);
-  if (varied) varied->set_doubtful(surface.doubtful());
+  if (varied) varied->set_doubtful({surface.doubtful().begin(), surface.doubtful().end()});
   return varied;
 }
 

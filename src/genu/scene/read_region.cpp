@@ -3,12 +3,11 @@
 #include <string_view>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/region_text.h"
 
 namespace genu {
 
 namespace {
-
-constexpr const char* kForm = "must be conditions such as \"z < 0\" or \"z >= 0 and x < 5\" (x, y, z; <, <=, >, >=)";
 
 /// Reads "AXIS COMPARISON NUMBER [and ...]" from left to right. Each function takes a piece off the front, or fails.
 class Scanner {
@@ -74,22 +73,25 @@ class Scanner {
 
 }  // namespace
 
+std::optional<std::vector<RegionDef::Condition>> parse_region(const std::string& text, double length_unit) {
+  std::vector<RegionDef::Condition> conditions;
+  Scanner scan(text);
+  do {
+    RegionDef::Condition c;
+    if (!scan.axis(c.axis) || !scan.comparison(c.comparison) || !scan.number(c.value)) return std::nullopt;
+    c.value *= length_unit;
+    conditions.push_back(c);
+  } while (scan.word_and());
+  if (!scan.at_end()) return std::nullopt;
+  return conditions;
+}
+
 std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& item) {
   const auto text = read_string(context, item);
   if (!text) return {};
-  std::vector<RegionDef::Condition> conditions;
-  Scanner scan(*text);
-  do {
-    RegionDef::Condition c;
-    if (!scan.axis(c.axis) || !scan.comparison(c.comparison) || !scan.number(c.value)) {
-      refuse(context, item, kForm);
-      return {};
-    }
-    c.value *= context.scene.length_unit;
-    conditions.push_back(c);
-  } while (scan.word_and());
-  if (!scan.at_end()) refuse(context, item, kForm);
-  return conditions;
+  auto conditions = parse_region(*text, context.scene.length_unit);
+  if (!conditions) refuse(context, item, kRegionForm);
+  return conditions.value_or(std::vector<RegionDef::Condition>{});
 }
 
 }  // namespace genu

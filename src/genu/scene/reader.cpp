@@ -1,8 +1,10 @@
 #include "genu/scene/reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -84,7 +86,9 @@ void read_header(ReadContext& context, Section& root) {
   read_units(context, root);
 }
 
-std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
+namespace {
+
+std::optional<TomlNode> parse_document(const std::string& text, const std::string& path, Diagnostics& out) {
   if (const auto bad = first_invalid_utf8(text)) {
     out.add({.file = path,
              .line = bad->line,
@@ -94,7 +98,37 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
              .rule = "is not UTF-8 text from here on"});
     return std::nullopt;
   }
-  const std::optional<TomlNode> document = parse_toml(text, path, out);
+  return parse_toml(text, path, out);
+}
+
+/// Bodies for the names that surfaces give.
+void name_bodies(const TomlNode& document, Scene& scene) {
+  const TomlNode* surfaces = document.member("surface");
+  if (!surfaces) return;
+  for (const TomlNode& surface : surfaces->children) {
+    const TomlNode* body = surface.member("body");
+    if (!body || body->kind != TomlNode::Kind::string) continue;
+    const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                   [&](const BodyDef& b) { return b.name == body->text; });
+    if (known) continue;
+    BodyDef def;
+    def.name = body->text;
+    def.where = body->where;
+    scene.bodies.push_back(def);
+  }
+}
+
+std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out) {
+  found.sort();
+  for (const Diagnostic& d : found.items()) out.add(d);
+  if (found.has_errors()) return std::nullopt;
+  return scene;
+}
+
+}  // namespace
+
+std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
+  const std::optional<TomlNode> document = parse_document(text, path, out);
   if (!document) return std::nullopt;
 
   Diagnostics found;
@@ -114,17 +148,33 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   root.not_built({"dynamics"}, "dynamics");
   root.finish();
   check_scene(context);
-
-  found.sort();
-  for (const Diagnostic& d : found.items()) out.add(d);
-  if (found.has_errors()) return std::nullopt;
-  return scene;
+  return finished(std::move(scene), found, out);
 }
 
 std::optional<Scene> read_scene(const std::string& path, Diagnostics& out) {
   const std::optional<std::string> text = read_text(path, out);
   if (!text) return std::nullopt;
   return parse_scene(*text, path, out);
+}
+
+std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out) {
+  const std::optional<std::string> text = read_text(path, out);
+  if (!text) return std::nullopt;
+  const std::optional<TomlNode> document = parse_document(*text, path, out);
+  if (!document) return std::nullopt;
+  if (document->member("body") || document->member("joint") || document->member("step"))
+    return parse_scene(*text, path, out);
+
+  Diagnostics found;
+  Scene scene;
+  scene.file = path;
+  ReadContext context(path, found, scene);
+  Section root(context, {&*document, ""}, "a file of surfaces");
+  read_header(context, root);
+  name_bodies(*document, scene);
+  read_surfaces(context, root);
+  root.finish();
+  return finished(std::move(scene), found, out);
 }
 
 }  // namespace genu

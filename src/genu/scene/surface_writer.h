@@ -1,0 +1,14 @@
+// A polynomial surface as the table of a scene file that reads back as the same surface.
+#pragma once
+
+#include <string>
+
+#include "genu/scene/scene.h"
+
+namespace genu {
+
+/// [surface.NAME] of `def`, a polynomial of either chart, on the body of that name; lengths in units of `length_unit`
+/// (m), angles of the patch in units of `angle_unit` (rad). Numbers have as many digits as bring back the same double.
+std::string polynomial_table(const SurfaceDef& def, const std::string& body, double length_unit, double angle_unit);
+
+}  // namespace genu
