@@ -141,7 +141,7 @@ MeshShape shape_of(const Mesh& mesh) {
   const VertexGraph graph = vertex_graph(mesh);
   if (!(graph.area > 0 && graph.median_edge > 0)) return shape;
   const FitChoice choice = choose_fit(mesh, graph, std::nullopt, std::nullopt);
-  shape.noise = choice.noise_rms;
+  shape.noise = choice.noise.rms;
   shape.fit_radius = choice.radius;
   measure_curvature(mesh, graph, choice.degree, shape);
   measure_thickness(mesh, graph, shape);
