@@ -23,6 +23,7 @@ constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
 constexpr int kFrameDegree = 6;         // for the first frames
 constexpr double kBeyond = 0.05;        // of the patch: how far the samples go on past its edges
 constexpr double kFileRounding = 2e-9;  // m: float32 at 30 mm
+constexpr double kGoodEnough = 2e-5;     // m: among charts that fit better than that, what they see decides
 constexpr double kRoundLength = 1e-4;   // m: half sides of patches
 constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
 constexpr double kLongerSide = 0.95;    // the other side of a cartesian patch is shorter than that
@@ -124,7 +125,7 @@ bool Fitter::choose_chart(const std::vector<OrientedPoint>& points, const std::v
         area += q.area;
         if (at.patch.contains(c.u, c.v)) seen += q.area;
       }
-      const double cost = fit.rms(degree) * area * area / (seen * seen);
+      const double cost = (fit.rms(degree) + kGoodEnough) * area * area / (seen * seen);
       if (!best || cost < least) best = &chart, least = cost;
     } else {
       why = fmt::format("has too few vertices ({}) for degree {}", at.samples.size(),
@@ -329,7 +330,7 @@ std::optional<SurfaceFit> Fitter::run(std::string& why) {
   }
   if (!place(at, why)) return std::nullopt;
   settle_if_possible(at, std::min(kFrameDegree, options_.degree.value_or(kFrameDegree)));
-  if (opposed(at)) {
+  if (!options_.one_face && opposed(at)) {
     why = "holds both faces of a shell: say which one, by the side it faces or by a region";
     return std::nullopt;
   }
@@ -361,7 +362,10 @@ std::optional<SurfaceFit> Fitter::checked(const Placed& at, int degree, std::vec
     why = fmt::format("has too few vertices ({}) for degree {}", at.samples.size(), degree);
     return std::nullopt;
   }
-  if (tame_degree(at, fit, degree) != degree) {
+  const int tame = tame_degree(at, fit, degree);
+  const bool given = options_.degree || options_.like;
+  if (!given && tame >= kLowestChosen) return finish(at, tame, std::move(scores));
+  if (tame != degree) {
     why = fmt::format("bends so that a polynomial of degree {} folds or swings out over it: a smaller region, another "
                       "chart or another degree may do",
                       degree);

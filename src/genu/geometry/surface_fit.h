@@ -36,6 +36,7 @@ struct SurfaceFitOptions {
   /// goes as far as the zone.
   std::vector<Vec3> keep;
   double margin = 0.006;
+  bool one_face = false;  ///< known to be; else a piece that holds both faces of a shell is refused
   std::optional<KnownPatch> like;  ///< another fit's chart, patch and (where none is given) degree: taken as they are
 };
 

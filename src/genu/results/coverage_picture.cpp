@@ -57,7 +57,7 @@ struct Cell {
 };
 
 void draw_cells(const CoverageMap& map, const Extent& extent, const Vec2& at, double scale, std::string& out) {
-  const double size = std::max(1.0, 1.5 * map.spacing);
+  const double size = std::max(1.5, 1.5 * map.spacing);
   std::map<std::pair<int, int>, Cell> cells;
   for (const auto& s : map.samples) {
     Cell& cell = cells[{static_cast<int>(std::floor(s.at.x() / size)), static_cast<int>(std::floor(s.at.y() / size))}];

@@ -80,6 +80,7 @@ std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out) 
       how.cylindrical = request.cylindrical;
       how.degree = request.degree;
       how.axis = zone.axis;
+      how.one_face = zone.one_face;
       how.like = request.like;
       auto fit = fit_surface(zone.mesh, how, request.file, out);
       if (fit) fits.push_back({{}, request.body.empty() ? "body" : request.body, request.file, std::move(*fit), {}});

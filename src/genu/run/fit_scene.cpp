@@ -78,6 +78,7 @@ class SceneFitter {
     SurfaceFitOptions options;
     options.degree = request_.degree;
     options.axis = axis_of(points, normals);
+    options.one_face = true;  // zone_round() looks at normals
     options.keep = points;
     options.margin = request_.margin;
     auto fit = fit_surface(piece, options, "surface." + named.name, out_);
