@@ -18,8 +18,8 @@ TEST_P(ChartMeshes, LieOnTheSurfaceAndEndAtThePatch) {
   const SurfaceChart chart{GetParam(), test::some_frame()};
   const ChartBox box = GetParam() ? ChartBox{-1.3, 1.2, -0.011, 0.010} : ChartBox{-0.017, 0.015, -0.012, 0.011};
   const auto terms = GetParam() ? test::condyle_terms() : test::plateau_terms();
-  const auto surface = GetParam() ? make_cylindrical_polynomial(chart.X_BS, terms, false)
-                                  : make_polynomial(chart.X_BS, terms, false);
+  const auto surface =
+      GetParam() ? make_cylindrical_polynomial(chart.X_BS, terms, false) : make_polynomial(chart.X_BS, terms, false);
   for (const double edge : {3e-3, 1e-3, 0.4e-3}) {
     const Mesh mesh = chart_mesh(chart, box, terms, false, edge);
     const auto edges = mesh_edges(mesh);
@@ -33,8 +33,9 @@ TEST_P(ChartMeshes, LieOnTheSurfaceAndEndAtThePatch) {
                                           std::abs(c.v - box.v1) / 0.02}));
     }
     for (const MeshEdge& e : edges)
-      longest = std::max(longest, (mesh.vertices[static_cast<std::size_t>(e.v[0])] -
-                                   mesh.vertices[static_cast<std::size_t>(e.v[1])]).norm());
+      longest = std::max(
+          longest,
+          (mesh.vertices[static_cast<std::size_t>(e.v[0])] - mesh.vertices[static_cast<std::size_t>(e.v[1])]).norm());
     EXPECT_LT(off, 1e-15);
     EXPECT_LT(inside, 1e-12);  // border vertices are on a side, to rounding
     EXPECT_LT(longest, 1.35 * edge);

@@ -11,7 +11,8 @@ namespace {
 
 TEST(MeshWriter, EveryFormatReadsBack) {
   const test::TemporaryFolder folder;
-  const Mesh mesh = chart_mesh({false, test::some_frame()}, {-0.01, 0.01, -0.01, 0.01}, test::plateau_terms(), false, 2e-3);
+  const Mesh mesh =
+      chart_mesh({false, test::some_frame()}, {-0.01, 0.01, -0.01, 0.01}, test::plateau_terms(), false, 2e-3);
   for (const char* name : {"a.stl", "a.ply", "a.obj"}) {
     const std::string path = folder / name;
     ASSERT_EQ(write_mesh(mesh, path, 1e-3, "two\nlines"), "");

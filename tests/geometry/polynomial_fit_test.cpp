@@ -75,7 +75,8 @@ TEST(PolynomialFit, LeftOutErrorIsThatOfRefitsWithoutTheFold) {
     for (int fold = 0; fold < 10; ++fold) {
       std::vector<HeightSample> in, out;
       for (const HeightSample& s : samples) {
-        const auto column = static_cast<int>((s.u - kBox.u0) / block_u), row = static_cast<int>((s.v - kBox.v0) / block_v);
+        const auto column = static_cast<int>((s.u - kBox.u0) / block_u),
+                   row = static_cast<int>((s.v - kBox.v0) / block_v);
         ((column + 3 * row) % 10 == fold ? out : in).push_back(s);
       }
       const PolynomialFit without(in, kBox, score.degree);
@@ -95,8 +96,8 @@ double correlated(double u, double v) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int k = 0; k < 200; ++k) {
-    const double x = kBox.u0 + kBox.width() * 0.5 * (1 + any(random)), y = kBox.v0 + kBox.height() * 0.5 * (1 + any(random)),
-                 a = any(random);
+    const double x = kBox.u0 + kBox.width() * 0.5 * (1 + any(random)),
+                 y = kBox.v0 + kBox.height() * 0.5 * (1 + any(random)), a = any(random);
     sum += a * std::exp(-(std::pow(u - x, 2) + std::pow(v - y, 2)) / (2 * 0.0015 * 0.0015));
   }
   return 5e-5 * sum;

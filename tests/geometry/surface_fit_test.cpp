@@ -128,7 +128,8 @@ TEST(SurfaceFit, ThePatchHoldsTheContactsWithTheirMargin) {
   double least = 1;
   for (const Vec3& p : options.keep) {
     const ChartPoint c = fit.chart.coordinates(p);
-    least = std::min({least, (c.u - fit.patch.u0) * c.h, (fit.patch.u1 - c.u) * c.h, c.v - fit.patch.v0, fit.patch.v1 - c.v});
+    least = std::min(
+        {least, (c.u - fit.patch.u0) * c.h, (fit.patch.u1 - c.u) * c.h, c.v - fit.patch.v0, fit.patch.v1 - c.v});
   }
   EXPECT_GT(least, 0.0035);
   EXPECT_LT(fit.patch.height(), 0.0145);

@@ -10,7 +10,8 @@ CoverageMap map() {
   m.title = "femur <1>";
   m.low = Vec2(-2, -1);
   m.high = Vec2(2, 1);
-  for (int k = 0; k < 10; ++k) m.samples.push_back({Vec2(3 * k - 15, 0.1), k < 5 ? std::optional(0.02 * k) : std::nullopt});
+  for (int k = 0; k < 10; ++k)
+    m.samples.push_back({Vec2(3 * k - 15, 0.1), k < 5 ? std::optional(0.02 * k) : std::nullopt});
   m.contacts = {Vec2(0, 0)};
   return m;
 }

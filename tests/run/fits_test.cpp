@@ -34,9 +34,9 @@ std::string meshed_scene(const test::TemporaryFolder& folder) {
     const std::string header = "[surface." + def.name + "]";
     const std::size_t first = text.find(header), last = text.find("\n[", first + 1) + 1;
     const std::string body = def.body == 0 ? scene->bodies[0].name : scene->bodies[1].name;
-    text.replace(first, last - first,
-                 header + "\nbody = \"" + body + "\"\nshape = \"mesh\"\nfile = \"" + def.name +
-                     ".ply\"\nunits = \"mm\"\n\n");
+    text.replace(
+        first, last - first,
+        header + "\nbody = \"" + body + "\"\nshape = \"mesh\"\nfile = \"" + def.name + ".ply\"\nunits = \"mm\"\n\n");
   }
   text += "[[step]]\nprescribe = { \"knee.flexion\" = [0, 30] }\nload = { drawer = 0 }\nincrements = 6\n";
   return folder.write("scene.toml", text);
@@ -95,7 +95,8 @@ TEST(SceneEdit, RefusesTablesItCannotCutOut) {
   Diagnostics out;
   std::string text = text_of(meshed_scene(folder));
   const std::size_t at = text.find("[contact.medial]"), end = text.find("\n[", at + 1);
-  text.replace(at, end - at, "[contact]\nmedial = { surfaces = [\"femur_medial\", \"tibia_medial\"], model = \"rigid\" }\n");
+  text.replace(at, end - at,
+               "[contact]\nmedial = { surfaces = [\"femur_medial\", \"tibia_medial\"], model = \"rigid\" }\n");
   const std::string file = folder.write("inline.toml", text);
   const auto scene = read_scene(file, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);

@@ -28,8 +28,8 @@ TEST(SurfaceWriter, WhatItWritesReadsBack) {
   for (const bool cylindrical : {false, true}) {
     for (const bool millimetres : {false, true}) {
       const SurfaceDef def = polynomial(cylindrical);
-      const std::string header = std::string("format = 1\nunits = { length = \"") + (millimetres ? "mm" : "m") +
-                                 "\", angle = \"rad\" }\n";
+      const std::string header =
+          std::string("format = 1\nunits = { length = \"") + (millimetres ? "mm" : "m") + "\", angle = \"rad\" }\n";
       Diagnostics out;
       const auto scene = read_surface_file(
           folder.write("s.toml", header + polynomial_table(def, "femur", millimetres ? 1e-3 : 1, 1)), out);
@@ -70,7 +70,8 @@ TEST(RegionText, IsReadInItsUnit) {
   ASSERT_EQ(found->size(), 2u);
   EXPECT_DOUBLE_EQ(found->at(0).value, -0.002);
   EXPECT_EQ(found->at(1).axis, 0);
-  for (const char* bad : {"", "z", "z <", "q < 3", "z < 3 or x < 2", "z < inf"}) EXPECT_FALSE(parse_region(bad, 1)) << bad;
+  for (const char* bad : {"", "z", "z <", "q < 3", "z < 3 or x < 2", "z < inf"})
+    EXPECT_FALSE(parse_region(bad, 1)) << bad;
 }
 
 }  // namespace

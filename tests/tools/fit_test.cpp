@@ -29,8 +29,8 @@ TEST(FitCommand, RoundTripThroughFilesKeepsTheCoefficients) {
   TemporaryFolder folder;
   for (const std::string name : {"femur_cartilage_medial", "tibia_cartilage_lateral"}) {
     ASSERT_EQ(genu("mesh " + kKnee + " " + name + " --edge 0.5 --format ply --out " + (folder / "m")).exit_code, 0);
-    const Outcome fit = genu("fit " + (folder / "m/" + name) + ".ply --like " + kKnee + ":" + name + " --body femur --out " +
-                             (folder / "f"));
+    const Outcome fit = genu("fit " + (folder / "m/" + name) + ".ply --like " + kKnee + ":" + name +
+                             " --body femur --out " + (folder / "f"));
     ASSERT_EQ(fit.exit_code, 0) << fit.err;
     for (const char* file : {"surfaces.toml", "coverage.svg", "summary.json"})
       EXPECT_TRUE(std::filesystem::exists(folder / "f/" + file)) << file;
@@ -62,7 +62,8 @@ TEST(FitCommand, SaysTheSameTwice) {
 TEST(FitCommand, SolidsAreClosed) {
   TemporaryFolder folder;
   for (const std::string format : {"stl", "ply", "obj"}) {
-    ASSERT_EQ(genu("mesh " + kKnee + " --edge 2 --thickness 2 --format " + format + " --out " + (folder / "m")).exit_code, 0);
+    ASSERT_EQ(
+        genu("mesh " + kKnee + " --edge 2 --thickness 2 --format " + format + " --out " + (folder / "m")).exit_code, 0);
     Diagnostics out;
     const auto mesh = read_mesh(folder / "m/femur_cartilage_lateral." + format, 1e-3, out);
     ASSERT_TRUE(mesh);
@@ -77,7 +78,8 @@ TEST(FitCommand, FitsMeasuredCartilageOfOtherKnees) {
   GENU_NEEDS_DATA("ssm/S002_Femur_Cartilage.ply");
   TemporaryFolder folder;
   for (const std::string bone : {"Femur", "Tibia"}) {
-    const Outcome fit = genu("fit " + data_path("ssm/S002_" + bone + "_Cartilage.ply") + " --name s --out " + (folder / "f"));
+    const Outcome fit =
+        genu("fit " + data_path("ssm/S002_" + bone + "_Cartilage.ply") + " --name s --out " + (folder / "f"));
     ASSERT_EQ(fit.exit_code, 0) << fit.err;
     std::printf("%s", fit.out.c_str());
     for (const char* name : {"s_1", "s_2"}) {
@@ -92,7 +94,8 @@ TEST(FitCommand, RefusesWithExitCode2) {
   TemporaryFolder folder;
   ASSERT_EQ(genu("mesh " + kKnee + " --edge 3 --thickness 2 --out " + (folder / "solid")).exit_code, 0);
   ASSERT_EQ(genu("mesh " + kKnee + " --edge 3 --out " + (folder / "sheet")).exit_code, 0);
-  const std::string solid = folder / "solid/tibia_cartilage_medial.stl", sheet = folder / "sheet/tibia_cartilage_medial.stl";
+  const std::string solid = folder / "solid/tibia_cartilage_medial.stl",
+                    sheet = folder / "sheet/tibia_cartilage_medial.stl";
   const std::string flat = folder.write("flat.obj",
                                         "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 20 0 0\nv 20 10 0\n"
                                         "f 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n");
@@ -116,7 +119,7 @@ TEST(FitCommand, RefusesWithExitCode2) {
       {"fit --scene " + ball, "nothing to fit"},
       {"fit --scene " + (folder / "none.toml"), "none.toml"},
       {"fit " + sheet + " --scene " + ball, "scene"},
-      {"fit", "MESH"},
+      {"fit", "name a mesh file"},
   };
   for (const auto& [arguments, said] : bad) {
     const Outcome refused = genu(arguments + " --out " + (folder / "out"));

@@ -1,5 +1,6 @@
-// The knee of meshes/lenhart_polynomial: solved throughout, near the measured knee it was fitted to, made by the commands
-// it says, and approached by meshes of itself with the order that meshes promise: mesh against formula on a real shape.
+// The knee of meshes/lenhart_polynomial: solved throughout, near the measured knee it was fitted to, made by the
+// commands it says, and approached by meshes of itself with the order that meshes promise: mesh against formula on a
+// real shape.
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,7 @@
 #include "genu/run/fit_scene.h"
 #include "mesh_study.h"
 #include "support/knee_scene.h"
+#include "support/ssm_scene.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -98,6 +100,30 @@ TEST(PolynomialKnee, IsWhatFitMakesOfTheMeasuredKnee) {
   EXPECT_LT(worst, 1e-8);
 }
 
+class FittedShapeModelKnee : public testing::TestWithParam<const char*> {};
+
+TEST_P(FittedShapeModelKnee, IsSolvedThroughoutNearItsMeshes) {
+  GENU_NEEDS_DATA("lenhart2015/lenhart_ligaments.json");
+  GENU_NEEDS_DATA("ssm/mean_ligaments.json");
+  const test::TemporaryFolder folder;
+  FitSceneRequest request;
+  request.file = folder.write("scene.toml", test::ssm_scene(GetParam(), 90, 30));
+  Diagnostics out;
+  const auto fits = fit_scene(request, folder / "out", out);
+  for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
+  ASSERT_TRUE(fits);
+  const KneeRun run = run_file(folder.write("fitted.toml", fits->scene));
+  EXPECT_EQ(run.solution.summary.exit_code, kExitOk);
+  EXPECT_EQ(run.solution.summary.poses_stable, 31);
+  for (const auto& [name, worst] : pose_differences(run.prepared->scene, fits->solution.poses, run.solution.poses)) {
+    std::printf("  %-22s %.3f\n", name.c_str(), worst);
+    EXPECT_LE(worst, name == "knee.rotation_deg" ? 2 : 0.6) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(PolynomialKnee, FittedShapeModelKnee, testing::Values("mean", "S001", "S002"),
+                         [](const auto& p) { return std::string(p.param); });
+
 TEST(PolynomialKnee, ItsMeshesAreWhatMeshMakes) {
   for (const double edge : {4e-3, 2e-3}) {
     const std::string folder = fmt::format("{}stl-{:g}mm/", kKnee, 1e3 * edge);
@@ -154,7 +180,8 @@ test::MeshStudyRow measure(const Prepared& exact, const Solution& reference, dou
   const Solution found = solve(p, field, {});
   if (found.summary.exit_code != kExitOk) row.failure = found.summary.verdict.front();
   for (std::size_t i = 0; i < std::min(found.records.size(), reference.records.size()); ++i) {
-    const Pose &X = reference.records[i].point.pose.state.poses.back(), &Y = found.records[i].point.pose.state.poses.back();
+    const Pose &X = reference.records[i].point.pose.state.poses.back(),
+               &Y = found.records[i].point.pose.state.poses.back();
     row.position_error = std::max(row.position_error, (X.p - Y.p).norm());
     row.rotation_error = std::max(row.rotation_error, log_rotation(Y.R * X.R.transpose()).norm());
   }
@@ -173,8 +200,8 @@ TEST(PolynomialKnee, MeshesOfItConverge) {
     fmt::print("| {:.1f} | {} | {:.1e} | {:.1e} |\n", 1e3 * edge, r.triangles, 1e3 * r.position_error,
                r.rotation_error / units::kDegree);
   }
-  const double position = test::observed_order(rows, [](const auto& r) { return r.position_error; }),
-               rotation = test::observed_order(rows, [](const auto& r) { return r.rotation_error; });
+  const double position = test::observed_order(rows, [](const auto&r) { return r.position_error; }),
+               rotation = test::observed_order(rows, [](const auto&r) { return r.rotation_error; });
   fmt::print("| observed order | | {:.1f} | {:.1f} |\n", position, rotation);
   EXPECT_GE(position, 3);
   EXPECT_LT(rows.back().position_error, 0.01e-3);

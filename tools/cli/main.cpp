@@ -30,7 +30,8 @@ int run(int argc, char** argv) {
       "  genu check SCENE                     say everything that is wrong with a scene and its meshes\n"
       "  genu explain SCENE                   say what system a scene asks for, before it is solved\n"
       "  genu sensitivity SCENE --of OUTPUTS --to PARAMETERS   which number of a scene matters how much, exactly\n"
-      "  genu fit MESH --out DIR              fit polynomial surfaces to a mesh; --scene SCENE: to all meshes of a scene\n"
+      "  genu fit MESH --out DIR              fit polynomial surfaces to a mesh; --scene SCENE: to all meshes of a "
+      "scene\n"
       "  genu mesh SCENE --edge 1 --out DIR   write the analytic surfaces of a scene as STL, PLY or OBJ",
       "genu"};
   app.set_version_flag("--version", GENU_VERSION_TEXT);

@@ -13,18 +13,17 @@
 namespace genu {
 namespace {
 
-constexpr double kFacing = 0.342;       // cos 70 deg
-constexpr double kSheetShare = 0.1;     // of the area: smaller sheets are crumbs
-constexpr int kSectors = 72;            // of 5 deg round the axis
-constexpr int kArmSectors = 8;          // an arm is at least 40 deg long
-constexpr double kNotch = 0.08;         // of the sheet's extent along the axis: a gap wider than that parts arms
-constexpr double kArmShare = 0.2;       // of the sheet's area: a smaller arm is none
+constexpr double kFacing = 0.342;    // cos 70 deg
+constexpr double kSheetShare = 0.1;  // of the area: smaller sheets are crumbs
+constexpr int kSectors = 72;         // of 5 deg round the axis
+constexpr int kArmSectors = 8;       // an arm is at least 40 deg long
+constexpr double kNotch = 0.08;      // of the sheet's extent along the axis: a gap wider than that parts arms
+constexpr double kArmShare = 0.2;    // of the sheet's area: a smaller arm is none
 
 bool is_closed(const Mesh& mesh) {
   const std::vector<MeshEdge> edges = mesh_edges(mesh);
   return std::none_of(edges.begin(), edges.end(), [](const MeshEdge& e) { return e.count == 1; });
 }
-
 
 Vec3 centroid_of(const Mesh& mesh) {
   Vec3 sum = Vec3::Zero();
@@ -122,8 +121,9 @@ std::vector<Zone> arms_of(const Mesh& sheet) {
 std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const std::string& name, Diagnostics& out) {
   const bool one_face = options.facing || !is_closed(mesh);
   if (!one_face && !options.within) {
-    out.error(name, "is closed, and a contact surface is one face of it: say which one, by the way it faces or by a "
-                    "region");
+    out.error(name,
+              "is closed, and a contact surface is one face of it: say which one, by the way it faces or by a "
+              "region");
     return {};
   }
   const Mesh part = part_of(mesh, [&](const Vec3& centre, const Vec3& normal) {

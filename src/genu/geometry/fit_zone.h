@@ -2,8 +2,8 @@
 //
 // An open mesh is the face that was segmented; each of its sheets is a surface. A sheet that wraps round an axis and
 // forks into two arms along it (femoral cartilage: the condyles on either side of the notch) is two surfaces, the arms;
-// what joins them (the trochlea) belongs to the patella. A closed mesh has two faces or more, and which one is meant has
-// to be said.
+// what joins them (the trochlea) belongs to the patella. A closed mesh has two faces or more, and which one is meant
+// has to be said.
 #pragma once
 
 #include <functional>

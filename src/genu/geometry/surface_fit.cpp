@@ -16,17 +16,17 @@
 namespace genu {
 namespace {
 
-constexpr double kSteepest = 0.4226;    // cos 65 deg: facets steeper than that over the chart are left out
-constexpr double kFolds = 0.309;        // cos 72 deg: a polynomial steeper than that is no sheet any more
-constexpr double kBlock = 0.005;        // m, of cross-validation: noise of a segmentation is alike over less
+constexpr double kSteepest = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
+constexpr double kFolds = 0.309;      // cos 72 deg: a polynomial steeper than that is no sheet any more
+constexpr double kBlock = 0.005;      // m, of cross-validation: noise of a segmentation is alike over less
 constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
-constexpr int kFrameDegree = 6;         // for the first frames
-constexpr double kBeyond = 0.05;        // of the patch: how far the samples go on past its edges
-constexpr double kFileRounding = 2e-9;  // m: float32 at 30 mm
-constexpr double kGoodEnough = 2e-5;     // m: among charts that fit better than that, what they see decides
-constexpr double kRoundLength = 1e-4;   // m: half sides of patches
+constexpr int kFrameDegree = 6;                        // for the first frames
+constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
+constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
+constexpr double kGoodEnough = 2e-5;   // m: among charts that fit better than that, what they see decides
+constexpr double kRoundLength = 1e-4;  // m: half sides of patches
 constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
-constexpr double kLongerSide = 0.95;    // the other side of a cartesian patch is shorter than that
+constexpr double kLongerSide = 0.95;                    // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
 struct Placed {
@@ -366,9 +366,10 @@ std::optional<SurfaceFit> Fitter::checked(const Placed& at, int degree, std::vec
   const bool given = options_.degree || options_.like;
   if (!given && tame >= kLowestChosen) return finish(at, tame, std::move(scores));
   if (tame != degree) {
-    why = fmt::format("bends so that a polynomial of degree {} folds or swings out over it: a smaller region, another "
-                      "chart or another degree may do",
-                      degree);
+    why = fmt::format(
+        "bends so that a polynomial of degree {} folds or swings out over it: a smaller region, another "
+        "chart or another degree may do",
+        degree);
     return std::nullopt;
   }
   return finish(at, degree, std::move(scores));

@@ -23,7 +23,8 @@ class Lines {
     for (std::string line; std::getline(in, line);) lines_.push_back(line);
     for (const TomlNode& group : document.children) {
       starts_.insert(group.key_where.line);
-      for (const TomlNode& member : group.children) starts_.insert(member.where.line), starts_.insert(member.key_where.line);
+      for (const TomlNode& member : group.children)
+        starts_.insert(member.where.line), starts_.insert(member.key_where.line);
     }
     dropped_.assign(lines_.size(), false);
   }
@@ -73,7 +74,8 @@ class Lines {
 std::string pair_tables(const std::vector<FittedPair>& pairs) {
   std::string out;
   for (const FittedPair& p : pairs)
-    out += fmt::format("\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"rigid\"\n", p.name, p.surface_a, p.surface_b);
+    out += fmt::format("\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"rigid\"\n", p.name, p.surface_a,
+                       p.surface_b);
   return out;
 }
 
