@@ -122,6 +122,15 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
   }
   for (const int k : replaced) {
     const ContactDef& c = scene.contacts[static_cast<std::size_t>(k)];
+    const TomlNode* table = document->member("contact")->member(c.name);
+    const TomlNode* model = table ? table->member("model") : nullptr;
+    if (model && model->text != "rigid")
+      out.add({.file = file,
+               .line = model->where.line,
+               .column = model->where.column,
+               .key = "contact." + c.name + ".model",
+               .found = literal(*model),
+               .rule = "only rigid contacts are written anew with fitted surfaces"});
     drop("contact." + c.name, c.where);
   }
   return lines.text(first, surface_tables(fits, scene.length_unit, scene.angle_unit) + pair_tables(pairs) + "\n");
