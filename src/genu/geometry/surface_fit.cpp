@@ -12,12 +12,12 @@
 #include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
 #include "genu/geometry/polynomial_surface.h"
+#include "genu/geometry/tame_degree.h"
 
 namespace genu {
 namespace {
 
 constexpr double kSteepest = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
-constexpr double kFolds = 0.309;      // cos 72 deg: a polynomial steeper than that is no sheet any more
 constexpr double kBlock = 0.005;      // m, of cross-validation: noise of a segmentation is alike over less
 constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
 constexpr int kFrameDegree = 6;                        // for the first frames
@@ -253,30 +253,8 @@ bool Fitter::opposed(const Placed& at) const {
   return against > kShare * with;
 }
 
-/// The highest degree from `degree` down whose polynomial neither folds over the patch nor leaves a paraboloid by more,
-/// where no sample is, than it does on the samples.
 int Fitter::tame_degree(const Placed& at, const PolynomialFit& fit, int degree) const {
-  constexpr int kAcross = 40;
-  constexpr double kSwings = 2, kAlways = 1e-4;  // m
-  const Polynomial plain(fit.terms(std::min(2, fit.highest())));
-  for (; degree > kLowestFitDegree; --degree) {
-    const Polynomial P(fit.terms(degree));
-    double allowed = kAlways;
-    for (const HeightSample& s : at.samples)
-      allowed = std::max(allowed, kSwings * std::abs(P.value(s.u, s.v) - plain.value(s.u, s.v)));
-    const double least_height = at.chart.cylindrical ? 0.2 * P.value(0, 0) : -std::numeric_limits<double>::infinity();
-    bool tame = true;
-    for (int k = 0; k < (kAcross + 1) * (kAcross + 1) && tame; ++k) {
-      const double u = at.patch.u0 + at.patch.width() * (k % (kAcross + 1)) / kAcross,
-                   v = at.patch.v0 + at.patch.height() * (k / (kAcross + 1)) / kAcross;
-      const PolynomialJet h = P(u, v);
-      const double along = at.chart.cylindrical ? h.x / h.f : h.x;
-      tame = h.f > least_height && 1 / std::sqrt(1 + along * along + h.y * h.y) > kFolds &&
-             std::abs(h.f - plain.value(u, v)) <= allowed;
-    }
-    if (tame) return degree;
-  }
-  return degree;
+  return highest_tame_degree(fit, at.samples, at.patch, at.chart.cylindrical, degree);
 }
 
 int Fitter::choose(const Placed& at, std::vector<DegreeScore>& scores) const {
