@@ -23,6 +23,7 @@ constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
 constexpr int kFrameDegree = 6;                        // for the first frames
 constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
 constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
+constexpr double kKeepBeyond = 0.003;                  // m: round points to keep, where the patch may lie bare
 constexpr double kGoodEnough = 2e-5;   // m: among charts that fit better than that, what they see decides
 constexpr double kRoundLength = 1e-4;  // m: half sides of patches
 constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
@@ -162,7 +163,8 @@ bool Fitter::place(Placed& at, std::string& why) const {
   if (!patch_is_fixed_) {
     if (!at.chart.cylindrical) align_with_zone(at.part, at.chart);
     std::optional<ChartBox> limits, keep;
-    if (!options_.keep.empty()) limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, 0);
+    if (!options_.keep.empty())
+      limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, std::min(options_.margin, kKeepBeyond));
     const auto found = covered_box(at.part, at.chart, limits, keep);
     if (!found) {
       why = "holds no surface that one side of a chart sees";
