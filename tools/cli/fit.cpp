@@ -174,19 +174,22 @@ void add_fit(CLI::App& app, int& exit_code) {
   const auto of_mesh = [&](CLI::Option* option) { option->needs(mesh); };
   of_mesh(command->add_option("--units", options->unit, "of the mesh file; told from its size where not given")
               ->check(CLI::IsMember({"mm", "m"})));
-  of_mesh(command->add_option("--facing", options->facing,
-                              "the way the surface looks, an axis (-y) or a direction (0,-1,0.5): needed for closed bones"));
+  of_mesh(command->add_option(
+      "--facing", options->facing,
+      "the way the surface looks, an axis (-y) or a direction (0,-1,0.5): needed for closed bones"));
   of_mesh(command->add_option("--region", options->regions,
                               "\"z < 0 and x > -5\", in the file's units: one surface each; may be repeated"));
   of_mesh(command->add_option("--chart", options->chart, "chosen where not given")
               ->check(CLI::IsMember({"cartesian", "cylindrical"})));
-  of_mesh(command->add_option("--like", options->like,
-                              "FILE or FILE:SURFACE whose chart, patch and degree are taken: only the terms are fitted"));
+  of_mesh(
+      command->add_option("--like", options->like,
+                          "FILE or FILE:SURFACE whose chart, patch and degree are taken: only the terms are fitted"));
   of_mesh(command->add_option("--name", options->name, "of the surfaces; the file's where not given"));
   of_mesh(command->add_option("--body", options->body, "that the surfaces are on; \"body\" where not given"));
-  command->footer("Examples: genu fit femur.stl --out fitted\n"
-                  "          genu fit bone.stl --facing -y --region \"z < 0\" --out fitted\n"
-                  "          genu fit --scene knee.toml --out fitted");
+  command->footer(
+      "Examples: genu fit femur.stl --out fitted\n"
+      "          genu fit bone.stl --facing -y --region \"z < 0\" --out fitted\n"
+      "          genu fit --scene knee.toml --out fitted");
   command->callback([options, &exit_code] {
     if (options->mesh.empty() == options->scene.empty()) {
       fmt::print(stderr, "genu fit: name a mesh file or --scene SCENE\n");

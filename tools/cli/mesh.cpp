@@ -131,7 +131,8 @@ int mesh_scene(const MeshOptions& options) {
 
 void add_mesh(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as STL, PLY or OBJ");
+  CLI::App* command =
+      app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as STL, PLY or OBJ");
   command->add_option("SCENE", options->scene, "scene file, or the surfaces.toml of genu fit")->required();
   command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
   command

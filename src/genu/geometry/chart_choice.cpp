@@ -107,14 +107,13 @@ void align_with_zone(const Mesh& zone, SurfaceChart& chart) {
   double area = 0;
   for (const auto& t : zone.triangles) {
     std::array<Vec2, 3> c;
-    for (std::size_t k = 0; k < 3; ++k)
-      c[k] = chart.to_own(zone.vertices[static_cast<std::size_t>(t[k])]).head<2>();
+    for (std::size_t k = 0; k < 3; ++k) c[k] = chart.to_own(zone.vertices[static_cast<std::size_t>(t[k])]).head<2>();
     const Vec2 a = c[1] - c[0], b = c[2] - c[0], sum = c[0] + c[1] + c[2];
     const double twice = a.x() * b.y() - a.y() * b.x();  // projected, signed
     area += twice / 2;
     first += twice / 6 * sum;
-    second += twice / 24 * (c[0] * c[0].transpose() + c[1] * c[1].transpose() + c[2] * c[2].transpose() +
-                            sum * sum.transpose());
+    second += twice / 24 *
+              (c[0] * c[0].transpose() + c[1] * c[1].transpose() + c[2] * c[2].transpose() + sum * sum.transpose());
   }
   if (!(area > 0)) return;
   const Mat2 moments = second - first * first.transpose() / area;

@@ -1,9 +1,9 @@
 // Which chart a piece of surface wants, and where to put its frame.
 //
 // A piece whose normals stay within a cone is a height over a plane; one that bends further wraps round an axis. The
-// frame of a plane is made a function of the surface and the patch alone, not of how it is cut into triangles: origin on
-// the surface at the middle of the patch, z the normal there, x along the longer side. An axis has no such place of its
-// own on a condyle, which is nearly as round across as along: it is taken from what is known about the piece.
+// frame of a plane is made a function of the surface and the patch alone, not of how it is cut into triangles: origin
+// on the surface at the middle of the patch, z the normal there, x along the longer side. An axis has no such place of
+// its own on a condyle, which is nearly as round across as along: it is taken from what is known about the piece.
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ Vec3 largest_positive(const Vec3& v);
 
 /// A surface as points with normals, each standing for an area.
 struct OrientedPoint {
-  Vec3 p = Vec3::Zero();      ///< m
-  Vec3 n = Vec3::UnitZ();     ///< unit
-  double area = 0;            ///< m^2
+  Vec3 p = Vec3::Zero();   ///< m
+  Vec3 n = Vec3::UnitZ();  ///< unit
+  double area = 0;         ///< m^2
 };
 
 /// The vertices of a mesh, with the normals and areas of the triangles round them.

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-constexpr int kSamples = 64;   // each way, to see how steep the surface is
+constexpr int kSamples = 64;    // each way, to see how steep the surface is
 constexpr double kCell = 0.88;  // of the edge: sides of 0.88 and diagonals of 1.24 come to one edge in the mean
 
 /// Positions of grid lines in [0, 1], closer where `stretch` (length per unit, at the middles of kSamples cells) is

@@ -1,5 +1,5 @@
-// Triangles of a polynomial over a rectangle of its chart: a grid whose border lies on the rectangle's sides exactly, so
-// that the mesh is the patch, all of it and nothing beyond.
+// Triangles of a polynomial over a rectangle of its chart: a grid whose border lies on the rectangle's sides exactly,
+// so that the mesh is the patch, all of it and nothing beyond.
 #pragma once
 
 #include <vector>

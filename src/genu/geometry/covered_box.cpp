@@ -17,7 +17,8 @@ class Occupancy {
     for (const auto& t : zone.triangles) fill(points, t, filled);
     for (int i = 0; i < kCells; ++i)
       for (int j = 0; j < kCells; ++j)
-        sum(i + 1, j + 1) = sum(i, j + 1) + sum(i + 1, j) - sum(i, j) + filled[static_cast<std::size_t>(i * kCells + j)];
+        sum(i + 1, j + 1) =
+            sum(i, j + 1) + sum(i + 1, j) - sum(i, j) + filled[static_cast<std::size_t>(i * kCells + j)];
   }
 
   /// Filled cells of columns [i0, i1) and rows [j0, j1).

@@ -1,5 +1,5 @@
-// The largest rectangle of a chart that a zone fills: where a polynomial that was fitted to the zone may be written down
-// as a patch, because there is surface nearly everywhere under it.
+// The largest rectangle of a chart that a zone fills: where a polynomial that was fitted to the zone may be written
+// down as a patch, because there is surface nearly everywhere under it.
 #pragma once
 
 #include <optional>

@@ -13,18 +13,17 @@
 namespace genu {
 namespace {
 
-constexpr double kFacing = 0.1736;      // cos 80 deg
-constexpr double kSheetShare = 0.1;     // of the area: smaller sheets are crumbs
-constexpr int kSectors = 72;            // of 5 deg round the axis
-constexpr int kArmSectors = 8;          // an arm is at least 40 deg long
-constexpr double kNotch = 0.08;         // of the sheet's extent along the axis: a gap wider than that parts arms
-constexpr double kArmShare = 0.2;       // of the sheet's area: a smaller arm is none
+constexpr double kFacing = 0.342;    // cos 70 deg
+constexpr double kSheetShare = 0.1;  // of the area: smaller sheets are crumbs
+constexpr int kSectors = 72;         // of 5 deg round the axis
+constexpr int kArmSectors = 8;       // an arm is at least 40 deg long
+constexpr double kNotch = 0.08;      // of the sheet's extent along the axis: a gap wider than that parts arms
+constexpr double kArmShare = 0.2;    // of the sheet's area: a smaller arm is none
 
 bool is_closed(const Mesh& mesh) {
   const std::vector<MeshEdge> edges = mesh_edges(mesh);
   return std::none_of(edges.begin(), edges.end(), [](const MeshEdge& e) { return e.count == 1; });
 }
-
 
 Vec3 centroid_of(const Mesh& mesh) {
   Vec3 sum = Vec3::Zero();
@@ -114,15 +113,17 @@ std::vector<Zone> arms_of(const Mesh& sheet) {
     });
     arm = largest_sheet(arm);
     if (area_of(arm) < kArmShare * area_of(sheet)) return {};
-    arms.push_back({std::move(arm), chart.X_BS.R.col(2)});
+    arms.push_back({std::move(arm), chart.X_BS.R.col(2), true});
   }
   return arms;
 }
 
 std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const std::string& name, Diagnostics& out) {
-  if (!options.facing && !options.within && is_closed(mesh)) {
-    out.error(name, "is closed, and a contact surface is one face of it: say which one, by the way it faces or by a "
-                    "region");
+  const bool one_face = options.facing || !is_closed(mesh);
+  if (!one_face && !options.within) {
+    out.error(name,
+              "is closed, and a contact surface is one face of it: say which one, by the way it faces or by a "
+              "region");
     return {};
   }
   const Mesh part = part_of(mesh, [&](const Vec3& centre, const Vec3& normal) {
@@ -136,9 +137,10 @@ std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const
   std::vector<Zone> zones;
   for (Mesh& sheet : sheets_of(part, kSheetShare)) {
     std::vector<Zone> arms = options.fork ? arms_of(sheet) : std::vector<Zone>{};
-    if (arms.empty()) arms.push_back({std::move(sheet), std::nullopt});
+    if (arms.empty()) arms.push_back({std::move(sheet), std::nullopt, true});
     for (Zone& arm : arms) zones.push_back(std::move(arm));
   }
+  for (Zone& zone : zones) zone.one_face = one_face;
   sort_by_place(zones);
   if (zones.empty()) out.error(name, "is in pieces that are all too small");
   return zones;

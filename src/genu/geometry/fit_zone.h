@@ -2,8 +2,8 @@
 //
 // An open mesh is the face that was segmented; each of its sheets is a surface. A sheet that wraps round an axis and
 // forks into two arms along it (femoral cartilage: the condyles on either side of the notch) is two surfaces, the arms;
-// what joins them (the trochlea) belongs to the patella. A closed mesh has two faces or more, and which one is meant has
-// to be said.
+// what joins them (the trochlea) belongs to the patella. A closed mesh has two faces or more, and which one is meant
+// has to be said.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 namespace genu {
 
 struct ZoneOptions {
-  std::optional<Vec3> facing;               ///< the way the surface looks: triangles within 80 deg of it take part
+  std::optional<Vec3> facing;               ///< the way the surface looks: triangles within 70 deg of it take part
   std::function<bool(const Vec3&)> within;  ///< where triangles may lie; empty: anywhere
   bool fork = true;                         ///< whether a sheet may be split into its arms
 };
@@ -26,6 +26,7 @@ struct ZoneOptions {
 struct Zone {
   Mesh mesh;
   std::optional<Vec3> axis;  ///< of an arm: about which axis the sheet wraps that it is an arm of
+  bool one_face = true;      ///< false where nothing keeps the faces of a closed mesh apart
 };
 
 /// The pieces, in the order of their place along the direction in which they lie farthest apart (its largest component

@@ -70,9 +70,8 @@ std::vector<Mesh> sheets_of(const Mesh& mesh, double least_share) {
   std::vector<int> chosen;
   for (int c = 0; c < components.count; ++c)
     if (area[static_cast<std::size_t>(c)] >= least_share * all) chosen.push_back(c);
-  std::stable_sort(chosen.begin(), chosen.end(), [&](int a, int b) {
-    return area[static_cast<std::size_t>(a)] > area[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](int a, int b) { return area[static_cast<std::size_t>(a)] > area[static_cast<std::size_t>(b)]; });
   std::vector<Mesh> sheets;
   for (const int c : chosen) sheets.push_back(component(mesh, components, c));
   return sheets;

@@ -7,8 +7,8 @@
 
 namespace genu {
 
-/// Binary PLY, double precision, little-endian. `title` (one line) becomes a comment. Units, replacement of an older file
-/// and what is returned are those of write_stl().
+/// Binary PLY, double precision, little-endian. `title` (one line) becomes a comment. Units, replacement of an older
+/// file and what is returned are those of write_stl().
 std::string write_ply(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title);
 
 /// Wavefront OBJ with as many digits as bring back the same doubles.

@@ -30,7 +30,6 @@ struct Patch {
 /// that frame the surface itself has no end: where the patch limits these, the surface is bounded.
 /// `own_mesh`, where given, makes the patch's triangles of about an edge (m), and the surface is not cut.
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-                                    const std::array<bool, 3>& endless,
-                                    std::function<Mesh(double edge)> own_mesh = {});
+                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh = {});
 
 }  // namespace genu

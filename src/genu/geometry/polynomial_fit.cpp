@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kIndependent = 1e-7;  // of a column's own length: what must be left of it beside the ones before
 constexpr int kFolds = 10;
-constexpr double kRounding = 1e-16;    // m: what a term with less adds nowhere shows
+constexpr double kRounding = 1e-16;  // m: what a term with less adds nowhere shows
 
 using Index = Eigen::Index;
 

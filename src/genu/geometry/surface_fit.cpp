@@ -12,20 +12,22 @@
 #include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
 #include "genu/geometry/polynomial_surface.h"
+#include "genu/geometry/tame_degree.h"
 
 namespace genu {
 namespace {
 
-constexpr double kSteepest = 0.4226;    // cos 65 deg: facets steeper than that over the chart are left out
-constexpr double kFolds = 0.309;        // cos 72 deg: a polynomial steeper than that is no sheet any more
-constexpr double kBlock = 0.005;        // m, of cross-validation: noise of a segmentation is alike over less
+constexpr double kSteepest = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
+constexpr double kBlock = 0.005;      // m, of cross-validation: noise of a segmentation is alike over less
 constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
-constexpr int kFrameDegree = 6;         // for the first frames
-constexpr double kBeyond = 0.05;        // of the patch: how far the samples go on past its edges
-constexpr double kFileRounding = 2e-9;  // m: float32 at 30 mm
-constexpr double kRoundLength = 1e-4;   // m: half sides of patches
+constexpr int kFrameDegree = 6;                        // for the first frames
+constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
+constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
+constexpr double kKeepBeyond = 0.003;                  // m: round points to keep, where the patch may lie bare
+constexpr double kGoodEnough = 2e-5;   // m: among charts that fit better than that, what they see decides
+constexpr double kRoundLength = 1e-4;  // m: half sides of patches
 constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
-constexpr double kLongerSide = 0.95;    // the other side of a cartesian patch is shorter than that
+constexpr double kLongerSide = 0.95;                    // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
 struct Placed {
@@ -124,7 +126,7 @@ bool Fitter::choose_chart(const std::vector<OrientedPoint>& points, const std::v
         area += q.area;
         if (at.patch.contains(c.u, c.v)) seen += q.area;
       }
-      const double cost = fit.rms(degree) * area * area / (seen * seen);
+      const double cost = (fit.rms(degree) + kGoodEnough) * area * area / (seen * seen);
       if (!best || cost < least) best = &chart, least = cost;
     } else {
       why = fmt::format("has too few vertices ({}) for degree {}", at.samples.size(),
@@ -161,7 +163,8 @@ bool Fitter::place(Placed& at, std::string& why) const {
   if (!patch_is_fixed_) {
     if (!at.chart.cylindrical) align_with_zone(at.part, at.chart);
     std::optional<ChartBox> limits, keep;
-    if (!options_.keep.empty()) limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, 0);
+    if (!options_.keep.empty())
+      limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, std::min(options_.margin, kKeepBeyond));
     const auto found = covered_box(at.part, at.chart, limits, keep);
     if (!found) {
       why = "holds no surface that one side of a chart sees";
@@ -252,30 +255,8 @@ bool Fitter::opposed(const Placed& at) const {
   return against > kShare * with;
 }
 
-/// The highest degree from `degree` down whose polynomial neither folds over the patch nor leaves a paraboloid by more,
-/// where no sample is, than it does on the samples.
 int Fitter::tame_degree(const Placed& at, const PolynomialFit& fit, int degree) const {
-  constexpr int kAcross = 40;
-  constexpr double kSwings = 2, kAlways = 1e-4;  // m
-  const Polynomial plain(fit.terms(std::min(2, fit.highest())));
-  for (; degree > kLowestFitDegree; --degree) {
-    const Polynomial P(fit.terms(degree));
-    double allowed = kAlways;
-    for (const HeightSample& s : at.samples)
-      allowed = std::max(allowed, kSwings * std::abs(P.value(s.u, s.v) - plain.value(s.u, s.v)));
-    const double least_height = at.chart.cylindrical ? 0.2 * P.value(0, 0) : -std::numeric_limits<double>::infinity();
-    bool tame = true;
-    for (int k = 0; k < (kAcross + 1) * (kAcross + 1) && tame; ++k) {
-      const double u = at.patch.u0 + at.patch.width() * (k % (kAcross + 1)) / kAcross,
-                   v = at.patch.v0 + at.patch.height() * (k / (kAcross + 1)) / kAcross;
-      const PolynomialJet h = P(u, v);
-      const double along = at.chart.cylindrical ? h.x / h.f : h.x;
-      tame = h.f > least_height && 1 / std::sqrt(1 + along * along + h.y * h.y) > kFolds &&
-             std::abs(h.f - plain.value(u, v)) <= allowed;
-    }
-    if (tame) return degree;
-  }
-  return degree;
+  return highest_tame_degree(fit, at.samples, at.patch, at.chart.cylindrical, degree);
 }
 
 int Fitter::choose(const Placed& at, std::vector<DegreeScore>& scores) const {
@@ -329,7 +310,7 @@ std::optional<SurfaceFit> Fitter::run(std::string& why) {
   }
   if (!place(at, why)) return std::nullopt;
   settle_if_possible(at, std::min(kFrameDegree, options_.degree.value_or(kFrameDegree)));
-  if (opposed(at)) {
+  if (!options_.one_face && opposed(at)) {
     why = "holds both faces of a shell: say which one, by the side it faces or by a region";
     return std::nullopt;
   }
@@ -361,10 +342,14 @@ std::optional<SurfaceFit> Fitter::checked(const Placed& at, int degree, std::vec
     why = fmt::format("has too few vertices ({}) for degree {}", at.samples.size(), degree);
     return std::nullopt;
   }
-  if (tame_degree(at, fit, degree) != degree) {
-    why = fmt::format("bends so that a polynomial of degree {} folds or swings out over it: a smaller region, another "
-                      "chart or another degree may do",
-                      degree);
+  const int tame = tame_degree(at, fit, degree);
+  const bool given = options_.degree || options_.like;
+  if (!given && tame >= kLowestChosen) return finish(at, tame, std::move(scores));
+  if (tame != degree) {
+    why = fmt::format(
+        "bends so that a polynomial of degree {} folds or swings out over it: a smaller region, another "
+        "chart or another degree may do",
+        degree);
     return std::nullopt;
   }
   return finish(at, degree, std::move(scores));

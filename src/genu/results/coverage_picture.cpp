@@ -57,7 +57,7 @@ struct Cell {
 };
 
 void draw_cells(const CoverageMap& map, const Extent& extent, const Vec2& at, double scale, std::string& out) {
-  const double size = std::max(1.0, 1.5 * map.spacing);
+  const double size = std::max(1.5, 1.5 * map.spacing);
   std::map<std::pair<int, int>, Cell> cells;
   for (const auto& s : map.samples) {
     Cell& cell = cells[{static_cast<int>(std::floor(s.at.x() / size)), static_cast<int>(std::floor(s.at.y() / size))}];
@@ -82,8 +82,9 @@ void draw(const CoverageMap& map, const Extent& extent, const Vec2& corner, doub
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"t\">{}</text>\n", at.x(), corner.y() + 14,
                      escaped(map.title));
   draw_cells(map, extent, at, scale, out);
-  out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"p\"/>\n", x(map.low.x()),
-                     y(map.high.y()), kPixels * (map.high.x() - map.low.x()), kPixels * (map.high.y() - map.low.y()));
+  out +=
+      fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"p\"/>\n", x(map.low.x()),
+                  y(map.high.y()), kPixels * (map.high.x() - map.low.x()), kPixels * (map.high.y() - map.low.y()));
   for (const Vec2& c : map.contacts)
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", x(c.x()), y(c.y()));
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">across: {}; up: {}</text>\n", at.x(), y(extent.low.y()) + 16,
@@ -125,7 +126,8 @@ std::string coverage_svg(const std::vector<CoverageMap>& maps) {
   for (const double h : heights) total += h + kMargin;
   const double scale = colour_scale(maps), all = 2 * kMargin + kColumns * (width + kMargin);
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\">\n"
       "<style>text{{font:11px sans-serif;fill:#222}}.t{{font-weight:bold;font-size:12px}}"
       ".p{{fill:none;stroke:#000;stroke-width:1.5}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       all, total);
@@ -137,11 +139,12 @@ std::string coverage_svg(const std::vector<CoverageMap>& maps) {
   }
   const double y = total - kLegend;
   for (int k = -10; k <= 10; ++k)
-    out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"9\" height=\"10\" fill=\"{}\"/>\n", kMargin + 9 * (k + 10),
-                       y, colour(k / 10.0));
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">mesh {:g} mm below .. {:g} mm above the fitted surface; grey: mesh "
-                     "without a patch; frame: patch; dots: contacts</text>\n",
-                     kMargin, y + 24, scale, scale);
+    out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"9\" height=\"10\" fill=\"{}\"/>\n",
+                       kMargin + 9 * (k + 10), y, colour(k / 10.0));
+  out += fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\">mesh {:g} mm below .. {:g} mm above the fitted surface; grey: mesh "
+      "without a patch; frame: patch; dots: contacts</text>\n",
+      kMargin, y + 24, scale, scale);
   return out + "</svg>\n";
 }
 

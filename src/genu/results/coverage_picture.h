@@ -1,5 +1,5 @@
-// Where surfaces were fitted, to look at: over the chart of each the piece of mesh there was, the patch that was written
-// down, how far the mesh lies off it, and where contacts travelled. Knows nothing of meshes: it gets points.
+// Where surfaces were fitted, to look at: over the chart of each the piece of mesh there was, the patch that was
+// written down, how far the mesh lies off it, and where contacts travelled. Knows nothing of meshes: it gets points.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace genu {
 
 struct CoverageMap {
   struct Sample {
-    Vec2 at;                          ///< in the chart, mm (arc length round an axis)
-    std::optional<double> distance;   ///< mm, from the fitted surface; empty off the patch
+    Vec2 at;                         ///< in the chart, mm (arc length round an axis)
+    std::optional<double> distance;  ///< mm, from the fitted surface; empty off the patch
   };
   std::string title;
   std::string u_title, v_title;
@@ -23,8 +23,8 @@ struct CoverageMap {
   std::vector<Vec2> contacts;  ///< mm
 };
 
-/// One panel a map, on one scale of colours: red where the mesh stands out of the surface, blue where it lies below, grey
-/// where no patch is. The same maps give the same bytes.
+/// One panel a map, on one scale of colours: red where the mesh stands out of the surface, blue where it lies below,
+/// grey where no patch is. The same maps give the same bytes.
 std::string coverage_svg(const std::vector<CoverageMap>& maps);
 
 }  // namespace genu

@@ -57,8 +57,8 @@ std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surfa
     own_mesh = [k = *known, terms = polynomial_terms(def)](double edge) {
       return chart_mesh(k.chart, k.patch, terms, k.inside, edge);
     };
-  std::shared_ptr<const Surface> part = make_patch(std::move(surface), def.placement,
-                                                   {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh);
+  std::shared_ptr<const Surface> part = make_patch(
+      std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh);
   if (part->triangles(kCoarse, def.placement.p, kReach).triangles.empty()) return nullptr;
   return part;
 }

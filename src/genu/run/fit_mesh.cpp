@@ -27,7 +27,8 @@ std::string name_from(const std::string& file) {
   return name;
 }
 
-/// The mesh in metres, and the file's unit: where it is not given, the one of mm and m that makes it the size of a joint.
+/// The mesh in metres, and the file's unit: where it is not given, the one of mm and m that makes it the size of a
+/// joint.
 std::optional<Mesh> read(const FitMeshRequest& request, double& unit, Diagnostics& out) {
   constexpr double kLargestInMetres = 1;  // of a box in the file's numbers: a joint in mm is larger
   unit = request.file_unit.value_or(1);
@@ -49,9 +50,8 @@ std::function<bool(const Vec3&)> within(const std::vector<RegionDef::Condition>&
 
 /// A region is one surface: its largest sheet.
 void keep_largest(std::vector<Zone>& zones) {
-  const auto largest = std::max_element(zones.begin(), zones.end(), [](const Zone& a, const Zone& b) {
-    return area_of(a.mesh) < area_of(b.mesh);
-  });
+  const auto largest = std::max_element(zones.begin(), zones.end(),
+                                        [](const Zone& a, const Zone& b) { return area_of(a.mesh) < area_of(b.mesh); });
   if (largest != zones.end()) zones = {*largest};
 }
 
@@ -80,6 +80,7 @@ std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out) 
       how.cylindrical = request.cylindrical;
       how.degree = request.degree;
       how.axis = zone.axis;
+      how.one_face = zone.one_face;
       how.like = request.like;
       auto fit = fit_surface(zone.mesh, how, request.file, out);
       if (fit) fits.push_back({{}, request.body.empty() ? "body" : request.body, request.file, std::move(*fit), {}});

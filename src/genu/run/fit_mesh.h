@@ -21,8 +21,8 @@ struct FitMeshRequest {
   std::optional<KnownPatch> like;  ///< chart, patch and degree as another fit has them
 };
 
-/// Reads the mesh, finds its surfaces, fits each. Several get numbered names. Empty with every reason in `out` where one
-/// cannot be done.
+/// Reads the mesh, finds its surfaces, fits each. Several get numbered names. Empty with every reason in `out` where
+/// one cannot be done.
 std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out);
 
 /// The file of surfaces that `genu mesh` and scenes read: mm and deg.

@@ -78,6 +78,7 @@ class SceneFitter {
     SurfaceFitOptions options;
     options.degree = request_.degree;
     options.axis = axis_of(points, normals);
+    options.one_face = true;  // zone_round() looks at normals
     options.keep = points;
     options.margin = request_.margin;
     auto fit = fit_surface(piece, options, "surface." + named.name, out_);
@@ -131,8 +132,8 @@ std::vector<std::pair<std::string, double>> pose_differences(const Scene& scene,
     for (int i = 0; i < 6; ++i) {
       if (!joint.leaves(i)) continue;
       const auto k = static_cast<std::size_t>(i % 3);
-      const std::string name = joint.name + "." + (i < 3 ? joint.rotations[k].name + "_deg"
-                                                          : joint.translations[k] + "_mm");
+      const std::string name =
+          joint.name + "." + (i < 3 ? joint.rotations[k].name + "_deg" : joint.translations[k] + "_mm");
       double worst = 0;
       for (std::size_t row = 0; row < rows; ++row) {
         const double off = std::abs(a.number(row, name) - b.number(row, name));

@@ -1,8 +1,8 @@
 // Polynomials in place of the meshes of a scene, over the zones where its contacts travel.
 //
-// Where surfaces of a joint touch is not in their meshes but in the joint: the scene is solved, and each mesh surface is
-// fitted round the path of its contacts, with a margin. Contacts that a scene parts by regions (medial, lateral), or that
-// stay apart, become pairs of their own. What comes out is the same scene with polynomials for meshes.
+// Where surfaces of a joint touch is not in their meshes but in the joint: the scene is solved, and each mesh surface
+// is fitted round the path of its contacts, with a margin. Contacts that a scene parts by regions (medial, lateral), or
+// that stay apart, become pairs of their own. What comes out is the same scene with polynomials for meshes.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,8 @@ class Lines {
     for (std::string line; std::getline(in, line);) lines_.push_back(line);
     for (const TomlNode& group : document.children) {
       starts_.insert(group.key_where.line);
-      for (const TomlNode& member : group.children) starts_.insert(member.where.line), starts_.insert(member.key_where.line);
+      for (const TomlNode& member : group.children)
+        starts_.insert(member.where.line), starts_.insert(member.key_where.line);
     }
     dropped_.assign(lines_.size(), false);
   }
@@ -73,7 +74,8 @@ class Lines {
 std::string pair_tables(const std::vector<FittedPair>& pairs) {
   std::string out;
   for (const FittedPair& p : pairs)
-    out += fmt::format("\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"rigid\"\n", p.name, p.surface_a, p.surface_b);
+    out += fmt::format("\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"rigid\"\n", p.name, p.surface_a,
+                       p.surface_b);
   return out;
 }
 
@@ -120,6 +122,15 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
   }
   for (const int k : replaced) {
     const ContactDef& c = scene.contacts[static_cast<std::size_t>(k)];
+    const TomlNode* table = document->member("contact")->member(c.name);
+    const TomlNode* model = table ? table->member("model") : nullptr;
+    if (model && model->text != "rigid")
+      out.add({.file = file,
+               .line = model->where.line,
+               .column = model->where.column,
+               .key = "contact." + c.name + ".model",
+               .found = literal(*model),
+               .rule = "only rigid contacts are written anew with fitted surfaces"});
     drop("contact." + c.name, c.where);
   }
   return lines.text(first, surface_tables(fits, scene.length_unit, scene.angle_unit) + pair_tables(pairs) + "\n");

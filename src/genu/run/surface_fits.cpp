@@ -60,8 +60,8 @@ std::string to_json(const NamedFit& named) {
   const Vec3 where = kMm * f.residual.where;
   std::string scores;
   for (const DegreeScore& s : f.scores)
-    scores += fmt::format("{}{{\"degree\": {}, \"left_out_rms_mm\": {}, \"fitted_rms_mm\": {}}}", scores.empty() ? "" : ", ",
-                          s.degree, kMm * s.left_out_rms, kMm * s.fitted_rms);
+    scores += fmt::format("{}{{\"degree\": {}, \"left_out_rms_mm\": {}, \"fitted_rms_mm\": {}}}",
+                          scores.empty() ? "" : ", ", s.degree, kMm * s.left_out_rms, kMm * s.fitted_rms);
   return fmt::format(
       "    {{\"name\": \"{}\", \"source\": \"{}\", \"chart\": \"{}\", \"degree\": {}, \"coefficients\": {},\n"
       "     \"rms_mm\": {}, \"largest_mm\": {}, \"largest_at_mm\": [{}, {}, {}], \"vertices\": {}, \"covered\": {},\n"
@@ -111,10 +111,10 @@ std::string describe(const SurfaceFit& fit) {
   const double u = fit.patch.width(), v = kMm * fit.patch.height();
   const std::string patch = fit.chart.cylindrical ? fmt::format("{:.0f} deg x {:.1f} mm", u / units::kDegree, v)
                                                   : fmt::format("{:.1f} x {:.1f} mm", kMm * u, v);
-  return fmt::format("{}, degree {}, patch {} ({:.0f} % over mesh), rms {:.3g} mm, largest {:.3g} mm at {}, {} vertices",
-                     fit.chart.cylindrical ? "cylindrical" : "cartesian", fit.degree, patch, 100 * fit.covered,
-                     kMm * fit.residual.rms, kMm * fit.residual.largest, point_text(fit.residual.where),
-                     fit.residual.count);
+  return fmt::format(
+      "{}, degree {}, patch {} ({:.0f} % over mesh), rms {:.3g} mm, largest {:.3g} mm at {}, {} vertices",
+      fit.chart.cylindrical ? "cylindrical" : "cartesian", fit.degree, patch, 100 * fit.covered, kMm * fit.residual.rms,
+      kMm * fit.residual.largest, point_text(fit.residual.where), fit.residual.count);
 }
 
 std::string surface_tables(const std::vector<NamedFit>& fits, double length_unit, double angle_unit) {

@@ -11,11 +11,11 @@
 namespace genu {
 
 struct NamedFit {
-  std::string name;           ///< of the surface
+  std::string name;  ///< of the surface
   std::string body;
-  std::string source;         ///< what it was fitted to, for people
-  SurfaceFit fit;             ///< in the body's frame
-  std::vector<Vec3> contacts; ///< m, in the body: where contacts were, if that is known
+  std::string source;          ///< what it was fitted to, for people
+  SurfaceFit fit;              ///< in the body's frame
+  std::vector<Vec3> contacts;  ///< m, in the body: where contacts were, if that is known
 };
 
 /// The polynomial as a scene has it.

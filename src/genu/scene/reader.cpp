@@ -108,8 +108,8 @@ void name_bodies(const TomlNode& document, Scene& scene) {
   for (const TomlNode& surface : surfaces->children) {
     const TomlNode* body = surface.member("body");
     if (!body || body->kind != TomlNode::Kind::string) continue;
-    const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                   [&](const BodyDef& b) { return b.name == body->text; });
+    const bool known =
+        std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDef& b) { return b.name == body->text; });
     if (known) continue;
     BodyDef def;
     def.name = body->text;

@@ -16,8 +16,8 @@ std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
 /// The same for a text in memory; `path` names it in messages, and mesh files are looked for in its folder.
 std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
 
-/// The surfaces of a scene, or of a file that holds nothing but `format`, `title`, `units` and [surface.NAME] tables (as
-/// `genu fit` writes it): its bodies are those that the surfaces name, and it has nothing else.
+/// The surfaces of a scene, or of a file that holds nothing but `format`, `title`, `units` and [surface.NAME] tables
+/// (as `genu fit` writes it): its bodies are those that the surfaces name, and it has nothing else.
 std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out);
 
 }  // namespace genu

@@ -34,7 +34,6 @@ std::string polynomial_table(const SurfaceDef& def, const std::string& body, dou
   out += "terms = [\n";
   int row = -1;  // one line for each total degree
   for (const SurfaceDef::Term& t : def.terms) {
-    if (t.c == 0 && t.i + t.j > 0) continue;
     const int lengths = cylindrical ? 1 - t.j : 1 - t.i - t.j;
     out += row < 0 ? "  " : t.i + t.j == row ? ", " : ",\n  ";
     row = t.i + t.j;
@@ -42,10 +41,9 @@ std::string polynomial_table(const SurfaceDef& def, const std::string& body, dou
   }
   out += ",\n]\n";
   if (!def.patch) return out;
-  std::string ranges = range_text("x", def.patch->box[0], length_unit) +
-                       range_text("y", def.patch->box[1], length_unit) +
-                       range_text("theta", def.patch->theta, angle_unit) +
-                       range_text("z", def.patch->box[2], length_unit);
+  std::string ranges =
+      range_text("x", def.patch->box[0], length_unit) + range_text("y", def.patch->box[1], length_unit) +
+      range_text("theta", def.patch->theta, angle_unit) + range_text("z", def.patch->box[2], length_unit);
   if (!ranges.empty()) out += "patch = { " + ranges.substr(0, ranges.size() - 2) + " }\n";
   return out;
 }

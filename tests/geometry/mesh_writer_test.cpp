@@ -1,0 +1,44 @@
+#include "genu/geometry/mesh_writer.h"
+
+#include <gtest/gtest.h>
+
+#include "genu/geometry/mesh_reader.h"
+#include "geometry/fitted_shapes.h"
+#include "support/temporary_folder.h"
+
+namespace genu {
+namespace {
+
+TEST(MeshWriter, EveryFormatReadsBack) {
+  const test::TemporaryFolder folder;
+  const Mesh mesh =
+      chart_mesh({false, test::some_frame()}, {-0.01, 0.01, -0.01, 0.01}, test::plateau_terms(), false, 2e-3);
+  for (const char* name : {"a.stl", "a.ply", "a.obj"}) {
+    const std::string path = folder / name;
+    ASSERT_EQ(write_mesh(mesh, path, 1e-3, "two\nlines"), "");
+    const std::string bytes = test::read_file(path);
+    ASSERT_EQ(write_mesh(mesh, path, 1e-3, "two\nlines"), "");
+    EXPECT_EQ(bytes, test::read_file(path));
+    Diagnostics out;
+    const auto back = read_mesh(path, 1e-3, out);
+    ASSERT_TRUE(back) << name;
+    ASSERT_EQ(back->vertices.size(), mesh.vertices.size()) << name;
+    ASSERT_EQ(back->triangles.size(), mesh.triangles.size()) << name;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 a = mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])],
+                   b = back->vertices[static_cast<std::size_t>(back->triangles[t][k])];
+        EXPECT_LT((a - b).norm(), 4e-9) << name;  // what float32 resolves, should a reader have no more
+      }
+  }
+}
+
+TEST(MeshWriter, SaysWhatIsWrong) {
+  const test::TemporaryFolder folder;
+  EXPECT_NE(write_mesh({}, folder / "a.off", 1, ""), "");
+  EXPECT_NE(write_ply({}, folder / "none/a.ply", 1, ""), "");
+  EXPECT_NE(write_obj({}, folder / "none/a.obj", 1, ""), "");
+}
+
+}  // namespace
+}  // namespace genu
