@@ -156,6 +156,19 @@ TEST_F(DirtyMeshes, UnderContactNoPoseIsSoldAsGood) {
     }
 }
 
+TEST_F(DirtyMeshes, OneFileInMillimetresAndOneInMetresAreOneKnee) {
+  const std::string path = folder_ / "tibia-mm.stl";
+  EXPECT_EQ(write_stl(mesh_[1], path, 1e-3, "mm"), "");
+  std::string text = test::replaced(text_, file(1), path);
+  const std::size_t unit = text.find("units = \"m\"", text.find(path));
+  ASSERT_NE(unit, std::string::npos);
+  text.replace(unit, 11, "units = \"mm\"");
+  const Solved mixed = solve(text);
+  EXPECT_EQ(mixed.code, kExitOk) << mixed.said;
+  EXPECT_LT(test::worst_difference(mixed.poses, clean_.poses, "knee.rotation_deg"), 1e-2);
+  EXPECT_LT(test::worst_difference(mixed.poses, clean_.poses, "knee.y_mm"), 1e-4);
+}
+
 TEST_F(DirtyMeshes, OnTheWayTheRowsBeforeItAreKept) {
   // The contact of 60 deg on the femur, far from that of 0 deg.
   const auto swap = [&](const std::string& text) {

@@ -81,7 +81,14 @@ std::vector<Halfedge> holes_of(const SurfaceMesh& surface, const std::set<Edge>&
 }
 
 void fill(SurfaceMesh& surface, const std::vector<Halfedge>& holes, RepairReport& report) {
+  // Triangulating takes the cube of the edges at worst: a loop longer than this is no hole that a guess could fill.
+  constexpr std::size_t kMostEdges = 1000;
   for (const Halfedge hole : holes) {
+    const auto loop = CGAL::halfedges_around_face(hole, surface);
+    if (static_cast<std::size_t>(std::distance(loop.begin(), loop.end())) > kMostEdges) {
+      ++report.left_open;
+      continue;
+    }
     std::vector<SurfaceMesh::Face_index> faces;
     std::vector<SurfaceMesh::Vertex_index> vertices;
     pmp::triangulate_refine_and_fair_hole(surface, hole, std::back_inserter(faces), std::back_inserter(vertices));
