@@ -118,11 +118,12 @@ TEST(ContactInspection, FindsAContactPastAnEdgeAndNamesIt) {
   }
 }
 
-/// A plane with a place at (x, 0, 0) that is not to be trusted.
+/// A plane with a place round (x, 0, 0) that is not to be trusted.
 struct Flawed final : Surface {
   std::unique_ptr<Surface> plane = make_plane({}, false);
   std::vector<DoubtfulPlace> places;
-  Flawed(double x, double reach, bool missing) : places{{"a hole near here", {{x, 0, 0}}, reach, missing}} {}
+  Flawed(double x, double half, double reach, bool missing)
+      : places{{"a hole near here", {{x - half, 0, 0}, {x, 0, 0}, {x + half, 0, 0}}, reach, missing}} {}
   bool project(const Vec3& x, SurfacePoint& out) const override { return plane->project(x, out); }
   std::optional<double> gap(const Vec3& x) const override { return plane->gap(x); }
   Mesh triangles(double edge, const Vec3& centre, double reach) const override {
@@ -132,13 +133,19 @@ struct Flawed final : Surface {
 };
 
 TEST(ContactInspection, FindsAContactThatLeansOnAFlawAndNamesIt) {
-  // The ball of 20 mm is 0.16 mm above the plane at x = 2.5 mm and 0.57 mm above it at 4.75 mm.
-  const std::tuple<double, double, bool, bool> cases[] = {{1e-3, 3e-3, false, true},  {4e-3, 3e-3, false, false},
-                                                          {4e-3, 3e-3, true, false},  {2.5e-3, 2e-3, false, false},
-                                                          {2.5e-3, 2e-3, true, true}, {20e-3, 3e-3, true, false}};
-  for (const auto& [x, reach, missing, leans] : cases) {
+  // The ball of 20 mm touches at x = 0; it is 0.4 mm above the plane at 4 mm. 4 mm of missing surface stand out by at
+  // most 0.32 mm, 5 mm by 0.5 mm.
+  struct Case {
+    double x, half, reach;
+    bool missing, leans;
+  };
+  constexpr Case kCases[] = {{1e-3, 0, 3e-3, false, true},     {4e-3, 0, 3e-3, false, false},
+                             {8e-3, 4e-3, 3e-3, true, false},  {9e-3, 5e-3, 3e-3, true, true},
+                             {9e-3, 5e-3, 3e-3, false, false}, {9e-3, 5e-3, 4e-3, true, true},
+                             {4e-3, 1e-3, 2e-3, true, false}};
+  for (const auto& [x, half, reach, missing, leans] : kCases) {
     test::SceneModel scene = test::scene_model(test::held_ball("", 20));
-    scene.model.pairs[0].b = std::make_shared<Flawed>(x, reach, missing);
+    scene.model.pairs[0].b = std::make_shared<Flawed>(x, half, reach, missing);
     ContactField field(scene.model);
     ContactInspector inspector(scene.model, field);
     State state = reference_state(scene.model);

@@ -1,5 +1,6 @@
 // A measured knee with dirt on one of its meshes: far from contact it does not matter and is told, under contact no
 // pose is sold as good and the place is named.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <regex>
@@ -68,34 +69,29 @@ class DirtyMeshes : public ::testing::Test {
     for (int number = 1; clean_.poses.has_column(fmt::format("tibiofemoral.{}.force_N", number)); ++number) {
       const std::string contact = fmt::format("tibiofemoral.{}.", number), stem = contact + kBones[k] + "_cartilage.";
       for (std::size_t row = 0; row < clean_.poses.rows(); ++row) {
-        if (!(clean_.poses.number(row, contact + "force_N") > 0)) continue;
         const Vec3 p(clean_.poses.number(row, stem + "x_mm"), clean_.poses.number(row, stem + "y_mm"),
                      clean_.poses.number(row, stem + "z_mm"));
-        if (p.allFinite()) contacts_[k].push_back(1e-3 * p);
+        if (!p.allFinite()) continue;
+        near_[k].push_back(1e-3 * p);
+        if (clean_.poses.number(row, contact + "force_N") > 0) contacts_[k].push_back(1e-3 * p);
       }
     }
   }
 
-  /// A vertex at least 20 mm from every contact, as far from the sheet's border as there is.
-  std::optional<Vec3> far_place(std::size_t k) const {
+  /// Vertices at least 20 mm from every contact, open ones too, 5 mm from the sheet's border and 15 mm from each other.
+  std::vector<Vec3> far_places(std::size_t k) const {
     const Mesh& mesh = mesh_[k];
     const std::vector<bool> border = boundary_vertices(mesh, mesh_edges(mesh));
-    std::vector<Vec3> rim;
+    std::vector<Vec3> rim, places;
     for (std::size_t v = 0; v < border.size(); ++v)
       if (border[v]) rim.push_back(mesh.vertices[v]);
-    double best = 5e-3;
-    std::optional<Vec3> place;
     for (const Vec3& p : mesh.vertices) {
-      const auto clear_of = [&](const std::vector<Vec3>& points) {
-        double least = INFINITY;
-        for (const Vec3& q : points) least = std::min(least, (p - q).norm());
-        return least;
+      const auto clear_of = [&](const std::vector<Vec3>& points, double distance) {
+        return std::none_of(points.begin(), points.end(), [&](const Vec3& q) { return (p - q).norm() < distance; });
       };
-      if (clear_of(contacts_[k]) < 0.02 || clear_of(rim) <= best) continue;
-      best = clear_of(rim);
-      place = p;
+      if (clear_of(near_[k], 20e-3) && clear_of(rim, 5e-3) && clear_of(places, 15e-3)) places.push_back(p);
     }
-    return place;
+    return places;
   }
 
   static constexpr const char* kBones[2] = {"femur", "tibia"};
@@ -104,7 +100,8 @@ class DirtyMeshes : public ::testing::Test {
   std::string text_;
   Mesh mesh_[2];
   Solved clean_;
-  std::vector<Vec3> contacts_[2];
+  std::vector<Vec3> contacts_[2],
+      near_[2];  // m, frame of the file: where the bones touch; where they nearly do as well
 };
 
 constexpr Dirt kAll[] = {Dirt::fin,      Dirt::flipped, Dirt::duplicate, Dirt::hole,
@@ -119,23 +116,39 @@ bool names_place(const std::string& said, const Vec3& p, double radius) {
 }
 
 TEST_F(DirtyMeshes, FarFromContactItDoesNotMatterAndIsTold) {
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto place = far_place(k);
-    if (!place) continue;  // the tibia's plateaus are too small
-    for (const Dirt dirt : kAll) {
-      const Solved solved = solve_with(k, test::dirtied(mesh_[k], dirt, *place, kRadius));
-      const std::string what = std::string(kBones[k]) + " " + test::name_of(dirt);
-      EXPECT_EQ(solved.code, kExitOk) << what << "\n" << solved.said;
-      const double turn = test::worst_difference(solved.poses, clean_.poses, "knee.rotation_deg"),
-                   tilt = test::worst_difference(solved.poses, clean_.poses, "knee.adduction_deg"),
-                   shift = test::worst_difference(solved.poses, clean_.poses, "knee.y_mm");
-      fmt::print("{:<16} far: rotation {:.4f} deg, adduction {:.4f} deg, y {:.4f} mm\n", what, turn, tilt, shift);
-      EXPECT_LT(turn, 0.4) << what;
-      EXPECT_LT(tilt, 0.1) << what;
-      EXPECT_LT(shift, 0.05) << what;
-      EXPECT_TRUE(!test::is_serious(dirt) || names_place(solved.said, *place, 2 * kRadius)) << what << solved.said;
-    }
-  }
+  std::size_t tried = 0, refused = 0;
+  double worst_turn = 0, worst_tilt = 0, worst_shift = 0;
+  for (std::size_t k = 0; k < 2; ++k)  // the tibia's plateaus may be too small
+    for (const Vec3& place : far_places(k))
+      for (const Dirt dirt : kAll) {
+        const Solved solved = solve_with(k, test::dirtied(mesh_[k], dirt, place, kRadius));
+        const std::string what = fmt::format("{} {} at ({:.4f}, {:.4f}, {:.4f}) m", kBones[k], test::name_of(dirt),
+                                             place.x(), place.y(), place.z());
+        ++tried;
+        EXPECT_TRUE(!test::is_serious(dirt) || names_place(solved.said, place, 2 * kRadius)) << what << solved.said;
+        // Where the bones nearly touch without a contact, what stands for a missing piece of surface may touch: then
+        // the pose is refused, with the place.
+        if (test::is_serious(dirt) && solved.code == kExitRefused) {
+          ++refused;
+          continue;
+        }
+        EXPECT_EQ(solved.code, kExitOk) << what << "\n" << solved.said;
+        const double turn = test::worst_difference(solved.poses, clean_.poses, "knee.rotation_deg"),
+                     tilt = test::worst_difference(solved.poses, clean_.poses, "knee.adduction_deg"),
+                     shift = test::worst_difference(solved.poses, clean_.poses, "knee.y_mm");
+        EXPECT_LT(turn, 0.4) << what;
+        EXPECT_LT(tilt, 0.1) << what;
+        EXPECT_LT(shift, 0.05) << what;
+        worst_turn = std::max(worst_turn, turn);
+        worst_tilt = std::max(worst_tilt, tilt);
+        worst_shift = std::max(worst_shift, shift);
+      }
+  EXPECT_LE(refused, tried / 50);
+  fmt::print(
+      "{} dirty meshes, {} of them refused: rotation differs by at most {:.4f} deg, adduction {:.4f} deg, y {:.4f} "
+      "mm\n",
+      tried, refused, worst_turn, worst_tilt, worst_shift);
+  EXPECT_GE(tried, 3 * std::size(kAll));
 }
 
 TEST_F(DirtyMeshes, UnderContactNoPoseIsSoldAsGood) {

@@ -28,6 +28,16 @@ double choose_spacing(const JointModel& model) {
   return spacing;
 }
 
+/// How far (m) what is missing may stand out of the points that stand for it: they lie on chords, and what bends about
+/// as a condyle does stands out of a chord by this. 0 where the smooth surface reaches across: contact is found there.
+double stands_out(const DoubtfulPlace& place) {
+  constexpr double kRadius = 25e-3;  // m
+  Vec3 low = place.points[0], high = low;
+  for (const Vec3& p : place.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double half = 0.5 * (high - low).norm();
+  return half < place.reach ? 0 : half * half / (2 * kRadius);
+}
+
 }  // namespace
 
 ContactField::ContactField(const JointModel& model) : model_(&model), spacing_(choose_spacing(model)) {
@@ -97,13 +107,15 @@ bool ContactField::leans_on(const DoubtfulPlace& place, const State& state, int 
       if ((p - foot).squaredNorm() < place.reach * place.reach) return true;
   }
   if (!place.missing) return false;
-  // What would fill a hole stands out of its rim by no more than this.
-  constexpr double kStandsOut = 0.1;  // of the reach
+  const double out = stands_out(place);
+  if (out == 0) return false;
   const Pose X = of_a ? relative(state, pair).inverse() : relative(state, pair);
-  const auto& other = of_a ? model_->pairs[at(pair)].b : model_->pairs[at(pair)].a;
+  const Surface& other = of_a ? *model_->pairs[at(pair)].b : *model_->pairs[at(pair)].a;
   return std::any_of(place.points.begin(), place.points.end(), [&](const Vec3& p) {
-    const auto gap = other->gap(X * p);
-    return gap && *gap<kStandsOut * place.reach&& * gap> - place.reach;
+    const Vec3 x = X * p;
+    const auto gap = other.gap(x);
+    SurfacePoint foot;
+    return gap && *gap<out&& * gap> - place.reach && other.project(x, foot) && other.edge_distance(foot.p) >= 0;
   });
 }
 
