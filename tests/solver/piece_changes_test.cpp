@@ -291,7 +291,7 @@ TEST(PieceChanges, ADropOnTheWayLeadsToTheSamePoseHoweverTheStepsAreCut) {
     return test::step("prescribe = { \"knee.flexion\" = " + range + " }\nincrements = " + std::to_string(increments));
   };
   std::vector<Walk> walks;
-  for (const int increments : {1, 3, 47, 100}) walks.push_back(leap(bent("[0, 47]", increments)));
+  for (const int increments : {1, 47}) walks.push_back(leap(bent("[0, 47]", increments)));
   walks.push_back(leap(bent("47", 1)));
   walks.push_back(leap(bent("[60, 47]", 13)));  // its approach passes the drop
   const Pose& first = walks[0].points.back().pose.state.poses[1];

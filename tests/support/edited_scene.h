@@ -114,6 +114,9 @@ inline std::map<std::string, double> numbers_of(const Scene& scene, const JointM
     double& gap = record.pair_gap[static_cast<std::size_t>(c.pair)];
     if (!(gap <= c.gap)) gap = c.gap;
   }
+  for (std::size_t pair = 0; pair < record.pair_gap.size(); ++pair)  // of pairs that never touched
+    if (std::isnan(record.pair_gap[pair]))
+      record.pair_gap[pair] = ContactField(model).smallest_gap(point.pose.state, static_cast<int>(pair));
   const ResultTable table = pose_table(scene, model, steps, {record});
   std::map<std::string, double> out;
   for (const std::string& column : table.columns()) out[column] = table.number(0, column);

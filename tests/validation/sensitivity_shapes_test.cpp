@@ -88,12 +88,12 @@ TEST(SensitivityOfShapes, AContactThatHasOpened) {
 TEST(SensitivityOfShapes, APairThatNeverTouched) {
   compare("never closed",
           bone_on_ground("{ z = 20 }") + surface("ball", "bone", "ellipsoid", "radii = [15, 18, 20]") +
-              surface("floor", "ground", "polynomial", "terms = [[2, 0, -0.004], [0, 2, -0.006], [1, 0, 0.01]]") +
-              surface("stop", "ground", "sphere", "radius = 6\norigin = [4, 45, 22]") +
+              surface("floor", "ground", "sphere", "radius = 60\norigin = [0, 0, -60]") +
+              surface("stop", "ground", "sphere", "radius = 20\norigin = [4, 60, 22]") +
               contact("foot", "ball", "floor") + contact("guard", "ball", "stop") + stays() +
               load("lift", "force = [0, 0, 1]\npoint = [1, 2, 3]") +
               step("prescribe = { \"j.a\" = [0, 0.1] }\nload = { lift = [-50, -20] }\nincrements = 3"),
-          {0, 3}, {{"all"}, {"all"}}, 0.001);
+          {3}, {{"guard.gap", "foot.force"}, {"stop.*", "ball.radii.*", "spring_l.stiffness"}}, 0.001);
 }
 
 TEST(SensitivityOfShapes, HingesWeightsAndCombinations) {

@@ -66,6 +66,23 @@ TEST(ThinSurfaces, HoldWhatStartsInFrontOfThem) {
     }
 }
 
+TEST(ThinSurfaces, HoldABallThatOneSpringAlonePullsFromAfar) {
+  // Only a foundation much stiffer than the first one to be tried keeps it above.
+  std::string text = scene(
+      "shape = \"polynomial\"\nterms = [[2, 0, 0.01], [0, 2, 0.01]]\npatch = { x = [-25, 25], y = "
+      "[-25, 25] }",
+      5.5);
+  text = text.substr(0, text.find("[[step]]"));
+  for (int k = 0; k < 4; ++k) {
+    const std::size_t at = text.find(fmt::format("[ligament.s{}]", k));
+    text.erase(at, text.find("slack_length = 20\n", at) + 18 - at);
+  }
+  const ResultTable t = test::table_of(text + "[[step]]\nprescribe = { \"j.c\" = 0 }\n");
+  ASSERT_GT(t.rows(), 0u);
+  EXPECT_NEAR(t.number(0, "j.z_mm"), 5, 1e-9);
+  EXPECT_NEAR(t.number(0, "c.force_N"), 42, 1e-9);  // 2 N/mm on a spring of 41 mm that rests at 20 mm
+}
+
 TEST(ThinSurfaces, WhatStartsBehindIsInsideAndRefused) {
   const test::TemporaryFolder folder;
   for (const double height : {-7.0, -15.0, -40.0}) {

@@ -254,8 +254,10 @@ PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& targ
 
 bool ContactSetSolver::passes_through(const State& from, const State& to) {
   // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
-  // pose to the other the bodies then overlap, which they do at neither end.
+  // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
+  // over the other, which no straight way follows.
   constexpr int kMost = 200;
+  constexpr double kShallow = 0.1;  // of the characteristic length
   const double step = 2 * field_->spacing(), size = model_->scales.size;
   double moved = 0;
   for (std::size_t i = 0; i < from.poses.size(); ++i)
@@ -264,7 +266,8 @@ bool ContactSetSolver::passes_through(const State& from, const State& to) {
   const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
   State between = from;
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
-    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + step;
+    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) +
+                           std::max(step, kShallow * model_->scales.length);
     for (int k = 1; k < steps; ++k) {
       const double u = static_cast<double>(k) / steps;
       for (std::size_t i = 0; i < from.poses.size(); ++i) {
@@ -299,7 +302,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     seeded = settle_from_seed(trial, target, false, stiffer);
     seeded.iterations += before;
     if (seeded.status == PoseStatus::overlap) continue;
-    if (seeded.status != PoseStatus::ok) break;
+    if (seeded.status != PoseStatus::ok) continue;
     if (!passes_through(pose.state, trial.state)) {
       pose = std::move(trial);
       break;
