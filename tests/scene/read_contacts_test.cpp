@@ -77,18 +77,62 @@ TEST(ReadContacts, SamePairTwice) {
 }
 
 TEST(ReadContacts, Model) {
-  expect_refused("model = \"rigid\"", "model = @\"cartilage\"", "contact.medial.model", "\"cartilage\"",
-                 "not built yet: model \"cartilage\"");
   expect_refused("model = \"rigid\"", "model = @\"rigit\"", "contact.medial.model", "\"rigit\"",
-                 "must be \"rigid\"; did you mean \"rigid\"?");
+                 "must be one of \"rigid\", \"cartilage\"; did you mean \"rigid\"?");
   expect_refused("[contact.medial]\n" + kPair + "\nmodel = \"rigid\"", "[contact.@medial]\n" + kPair,
                  "contact.medial.model", "", "is missing");
   for (const std::string key : {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth"}) {
     expect_refused("model = \"rigid\"", "model = \"rigid\"\n@" + key + " = 1", "contact.medial." + key, "1",
-                   "not built yet");
+                   "is no key of a rigid contact");
   }
   expect_refused("model = \"rigid\"", "model = \"rigid\"\n@friction = 1", "contact.medial.friction", "1",
                  "is no key of a rigid contact");
+}
+
+/// A layer as the tests spoil it.
+const std::string kLayer =
+    "model = \"cartilage\"\nmodulus = 10\npoisson = 0.45\nthickness = 6\nlaw = \"logarithmic\"\n"
+    "quadrature = \"triangles\"\ncast_from = \"floor\"\nsearch_depth = 4";
+
+TEST(ReadContacts, Layer) {
+  const Scene scene = good(edited("model = \"rigid\"", kLayer));
+  ASSERT_EQ(scene.layers.size(), 1u);
+  EXPECT_TRUE(scene.contacts.empty());
+  const LayerDef& layer = scene.layers[0];
+  EXPECT_EQ(layer.pair.name, "medial");
+  EXPECT_EQ(layer.pair.regions.size(), 2u);
+  EXPECT_EQ(layer.modulus, 10e6);
+  EXPECT_EQ(layer.poisson, 0.45);
+  EXPECT_DOUBLE_EQ(layer.thickness, 6e-3);
+  EXPECT_DOUBLE_EQ(layer.search_depth, 4e-3);
+  EXPECT_EQ(layer.law, LayerDef::Law::logarithmic);
+  EXPECT_EQ(layer.cast_from, layer.pair.surface_b);
+}
+
+TEST(ReadContacts, LayerDefaults) {
+  const std::string less = edited("\nsearch_depth = 4", "", edited("\nlaw = \"logarithmic\"", "", kLayer));
+  const Scene scene = good(edited("model = \"rigid\"", less));
+  ASSERT_EQ(scene.layers.size(), 1u);
+  EXPECT_EQ(scene.layers[0].law, LayerDef::Law::linear);
+  EXPECT_DOUBLE_EQ(scene.layers[0].search_depth, 6e-3);
+}
+
+TEST(ReadContacts, LayerRefused) {
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& key,
+                          const std::string& found, const std::string& rule) {
+    const std::size_t mark = to.find('@');
+    ASSERT_NE(mark, std::string::npos);
+    expect_one_error(edited("model = \"rigid\"", edited(from, to, kLayer)), "contact.medial." + key, found, rule);
+  };
+  refused("modulus = 10", "modulus = @0", "modulus", "0", "must be > 0 MPa");
+  refused("modulus = 10", "modulus = @-3", "modulus", "-3", "must be > 0 MPa");
+  refused("poisson = 0.45", "poisson = @0.5", "poisson", "0.5", "must be < 0.5");
+  refused("poisson = 0.45", "poisson = @-0.1", "poisson", "-0.1", "must be >= 0");
+  refused("thickness = 6", "thickness = @0", "thickness", "0", "must be > 0 mm");
+  refused("search_depth = 4", "search_depth = @-1", "search_depth", "-1", "must be > 0 mm");
+  refused("\"floor\"", "@\"flour\"", "cast_from", "\"flour\"", "unknown surface");
+  refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");
+  refused("\"triangles\"", "@\"smooth\"", "quadrature", "\"smooth\"", "not built yet");
 }
 
 }  // namespace

@@ -12,14 +12,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Unbounded shapes are sampled within this many characteristic lengths of where the joint is.
 constexpr double kReach = 10;
 
-/// Where the joint is, in the world: the mean of all ligament ends in the reference pose; the origin without ligaments.
-Vec3 joint_centre(const JointModel& model) {
-  Vec3 sum = Vec3::Zero();
-  for (const auto& l : model.ligaments)
-    sum += model.reference_poses[at(l.body_a)] * l.ligament.p_A + model.reference_poses[at(l.body_b)] * l.ligament.p_B;
-  return model.ligaments.empty() ? sum : Vec3(sum / (2.0 * static_cast<double>(model.ligaments.size())));
-}
-
 double choose_spacing(const JointModel& model) {
   double spacing = model.scales.length / 30;
   for (const auto& pair : model.pairs)

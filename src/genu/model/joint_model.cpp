@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/model/build_layer.h"
+
 namespace genu {
 namespace {
 
@@ -44,9 +46,13 @@ JointModel::Scales choose_scales(const JointModel& model) {
   }
   if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
   scales.size = scales.length;
-  for (const auto& pair : model.pairs)
-    for (const auto& surface : {pair.a, pair.b})
-      if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
+  const auto grow = [&](const auto& pairs) {
+    for (const auto& pair : pairs)
+      for (const auto& surface : {pair.a, pair.b})
+        if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
+  };
+  grow(model.pairs);
+  grow(model.layers);
 
   double force = 0;
   for (const auto* loads : {&model.loads, &model.weights})
@@ -97,6 +103,13 @@ bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
 void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
   model.ligaments.push_back(std::move(ligament));
   model.scales = choose_scales(model);
+}
+
+Vec3 joint_centre(const JointModel& model) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& l : model.ligaments)
+    sum += model.reference_poses[at(l.body_a)] * l.ligament.p_A + model.reference_poses[at(l.body_b)] * l.ligament.p_B;
+  return model.ligaments.empty() ? sum : Vec3(sum / (2.0 * static_cast<double>(model.ligaments.size())));
 }
 
 double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
@@ -164,8 +177,15 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
     model.pairs.push_back(
         {contact.name, a.body, b.body, surfaces[at(contact.surface_a)], surfaces[at(contact.surface_b)]});
   }
+  for (const LayerDef& layer : scene.layers) {
+    const int a = layer.pair.surface_a, b = layer.pair.surface_b;
+    model.layers.push_back({layer.pair.name, scene.surfaces[at(a)].body, scene.surfaces[at(b)].body, surfaces[at(a)],
+                            surfaces[at(b)], nullptr});
+  }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);
+  for (std::size_t k = 0; k < scene.layers.size(); ++k)
+    model.layers[k].layer = build_layer(model, scene.layers[k], model.layers[k]);
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/surface.h"
 #include "genu/model/joint_coordinates.h"
@@ -52,6 +53,13 @@ struct JointModel {
     int body_a, body_b;
     std::shared_ptr<const Surface> a, b;
   };
+  /// Two bodies that press elastic layers against each other. Its index is that of Scene::layers.
+  struct Layer {
+    std::string name;
+    int body_a, body_b;
+    std::shared_ptr<const Surface> a, b;
+    std::shared_ptr<const ElasticLayer> layer;
+  };
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.
   struct Scales {
@@ -70,7 +78,8 @@ struct JointModel {
   std::vector<LigamentBetween> ligaments;
   std::vector<Load> loads;
   std::vector<Load> weights;  ///< of the moving bodies that have a mass, in a scene with gravity; no step scales them
-  std::vector<Pair> pairs;
+  std::vector<Pair> pairs;    ///< rigid contacts: the index is that of Scene::contacts
+  std::vector<Layer> layers;
   std::vector<Pose> reference_poses;  ///< of every body in the world
   Scales scales;
 };
@@ -94,6 +103,10 @@ void for_terms(const JointModel& model, const QuantityRef& quantity, Add add) {
   for (const auto& term : model.combinations[static_cast<std::size_t>(quantity.combination)].terms)
     add(term.coordinate, term.factor);
 }
+
+/// Where the joint is, in the world (m): the mean of all ligament ends in the reference pose; the origin without
+/// ligaments.
+Vec3 joint_centre(const JointModel& model);
 
 /// The value (rad or m) of what can be prescribed, for the coordinates of every joint.
 double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,

@@ -177,6 +177,18 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
   }
 }
 
+void add_layers(const JointModel& model, const State& state, Linearization& out) {
+  out.layers.resize(model.layers.size());
+  LayerWrench pressed;
+  for (std::size_t k = 0; k < model.layers.size(); ++k) {
+    const auto& layer = model.layers[k];
+    layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], out.layers[k], pressed);
+    const TwoBodyScatter scatter(model, layer.body_a, layer.body_b);
+    scatter.add_wrench(pressed.wrench, out.wrench);
+    scatter.add_stiffness(pressed.stiffness, out.stiffness);
+  }
+}
+
 void place_own_origins(const JointModel& model, const State& state, VecX& out) {
   const bool moved = std::any_of(model.bodies.begin(), model.bodies.end(),
                                  [](const auto& b) { return b.moving >= 0 && !b.centre.isZero(0); });
@@ -224,6 +236,7 @@ void linearize(const JointModel& model, const State& state, const Target& target
   add_prescribed(model, state, target, out);
   add_held(model, state, target, out);
   add_contacts(model, state, out);
+  add_layers(model, state, out);
   place_own_origins(model, state, out.own_origins);
 }
 

@@ -5,6 +5,8 @@
 namespace genu {
 namespace {
 
+constexpr double kMillimetre = 1e3, kSquareMillimetre = 1e6;  // of a metre, of a square metre
+constexpr double kMegapascal = 1e6;                           // Pa
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 }  // namespace
@@ -24,7 +26,24 @@ std::string held_column(const std::string& joint, std::size_t i) {
 }
 
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis) {
-  const ContactDef& c = scene.contacts[pair];
+  return centre_column(scene, scene.contacts[pair], second, axis);
+}
+
+const std::array<LayerColumn, 11> kLayerColumns = {{
+    {"force_N", [](const LayerTotals& t) { return t.force.norm(); }},
+    {"force_x_N", [](const LayerTotals& t) { return t.force.x(); }},
+    {"force_y_N", [](const LayerTotals& t) { return t.force.y(); }},
+    {"force_z_N", [](const LayerTotals& t) { return t.force.z(); }},
+    {"moment_x_Nm", [](const LayerTotals& t) { return t.moment.x(); }},
+    {"moment_y_Nm", [](const LayerTotals& t) { return t.moment.y(); }},
+    {"moment_z_Nm", [](const LayerTotals& t) { return t.moment.z(); }},
+    {"area_mm2", [](const LayerTotals& t) { return kSquareMillimetre * t.area; }},
+    {"mean_pressure_MPa", [](const LayerTotals& t) { return t.mean_pressure / kMegapascal; }},
+    {"max_pressure_MPa", [](const LayerTotals& t) { return t.max_pressure / kMegapascal; }},
+    {"max_depth_mm", [](const LayerTotals& t) { return kMillimetre * t.max_depth; }},
+}};
+
+std::string centre_column(const Scene& scene, const ContactDef& c, bool second, std::size_t axis) {
   const int surface = second ? c.surface_b : c.surface_a;
   return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxes[axis]);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "genu/model/layer_report.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -24,6 +25,16 @@ std::string clinical_column(const std::string& joint, std::size_t i);
 
 /// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);
+
+/// The same of an elastic layer's centre of pressure.
+std::string centre_column(const Scene& scene, const ContactDef& contact, bool second, std::size_t axis);
+
+/// Columns of an elastic layer as a whole or of one of its regions, after its name.
+struct LayerColumn {
+  const char* name;  ///< "area_mm2"
+  double (*value)(const LayerTotals&);
+};
+extern const std::array<LayerColumn, 11> kLayerColumns;
 
 /// "knee.adduction" of "knee.adduction_deg"
 std::string without_unit(const std::string& column);

@@ -75,6 +75,7 @@ class PoseTable {
       for (int k = 1; numbers_[p] > 1 && k <= numbers_[p]; ++k)
         add_contact_columns(fmt::format("{}.{}", model_.pairs[p].name, k), p);
     }
+    for (const LayerDef& layer : scene_.layers) add_layer_columns(layer);
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     for (const Load& l : model_.loads)
@@ -98,6 +99,18 @@ class PoseTable {
       for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + point_column(scene_, pair, b, i));
   }
 
+  void add_layer_columns(const LayerDef& layer) {
+    const std::string& name = layer.pair.name;
+    for (const LayerColumn& c : kLayerColumns) table_.add_column(name + "." + c.name);
+    for (const bool second : {false, true})
+      for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + centre_column(scene_, layer.pair, second, i));
+    for (const RegionDef& region : layer.pair.regions) {
+      const std::string part = name + "." + region.name + ".";
+      for (const LayerColumn& c : kLayerColumns) table_.add_column(part + c.name);
+      for (const char* axis : kAxes) table_.add_column(part + axis + "_mm");
+    }
+  }
+
   void add_row(const PoseRecord& record) {
     const PosePoint& point = record.point;
     table_.add_row();
@@ -114,6 +127,7 @@ class PoseTable {
     set_coordinates(point);
     set_factors(point.target);
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
+    for (int k = 0; k < static_cast<int>(model_.layers.size()); ++k) set_layer(k, point.pose.state);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
@@ -244,6 +258,25 @@ class PoseTable {
       table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force + kMillimetre * origin[i]);
   }
 
+  void set_layer(int k, const State& state) {
+    const ContactDef& pair = scene_.layers[at(k)].pair;
+    layer_memory_.resize(model_.layers.size());
+    const LayerReport report = report_layer(model_, pair.regions, state, k, layer_memory_[at(k)]);
+    for (const LayerColumn& c : kLayerColumns) table_.set(pair.name + "." + c.name, c.value(report.total));
+    for (std::size_t i = 0; report.total.touches() && i < 3; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      table_.set(pair.name + "." + centre_column(scene_, pair, false, i), kMillimetre * report.total.centre_a[axis]);
+      table_.set(pair.name + "." + centre_column(scene_, pair, true, i), kMillimetre * report.total.centre[axis]);
+    }
+    for (std::size_t r = 0; r < pair.regions.size(); ++r) {
+      const LayerTotals& totals = report.regions[r];
+      const std::string part = pair.name + "." + pair.regions[r].name + ".";
+      for (const LayerColumn& c : kLayerColumns) table_.set(part + c.name, c.value(totals));
+      for (Eigen::Index i = 0; totals.touches() && i < 3; ++i)
+        table_.set(part + kAxes[i] + "_mm", kMillimetre * totals.centre[i]);
+    }
+  }
+
   void set_ligaments(const PosePoint& point) {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
       const std::string& name = model_.ligaments[i].name;
@@ -257,6 +290,7 @@ class PoseTable {
   const Scene& scene_;
   const JointModel& model_;
   std::vector<int> numbers_;
+  std::vector<ElasticLayer::Memory> layer_memory_;
   ResultTable table_;
 };
 

@@ -147,6 +147,12 @@ class Explanation {
     for (const ContactDef& c : scene_.contacts)
       pairs.push_back(fmt::format("{} ({} on {})", c.name, scene_.surfaces[at(c.surface_a)].name,
                                   scene_.surfaces[at(c.surface_b)].name));
+    std::vector<std::string> layers;
+    for (const LayerDef& l : scene_.layers)
+      layers.push_back(fmt::format(
+          "{} ({} on {}, {}, rays from the triangles of {})", l.pair.name, scene_.surfaces[at(l.pair.surface_a)].name,
+          scene_.surfaces[at(l.pair.surface_b)].name, l.law == LayerDef::Law::linear ? "linear" : "logarithmic",
+          scene_.surfaces[at(l.cast_from)].name));
     for (const LigamentDef& l : scene_.ligaments) {
       const std::string law = law_name(l.law);
       if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
@@ -158,6 +164,7 @@ class Explanation {
     for (const BodyDef& b : scene_.bodies)
       if (scene_.gravity && b.mass > 0) heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
+    effect("cartilage layer", layers.size(), "pairs: " + joined(layers) + "; no unknowns");
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
     effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");

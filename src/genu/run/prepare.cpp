@@ -1,11 +1,13 @@
 #include "genu/run/prepare.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "genu/core/timer.h"
 #include "genu/geometry/blend_surface.h"
+#include "genu/geometry/facet_surface.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_shape.h"
 #include "genu/run/build_surface.h"
@@ -91,8 +93,26 @@ void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found,
   }
 }
 
-std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, SurfaceNote& note,
-                                                  double& read_seconds, Diagnostics& out) {
+/// Whether nothing but the triangles of a surface is asked for: then it is not made smooth.
+bool triangles_alone(const Scene& scene, std::size_t surface) {
+  const auto uses = [&](const ContactDef& c) {
+    return c.surface_a == static_cast<int>(surface) || c.surface_b == static_cast<int>(surface);
+  };
+  return std::none_of(scene.contacts.begin(), scene.contacts.end(), uses) &&
+         std::any_of(scene.layers.begin(), scene.layers.end(), [&](const LayerDef& l) { return uses(l.pair); });
+}
+
+std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace> doubtful, SurfaceNote& note) {
+  note.text = fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
+                          kMillimetre * note.mesh->edge_length[2]);
+  auto facets = std::make_shared<FacetSurface>(std::move(mesh));
+  for (DoubtfulPlace& d : doubtful) d.reach = note.mesh->edge_length[2];
+  facets->set_doubtful(std::move(doubtful));
+  return facets;
+}
+
+std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, bool facets,
+                                                  SurfaceNote& note, double& read_seconds, Diagnostics& out) {
   Diagnostics found;
   std::shared_ptr<BlendSurface> surface;
   std::optional<Mesh> mesh;
@@ -111,6 +131,10 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
     }
+  }
+  if (mesh && !found.has_errors() && facets) {
+    add_at(scene, def, found, out);
+    return as_triangles(std::move(*mesh), std::move(doubtful), note);
   }
   if (mesh && !found.has_errors())
     surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
@@ -131,10 +155,11 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
   std::vector<std::shared_ptr<const Surface>> surfaces;
   double read = 0;
   const Timer timer;
-  for (const SurfaceDef& def : scene.surfaces) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(build_mesh_surface(scene, def, note, read, out));
+      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), note, read, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)

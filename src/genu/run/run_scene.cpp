@@ -64,6 +64,8 @@ void note_effects(const Prepared& p, RunSummary& summary) {
   if (!scene.contacts.empty())
     summary.effects.push_back(
         {"rigid contact pairs", static_cast<int>(scene.contacts.size()), "5 unknowns for each contact point found"});
+  if (!scene.layers.empty())
+    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), "no unknowns"});
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});

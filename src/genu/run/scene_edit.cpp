@@ -97,6 +97,7 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
     used.insert(scene.contacts[k].surface_a);
     used.insert(scene.contacts[k].surface_b);
   }
+  for (const LayerDef& layer : scene.layers) used.insert({layer.pair.surface_a, layer.pair.surface_b});
   int first = static_cast<int>(std::count(source.begin(), source.end(), '\n')) + 1;
   const auto drop = [&](const std::string& what, const SourceLocation& where) {
     if (!lines.drop_table(where.line))

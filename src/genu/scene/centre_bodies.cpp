@@ -104,10 +104,13 @@ void centre_bodies(Scene& scene) {
     scene.bodies[b].centre += centres[b];
     scene.bodies[b].centre_of_mass -= centres[b];
   }
-  for (ContactDef& c : scene.contacts)
+  const auto move_regions = [&](ContactDef& c) {
     for (RegionDef& region : c.regions)
       for (auto& condition : region.conditions)
         condition.value -= centres[at(scene.surfaces[at(c.surface_b)].body)][condition.axis];
+  };
+  for (ContactDef& c : scene.contacts) move_regions(c);
+  for (LayerDef& layer : scene.layers) move_regions(layer.pair);
 }
 
 }  // namespace genu

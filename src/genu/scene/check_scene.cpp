@@ -183,6 +183,7 @@ void check_columns(ReadContext& context) {
     columns.add("combination." + c.name, c.where, c.name + (c.terms[0].coordinate.index < 3 ? "_deg" : "_mm"));
   }
   for (const ContactDef& contact : scene.contacts) add_contact(scene, contact, columns);
+  for (const LayerDef& layer : scene.layers) add_contact(scene, layer.pair, columns);
   for (const LigamentDef& ligament : scene.ligaments) {
     for (const char* quantity : {".length_mm", ".strain", ".force_N"}) {
       columns.add("ligament." + ligament.name, ligament.where, ligament.name + quantity);

@@ -22,11 +22,12 @@ void read_pair(ReadContext& context, const Item& item, ContactDef& contact) {
     refuse(context, item, "both surfaces are on fixed bodies");
   }
   const auto pair = std::minmax(contact.surface_a, contact.surface_b);
-  for (const ContactDef& other : scene.contacts) {
-    if (std::minmax(other.surface_a, other.surface_b) != pair) continue;
-    refuse(context, item, "contact." + other.name + " has the same pair; however many contacts it needs are found");
-    break;
-  }
+  const auto refuse_same = [&](const ContactDef& other) {
+    if (std::minmax(other.surface_a, other.surface_b) == pair)
+      refuse(context, item, "contact." + other.name + " has the same pair; however many contacts it needs are found");
+  };
+  for (const ContactDef& other : scene.contacts) refuse_same(other);
+  for (const LayerDef& other : scene.layers) refuse_same(other.pair);
 }
 
 void read_regions(ReadContext& context, const Item& item, ContactDef& contact) {
@@ -38,6 +39,37 @@ void read_regions(ReadContext& context, const Item& item, ContactDef& contact) {
   }
 }
 
+/// Whether a surface has triangles to send rays from or to send them to.
+void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
+  const int a = layer.pair.surface_a, b = layer.pair.surface_b;
+  const auto found = read_reference(context, item, "surface", names_of(context.scene.surfaces));
+  if (!found || a < 0 || b < 0) return;
+  layer.cast_from = *found;
+  if (*found != a && *found != b) refuse(context, item, "must be one of the contact's two surfaces");
+}
+
+void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
+  const NumberRule modulus{.unit = 1e6, .unit_name = "MPa", .above = 0, .at_least = {}};
+  layer.modulus = read_number(context, section.require("modulus"), modulus).value_or(0);
+  const Item poisson = section.require("poisson");
+  const auto nu = read_number(context, poisson, {.unit = 1, .unit_name = {}, .above = {}, .at_least = 0});
+  if (nu && *nu >= 0.5)
+    refuse(context, poisson, "must be < 0.5: a layer that cannot be compressed carries any pressure");
+  layer.poisson = nu.value_or(0);
+  const NumberRule length = positive(length_rule(context));
+  layer.thickness = read_number(context, section.require("thickness"), length).value_or(0);
+  if (const Item law = section.find("law"))
+    layer.law = static_cast<LayerDef::Law>(read_choice(context, law, {"linear", "logarithmic"}).value_or(0));
+  if (read_choice(context, section.require("quadrature"), {"triangles"}, {"smooth"}))
+    layer.quadrature = LayerDef::Quadrature::triangles;
+  read_cast_from(context, section.require("cast_from"), layer);
+  layer.search_depth = layer.thickness;
+  const Item depth = section.find("search_depth");
+  if (!depth) return;
+  layer.search_depth = read_number(context, depth, length).value_or(0);
+  layer.search_depth_where = depth.node->where;
+}
+
 }  // namespace
 
 void read_contacts(ReadContext& context, Section& root) {
@@ -47,13 +79,19 @@ void read_contacts(ReadContext& context, Section& root) {
     contact.name = item.node->key;
     contact.where = item.node->key_where;
     read_pair(context, section.require("surfaces"), contact);
-    const auto model = read_choice(context, section.require("model"), {"rigid"}, {"cartilage"});
-    if (model) ++context.rigid_pairs;
+    const auto model = read_choice(context, section.require("model"), {"rigid", "cartilage"});
     read_regions(context, section.find("regions"), contact);
-    section.not_built({"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth"},
-                      "contact with model \"cartilage\"");
+    if (model == 1) {
+      section.rename("a cartilage contact");
+      LayerDef layer;
+      layer.pair = contact;
+      read_layer(context, section, layer);
+      context.scene.layers.push_back(std::move(layer));
+    } else {
+      if (model) ++context.rigid_pairs;
+      context.scene.contacts.push_back(std::move(contact));
+    }
     section.finish();
-    context.scene.contacts.push_back(contact);
   }
 }
 

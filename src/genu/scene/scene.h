@@ -121,6 +121,21 @@ struct ContactDef {
   SourceLocation where;
 };
 
+/// An elastic layer between two surfaces: cartilage on rigid bones (contact/layer_law.h).
+struct LayerDef {
+  enum class Law { linear, logarithmic };
+  enum class Quadrature { triangles };
+  ContactDef pair;
+  double modulus = 0;    ///< Young's, Pa
+  double poisson = 0;    ///< in [0, 0.5)
+  double thickness = 0;  ///< m, of both layers together
+  Law law = Law::linear;
+  Quadrature quadrature = Quadrature::triangles;
+  int cast_from = -1;       ///< triangles: index into Scene::surfaces
+  double search_depth = 0;  ///< m: how far rays look
+  SourceLocation search_depth_where;
+};
+
 struct LigamentDef {
   enum class Law { quadratic, linear, blankevoort, spring, table, abdel_rahman };
   enum class Rest { slack_length, reference_strain, reference_force };
@@ -231,7 +246,8 @@ struct Scene {
   std::vector<JointDef> joints;
   std::vector<CombinationDef> combinations;
   std::vector<SurfaceDef> surfaces;
-  std::vector<ContactDef> contacts;
+  std::vector<ContactDef> contacts;  ///< rigid ones
+  std::vector<LayerDef> layers;
   std::vector<LigamentDef> ligaments;
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;

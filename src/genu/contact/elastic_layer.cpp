@@ -1,0 +1,70 @@
+#include "genu/contact/elastic_layer.h"
+
+namespace genu {
+namespace {
+
+using Mat6x12 = Eigen::Matrix<double, 6, 12>;
+
+/// Wrench on the casting body c and the target t, [c, t], from what the quadrature has summed in c's axes.
+LayerWrench in_world(const Pose& X_Wc, const Pose& X_Wt, const LayerSum& sum) {
+  Mat6 R = Mat6::Zero();
+  R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = X_Wc.R;
+  const Vec6 on_c = R * sum.wrench;
+  const Vec3 f = on_c.head<3>(), m = on_c.tail<3>(), arm = X_Wc.p - X_Wt.p;
+  const Mat3 I = Mat3::Identity();
+
+  // Twist of c against t at c's origin: v_c - v_t - w_t x arm, w_c - w_t.
+  Mat6x12 relative = Mat6x12::Zero();
+  relative.block<3, 3>(0, 0) = relative.block<3, 3>(3, 3) = I;
+  relative.block<3, 3>(0, 6) = relative.block<3, 3>(3, 9) = -I;
+  relative.block<3, 3>(0, 9) = skew(arm);
+  Mat6x12 c = R * sum.tangent * R.transpose() * relative;
+  // What is constant in c's axes turns with c.
+  c.block<3, 3>(0, 3) -= skew(f);
+  c.block<3, 3>(3, 3) -= skew(m);
+
+  LayerWrench out;
+  out.wrench << on_c, -f, -(m + arm.cross(f));
+  out.stiffness.topRows<6>() = c;
+  out.stiffness.middleRows<3>(6) = -c.topRows<3>();
+  out.stiffness.bottomRows<3>() = -c.bottomRows<3>() - skew(arm) * c.topRows<3>();
+  out.stiffness.block<3, 3>(9, 0) += skew(f);
+  out.stiffness.block<3, 3>(9, 6) -= skew(f);
+  return out;
+}
+
+/// [a, b] instead of [b, a].
+LayerWrench swapped(const LayerWrench& from) {
+  LayerWrench out;
+  out.wrench << from.wrench.tail<6>(), from.wrench.head<6>();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      out.stiffness.block<6, 6>(6 * i, 6 * j) = from.stiffness.block<6, 6>(6 * (1 - i), 6 * (1 - j));
+  return out;
+}
+
+}  // namespace
+
+void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out) const {
+  memory.resize(sides_.size());
+  out = LayerWrench();
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Side& side = sides_[i];
+    const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
+    LayerSum sum;
+    side.quadrature->add(X_Wt.inverse() * X_Wc, memory[i], sum);
+    LayerWrench part = in_world(X_Wc, X_Wt, sum);
+    if (!side.a) part = swapped(part);
+    out.wrench += side.share * part.wrench;
+    out.stiffness += side.share * part.stiffness;
+  }
+}
+
+void ElasticLayer::visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
+                         const std::function<void(const LayerPoint&)>& visit) const {
+  memory.resize(sides_.size());
+  const Pose &X_Wc = sides_[side].a ? X_Wa : X_Wb, &X_Wt = sides_[side].a ? X_Wb : X_Wa;
+  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory[side], visit);
+}
+
+}  // namespace genu

@@ -1,0 +1,45 @@
+// Two surfaces that press elastic layers against each other: cartilage on rigid bones. A force with a tangent, and no
+// unknowns of its own.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "genu/contact/layer_quadrature.h"
+
+namespace genu {
+
+/// Wrench on bodies a and b about their origins, and its derivative to their twists [v_a, w_a, v_b, w_b]; world axes.
+/// Not symmetric: pressure acts along the normal of the surface it is measured from.
+struct LayerWrench {
+  Vec12 wrench = Vec12::Zero();
+  Mat12 stiffness = Mat12::Zero();
+};
+
+class ElasticLayer {
+ public:
+  /// One side whose surface is cut into cells, and its share of the whole: 1, or 1/2 where both sides are.
+  struct Side {
+    bool a = true;  ///< a casts, b is the target; else the other way round
+    double share = 1;
+    std::shared_ptr<const LayerQuadrature> quadrature;
+  };
+  /// One for each thread: what earlier poses have shown, side by side.
+  using Memory = std::vector<LayerQuadrature::Memory>;
+
+  explicit ElasticLayer(std::vector<Side> sides) : sides_(std::move(sides)) {}
+
+  /// At the poses of both bodies in the world; results do not depend on `memory`.
+  void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out) const;
+
+  /// Visits the points of one side that carry pressure.
+  void visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
+             const std::function<void(const LayerPoint&)>& visit) const;
+
+  const std::vector<Side>& sides() const { return sides_; }
+
+ private:
+  std::vector<Side> sides_;
+};
+
+}  // namespace genu

@@ -1,0 +1,43 @@
+// Pressure of an elastic layer on a rigid base against its depth: cartilage as a bed of springs across its thickness
+// (elastic foundation; Johnson 1985, section 4.3, with the confined modulus of Blankevoort et al. 1991).
+//
+//     M = E (1 - nu) / ((1 + nu) (1 - 2 nu))       stiffness of a layer that cannot spread sideways, Pa
+//     linear        p = M d / h                    depth d of both surfaces together over the thickness h of both
+//     layers logarithmic   p = -M ln(1 - d / h)           true strain: stiffens as the layer is used up
+#pragma once
+
+#include <cmath>
+
+namespace genu {
+
+struct LayerLaw {
+  enum class Kind { linear, logarithmic };
+  Kind kind = Kind::linear;
+  double confined_modulus = 0;  ///< M, Pa
+
+  struct Pressure {
+    double p = 0;      ///< Pa
+    double slope = 0;  ///< dp/dd, Pa/m
+  };
+
+  /// Of the thickness: deeper, the logarithmic law goes on straight along its tangent, so that an iteration on its way
+  /// stays finite. A pose that ends there is not accepted.
+  static constexpr double kDeepest = 0.95;
+
+  /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.
+  Pressure at(double d, double h) const {
+    if (kind == Kind::linear) return {confined_modulus * d / h, confined_modulus / h};
+    const double e = d / h;
+    const double sign = e < 0 ? -1.0 : 1.0, size = std::abs(e);
+    if (size <= kDeepest) return {-sign * confined_modulus * std::log1p(-size), confined_modulus / h / (1 - size)};
+    const double slope = confined_modulus / (1 - kDeepest);
+    return {sign * (slope * (size - kDeepest) - confined_modulus * std::log1p(-kDeepest)), slope / h};
+  }
+};
+
+/// M (Pa) of Young's modulus (Pa) and Poisson's ratio in [0, 0.5).
+inline double confined_modulus(double young, double poisson) {
+  return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
+}
+
+}  // namespace genu

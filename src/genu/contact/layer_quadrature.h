@@ -1,0 +1,57 @@
+// Sums over the area where two elastic layers are pressed together.
+//
+// One of the two bodies casts: its surface is cut into cells, and at a point of a cell with outward normal n the depth
+// d is measured along -n to the other surface. The pressure p(d) of the layer's law acts there along -n on the casting
+// body and along n on the other, on the one line that joins both points.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "genu/contact/layer_law.h"
+#include "genu/contact/layer_rays.h"
+
+namespace genu {
+
+/// Force and moment on the casting body, about its origin, and how they change as it moves: all in its own axes.
+struct LayerSum {
+  Vec6 wrench = Vec6::Zero();   ///< N, N m
+  Mat6 tangent = Mat6::Zero();  ///< d wrench / d (twist of the casting body against the other), in axes that turn along
+};
+
+/// A point of the area in contact, for results.
+struct LayerPoint {
+  Vec3 x;               ///< m, in the frame of the casting body
+  Vec3 n;               ///< unit, outward there
+  double area = 0;      ///< m^2 that it stands for
+  double depth = 0;     ///< m
+  double pressure = 0;  ///< Pa
+  double used = 0;      ///< depth over thickness
+  int cell = 0;         ///< of the casting surface
+};
+
+class LayerQuadrature {
+ public:
+  using Memory = LayerRays::Memory;
+  virtual ~LayerQuadrature() = default;
+
+  /// Adds to `out`; X_TC is the casting body in the frame of the other. Keeps its memory from call to call.
+  virtual void add(const Pose& X_TC, Memory& memory, LayerSum& out) const = 0;
+
+  /// Visits the points that carry pressure.
+  virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const = 0;
+};
+
+/// Adds what a pressure on a small area does. `x`: where; `n`: outward unit normal of the casting body; `y`: the point
+/// of the other surface; `w`: d' = w . (velocity of the ray at y - velocity of the other surface there). All in casting
+/// axes; `load` = p A (N), `load_slope` = p' A (N/m).
+inline void add_pressure(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3& w, double load, double load_slope,
+                         LayerSum& out) {
+  Vec6 line, rate;
+  line << -n, -x.cross(n);
+  rate << w, y.cross(w);
+  out.wrench += load * line;
+  out.tangent += (load_slope * line) * rate.transpose();
+}
+
+}  // namespace genu

@@ -1,0 +1,109 @@
+#include "genu/contact/layer_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace genu {
+namespace {
+
+constexpr int kLeaf = 4;                           // rays
+constexpr double kClearances[] = {8.0, 2.0, 0.5};  // edges: tried from the largest
+constexpr double kLookAgain = 0.25;                // edges: what was near is taken to be so until it has moved that far
+
+}  // namespace
+
+LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length)
+    : rays_(std::move(rays)), target_(std::move(target)), length_(length), order_(rays_.size()) {
+  double area = 0;
+  for (int t = 0; t < target_->size(); ++t) area += target_->area_vector(t).norm();
+  step_ = std::sqrt(area / std::max(1, target_->size()));
+  std::iota(order_.begin(), order_.end(), 0);
+  if (rays_.empty()) return;
+  groups_.push_back({0, static_cast<int>(rays_.size()), -1, {}, 0});
+  for (std::size_t i = 0; i < groups_.size(); ++i) split(static_cast<int>(i));
+}
+
+void LayerRays::enclose(Group& group) const {
+  Vec3 origin = Vec3::Zero(), direction = Vec3::Zero();
+  for (int k = group.first; k < group.last; ++k) {
+    const Ray& ray = rays_[static_cast<std::size_t>(order_[static_cast<std::size_t>(k)])];
+    origin += ray.origin / (group.last - group.first);
+    direction += ray.direction;
+  }
+  const double norm = direction.norm();
+  group.middle = {origin, norm > 0 ? Vec3(direction / norm) : Vec3::UnitZ()};
+  const Vec3 end = origin + length_ * group.middle.direction;
+  for (int k = group.first; k < group.last; ++k) {
+    // The distance to the point of the middle ray at the same parameter is largest at one of the ends.
+    const Ray& ray = rays_[static_cast<std::size_t>(order_[static_cast<std::size_t>(k)])];
+    group.radius =
+        std::max({group.radius, (ray.origin - origin).norm(), (ray.origin + length_ * ray.direction - end).norm()});
+  }
+}
+
+void LayerRays::split(int index) {
+  enclose(groups_[static_cast<std::size_t>(index)]);
+  const int first = groups_[static_cast<std::size_t>(index)].first,
+            last = groups_[static_cast<std::size_t>(index)].last;
+  if (last - first <= kLeaf) return;
+  const auto place = [&](int ray) {
+    const Ray& r = rays_[static_cast<std::size_t>(ray)];
+    return Vec3(r.origin + 0.5 * length_ * r.direction);
+  };
+  Vec3 low = place(order_[static_cast<std::size_t>(first)]), high = low;
+  for (int k = first; k < last; ++k) {
+    low = low.cwiseMin(place(order_[static_cast<std::size_t>(k)]));
+    high = high.cwiseMax(place(order_[static_cast<std::size_t>(k)]));
+  }
+  Eigen::Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  const int half = (first + last) / 2;
+  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last, [&](int a, int b) {
+    const double x = place(a)[axis], y = place(b)[axis];
+    return x < y || (x == y && a < b);
+  });
+  groups_[static_cast<std::size_t>(index)].children = static_cast<int>(groups_.size());
+  groups_.push_back({first, half, -1, {}, 0});
+  groups_.push_back({half, last, -1, {}, 0});
+}
+
+void LayerRays::begin(Memory& memory) const {
+  memory.groups.resize(groups_.size());
+  memory.hints.resize(rays_.size(), -1);
+  memory.open.clear();
+  if (!groups_.empty()) memory.open.push_back(0);
+}
+
+/// How far (m) any point of the group's rays has moved from one pose to another, at most.
+double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) const {
+  const Mat3 turn = to.R - from.R;
+  const Vec3 start = turn * group.middle.origin + (to.p - from.p);
+  const Vec3 end = start + length_ * (turn * group.middle.direction);
+  const double rotation = turn.norm() / M_SQRT2;  // the spectral norm: a difference of rotations has it twice
+  return std::sqrt(std::max(start.squaredNorm(), end.squaredNorm())) + rotation * group.radius;
+}
+
+void LayerRays::measure(const Group& group, const Pose& X_TC, Memory::Group& known) const {
+  known.measured = X_TC;
+  known.clear = 0;
+  const Vec3 origin = X_TC * group.middle.origin, direction = X_TC.R * group.middle.direction;
+  if (target_->near(origin, direction, length_, group.radius)) return;
+  for (const double clearance : kClearances) {
+    if (target_->near(origin, direction, length_, group.radius + clearance * step_)) continue;
+    known.clear = clearance * step_;
+    return;
+  }
+}
+
+bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known) const {
+  if (known.clear >= 0) {
+    const double moved = motion(group, known.measured, X_TC);
+    if (moved < known.clear) return true;
+    if (known.clear == 0 && moved < kLookAgain * step_) return false;
+  }
+  measure(group, X_TC, known);
+  return known.clear > 0;
+}
+
+}  // namespace genu

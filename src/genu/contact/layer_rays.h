@@ -1,0 +1,89 @@
+// Rays that a surface sends into another one, cast at pose after pose: what cannot meet anything is skipped until the
+// bodies have moved by as much as it was clear, so that the cost follows the contact and not the mesh.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "genu/core/pose.h"
+#include "genu/geometry/triangle_tree.h"
+
+namespace genu {
+
+struct Ray {
+  Vec3 origin = Vec3::Zero();      ///< m, in the frame of the casting body
+  Vec3 direction = Vec3::UnitZ();  ///< unit
+};
+
+class LayerRays {
+ public:
+  /// Rays of `length` (m) into the triangles of `target`.
+  LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length);
+
+  /// What is known from earlier poses: makes the next cast faster and never other. One for each thread.
+  struct Memory {
+    struct Group {
+      double clear = -1;  ///< m: so far from everything when it was measured; 0: near, -1: never measured
+      Pose measured;
+    };
+    std::vector<Group> groups;
+    std::vector<int> hints;  ///< of each ray: the triangle it met last
+    std::vector<int> open;
+  };
+
+  /// Calls visit(ray, hit, origin, direction) with the ray in the target's frame for every ray that leaves the target
+  /// through a triangle (TriangleTree::leaving), in an order that depends on the rays alone. X_TC: casting body in the
+  /// target's frame.
+  template <typename Visit>
+  void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
+    begin(memory);
+    while (!memory.open.empty()) {
+      const int index = memory.open.back();
+      memory.open.pop_back();
+      const Group& group = groups_[static_cast<std::size_t>(index)];
+      if (clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
+      if (group.children >= 0) {
+        memory.open.push_back(group.children + 1);
+        memory.open.push_back(group.children);
+        continue;
+      }
+      for (int k = group.first; k < group.last; ++k) {
+        const auto ray = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
+        const Vec3 origin = X_TC * rays_[ray].origin, direction = X_TC.R * rays_[ray].direction;
+        const TriangleTree::Hit hit = target_->leaving(origin, direction, length_, memory.hints[ray]);
+        if (!hit) continue;
+        memory.hints[ray] = hit.triangle;
+        visit(static_cast<int>(ray), hit, origin, direction);
+      }
+    }
+  }
+
+  const std::vector<Ray>& rays() const { return rays_; }
+  const TriangleTree& target() const { return *target_; }
+  double length() const { return length_; }
+
+ private:
+  /// Rays [first, last) of order_, all within `radius` of a middle one over its whole length.
+  struct Group {
+    int first = 0, last = 0;
+    int children = -1;  ///< index of the first of two, -1 for a leaf
+    Ray middle;
+    double radius = 0;  ///< m
+  };
+
+  void begin(Memory& memory) const;
+  bool clear(const Group& group, const Pose& X_TC, Memory::Group& known) const;
+  void measure(const Group& group, const Pose& X_TC, Memory::Group& known) const;
+  double motion(const Group& group, const Pose& from, const Pose& to) const;
+  void enclose(Group& group) const;
+  void split(int group);
+
+  std::vector<Ray> rays_;
+  std::shared_ptr<const TriangleTree> target_;
+  double length_;
+  double step_ = 0;  // m: the unit of clearances, about an edge of the target
+  std::vector<int> order_;
+  std::vector<Group> groups_;  // the root first
+};
+
+}  // namespace genu

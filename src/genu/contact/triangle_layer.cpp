@@ -1,0 +1,54 @@
+#include "genu/contact/triangle_layer.h"
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
+  const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
+  return 0.5 * (b - a).cross(c - a);
+}
+
+/// A ray from each triangle; one without area sends a ray that carries nothing.
+std::vector<Ray> rays_from(const Mesh& mesh) {
+  std::vector<Ray> rays;
+  rays.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3 centroid = (mesh.vertices[at(t[0])] + mesh.vertices[at(t[1])] + mesh.vertices[at(t[2])]) / 3;
+    const Vec3 area = area_vector(mesh, t);
+    const double size = area.norm();
+    rays.push_back({centroid, size > 0 ? Vec3(-area / size) : Vec3::UnitZ()});
+  }
+  return rays;
+}
+
+}  // namespace
+
+TriangleLayer::TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
+                             const LayerLaw& law, LayerThickness thickness)
+    : rays_(rays_from(casting), std::move(target), search_depth), law_(law), thickness_(std::move(thickness)) {
+  areas_.reserve(casting.triangles.size());
+  for (const auto& t : casting.triangles) areas_.push_back(area_vector(casting, t).norm());
+}
+
+void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out) const {
+  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3& direction) {
+    const Ray& ray = rays_.rays()[at(k)];
+    const LayerLaw::Pressure p = law_.at(hit.distance, thickness_.between(k, hit.triangle));
+    const Vec3& plane = rays_.target().area_vector(hit.triangle);
+    const Vec3 w = X_TC.R.transpose() * (plane / -plane.dot(direction));
+    add_pressure(ray.origin, -ray.direction, ray.origin + hit.distance * ray.direction, w, p.p * areas_[at(k)],
+                 p.slope * areas_[at(k)], out);
+  });
+}
+
+void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const {
+  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3&) {
+    const Ray& ray = rays_.rays()[at(k)];
+    const double h = thickness_.between(k, hit.triangle);
+    visit({ray.origin, -ray.direction, areas_[at(k)], hit.distance, law_.at(hit.distance, h).p, hit.distance / h, k});
+  });
+}
+
+}  // namespace genu

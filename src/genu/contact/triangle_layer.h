@@ -1,0 +1,46 @@
+// The layer summed over triangles: one ray from the centroid of each triangle of the casting mesh along minus its
+// normal, to the nearest triangle of the other mesh that the ray comes out of, not deeper than `search_depth`
+// (Smith, Brandon and Thelen 2019: OpenSim-JAM's articular contact).
+//
+// Pressure is continuous while rays wander over the other mesh; where a ray runs off its edge it ends at once.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "genu/contact/layer_quadrature.h"
+#include "genu/geometry/mesh.h"
+
+namespace genu {
+
+/// Thickness (m) of both layers together: one number, or the sum of one for each triangle of either mesh.
+struct LayerThickness {
+  double constant = 0;
+  std::vector<double> casting, target;  ///< of each triangle; empty: nothing to add to `constant`
+
+  double between(int casting_triangle, int target_triangle) const {
+    double h = constant;
+    if (!casting.empty()) h += casting[static_cast<std::size_t>(casting_triangle)];
+    if (!target.empty()) h += target[static_cast<std::size_t>(target_triangle)];
+    return h;
+  }
+};
+
+class TriangleLayer final : public LayerQuadrature {
+ public:
+  TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
+                const LayerLaw& law, LayerThickness thickness);
+
+  void add(const Pose& X_TC, Memory& memory, LayerSum& out) const override;
+  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const override;
+
+  int triangle_count() const { return static_cast<int>(areas_.size()); }
+
+ private:
+  LayerRays rays_;
+  std::vector<double> areas_;  // m^2
+  LayerLaw law_;
+  LayerThickness thickness_;
+};
+
+}  // namespace genu

@@ -1,0 +1,34 @@
+// What an elastic layer carries at a pose, summed over all of it and over each region.
+#pragma once
+
+#include <vector>
+
+#include "genu/model/state.h"
+
+namespace genu {
+
+/// Vectors in the frame of the second surface's body, its origin as in the file.
+struct LayerTotals {
+  Vec3 force = Vec3::Zero();     ///< N, on that body: the resultant of p n dA
+  Vec3 moment = Vec3::Zero();    ///< N m, about its origin
+  double area = 0;               ///< m^2 in contact
+  double max_pressure = 0;       ///< Pa
+  double mean_pressure = 0;      ///< Pa: of p over the area
+  double max_depth = 0;          ///< m
+  double most_used = 0;          ///< depth over thickness
+  Vec3 centre = Vec3::Zero();    ///< m: centre of pressure, the mean of the points weighted by p dA; 0 without any
+  Vec3 centre_a = Vec3::Zero();  ///< the same in the frame of the first surface's body
+  int points = 0;                ///< how many triangles carry pressure
+  bool touches() const { return points > 0; }
+};
+
+struct LayerReport {
+  LayerTotals total;
+  std::vector<LayerTotals> regions;
+};
+
+/// Of layer k of the model; `regions` are conditions in the frame of the second surface's body.
+LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& regions, const State& state, int layer,
+                         ElasticLayer::Memory& memory);
+
+}  // namespace genu
