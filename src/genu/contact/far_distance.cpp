@@ -121,6 +121,17 @@ class FeatureNormals {
   std::vector<Edge> edges_;  // by (i, j)
 };
 
+// Winding numbers from which on a point is inside: between pieces, and behind the edge of an open sheet. Behind the
+// edge of a flat one it is at most 1/4, at right angles; behind one that bends round, as a condyle's does, more.
+constexpr double kInside = 0.5, kBehindEdge = 0.2;
+
+/// How far a point may go (m) until its winding number can reach kBehindEdge: away from the surface, which is
+/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3 sup|w| / (distance
+/// - r) (Gilbarg and Trudinger 2001, section 2.7), and sup|w| is about 1.
+double same_side(double winding, double distance) {
+  return winding < kBehindEdge ? distance * -std::expm1((winding - kBehindEdge) / 3) : 0;
+}
+
 /// Without the triangles that have no area, to rounding: the nearest point on one has no side.
 Mesh with_area(Mesh mesh) {
   constexpr double kSmallestSine = 1e-9;
@@ -211,7 +222,14 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   const Vec3 normal = triangles_->normals.at(result.b1, on_mesh, open).normalized();
   out.beyond_edge = open;
   double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
-  if (side > 0 && (open || triangles_->entangled) && triangles_->winding->inside(x)) side = -1;
+  out.same_side = std::numeric_limits<double>::infinity();
+  if (side > 0 && triangles_->winding) {
+    const double winding = (*triangles_->winding)(x);
+    const bool behind = open && !triangles_->entangled && away.dot(normal) < 0;
+    if ((open || triangles_->entangled) && winding > (behind ? kBehindEdge : kInside)) side = -1;
+    out.same_side = same_side(winding, distance);
+  }
+  if (side < 0) out.same_side = 0;
   out.distance = side * distance;
   out.direction = distance > 1e-9 ? Vec3(side * away / distance) : normal;
   return out;

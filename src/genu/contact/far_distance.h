@@ -24,6 +24,9 @@ class FarDistance {
     Vec3 direction = Vec3::Zero();  ///< unit, outward: where the distance grows
     bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: outside, unless most of
                                     ///< what is seen from x is the sheet's inner side
+    /// m: within so far of x a point that is outside, as x is, stays so, unless it comes nearer than `distance` to the
+    /// surface. Round the edge of an open sheet a point gets behind it without coming near it. 0 for a point inside.
+    double same_side = 0;
   };
   Nearest nearest(const Vec3& x) const;
 

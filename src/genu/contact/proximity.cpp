@@ -127,6 +127,14 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
   }
 }
 
+/// Of a group whose middle is beyond the band. What is far from an open sheet may be in front of it as well as behind:
+/// all of a group is where its middle is only if it is small against its distance, as the groups without children are
+/// taken to be.
+double Proximity::far_clearance(const Group& group, const FarDistance::Nearest& nearest) const {
+  const double of_side = group.children >= 0 ? nearest.same_side - group.radius : nearest.same_side;
+  return std::min(nearest.distance - group.radius - reserve_, of_side);
+}
+
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   if (group.clearance - largest_motion(group.measured, X_qs, group.centre, group.radius) > window) return true;
   const Vec3 centre = X_qs * group.centre;
@@ -140,7 +148,7 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   else if (gap)
     group.clearance = kFirstOrder * *gap - group.radius;
   else
-    group.clearance = far_.nearest(centre).distance - group.radius - reserve_;
+    group.clearance = far_clearance(group, far_.nearest(centre));
   return group.clearance > window;
 }
 

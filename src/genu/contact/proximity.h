@@ -83,6 +83,7 @@ class Proximity {
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
   void find_minima(const Pose& X_qs, double window, ProximityScan& out);
   bool lowest_of_neighbours(int sample) const;
+  double far_clearance(const Group& group, const FarDistance::Nearest& nearest) const;
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kAcross = 10;     // points of the inner surface are a tenth of its box apart
 constexpr double kCoarse = 3;      // of the spacing: samples of the outer surface that are looked at first
+constexpr double kSameSide = 0.1;  // of its distance: so far a point moves before its side is asked for again
 constexpr double kShallow = 0.05;  // of the spacing: what facets may say wrongly of the smooth surface
 
 double box_of(const std::vector<Vec3>& points) {
@@ -52,10 +53,11 @@ double Swallowed::gap(const Vec3& x, double& clearance) {
   }
   if (near_points_.empty()) return 0;
   const double side = near_normals_[nearest].dot(x - near_points_[nearest]);
-  clearance = std::sqrt(least) - cover_;
+  clearance = std::min(std::sqrt(least) - cover_, kSameSide * std::sqrt(least));
   if (side >= 0) return side;
-  const double distance = far().nearest(x).distance;
-  clearance = std::abs(distance) - spacing_;
+  const FarDistance::Nearest found = far().nearest(x);
+  const double distance = found.distance;
+  clearance = std::min(std::abs(distance) - spacing_, found.same_side);
   if (distance >= 0) return distance;
   const auto smooth = outer_->gap(x);
   return smooth && *smooth < 0 ? std::max(*smooth, distance) : distance;
