@@ -40,14 +40,24 @@ double quantile(std::vector<double> values, double q) {
   return *at;
 }
 
-/// Fits at an even choice of vertices, and what they say; medians and quantiles, so that edges and scraps do not count.
+/// To one of four values an octave: a hole in the mesh does not change it.
+double rounded(double x) { return x > 0 ? std::exp2(std::round(4 * std::log2(x)) / 4) : 0; }
+
+/// Fits at vertices spread evenly over the surface, and what they say; medians and quantiles, so that edges and scraps
+/// do not count.
 class Probe {
  public:
   Probe(const Mesh& mesh, const VertexGraph& graph, int degree)
       : mesh_(mesh), graph_(graph), degree_(degree), fitters_([this] { return HeightFitter(mesh_, graph_); }) {
-    const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kProbes);
-    for (std::size_t v = 0; v < mesh.vertices.size(); v += step) {
-      if (graph.component[v] >= 0) vertices_.push_back(static_cast<int>(v));
+    // Each as far from all before it: what is different at one place of the mesh changes the probes near there, and a
+    // motion of the mesh none.
+    const double apart = rounded(std::sqrt(graph.area / kProbes));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      if (graph.component[v] < 0) continue;
+      const bool taken = std::any_of(vertices_.begin(), vertices_.end(), [&](int w) {
+        return (mesh.vertices[static_cast<std::size_t>(w)] - mesh.vertices[v]).squaredNorm() < apart * apart;
+      });
+      if (!taken) vertices_.push_back(static_cast<int>(v));
     }
   }
 
