@@ -1,0 +1,81 @@
+// What rays remember from earlier poses changes their speed and nothing else.
+#include "genu/contact/layer_rays.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "support/layers.h"
+
+namespace genu {
+namespace {
+
+std::vector<Ray> rays_of(const Mesh& mesh) {
+  std::vector<Ray> rays;
+  for (const auto& t : mesh.triangles) {
+    const auto v = [&](std::size_t i) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(t[i])]; };
+    rays.push_back({(v(0) + v(1) + v(2)) / 3, -(v(1) - v(0)).cross(v(2) - v(0)).normalized()});
+  }
+  return rays;
+}
+
+struct Met {
+  int ray, triangle;
+  double distance;
+  bool operator==(const Met&) const = default;
+};
+
+std::vector<Met> cast(const LayerRays& rays, const Pose& X_TC, LayerRays::Memory& memory) {
+  std::vector<Met> out;
+  rays.cast(X_TC, memory, [&](int ray, const TriangleTree::Hit& hit, const Vec3&, const Vec3&) {
+    out.push_back({ray, hit.triangle, hit.distance});
+  });
+  return out;
+}
+
+TEST(LayerRays, WarmIsColdAlongAWander) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> step(0, 1);
+  const LayerRays rays(rays_of(test::sheet(0.02, 25)), std::make_shared<TriangleTree>(test::ball(0.02, 1.5e-3)), 5e-3);
+  LayerRays::Memory warm;
+  Pose X{Mat3::Identity(), {0, 0, -0.019}};
+  std::size_t most = 0;
+  int none = 0;
+  for (int k = 0; k < 400; ++k) {
+    // Mostly small steps, now and then a leap.
+    const double size = k % 40 == 39 ? 0.01 : 3e-4;
+    Vec6 twist;
+    for (int i = 0; i < 6; ++i) twist[i] = size * step(random) * (i < 3 ? 1 : 30);
+    X = retract(X, twist);
+    if (X.p.norm() > 0.03) X.p *= 0.5;
+    LayerRays::Memory cold;
+    const auto expected = cast(rays, X, cold), found = cast(rays, X, warm);
+    ASSERT_EQ(found, expected) << "pose " << k;
+    most = std::max(most, found.size());
+    none += found.empty() ? 1 : 0;
+  }
+  EXPECT_GT(most, 50u);
+  EXPECT_GT(none, 10);
+}
+
+TEST(LayerRays, EveryRayThatMeetsIsVisitedOnce) {
+  const Mesh casting = test::sheet(0.02, 25), target = test::ball(0.02, 1.5e-3);
+  const LayerRays rays(rays_of(casting), std::make_shared<TriangleTree>(target), 5e-3);
+  const Pose X{exp_rotation({0.2, 0.1, 0.3}), {1e-3, 2e-3, -0.0185}};
+  LayerRays::Memory memory;
+  std::vector<int> visits(casting.triangles.size());
+  for (const Met& m : cast(rays, X, memory)) ++visits[static_cast<std::size_t>(m.ray)];
+  for (std::size_t k = 0; k < visits.size(); ++k) {
+    const Ray& ray = rays.rays()[k];
+    EXPECT_EQ(visits[k], test::leaving_by_all(target, X * ray.origin, X.R * ray.direction, 5e-3) ? 1 : 0);
+  }
+}
+
+TEST(LayerRays, NoRays) {
+  const LayerRays rays({}, std::make_shared<TriangleTree>(test::ball(0.02, 4e-3)), 5e-3);
+  LayerRays::Memory memory;
+  EXPECT_TRUE(cast(rays, {}, memory).empty());
+}
+
+}  // namespace
+}  // namespace genu
