@@ -81,23 +81,27 @@ double ContactField::edge_distance(int pair, const ContactGeometry& contact) con
   return pairs_[at(pair)].edge_distance(contact);
 }
 
-const DoubtfulPlace* ContactField::doubtful(const State& state) const {
+const DoubtfulPlace* ContactField::doubtful(const State& state, const std::vector<Candidate>& also) const {
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair)
     for (const bool of_a : {true, false}) {
       const auto& p = model_->pairs[at(pair)];
       for (const DoubtfulPlace& place : (of_a ? p.a : p.b)->doubtful())
-        if (leans_on(place, state, pair, of_a)) return &place;
+        if (leans_on(place, state, also, pair, of_a)) return &place;
     }
   return nullptr;
 }
 
-bool ContactField::leans_on(const DoubtfulPlace& place, const State& state, int pair, bool of_a) const {
-  for (const ActiveContact& c : state.contacts) {
-    if (c.pair != pair) continue;
-    const Vec3& foot = of_a ? c.geometry.a.p : c.geometry.b.p;
-    for (const Vec3& p : place.points)
-      if ((p - foot).squaredNorm() < place.reach * place.reach) return true;
-  }
+bool ContactField::leans_on(const DoubtfulPlace& place, const State& state, const std::vector<Candidate>& also,
+                            int pair, bool of_a) const {
+  const auto near = [&](const ContactGeometry& contact) {
+    const Vec3& foot = of_a ? contact.a.p : contact.b.p;
+    return std::any_of(place.points.begin(), place.points.end(),
+                       [&](const Vec3& p) { return (p - foot).squaredNorm() < place.reach * place.reach; });
+  };
+  for (const ActiveContact& c : state.contacts)
+    if (c.pair == pair && near(c.geometry)) return true;
+  for (const Candidate& c : also)
+    if (c.pair == pair && near(c.minimum.contact)) return true;
   if (!place.missing) return false;
   const double out = stands_out(place);
   if (out == 0) return false;

@@ -45,8 +45,8 @@ class ContactField {
   double edge_distance(int pair, const ContactGeometry& contact) const;
 
   /// The first doubtful place of a surface that a contact of `state` leans on, or where the other surface comes near
-  /// to what is missing; null where there is none.
-  const DoubtfulPlace* doubtful(const State& state) const;
+  /// to what is missing; null where there is none. `also`: places that are touched beside those contacts.
+  const DoubtfulPlace* doubtful(const State& state, const std::vector<Candidate>& also = {}) const;
   bool any_doubtful() const { return any_doubtful_; }
 
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
@@ -64,7 +64,8 @@ class ContactField {
 
  private:
   Pose relative(const State& state, int pair) const;
-  bool leans_on(const DoubtfulPlace& place, const State& state, int pair, bool of_a) const;
+  bool leans_on(const DoubtfulPlace& place, const State& state, const std::vector<Candidate>& also, int pair,
+                bool of_a) const;
 
   const JointModel* model_;
   double spacing_;

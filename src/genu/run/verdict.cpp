@@ -165,6 +165,31 @@ void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& reco
   }
 }
 
+/// A path that ends a few reaches from a flaw may end because of it, and a search that finds nothing to start from
+/// because of any.
+void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std::string>& out) {
+  constexpr double kNearby = 3;
+  if (last == nullptr) {
+    for (const auto& surface : prepared.surfaces)
+      if (!surface->doubtful().empty())
+        out.push_back("A flaw may be the cause: " + surface->doubtful().front().what + ".");
+    return;
+  }
+  for (const ActiveContact& c : last->pose.state.contacts) {
+    const auto& pair = prepared.model.pairs[static_cast<std::size_t>(c.pair)];
+    for (const bool of_a : {true, false}) {
+      const Vec3& foot = of_a ? c.geometry.a.p : c.geometry.b.p;
+      for (const DoubtfulPlace& flaw : (of_a ? pair.a : pair.b)->doubtful())
+        for (const Vec3& p : flaw.points) {
+          if ((p - foot).norm() > kNearby * flaw.reach) continue;
+          out.push_back(fmt::format("A flaw {:.1f} mm from the last contact may be the cause: {}.",
+                                    1e3 * (p - foot).norm(), flaw.what));
+          return;
+        }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
@@ -204,6 +229,11 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::snaps)
       out.push_back(fmt::format("From {} the joint would snap {}: begin there (the joint's `start`) to follow it on.",
                                 place(prepared, e.step, e.target), e.what));
+    if (e.kind == PathEvent::Kind::snapped)
+      out.push_back(
+          fmt::format("At {} the equilibrium that was followed ends and the joint snaps {}: later poses go on "
+                      "from there.",
+                      place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::held)
       out.push_back(
           fmt::format("From {} a ligament is held at the jump of its law, with a force between those of the two "
@@ -236,6 +266,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (report.status == PoseStatus::undetermined) what_next = undetermined(prepared, r.point);
     out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status),
                               place(prepared, r.point.step, r.point.target), report.why, what_next));
+    if (report.status != PoseStatus::flawed_mesh)
+      say_flaws(prepared, &r == &records.front() ? nullptr : &(&r - 1)->point, out);
     break;
   }
   return out;

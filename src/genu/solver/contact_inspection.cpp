@@ -56,6 +56,7 @@ bool ContactInspector::held(const State& state, const Candidate& candidate) cons
 void ContactInspector::inspect(const State& state, Findings& out) {
   out = {};
   inspect_held(state, out);
+  look_for_merged(state, out);
   look_everywhere(state, out);
   if (field_->any_doubtful()) look_for_doubt(state, out);
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
@@ -64,7 +65,11 @@ void ContactInspector::inspect(const State& state, Findings& out) {
 }
 
 void ContactInspector::look_for_doubt(const State& state, Findings& out) {
-  const DoubtfulPlace* place = field_->doubtful(state);
+  // Where a surface ends because a flaw was cut out of it, that is what is wrong, and not its edge.
+  beyond_edge_.clear();
+  for (const Candidate& c : survey_.edges)
+    if (c.minimum.gap < -gap_tolerance_ && !held(state, c)) beyond_edge_.push_back(c);
+  const DoubtfulPlace* place = field_->doubtful(state, beyond_edge_);
   if (place == nullptr) return;
   out.doubtful = true;
   out.where = place->what;
@@ -84,6 +89,18 @@ void ContactInspector::inspect_held(const State& state, Findings& out) {
   }
   std::sort(out.pulling.begin(), out.pulling.end(),
             [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
+}
+
+/// Two contacts that have run into each other share one force in any proportion: one of them goes.
+void ContactInspector::look_for_merged(const State& state, Findings& out) const {
+  const double one = 1e-3 * same_contact();
+  for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i)
+    for (int j = i + 1; j < static_cast<int>(state.contacts.size()); ++j) {
+      const ActiveContact &a = state.contacts[at(i)], &b = state.contacts[at(j)];
+      if (a.pair != b.pair || !same_place(a.geometry, b.geometry, one)) continue;
+      out.merged.emplace_back(i, j);
+      out.worst = std::min(out.worst, -kForceTolerance);
+    }
 }
 
 void ContactInspector::look_beside(const State& state, int i, Findings& out) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "genu/model/contact_field.h"
@@ -20,25 +21,26 @@ struct Certificate {
 
 /// What is wrong with a converged state.
 struct Findings {
-  std::vector<int> pulling;            ///< active contacts with negative force, worst first
-  std::vector<Candidate> overlapping;  ///< minima with negative gap that are not held, deepest first
-  std::vector<int> not_minimal;        ///< active contacts at a saddle of the gap
-  std::vector<Candidate> beside;       ///< minima found beside those
-  std::vector<int> left_piece;         ///< entries of State::pieces whose ligament has left its piece of the law
-  bool over_edge = false;              ///< a contact point or an overlap lies past the edge of a patch
-  bool deep_overlap = false;           ///< samples overlap where no contact explains it
-  bool doubtful = false;               ///< a contact leans on a place where a mesh is flawed
+  std::vector<int> pulling;                 ///< active contacts with negative force, worst first
+  std::vector<Candidate> overlapping;       ///< minima with negative gap that are not held, deepest first
+  std::vector<std::pair<int, int>> merged;  ///< active contacts at one place: an earlier and a later one
+  std::vector<int> not_minimal;             ///< active contacts at a saddle of the gap
+  std::vector<Candidate> beside;            ///< minima found beside those
+  std::vector<int> left_piece;              ///< entries of State::pieces whose ligament has left its piece of the law
+  bool over_edge = false;                   ///< a contact point or an overlap lies past the edge of a patch
+  bool deep_overlap = false;                ///< samples overlap where no contact explains it
+  bool doubtful = false;                    ///< a contact leans on a place where a mesh is flawed
   double worst =
       std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and gaps not held: < 0 when wrong
   std::string where;                            ///< for over_edge, deep_overlap and doubtful, in words
 
   bool only_left_piece() const {
-    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && !over_edge &&
-           !deep_overlap && !doubtful;
+    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() &&
+           !over_edge && !deep_overlap && !doubtful;
   }
   bool none() const {
-    return pulling.empty() && overlapping.empty() && not_minimal.empty() && left_piece.empty() && !over_edge &&
-           !deep_overlap && !doubtful;
+    return pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() && left_piece.empty() &&
+           !over_edge && !deep_overlap && !doubtful;
   }
   /// Nothing that a change of the contact set could mend.
   bool final() const { return over_edge || deep_overlap || doubtful; }
@@ -70,6 +72,7 @@ class ContactInspector {
 
  private:
   void inspect_held(const State& state, Findings& out);
+  void look_for_merged(const State& state, Findings& out) const;
   void look_beside(const State& state, int contact, Findings& out);
   void look_everywhere(const State& state, Findings& out);
   void look_for_doubt(const State& state, Findings& out);
@@ -79,6 +82,7 @@ class ContactInspector {
   double gap_tolerance_;
   Survey survey_;
   std::vector<LocalMinimum> beside_;
+  std::vector<Candidate> beyond_edge_;
 };
 
 }  // namespace genu

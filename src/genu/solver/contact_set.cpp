@@ -141,6 +141,12 @@ void ContactSetSolver::follow_open(Balanced& pose) {
 
 bool ContactSetSolver::change(Balanced& pose, const Target& target, const Findings& findings) const {
   State& state = pose.state;
+  if (!findings.merged.empty()) {
+    const auto [stays, goes] = findings.merged.front();
+    state.contacts[at(stays)].force += state.contacts[at(goes)].force;
+    state.contacts.erase(state.contacts.begin() + goes);
+    return true;
+  }
   if (!findings.not_minimal.empty()) {
     for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
     for (const Candidate& c : findings.beside)

@@ -164,6 +164,7 @@ class PathRun {
         fail(step, k, t, walker_.failure(), "", false);
         return;
       }
+      if (!edge && walker_.law_jump().empty() && walker_.snap_beyond(t - walker_.t())) continue;
       explain_end(step, k, t);
       return;
     }
@@ -332,6 +333,8 @@ const char* to_string(PathEvent::Kind kind) {
       return "closed";
     case PathEvent::Kind::snaps:
       return "snaps";
+    case PathEvent::Kind::snapped:
+      return "snapped";
     case PathEvent::Kind::flutter:
       return "flutter";
     case PathEvent::Kind::stability_changed:

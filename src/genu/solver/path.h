@@ -46,7 +46,8 @@ struct PathEvent {
     reaction_turns,     ///< the reaction of what is driven is largest or smallest: a limit point if it were the load
     stability_changed,  ///< the smallest stiffness changes its sign
     closed,             ///< the path is back where it started
-    snaps,
+    snaps,              ///< the equilibrium ends, the next one is a jump away, and the path ends here
+    snapped,            ///< the same, but the path goes on there
     flutter,
     stopped
   };

@@ -26,7 +26,8 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   t_ = 0;
   stiffest_seen_ = 0;
   last_definite_ = 0;
-  stepped_over_ = 0;
+  stepped_over_ = crowd_ = 0;
+  crowd_from_ = 0;
   tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
   accept(0, std::move(pose), report);
 }
@@ -154,7 +155,7 @@ bool Walker::walk_to(double t_end) {
       }
     }
     if (solved && !trial.findings.none() && !far_from_predicted(trial)) {
-      if (!pass_event(t, std::move(trial))) return false;
+      if (!pass_event(t, std::move(trial)) || events_without_end()) return false;
       h = std::max(h, (t_end - t_) / 4);
       continue;
     }
@@ -163,6 +164,18 @@ bool Walker::walk_to(double t_end) {
     h = (t - t_) / 2;
     if (h < options_.smallest_increment) return false;
   }
+  return true;
+}
+
+bool Walker::events_without_end() {
+  // Contacts that come and go ever faster lead nowhere, however many of them are followed.
+  constexpr double kShort = 1e-5;  // of a step
+  constexpr int kMost = 100;
+  if (t_ - crowd_from_ > kShort || t_ < crowd_from_) crowd_from_ = t_, crowd_ = 0;
+  if (++crowd_ <= kMost) return false;
+  failure_ = {};
+  failure_.status = PoseStatus::chatter;
+  failure_.why = "contacts come and go without end";
   return true;
 }
 
@@ -293,6 +306,28 @@ bool Walker::step_over(double window) {
       return true;
     }
     if (t == 1.0) break;
+  }
+  return false;
+}
+
+bool Walker::snap_beyond(double window) {
+  const JointModel& model = solver_.model();
+  const bool driven =
+      std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+  if (model.layers.empty() || !driven) return false;
+  for (const double fraction : {0.03, 0.3, 1.0}) {
+    const double t = std::min(1.0, t_ + fraction * window);
+    Balanced next = pose_;
+    const PoseReport report = solver_.settle_from_seed(next, plan_.target(t), true);
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    const auto [distance, angle] = largest_motion(pose_.state, next.state);
+    const Balanced before = pose_;
+    emit(PathEvent::Kind::snapped,
+         fmt::format("to an equilibrium {:.2f} mm and {:.2f} deg away", 1e3 * distance, angle * 180 / M_PI));
+    accept(t, std::move(next), report);
+    report_changes(before, pose_);
+    return true;
   }
   return false;
 }

@@ -25,6 +25,12 @@ class Walker {
   /// on another path, to which the joint would snap, and is not taken.
   bool step_over(double window);
 
+  /// After walk_to() failed: lets the joint move on by itself, downhill, to where it comes to rest with what is
+  /// prescribed at most `window` of t beyond, however far that is, and tells that it snaps. Only with elastic layers
+  /// and a coordinate that is driven: between rigid surfaces the way is not known well enough, and a load that is too
+  /// large has no place of rest to lead to.
+  bool snap_beyond(double window);
+
   double t() const { return t_; }
   const Balanced& pose() const { return pose_; }
   const PoseReport& report() const { return report_; }
@@ -71,6 +77,8 @@ class Walker {
   bool jumped(const State& state, double h) const;
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
+  /// Whether this event is one of too many close together.
+  bool events_without_end();
   /// The pose beyond a change of contacts or of a law's piece, near where the path was.
   PoseReport settle_beyond(double t, Balanced& next);
   /// The pose in which the joint comes to rest where the force of a ligament has dropped.
@@ -111,10 +119,11 @@ class Walker {
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;
   LawEvents law_events_;
-  double inside_ = 0;         // Findings::worst of the pose, +infinity where that is not known
-  double stiffest_seen_ = 0;  // the largest |smallest eigenvalue| of the step, N m
-  double last_definite_ = 0;  // the smallest eigenvalue where it was last more than rounding, N m
-  int stepped_over_ = 0;
+  double inside_ = 0;                 // Findings::worst of the pose, +infinity where that is not known
+  double stiffest_seen_ = 0;          // the largest |smallest eigenvalue| of the step, N m
+  double last_definite_ = 0;          // the smallest eigenvalue where it was last more than rounding, N m
+  int stepped_over_ = 0, crowd_ = 0;  // events since crowd_from_
+  double crowd_from_ = 0;
   int substeps_ = 0, iterations_ = 0;
 };
 
