@@ -1,84 +1,47 @@
-// The knee of Lenhart et al. (2015) as a simulation of it was published: femur, tibia and patella, two cartilage
-// contacts, 75 ligaments as straight lines, and the 251 poses of a passive flexion with what OpenSim-JAM found there.
+// The knee of Lenhart et al. (2015) at the 251 poses of a published passive flexion, and what OpenSim-JAM found there.
 #pragma once
 
-#include <map>
+#include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "support/knee_scene.h"
 
 namespace genu::test {
 
-inline nlohmann::json published_json() {
-  return nlohmann::json::parse(read_text(data_path("lenhart2015/lenhart_ligaments.json")));
-}
-
-/// The scene, in m and rad, with the femur's cartilage from `femur`. The joints' rotations are those of the model;
-/// lines that wrap in it are straight here.
+/// The scene of meshes/lenhart2015, its paths absolute, with the femur's cartilage from `femur`.
 inline std::string published_scene(const std::string& femur) {
-  const std::map<std::string, std::string> bodies = {
-      {"femur_distal_r", "femur"}, {"tibia_proximal_r", "tibia"}, {"patella_r", "patella"}};
-  std::string text = R"(format = 1
-title = "Lenhart 2015, published poses"
-units = { length = "m", angle = "rad" }
-[body.femur]
-fixed = true
-[body.tibia]
-[body.patella]
-[joint.knee]
-type = "free"
-parent = "femur"
-child = "tibia"
-rotations = ["flexion -z", "adduction x", "rotation y"]
-translations = ["x", "y", "z"]
-[joint.pf]
-type = "free"
-parent = "femur"
-child = "patella"
-rotations = ["flexion -z", "rotation x", "tilt y"]
-translations = ["x", "y", "z"]
-)";
-  for (const auto& [body, file] : {std::pair<std::string, std::string>{"femur", femur},
-                                   {"tibia", data_path("lenhart2015/ACLC01-R-tibia-cart.stl")},
-                                   {"patella", data_path("lenhart2015/ACLC01-R-patella-cart_shift.stl")}})
-    text += fmt::format("[surface.{0}]\nbody = \"{0}\"\nshape = \"mesh\"\nfile = \"{1}\"\nunits = \"m\"\n", body, file);
-  for (const auto& [name, body] : {std::pair<std::string, std::string>{"tf", "tibia"}, {"pf", "patella"}})
-    text += fmt::format(
-        "[contact.{0}]\nsurfaces = [\"femur\", \"{1}\"]\nmodel = \"cartilage\"\nmodulus = 10\npoisson = 0.45\n"
-        "thickness = 0.006\nlaw = \"linear\"\nquadrature = \"triangles\"\ncast_from = \"{1}\"\nsearch_depth = 0.02\n",
-        name, body);
-  for (const auto& l : published_json().at("ligaments")) {
-    const auto from = bodies.find(l.at("bodyA").get<std::string>()), to = bodies.find(l.at("bodyB").get<std::string>());
-    if (from == bodies.end() || to == bodies.end()) continue;
-    const auto point = [&](const char* key) {
-      return fmt::format("{:.17g}", fmt::join(l.at(key).get<std::vector<double>>(), ", "));
-    };
-    text += fmt::format(
-        "[ligament.{}]\nfrom = {{ body = \"{}\", point = [{}] }}\nto = {{ body = \"{}\", point = [{}] }}\n"
-        "law = \"blankevoort\"\nstiffness = {:.17g}\nslack_length = {:.17g}\ntransition_strain = {:.17g}\n",
-        l.at("name").get<std::string>(), from->second, point("pA"), to->second, point("pB"),
-        l.at("linear_stiffness_N_per_strain").get<double>(), l.at("slack_length_m").get<double>(),
-        l.at("transition_strain").get<double>());
-  }
-  return text + "[[step]]\nincrements = 1\n";
+  const std::string text = read_text(std::string(GENU_SOURCE_DIR) + "/meshes/lenhart2015/scene-published-poses.toml");
+  return replaced(replaced(text, "../../../shared/data/lenhart2015/ACLC01-R-femur-cart.stl", femur),
+                  "../../../shared/data/lenhart2015/", data_path("lenhart2015/"));
 }
 
-/// A column of one of the published tables.
+/// Ligaments that are straight in every published pose.
+inline std::vector<std::string> ligaments_that_never_wrap() {
+  constexpr double kStraight = 1e-8;  // m: what wrapping ever adds to the length
+  const auto json = nlohmann::json::parse(read_text(data_path("lenhart2015/lenhart_ligaments.json")));
+  std::vector<std::string> names;
+  for (const auto& l : json.at("ligaments"))
+    if (l.contains("passive_flexion") && l.at("passive_flexion").at("max_wrap_effect_m").get<double>() < kStraight)
+      names.push_back(l.at("name").get<std::string>());
+  return names;
+}
+
+/// One of the published tables: a row of names, then numbers.
 class PublishedTable {
  public:
   explicit PublishedTable(const std::string& file) {
     std::istringstream text(read_text(data_path("lenhart2015/" + file)));
     std::string line;
     std::getline(text, line);
-    for (const std::string& name : split(line)) names_.push_back(name);
+    names_ = split(line);
     while (std::getline(text, line)) rows_.push_back(split(line));
   }
   std::size_t rows() const { return rows_.size(); }
+  /// NaN for a column that is not there.
   double at(std::size_t row, const std::string& name) const {
     for (std::size_t c = 0; c < names_.size(); ++c)
       if (names_[c] == name) return std::stod(rows_.at(row).at(c));

@@ -126,9 +126,15 @@ RunSummary::GivenPoses facts_of(const Scene& scene, const PoseFile& file, const 
   return facts;
 }
 
-/// The chart of a run without the panels that nobody can fill.
-std::string picture(const Prepared& prepared, const ResultTable& poses) {
-  Chart chart = curves(prepared.scene, prepared.steps, poses, {});
+/// The chart of a run without the panels that nobody can fill, over time where nothing better is known.
+std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
+  Chart chart = curves(prepared.scene, prepared.steps, evaluation.poses, {});
+  const auto& records = evaluation.records;
+  const bool timed = !records.empty() && std::isfinite(records.front().point.target.time);
+  if (timed && chart.x_title.rfind("row", 0) == 0) {
+    chart.x_title = "time [s]";
+    for (std::size_t k = 0; k < records.size(); ++k) chart.x[k] = records[k].point.target.time;
+  }
   const auto finite = [](double y) { return std::isfinite(y); };
   std::erase_if(chart.panels, [&](ChartPanel& panel) {
     std::erase_if(panel.series, [&](const ChartSeries& s) { return std::none_of(s.y.begin(), s.y.end(), finite); });
@@ -144,7 +150,7 @@ std::string write_evaluation(const std::string& folder, const Prepared& prepared
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
   write("results.csv", evaluation.poses.to_csv());
-  write("curves.svg", picture(prepared, evaluation.poses));
+  write("curves.svg", picture(prepared, evaluation));
   write("summary.json", to_json(evaluation.summary));
   if (error.empty()) error = out.commit();
   return error;

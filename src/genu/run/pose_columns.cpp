@@ -271,7 +271,7 @@ class Matcher {
   std::vector<CoordinateRef> wanted_;
   std::map<std::pair<int, int>, std::pair<std::size_t, const Unit*>> explicit_;
   const Unit *angle_ = unit_called("rad"), *length_ = unit_called("m");
-  std::string angle_why_ = "OpenSim's", length_why_ = "OpenSim's";
+  std::string angle_why_ = "SI", length_why_ = "SI";
   std::vector<std::string> missing_;
   std::vector<std::size_t> used_;
   PoseColumns found_;
