@@ -52,9 +52,9 @@ class PublishedPoses : public testing::Test {
     return folder_.write("femur.stl", text + "endsolid femur\n");
   }
 
-  Evaluation evaluate_file(const std::string& poses, const std::string& femur) {
+  Evaluation evaluate_file(const std::string& poses, const std::string& femur, const char* columns = "time=t_s") {
     EvaluateOptions options;
-    options.columns.columns = "time=t_s";
+    options.columns.columns = columns;
     Diagnostics out;
     Evaluation found;
     EXPECT_EQ(evaluate_scene(folder_.write("scene.toml", test::published_scene(femur)), poses, folder_ / "out", options,
@@ -83,6 +83,15 @@ class PublishedPoses : public testing::Test {
       text += "\n";
     }
     return folder_.write("moved.csv", text);
+  }
+
+  /// Backward, and so without a time that grows.
+  std::string poses_backward() {
+    std::istringstream in(test::read_text(poses_file()));
+    std::string names, text;
+    std::getline(in, names);
+    for (std::string line; std::getline(in, line);) text = line + "\n" + text;
+    return folder_.write("backward.csv", names + "\n" + text);
   }
 
   test::TemporaryFolder folder_;
@@ -174,6 +183,18 @@ TEST_F(PublishedPoses, LigamentsAreThoseOfOpenSimJamWhereTheyDoNotWrap) {
   EXPECT_GT(taut, 5000);
   EXPECT_LE(length.difference, 1.05 * kDigit);
   EXPECT_LE(force.difference, 2e-5);  // the stiffest, 64 N/mm, times what the digits of the poses leave open
+}
+
+/// Contact remembers from pose to pose where it need not look: that must never show.
+TEST_F(PublishedPoses, BackwardTheSameBits) {
+  GENU_NEEDS_PUBLISHED_POSES();
+  const ResultTable forward = evaluate_file(poses_file(), femur_file(), "").poses,
+                    backward = evaluate_file(poses_backward(), femur_file(), "").poses;
+  ASSERT_EQ(forward.rows(), 251u);
+  ASSERT_EQ(backward.rows(), 251u);
+  for (std::size_t row = 0; row < forward.rows(); ++row)
+    for (std::size_t c = forward.column_index("status"); c < forward.columns().size(); ++c)
+      ASSERT_EQ(forward.at(row, c), backward.at(250 - row, c)) << forward.columns()[c] << " row " << row;
 }
 
 }  // namespace
