@@ -16,7 +16,7 @@ bool contains(const std::string& text, const std::string& piece) { return text.f
 TEST(Cli, SaysWhatItIs) {
   EXPECT_EQ(genu("").exit_code, 2);
   EXPECT_TRUE(contains(genu("").out, "genu run SCENE --out DIR"));
-  for (const char* command : {"", "run ", "check ", "sensitivity ", "mesh "})
+  for (const char* command : {"", "run ", "check ", "evaluate ", "sensitivity ", "mesh "})
     EXPECT_EQ(genu(std::string(command) + "--help").exit_code, 0) << command;
   EXPECT_EQ(genu("--version").exit_code, 0);
   EXPECT_EQ(genu("--version").out.rfind("genu ", 0), 0u);

@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
       "  genu run SCENE --out DIR             solve a scene, write results.csv, curves.svg, ...\n"
       "  genu check SCENE                     say everything that is wrong with a scene and its meshes\n"
       "  genu explain SCENE                   say what system a scene asks for, before it is solved\n"
+      "  genu evaluate SCENE --poses FILE --out DIR   contacts and ligament forces at given poses, nothing solved\n"
       "  genu sensitivity SCENE --of OUTPUTS --to PARAMETERS   which number of a scene matters how much, exactly\n"
       "  genu fit MESH --out DIR              fit polynomial surfaces to a mesh; --scene SCENE: to all meshes of a "
       "scene\n"
@@ -41,6 +42,7 @@ int run(int argc, char** argv) {
   genu::cli::add_run(app, exit_code);
   genu::cli::add_check(app, exit_code);
   genu::cli::add_explain(app, exit_code);
+  genu::cli::add_evaluate(app, exit_code);
   genu::cli::add_sensitivity(app, exit_code);
   genu::cli::add_fit(app, exit_code);
   genu::cli::add_mesh(app, exit_code);
@@ -50,9 +52,10 @@ int run(int argc, char** argv) {
     return kRefused;
   }
   if (const std::string word = argv[1]; !word.empty() && word.front() != '-' && !known_command(app, word)) {
-    fmt::print(stderr,
-               "genu: there is no command \"{}\"; known: run, check, explain, sensitivity, fit, mesh, mesh-check\n",
-               genu::printable(word));
+    fmt::print(
+        stderr,
+        "genu: there is no command \"{}\"; known: run, check, explain, evaluate, sensitivity, fit, mesh, mesh-check\n",
+        genu::printable(word));
     return kRefused;
   }
   try {

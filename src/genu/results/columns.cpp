@@ -25,6 +25,10 @@ std::string held_column(const std::string& joint, std::size_t i) {
   return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
 }
 
+std::string residual_column(const std::string& body, std::size_t i) {
+  return fmt::format("{}.residual_{}_{}", body, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
+}
+
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis) {
   return centre_column(scene, scene.contacts[pair], second, axis);
 }

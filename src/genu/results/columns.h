@@ -18,6 +18,9 @@ std::string reaction_column(const Scene& scene, const QuantityRef& c);
 /// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
 std::string held_column(const std::string& joint, std::size_t i);
 
+/// "tibia.residual_force_x_N", i from 0 to 5: force, then moment
+std::string residual_column(const std::string& body, std::size_t i);
+
 /// "knee.gs.flexion_deg": angles first, then lengths, as KneeMotion has them
 inline constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
                                          "lateral_mm",  "anterior_mm",   "distraction_mm"};

@@ -135,14 +135,18 @@ class Curves {
   }
 
   std::vector<ChartSeries> contact_forces() const {
+    std::vector<const ContactDef*> contacts;
+    for (const ContactDef& contact : scene_.contacts) contacts.push_back(&contact);
+    for (const LayerDef& layer : scene_.layers) contacts.push_back(&layer.pair);
+    const bool several = contacts.size() > 1;
     std::vector<ChartSeries> out;
-    for (const ContactDef& contact : scene_.contacts) {
-      for (const RegionDef& region : contact.regions) {
-        const std::string name = contact.name + "." + region.name;
-        out.push_back(series(scene_.contacts.size() > 1 ? name : region.name, name + ".force_N"));
+    for (const ContactDef* contact : contacts) {
+      for (const RegionDef& region : contact->regions) {
+        const std::string name = contact->name + "." + region.name;
+        out.push_back(series(several ? name : region.name, name + ".force_N"));
       }
-      const bool whole = contact.regions.empty() || scene_.contacts.size() > 1;
-      out.push_back(series(whole ? contact.name : "whole pair", contact.name + ".force_N"));
+      out.push_back(
+          series(contact->regions.empty() || several ? contact->name : "whole pair", contact->name + ".force_N"));
     }
     return out;
   }

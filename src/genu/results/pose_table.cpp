@@ -35,6 +35,8 @@ class PoseTable {
       : scene_(scene), model_(model) {
     count_contacts(records);
     add_columns(steps);
+    if (std::any_of(records.begin(), records.end(), [](const PoseRecord& r) { return r.given.has_value(); }))
+      add_residual_columns();
     for (const PoseRecord& record : records) add_row(record);
   }
   ResultTable take() { return std::move(table_); }
@@ -86,6 +88,11 @@ class PoseTable {
       table_.add_column(name);
   }
 
+  void add_residual_columns() {
+    for (const auto& body : model_.bodies)
+      for (std::size_t i = 0; body.moving >= 0 && i < 6; ++i) table_.add_column(residual_column(body.name, i));
+  }
+
   void add_reaction(const std::vector<StepPlan>& steps, const QuantityRef& quantity) {
     for (const StepPlan& step : steps)
       for (const auto& p : step.prescribed)
@@ -124,18 +131,25 @@ class PoseTable {
       set_factors(point.target);
       return;
     }
-    set_coordinates(point);
+    set_coordinates(record);
     set_factors(point.target);
     for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
     for (int k = 0; k < static_cast<int>(model_.layers.size()); ++k) set_layer(k, point.pose.state);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
+    if (record.given) return set_residual(*record.given);
     table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
     const Stability& stability = point.stability;
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
     table_.set("residual", point.report.certificate.residual);
+  }
+
+  void set_residual(const PoseRecord::Given& given) {
+    for (const auto& body : model_.bodies)
+      for (std::size_t i = 0; body.moving >= 0 && i < 6; ++i)
+        table_.set(residual_column(body.name, i), given.missing[at(body.moving)][static_cast<Eigen::Index>(i)]);
   }
 
   static bool varies(const std::vector<StepPlan>& steps, std::size_t load) {
@@ -150,8 +164,10 @@ class PoseTable {
         table_.set(name, target.load_factors[i]);
   }
 
-  void set_coordinates(const PosePoint& point) {
+  void set_coordinates(const PoseRecord& record) {
+    const PosePoint& point = record.point;
     const State& state = point.pose.state;
+    const bool reactions = !record.given || record.given->reactions;
     for (int j = 0; j < static_cast<int>(state.coordinates.size()); ++j)
       for (int i = 0; i < 6; ++i)
         if (scene_.joints[at(j)].leaves(i))
@@ -161,10 +177,10 @@ class PoseTable {
       table_.set(coordinate_column(scene_, quantity),
                  shown(quantity, quantity_value(model_, state.coordinates, quantity)));
     }
-    for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
+    for (std::size_t m = 0; reactions && m < point.target.prescribed.size(); ++m)
       table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-      if (scene_.joints[j].type != JointDef::Type::free) set_held(static_cast<int>(j), point);
+      if (reactions && scene_.joints[j].type != JointDef::Type::free) set_held(static_cast<int>(j), point);
       if (scene_.joints[j].grood_suntay) set_clinical(scene_.joints[j], state);
     }
   }
@@ -231,12 +247,13 @@ class PoseTable {
       total.b += c.force * c.b;
       if (nearest == nullptr || c.gap < nearest->gap) nearest = &c;
     }
-    table_.set(name + ".force_N", total.force);
+    if (!record.given) table_.set(name + ".force_N", total.force);
     table_.set(name + ".gap_mm", kMillimetre * total.gap);
     if (total.force > 0)
       set_point(name, pair, total.a / total.force, total.b / total.force);
     else if (nearest != nullptr)
       set_point(name, pair, nearest->a, nearest->b);
+    if (record.given) return;
     for (const RegionDef& region : scene_.contacts[pair].regions)
       set_region(name + "." + region.name, region, contacts, centre(pair, true));
   }

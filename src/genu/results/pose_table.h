@@ -1,6 +1,9 @@
 // The columns of results.csv and events.csv (docs/scene-reference.md) from solved poses.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "genu/results/result_table.h"
 #include "genu/solver/path.h"
 
@@ -10,9 +13,16 @@ namespace genu {
 struct PoseRecord {
   PosePoint point;
   std::vector<double> pair_gap;  ///< m, of each contact pair: the smallest gap; empty for a pose that was not solved
+  /// Of a pose that was given, not solved: nobody knows the forces of its rigid contacts, its stability or residual.
+  struct Given {
+    std::vector<Vec6> missing;  ///< of each moving body: Unbalanced::wrenches
+    bool reactions = false;     ///< the state's multipliers are what the pose would need
+  };
+  std::optional<Given> given = {};
 };
 
-/// One row a pose. Lengths in mm, angles in deg whatever the scene's units are.
+/// One row a pose; columns BODY.residual_force_x_N ... where poses were given. Lengths in mm, angles in deg whatever
+/// the scene's units are.
 ResultTable pose_table(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
                        const std::vector<PoseRecord>& records);
 

@@ -13,6 +13,25 @@ using nlohmann::ordered_json;
 
 ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
+void add_solved(const RunSummary& s, ordered_json& j) {
+  j["poses"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}, {"stable", s.poses_stable}};
+  j["contacts"] = {{"fewest", s.fewest_contacts}, {"most", s.most_contacts}};
+  j["newton"] = {{"iterations", s.iterations}, {"substeps", s.substeps}, {"worst_residual", s.worst_residual}};
+  j["certificate"] = {{"smallest_force_N", number_or_null(s.smallest_force)},
+                      {"smallest_gap_mm", number_or_null(1e3 * s.smallest_gap)}};
+}
+
+void add_given(const RunSummary& s, ordered_json& j) {
+  j["poses"] = {{"file", s.given->file},
+                {"given", s.poses_asked},
+                {"evaluated", s.poses_solved},
+                {"left_out", s.given->left_out}};
+  for (const auto& c : s.given->columns)
+    j["columns"].push_back({{"column", c.column}, {"coordinate", c.coordinate}, {"unit", c.unit}, {"how", c.how}});
+  j["columns_ignored"] = s.given->ignored;
+  j["smallest_gap_mm"] = number_or_null(1e3 * s.smallest_gap);
+}
+
 }  // namespace
 
 std::string to_json(const RunSummary& s) {
@@ -28,11 +47,10 @@ std::string to_json(const RunSummary& s) {
   for (const auto& v : s.variants)
     j["error_bars"].push_back({{"cause", v.cause}, {"variant", v.name}, {"poses_solved", v.poses_solved}});
   j["scales"] = {{"length_mm", 1e3 * s.length_scale}, {"force_N", s.force_scale}};
-  j["poses"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}, {"stable", s.poses_stable}};
-  j["contacts"] = {{"fewest", s.fewest_contacts}, {"most", s.most_contacts}};
-  j["newton"] = {{"iterations", s.iterations}, {"substeps", s.substeps}, {"worst_residual", s.worst_residual}};
-  j["certificate"] = {{"smallest_force_N", number_or_null(s.smallest_force)},
-                      {"smallest_gap_mm", number_or_null(1e3 * s.smallest_gap)}};
+  if (s.given)
+    add_given(s, j);
+  else
+    add_solved(s, j);
   for (const ContactLocation& c : s.locations)
     j["contact_location"].push_back({{"contact", c.contact},
                                      {"worst_mm", number_or_null(1e3 * c.spread)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,17 @@ struct RunSummary {
     std::string cause, name;
     int poses_solved = 0;
   };
+  /// Of poses that were given and not solved: there are no counts of what a solver does.
+  struct GivenPoses {
+    struct Column {
+      std::string column, coordinate, unit, how;
+    };
+    std::string file;
+    std::vector<Column> columns;       ///< which column was taken for which coordinate
+    std::vector<std::string> ignored;  ///< columns that mean nothing here
+    std::size_t left_out = 0;          ///< rows of an earlier run that hold no pose
+  };
+  std::optional<GivenPoses> given;
   std::string scene_file, title, version;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;

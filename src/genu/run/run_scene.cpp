@@ -233,8 +233,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   return error_bars(solution.poses, poses);
 }
 
-std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
-                                    Diagnostics& out) {
+std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
+                                    const std::vector<std::string>& inputs) {
   if (!folder) return prepare(path, out);
   {
     // Before an hour of solving: can the folder be written at all?
@@ -246,6 +246,11 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   }
   if (holds(*folder, path)) {
     out.error(*folder, "holds the scene itself, which would be lost with the folder: choose another folder");
+    return std::nullopt;
+  }
+  for (const std::string& input : inputs) {
+    if (!holds(*folder, input)) continue;
+    out.error(*folder, "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
   auto prepared = prepare(path, out);

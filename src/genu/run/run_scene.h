@@ -36,9 +36,10 @@ struct RunOptions {
 };
 
 /// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the
-/// folder cannot be written or holds the input; without a `folder` nothing is to be written.
-std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
-                                    Diagnostics& out);
+/// folder cannot be written or holds the input; without a `folder` nothing is to be written. `inputs`: other files that
+/// the folder must not hold.
+std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
+                                    const std::vector<std::string>& inputs = {});
 
 /// Refuses what cannot be started (surfaces that overlap by more than 5 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);

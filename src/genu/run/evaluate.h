@@ -1,0 +1,35 @@
+// What forces and contacts a scene has at poses that are given: nothing is solved.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "genu/run/given_poses.h"
+#include "genu/run/run_scene.h"
+
+namespace genu {
+
+struct EvaluateOptions {
+  PoseColumnOptions columns;
+  std::function<bool()> cancelled;  ///< may be empty
+};
+
+struct Evaluation {
+  std::vector<PoseRecord> records;
+  ResultTable poses;  ///< the columns of a run's results.csv, then what each moving body lacks to balance
+  RunSummary summary;
+  std::string folder;  ///< where the results were written
+};
+
+/// Evaluates a scene at every pose, as far as it is not cancelled. Forces of rigid contacts follow from an equilibrium
+/// alone and stay empty; reactions of what is prescribed and of what joints hold are what the pose would need, where
+/// the scene has no rigid contacts.
+Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPoses& given,
+                    const EvaluateOptions& options);
+
+/// Reads the scene and the poses, evaluates, writes results.csv, curves.svg and summary.json into `folder`. Returns the
+/// exit code; `out` holds what was refused, `evaluation` (may be null) gets what was found.
+int evaluate_scene(const std::string& path, const std::string& poses, const std::string& folder,
+                   const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation);
+
+}  // namespace genu

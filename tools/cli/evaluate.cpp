@@ -1,0 +1,107 @@
+// genu evaluate knee.toml --poses measured.mot --out out/measured
+//   1. read scene, meshes and poses; refuse with every error at once
+//   2. compute contacts, ligaments and loads at each pose as it is given
+//   3. print which column was taken for what, and a short table; write results.csv, curves.svg, summary.json
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.h"
+#include "genu/run/evaluate.h"
+
+namespace genu::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, poses, folder;
+  PoseColumnOptions columns;
+  bool quiet = false;
+};
+
+void print_columns(const RunSummary::GivenPoses& given) {
+  ResultTable table;
+  for (const char* column : {"column", "taken for", "in", "because of"}) table.add_column(column);
+  for (const auto& c : given.columns) {
+    table.add_row();
+    table.set(0, printable(c.column));
+    table.set(1, c.coordinate);
+    table.set(2, c.unit);
+    table.set(3, c.how);
+  }
+  fmt::print("{}", to_text(table, table.columns(), 0, table.rows()));
+  if (given.ignored.empty()) return;
+  constexpr std::size_t kTold = 6;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(kTold, given.ignored.size()); ++k)
+    names += (k > 0 ? ", " : "") + printable(given.ignored[k]);
+  fmt::print("  ignored: {} other column{} ({}{})\n", given.ignored.size(), given.ignored.size() == 1 ? "" : "s", names,
+             given.ignored.size() > kTold ? ", ..." : "");
+}
+
+/// The rotations, then what contact is like.
+std::vector<std::string> short_columns(const ResultTable& table) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> columns;
+  const auto ends_with = [](const std::string& s, const std::string& end) {
+    return s.size() > end.size() && s.compare(s.size() - end.size(), end.size(), end) == 0;
+  };
+  for (const std::string& name : table.columns()) {
+    const bool whole = name.find('.') == name.rfind('.');
+    const bool layer_force =
+        ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 7) + "area_mm2");
+    if (whole && columns.size() < kMost &&
+        (ends_with(name, "_deg") || ends_with(name, ".gap_mm") || ends_with(name, ".area_mm2") || layer_force))
+      columns.push_back(name);
+  }
+  return columns;
+}
+
+int evaluate(const Arguments& arguments) {
+  EvaluateOptions options;
+  options.columns = arguments.columns;
+  options.cancelled = stop_on_interrupt();
+  Diagnostics diagnostics;
+  Evaluation found;
+  const int code = evaluate_scene(arguments.scene, arguments.poses, arguments.folder, options, diagnostics, &found);
+  print(diagnostics, code == kExitFailed);
+  if (code == kExitRefused || arguments.quiet) return code;
+  constexpr std::size_t kRows = 11;
+  print_columns(*found.summary.given);
+  fmt::print("\n{}\n\n{}\n", printable(found.summary.title),
+             to_text(found.poses, short_columns(found.poses), 4, kRows));
+  for (const std::string& sentence : found.summary.verdict)
+    fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
+  if (code != kExitFailed) fmt::print("  {:<12}{}/results.csv, curves.svg, summary.json\n", "written", found.folder);
+  return code;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "evaluate",
+      "Contacts, ligaments and what is missing to balance at given poses, nothing solved:\n"
+      "  genu evaluate knee.toml --poses measured.mot --columns \"knee.flexion=knee_angle_r[deg]\" --out out/measured");
+  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command
+      ->add_option("--poses", arguments->poses,
+                   "table of poses: CSV with a row of names (results.csv of a run is one), or OpenSim's .sto or .mot")
+      ->required();
+  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command->add_option("--columns", arguments->columns.columns,
+                      "which column is which coordinate, where the names do not say it: "
+                      "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
+  command->add_option("--units", arguments->columns.units,
+                      "units of columns that do not say theirs, such as deg,mm (else what the file says, or rad,m)");
+  command->add_flag("--quiet", arguments->quiet, "print errors only");
+  command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
+}
+
+}  // namespace genu::cli
