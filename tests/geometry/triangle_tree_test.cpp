@@ -105,7 +105,14 @@ TEST(TriangleTree, FarIsNeverNear) {
       const Vec3 x = origin + i * length / 20 * direction;
       least = std::min(least, (test::nearest_on_mesh(mesh, x) - x).norm());
     }
-    const bool near = tree.near(origin, direction, length, margin);
+    int met = -1;
+    const double margins[] = {10 * margin, margin};
+    const std::size_t level = tree.clear_by(origin, direction, length, margins, met);
+    const bool near = level == 2;
+    if (level == 0) {
+      EXPECT_GT(least, 10 * margin);
+    }
+    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, met), level) << "the hint changed the answer";
     if (!near) {
       EXPECT_GT(least, margin);
       ++far;
@@ -120,7 +127,9 @@ TEST(TriangleTree, FarIsNeverNear) {
 TEST(TriangleTree, EmptyMeetsNothing) {
   const TriangleTree tree{Mesh()};
   EXPECT_FALSE(tree.leaving(Vec3::Zero(), Vec3::UnitX(), 1));
-  EXPECT_FALSE(tree.near(Vec3::Zero(), Vec3::UnitX(), 1, 1));
+  int met = -1;
+  const double margins[] = {1};
+  EXPECT_EQ(tree.clear_by(Vec3::Zero(), Vec3::UnitX(), 1, margins, met), 0u);
 }
 
 }  // namespace

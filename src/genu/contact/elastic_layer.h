@@ -24,8 +24,13 @@ class ElasticLayer {
     double share = 1;
     std::shared_ptr<const LayerQuadrature> quadrature;
   };
-  /// One for each thread: what earlier poses have shown, side by side.
-  using Memory = std::vector<LayerQuadrature::Memory>;
+  /// One for each thread: what earlier poses have shown, side by side, and what came out at the last one.
+  struct Memory {
+    std::vector<LayerQuadrature::Memory> sides;
+    Pose a, b;
+    LayerWrench last;
+    bool known = false;  ///< whether `last` belongs to the poses `a` and `b`
+  };
 
   explicit ElasticLayer(std::vector<Side> sides) : sides_(std::move(sides)) {}
 

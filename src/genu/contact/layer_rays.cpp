@@ -1,15 +1,16 @@
 #include "genu/contact/layer_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 4;                           // rays
-constexpr double kClearances[] = {8.0, 2.0, 0.5};  // edges: tried from the largest
-constexpr double kLookAgain = 0.25;                // edges: what was near is taken to be so until it has moved that far
+constexpr int kLeaf = 1;                             // rays
+constexpr std::array kClearances = {8.0, 2.0, 0.5};  // edges: tried from the largest
+constexpr double kLookAgain = 0.25;  // edges: what was near is taken to be so until it has moved that far
 
 }  // namespace
 
@@ -85,15 +86,12 @@ double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) c
 }
 
 void LayerRays::measure(const Group& group, const Pose& X_TC, Memory::Group& known) const {
+  std::array<double, kClearances.size()> margins;
+  for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = group.radius + kClearances[i] * step_;
+  const std::size_t level =
+      target_->clear_by(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margins, known.near);
   known.measured = X_TC;
-  known.clear = 0;
-  const Vec3 origin = X_TC * group.middle.origin, direction = X_TC.R * group.middle.direction;
-  if (target_->near(origin, direction, length_, group.radius)) return;
-  for (const double clearance : kClearances) {
-    if (target_->near(origin, direction, length_, group.radius + clearance * step_)) continue;
-    known.clear = clearance * step_;
-    return;
-  }
+  known.clear = level < margins.size() ? kClearances[level] * step_ : 0;
 }
 
 bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known) const {

@@ -24,6 +24,7 @@ class LayerRays {
   struct Memory {
     struct Group {
       double clear = -1;  ///< m: so far from everything when it was measured; 0: near, -1: never measured
+      int near = -1;      ///< a triangle of the target that was near
       Pose measured;
     };
     std::vector<Group> groups;

@@ -14,6 +14,7 @@ struct Pose {
 
   Vec3 operator*(const Vec3& x) const { return R * x + p; }
   Pose operator*(const Pose& other) const { return {R * other.R, R * other.p + p}; }
+  bool operator==(const Pose& other) const { return R == other.R && p == other.p; }
   Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
 };
 

@@ -11,17 +11,20 @@ namespace {
 constexpr int kLeaf = 4;        // triangles
 constexpr int kMostDepth = 64;  // of the tree: halves of at most 2^31 triangles
 
+constexpr double kOutside = std::numeric_limits<double>::infinity();
+
 /// The part of a segment inside a box grown by `margin`: its entry, or infinity where there is none.
 struct Slab {
-  Slab(const Vec3& o, const Vec3& d, double l) : origin(o), inverse(d.cwiseInverse()), length(l) {}
+  Slab(const Vec3& o, const Vec3& d, double l) : origin(o), length(l) {
+    // Along an axis that the segment does not move in, it is inside for ever or never: a very large slope says the same
+    // without a case of its own.
+    constexpr double kStill = 1e-30;
+    for (Eigen::Index i = 0; i < 3; ++i) inverse[i] = 1 / (std::abs(d[i]) < kStill ? kStill : d[i]);
+  }
 
   double entry(const Vec3& low, const Vec3& high, double margin, double most) const {
     double in = 0, out = most;
     for (Eigen::Index i = 0; i < 3; ++i) {
-      if (std::isinf(inverse[i])) {
-        if (origin[i] < low[i] - margin || origin[i] > high[i] + margin) return kOutside;
-        continue;
-      }
       const double a = (low[i] - margin - origin[i]) * inverse[i], b = (high[i] + margin - origin[i]) * inverse[i];
       in = std::max(in, std::min(a, b));
       out = std::min(out, std::max(a, b));
@@ -29,7 +32,6 @@ struct Slab {
     return in <= out ? in : kOutside;
   }
 
-  static constexpr double kOutside = std::numeric_limits<double>::infinity();
   Vec3 origin, inverse;
   double length;
 };
@@ -74,7 +76,7 @@ void TriangleTree::split(int index) {
   const int first = nodes_[static_cast<std::size_t>(index)].first, last = nodes_[static_cast<std::size_t>(index)].last;
   const auto corners = [&](int t) -> const std::array<Vec3, 3>& { return corners_[static_cast<std::size_t>(t)]; };
   const auto middle = [&](int t) { return Vec3(corners(t)[0] + corners(t)[1] + corners(t)[2]); };
-  Vec3 low = Vec3::Constant(Slab::kOutside), high = -low, low_middle = low, high_middle = high;
+  Vec3 low = Vec3::Constant(kOutside), high = -low, low_middle = low, high_middle = high;
   for (int k = first; k < last; ++k) {
     const int t = triangle_[static_cast<std::size_t>(k)];
     for (const Vec3& p : corners(t)) {
@@ -101,43 +103,59 @@ void TriangleTree::split(int index) {
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), half, last});
 }
 
-/// The signs of the three volumes between the ray and an edge are computed alike from both sides of the edge, so that
-/// the same rounding decides for both triangles.
-bool TriangleTree::meets(std::size_t k, const Vec3& origin, const Vec3& direction, double side, double length,
-                         Hit& best) const {
-  const double across = areas_[k].dot(direction);
-  if (!(side * across > 0)) return false;
+/// A ray with what its triangles are asked for: points are sheared along it into a plane across it, each alike for all
+/// triangles that share it, so that no ray passes between them (Woop, Benthin and Wald 2013).
+struct TriangleTree::Line {
+  Line(const Vec3& o, const Vec3& d, double l) : origin(o), direction(d), length(l) {
+    d.cwiseAbs().maxCoeff(&z);
+    x = (z + 1) % 3;
+    y = (z + 2) % 3;
+    slope = Vec2(d[x], d[y]) / d[z];
+  }
+
+  Vec2 across(const Vec3& p) const {
+    const Vec3 from = p - origin;
+    return {from[x] - slope[0] * from[z], from[y] - slope[1] * from[z]};
+  }
+
+  Vec3 origin, direction;
+  double length;
+  Eigen::Index x = 0, y = 0, z = 0;
+  Vec2 slope;
+};
+
+void TriangleTree::meet(std::size_t k, const Line& line, double side, Hit& best) const {
+  const double facing = areas_[k].dot(line.direction);
+  if (!(side * facing > 0)) return;
   const auto& c = corners_[k];
-  const Vec3 a = c[0] - origin, b = c[1] - origin, d = c[2] - origin;
-  const Vec3 line = side * direction;
-  if (line.dot(b.cross(d)) < 0 || line.dot(d.cross(a)) < 0 || line.dot(a.cross(b)) < 0) return false;
-  const double t = areas_[k].dot(a) / across;
-  if (!(t > 0 && t <= length)) return false;
-  if (best && (t > best.distance || (t == best.distance && triangle_[k] >= best.triangle))) return false;
+  const Vec2 a = line.across(c[0]), b = line.across(c[1]), d = line.across(c[2]);
+  const double u = d[0] * b[1] - d[1] * b[0], v = a[0] * d[1] - a[1] * d[0], w = b[0] * a[1] - b[1] * a[0];
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return;
+  const double t = areas_[k].dot(c[0] - line.origin) / facing;
+  if (!(t > 0 && t <= line.length)) return;
+  if (best && (t > best.distance || (t == best.distance && triangle_[k] >= best.triangle))) return;
   best = {triangle_[k], t};
-  return true;
 }
 
-void TriangleTree::search(const Vec3& origin, const Vec3& direction, double side, double length, Hit& best) const {
+void TriangleTree::search(const Line& line, double side, Hit& best) const {
   if (nodes_.empty()) return;
-  const Slab slab(origin, direction, length);
+  const Slab slab(line.origin, line.direction, line.length);
   struct Waiting {
     int node;
     double entry;
   };
   Waiting stack[kMostDepth];
   int top = 0;
-  const double root = slab.entry(nodes_[0].low, nodes_[0].high, 0, length);
-  if (std::isinf(root)) return;
+  const double root = slab.entry(nodes_[0].low, nodes_[0].high, 0, line.length);
+  if (root == kOutside) return;
   stack[top++] = {0, root};
   while (top > 0) {
     const Waiting next = stack[--top];
-    const double most = best ? best.distance : length;
+    const double most = best ? best.distance : line.length;
     if (next.entry > most) continue;
     const Node& node = nodes_[static_cast<std::size_t>(next.node)];
     if (node.children < 0) {
-      for (int k = node.first; k < node.last; ++k)
-        meets(static_cast<std::size_t>(k), origin, direction, side, length, best);
+      for (int k = node.first; k < node.last; ++k) meet(static_cast<std::size_t>(k), line, side, best);
       continue;
     }
     Waiting child[2];
@@ -147,44 +165,52 @@ void TriangleTree::search(const Vec3& origin, const Vec3& direction, double side
     }
     const int nearer = child[1].entry < child[0].entry ? 1 : 0;
     for (const int i : {1 - nearer, nearer})
-      if (!std::isinf(child[i].entry)) stack[top++] = child[i];
+      if (child[i].entry != kOutside) stack[top++] = child[i];
   }
 }
 
 TriangleTree::Hit TriangleTree::leaving(const Vec3& origin, const Vec3& direction, double length, int hint) const {
+  const Line line(origin, direction, length);
   Hit best;
-  if (hint >= 0) meets(place(hint), origin, direction, 1, length, best);
-  search(origin, direction, 1, length, best);
+  if (hint >= 0) meet(place(hint), line, 1, best);
+  search(line, 1, best);
   return best;
 }
 
 TriangleTree::Hit TriangleTree::entering(const Vec3& origin, const Vec3& direction, double length) const {
   Hit best;
-  search(origin, direction, -1, length, best);
+  search(Line(origin, direction, length), -1, best);
   return best;
 }
 
-bool TriangleTree::near(const Vec3& origin, const Vec3& direction, double length, double margin) const {
-  if (nodes_.empty()) return false;
-  const Slab slab(origin - margin * direction, direction, length + 2 * margin);
+std::size_t TriangleTree::clear_by(const Vec3& origin, const Vec3& direction, double length,
+                                   std::span<const double> margins, int& met) const {
+  std::size_t level = 0;
+  if (nodes_.empty()) return level;
+  const Slab slab(origin, direction, length);
+  const auto try_triangle = [&](std::size_t k) {
+    const auto& c = corners_[k];
+    const Vec3 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]), high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+    while (level < margins.size() && slab.entry(low, high, margins[level], length) != kOutside) {
+      ++level;
+      met = triangle_[k];
+    }
+  };
+  if (met >= 0) try_triangle(place(met));
   int stack[kMostDepth];
   int top = 0;
   stack[top++] = 0;
-  while (top > 0) {
+  while (top > 0 && level < margins.size()) {
     const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
-    if (std::isinf(slab.entry(node.low, node.high, margin, slab.length))) continue;
+    if (slab.entry(node.low, node.high, margins[level], length) == kOutside) continue;
     if (node.children >= 0) {
       stack[top++] = node.children;
       stack[top++] = node.children + 1;
       continue;
     }
-    for (int k = node.first; k < node.last; ++k) {
-      const auto& c = corners_[static_cast<std::size_t>(k)];
-      const Vec3 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]), high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
-      if (!std::isinf(slab.entry(low, high, margin, slab.length))) return true;
-    }
+    for (int k = node.first; k < node.last && level < margins.size(); ++k) try_triangle(static_cast<std::size_t>(k));
   }
-  return false;
+  return level;
 }
 
 }  // namespace genu

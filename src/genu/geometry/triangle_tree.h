@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "genu/geometry/mesh.h"
@@ -29,8 +30,10 @@ class TriangleTree {
   /// The same for triangles whose outward side the ray enters (normal . direction < 0).
   Hit entering(const Vec3& origin, const Vec3& direction, double length) const;
 
-  /// False only where no triangle lies within `margin` (m) of the segment.
-  bool near(const Vec3& origin, const Vec3& direction, double length, double margin) const;
+  /// The first of `margins` (m, falling) such that no triangle lies within it of the segment, surely; their number
+  /// where there is none. `met` becomes a triangle that is near, and given again makes the answer faster.
+  std::size_t clear_by(const Vec3& origin, const Vec3& direction, double length, std::span<const double> margins,
+                       int& met) const;
 
   /// Corners of a triangle (m) and its area vector: outward, as long as the area is large (m^2).
   const std::array<Vec3, 3>& corners(int triangle) const { return corners_[place(triangle)]; }
@@ -48,8 +51,9 @@ class TriangleTree {
   std::size_t place(int triangle) const { return static_cast<std::size_t>(place_[static_cast<std::size_t>(triangle)]); }
   void build();
   void split(int node);
-  bool meets(std::size_t k, const Vec3& origin, const Vec3& direction, double side, double length, Hit& best) const;
-  void search(const Vec3& origin, const Vec3& direction, double side, double length, Hit& best) const;
+  struct Line;
+  void meet(std::size_t k, const Line& line, double side, Hit& best) const;
+  void search(const Line& line, double side, Hit& best) const;
 
   std::vector<std::array<Vec3, 3>> corners_;  // in the tree's order
   std::vector<Vec3> areas_;

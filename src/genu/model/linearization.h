@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "genu/contact/contact_equations.h"
@@ -22,8 +23,9 @@ struct Linearization {
   MatX gradient;    ///< (M + H) x 6B: derivative of the constraints: prescribed, held by joints, held ligaments
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
-  std::vector<ElasticLayer::Memory> layers;  ///< of each elastic layer: what earlier poses have shown
-  VecX length_gradient;                      ///< 6B: of the last ligament with via points (kept here for its memory)
+  /// Of each elastic layer, what earlier poses have shown: linearizations that are used in turn share it.
+  std::shared_ptr<std::vector<ElasticLayer::Memory>> layers;
+  VecX length_gradient;  ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
   /// they are the same for every body

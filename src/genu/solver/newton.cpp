@@ -61,6 +61,7 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
 
 NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
   NewtonReport report;
+  there_.layers = here_.layers;
   current_ = state;
   fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);

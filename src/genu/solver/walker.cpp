@@ -35,6 +35,7 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
   const Target target = plan_.target(t), rate = plan_.rate();
+  if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
   linearize(model, state, target, here_);
   out.stability = assess_stability(here_, model.scales.length);
   NewtonStep& step = solver_.newton().step();
