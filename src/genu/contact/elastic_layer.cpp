@@ -45,26 +45,28 @@ LayerWrench swapped(const LayerWrench& from) {
 
 }  // namespace
 
-void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out) const {
+void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level) const {
   memory.resize(sides_.size());
   out = LayerWrench();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];
     const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
     LayerSum sum;
-    side.quadrature->add(X_Wt.inverse() * X_Wc, memory[i], sum);
+    side.quadrature->add(X_Wt.inverse() * X_Wc, memory[i], sum, level);
     LayerWrench part = in_world(X_Wc, X_Wt, sum);
     if (!side.a) part = swapped(part);
     out.wrench += side.share * part.wrench;
     out.stiffness += side.share * part.stiffness;
+    out.load += side.share * sum.load;
+    out.error += side.share * sum.error;
   }
 }
 
 void ElasticLayer::visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
-                         const std::function<void(const LayerPoint&)>& visit) const {
+                         const std::function<void(const LayerPoint&)>& visit, int level) const {
   memory.resize(sides_.size());
   const Pose &X_Wc = sides_[side].a ? X_Wa : X_Wb, &X_Wt = sides_[side].a ? X_Wb : X_Wa;
-  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory[side], visit);
+  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory[side], visit, level);
 }
 
 }  // namespace genu

@@ -23,6 +23,8 @@ struct Linearization {
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
   std::vector<ElasticLayer::Memory> layers;  ///< of each elastic layer: what earlier poses have shown
+  std::vector<double> layer_loads;           ///< N, of each elastic layer: sum of p dA
+  std::vector<double> layer_errors;          ///< N, and its error, estimated
   VecX length_gradient;                      ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
