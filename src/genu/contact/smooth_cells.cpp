@@ -45,7 +45,6 @@ SmoothCells::SmoothCells(Mesh mesh, std::shared_ptr<const Surface> surface)
     const auto c = corners(cell);
     longest_edges_.push_back(
         std::max({(c[0]->x - c[1]->x).norm(), (c[1]->x - c[2]->x).norm(), (c[2]->x - c[0]->x).norm()}));
-    longest_ = std::max(longest_, longest_edge(cell));
     mean_ += longest_edge(cell) / cell_count();
   }
 }

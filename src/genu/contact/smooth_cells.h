@@ -52,7 +52,7 @@ class SmoothCells {
   double radius(int cell, const Node& middle, double length) const;
   Node middle(int cell) const;
   double longest_edge(int cell) const { return longest_edges_[static_cast<std::size_t>(cell)]; }
-  double longest_edge() const { return longest_; }
+  /// Mean of the cells' longest edges, m.
   double mean_edge() const { return mean_; }
 
   const Surface& surface() const { return *surface_; }
@@ -68,7 +68,7 @@ class SmoothCells {
   std::vector<std::array<int, 3>> edges_;  // of each cell: from corner 0 to 1, 1 to 2, 2 to 0
   std::vector<double> longest_edges_;      // m, of each cell
   int edge_count_ = 0;
-  double longest_ = 0, mean_ = 0;  // m
+  double mean_ = 0;  // m: of the longest edges
 };
 
 }  // namespace genu

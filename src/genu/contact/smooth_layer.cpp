@@ -11,10 +11,10 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double kLead[2] = {1, 3};  // longest, mean edges: what lies farther outside of contact than this has no depth
-constexpr double kSteepest =
-    0.5;                      // of an edge: contact between corners all farther outside than this is not looked for
-constexpr double kTrust = 1;  // mean edges of the target: how far its smooth surface may be from its triangles
+constexpr double kLead = 1.5;  // mean edges: what lies farther outside of contact than this has no depth
+// Of an edge: where all corners are farther outside, only a bump as small as the cell could touch between them.
+constexpr double kBump = 0.1;
+constexpr double kTrust = 1;          // mean edges of the target: how far its smooth surface may be from its triangles
 constexpr double kLeastAcross = 0.1;  // cosine of a line with the normal of what it meets
 constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
 // The error that is left is of the order of the square of the one that was taken away: measured 0.04 to 0.17 of it for
@@ -34,10 +34,6 @@ std::vector<double> cell_radii(const SmoothCells& cells, double length) {
   std::vector<double> radii;
   for (int cell = 0; cell < cells.cell_count(); ++cell) radii.push_back(cells.radius(cell, cells.middle(cell), length));
   return radii;
-}
-
-double lead_of(const SmoothCells& cells) {
-  return std::min(kLead[0] * cells.longest_edge(), kLead[1] * cells.mean_edge());
 }
 
 double mean_edge(const TriangleTree& tree) {
@@ -61,7 +57,7 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       other_(std::move(other)),
       target_(std::move(target)),
       search_depth_(search_depth),
-      lead_(lead_of(*casting_)),
+      lead_(kLead * casting_->mean_edge()),
       trust_(kTrust * mean_edge(*target_)),
       law_(law),
       thickness_(thickness),
@@ -142,7 +138,7 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
 }
 
 bool SmoothLayer::worth_it(const Pose& X_TC, int cell, int divisions, Memory& memory) const {
-  const double least = -kSteepest * casting_->longest_edge(cell);
+  const double least = -kBump * casting_->longest_edge(cell);
   for (const auto& [i, j] : {std::pair{0, 0}, {divisions, 0}, {0, divisions}}) {
     const SmoothNode& corner = node(X_TC, {cell, divisions, i, j}, memory);
     if (corner.met && corner.depth > least) return true;

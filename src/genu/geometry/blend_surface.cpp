@@ -185,7 +185,7 @@ std::optional<double> BlendSurface::gap(const Vec3& x) const {
 }
 
 bool BlendSurface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
-  constexpr double kMet = 1e-7;      // of the blend radius: the step after would be its square
+  constexpr double kMet = 2e-6;      // of the blend radius: the step after would be its square
   constexpr double kGrazing = 1e-3;  // cosine with the normal
   const double longest = kLongestStep * facts_.blend_radius;
   double f;
