@@ -146,8 +146,9 @@ TEST(ReadContacts, LayerRefused) {
   refused("\"floor\"", "@\"flour\"", "cast_from", "\"flour\"", "unknown surface");
   refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");
   refused("\"triangles\"", "@\"gauss\"", "quadrature", "\"gauss\"", "must be one of");
-  refused("quadrature = \"triangles\"", "@quadrature = \"smooth\"", "cast_from", "\"floor\"", "belongs to quadrature");
-  refused("search_depth = 4", "@tolerance = 1e-3", "tolerance", "0.001", "belongs to quadrature");
+  refused("\"triangles\"\ncast_from = \"floor\"", "\"smooth\"\ncast_from = @\"floor\"", "cast_from", "\"floor\"",
+          "belongs to quadrature = \"triangles\"");
+  refused("search_depth = 4", "tolerance = @1e-3", "tolerance", "0.001", "belongs to quadrature = \"smooth\"");
   const std::string smooth = "quadrature = \"triangles\"\ncast_from = \"floor\"";
   refused(smooth, "tolerance = @1e-9", "tolerance", "1e-09", "must be >= 1e-08");
   refused(smooth, "tolerance = @0.5", "tolerance", "0.5", "must be <= 0.1");
