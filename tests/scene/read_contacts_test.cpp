@@ -81,7 +81,8 @@ TEST(ReadContacts, Model) {
                  "must be one of \"rigid\", \"cartilage\"; did you mean \"rigid\"?");
   expect_refused("[contact.medial]\n" + kPair + "\nmodel = \"rigid\"", "[contact.@medial]\n" + kPair,
                  "contact.medial.model", "", "is missing");
-  for (const std::string key : {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth"}) {
+  for (const std::string key :
+       {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth", "tolerance"}) {
     expect_refused("model = \"rigid\"", "model = \"rigid\"\n@" + key + " = 1", "contact.medial." + key, "1",
                    "is no key of a rigid contact");
   }
@@ -106,7 +107,19 @@ TEST(ReadContacts, Layer) {
   EXPECT_DOUBLE_EQ(layer.thickness, 6e-3);
   EXPECT_DOUBLE_EQ(layer.search_depth, 4e-3);
   EXPECT_EQ(layer.law, LayerDef::Law::logarithmic);
+  EXPECT_EQ(layer.quadrature, LayerDef::Quadrature::triangles);
   EXPECT_EQ(layer.cast_from, layer.pair.surface_b);
+}
+
+TEST(ReadContacts, LayerOverSmoothSurfaces) {
+  const std::string triangles = "\nquadrature = \"triangles\"\ncast_from = \"floor\"";
+  for (const std::string other : {"", "\nquadrature = \"smooth\"", "\ntolerance = 1e-3"}) {
+    const Scene scene = good(edited("model = \"rigid\"", edited(triangles, other, kLayer)));
+    ASSERT_EQ(scene.layers.size(), 1u);
+    EXPECT_EQ(scene.layers[0].quadrature, LayerDef::Quadrature::smooth);
+    EXPECT_EQ(scene.layers[0].tolerance, other.find("tolerance") == std::string::npos ? 1e-4 : 1e-3);
+    EXPECT_DOUBLE_EQ(scene.layers[0].search_depth, 4e-3);
+  }
 }
 
 TEST(ReadContacts, LayerDefaults) {
@@ -132,7 +145,13 @@ TEST(ReadContacts, LayerRefused) {
   refused("search_depth = 4", "search_depth = @-1", "search_depth", "-1", "must be > 0 mm");
   refused("\"floor\"", "@\"flour\"", "cast_from", "\"flour\"", "unknown surface");
   refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");
-  refused("\"triangles\"", "@\"smooth\"", "quadrature", "\"smooth\"", "not built yet");
+  refused("\"triangles\"", "@\"gauss\"", "quadrature", "\"gauss\"", "must be one of");
+  refused("\"triangles\"\ncast_from = \"floor\"", "\"smooth\"\ncast_from = @\"floor\"", "cast_from", "\"floor\"",
+          "belongs to quadrature = \"triangles\"");
+  refused("search_depth = 4", "tolerance = @1e-3", "tolerance", "0.001", "belongs to quadrature = \"smooth\"");
+  const std::string smooth = "quadrature = \"triangles\"\ncast_from = \"floor\"";
+  refused(smooth, "tolerance = @1e-9", "tolerance", "1e-09", "must be >= 1e-08");
+  refused(smooth, "tolerance = @0.5", "tolerance", "0.5", "must be <= 0.1");
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ LayerWrench swapped(const LayerWrench& from) {
 
 }  // namespace
 
-void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out) const {
-  if (memory.known && memory.a == X_Wa && memory.b == X_Wb) {
+void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level) const {
+  if (memory.known && memory.level == level && memory.a == X_Wa && memory.b == X_Wb) {
     out = memory.last;
     return;
   }
@@ -56,23 +56,26 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     const Side& side = sides_[i];
     const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
     LayerSum sum;
-    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum);
+    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum, level);
     LayerWrench part = in_world(X_Wc, X_Wt, sum);
     if (!side.a) part = swapped(part);
     out.wrench += side.share * part.wrench;
     out.stiffness += side.share * part.stiffness;
+    out.load += side.share * sum.load;
+    out.error += side.share * sum.error;
   }
   memory.a = X_Wa;
   memory.b = X_Wb;
   memory.last = out;
+  memory.level = level;
   memory.known = true;
 }
 
 void ElasticLayer::visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
-                         const std::function<void(const LayerPoint&)>& visit) const {
+                         const std::function<void(const LayerPoint&)>& visit, int level) const {
   memory.sides.resize(sides_.size());
   const Pose &X_Wc = sides_[side].a ? X_Wa : X_Wb, &X_Wt = sides_[side].a ? X_Wb : X_Wa;
-  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory.sides[side], visit);
+  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory.sides[side], visit, level);
 }
 
 }  // namespace genu

@@ -14,6 +14,8 @@ namespace genu {
 struct LayerWrench {
   Vec12 wrench = Vec12::Zero();
   Mat12 stiffness = Mat12::Zero();
+  double load = 0;   ///< N: sum of p dA
+  double error = 0;  ///< N: of the load, estimated (LayerSum)
 };
 
 class ElasticLayer {
@@ -29,17 +31,18 @@ class ElasticLayer {
     std::vector<LayerQuadrature::Memory> sides;
     Pose a, b;
     LayerWrench last;
-    bool known = false;  ///< whether `last` belongs to the poses `a` and `b`
+    int level = 0;
+    bool known = false;  ///< whether `last` belongs to the poses `a` and `b`, and to `level`
   };
 
   explicit ElasticLayer(std::vector<Side> sides) : sides_(std::move(sides)) {}
 
-  /// At the poses of both bodies in the world; results do not depend on `memory`.
-  void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out) const;
+  /// At the poses of both bodies in the world; results do not depend on `memory`. `level`: see LayerQuadrature.
+  void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level = 0) const;
 
   /// Visits the points of one side that carry pressure.
   void visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
-             const std::function<void(const LayerPoint&)>& visit) const;
+             const std::function<void(const LayerPoint&)>& visit, int level = 0) const;
 
   const std::vector<Side>& sides() const { return sides_; }
 

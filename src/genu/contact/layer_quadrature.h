@@ -10,6 +10,7 @@
 
 #include "genu/contact/layer_law.h"
 #include "genu/contact/layer_rays.h"
+#include "genu/contact/smooth_nodes.h"
 
 namespace genu {
 
@@ -17,13 +18,16 @@ namespace genu {
 struct LayerSum {
   Vec6 wrench = Vec6::Zero();   ///< N, N m
   Mat6 tangent = Mat6::Zero();  ///< d wrench / d (twist of the casting body against the other), in axes that turn along
+  double load = 0;              ///< N: sum of p dA
+  double error = 0;             ///< N: of the load, estimated; 0 where the quadrature knows no smooth surface to miss
 };
 
 /// A point of the area in contact, for results.
 struct LayerPoint {
   Vec3 x;               ///< m, in the frame of the casting body
   Vec3 n;               ///< unit, outward there
-  double area = 0;      ///< m^2 that it stands for
+  double area = 0;      ///< m^2 that it stands for; 0 for a point that tells how deep and nothing else
+  double load = 0;      ///< N that it stands for
   double depth = 0;     ///< m
   double pressure = 0;  ///< Pa
   double used = 0;      ///< depth over thickness
@@ -32,14 +36,18 @@ struct LayerPoint {
 
 class LayerQuadrature {
  public:
-  using Memory = LayerRays::Memory;
+  struct Memory : LayerRays::Memory {
+    SmoothNodes nodes;
+  };
   virtual ~LayerQuadrature() = default;
 
-  /// Adds to `out`; X_TC is the casting body in the frame of the other. Keeps its memory from call to call.
-  virtual void add(const Pose& X_TC, Memory& memory, LayerSum& out) const = 0;
+  /// Adds to `out`; X_TC is the casting body in the frame of the other. Keeps its memory from call to call. A higher
+  /// `level` is finer, where the quadrature knows how to be.
+  virtual void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const = 0;
 
   /// Visits the points that carry pressure.
-  virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const = 0;
+  virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
+                     int level = 0) const = 0;
 };
 
 /// Adds what a pressure on a small area does. `x`: where; `n`: outward unit normal of the casting body; `y`: the point

@@ -14,8 +14,13 @@ constexpr double kLookAgain = 0.25;  // edges: what was near is taken to be so u
 
 }  // namespace
 
-LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length)
-    : rays_(std::move(rays)), target_(std::move(target)), length_(length), order_(rays_.size()) {
+LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length,
+                     std::vector<double> radii)
+    : rays_(std::move(rays)),
+      radii_(std::move(radii)),
+      target_(std::move(target)),
+      length_(length),
+      order_(rays_.size()) {
   double area = 0;
   for (int t = 0; t < target_->size(); ++t) area += target_->area_vector(t).norm();
   step_ = std::sqrt(area / std::max(1, target_->size()));
@@ -37,9 +42,10 @@ void LayerRays::enclose(Group& group) const {
   const Vec3 end = origin + length_ * group.middle.direction;
   for (int k = group.first; k < group.last; ++k) {
     // The distance to the point of the middle ray at the same parameter is largest at one of the ends.
-    const Ray& ray = rays_[static_cast<std::size_t>(order_[static_cast<std::size_t>(k)])];
-    group.radius =
-        std::max({group.radius, (ray.origin - origin).norm(), (ray.origin + length_ * ray.direction - end).norm()});
+    const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
+    const Ray& ray = rays_[index];
+    const double off = std::max((ray.origin - origin).norm(), (ray.origin + length_ * ray.direction - end).norm());
+    group.radius = std::max(group.radius, off + (radii_.empty() ? 0.0 : radii_[index]));
   }
 }
 
@@ -71,7 +77,6 @@ void LayerRays::split(int index) {
 
 void LayerRays::begin(Memory& memory) const {
   memory.groups.resize(groups_.size());
-  memory.hints.resize(rays_.size(), -1);
   memory.open.clear();
   if (!groups_.empty()) memory.open.push_back(0);
 }

@@ -17,8 +17,9 @@ struct Ray {
 
 class LayerRays {
  public:
-  /// Rays of `length` (m) into the triangles of `target`.
-  LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length);
+  /// Rays of `length` (m) into the triangles of `target`. `radii` (m): each stands for what is within that of it.
+  LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length,
+            std::vector<double> radii = {});
 
   /// What is known from earlier poses: makes the next cast faster and never other. One for each thread.
   struct Memory {
@@ -37,6 +38,21 @@ class LayerRays {
   /// target's frame.
   template <typename Visit>
   void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
+    memory.hints.resize(rays_.size(), -1);
+    each_near(X_TC, memory, [&](int k) {
+      const auto ray = static_cast<std::size_t>(k);
+      const Vec3 origin = X_TC * rays_[ray].origin, direction = X_TC.R * rays_[ray].direction;
+      const TriangleTree::Hit hit = target_->leaving(origin, direction, length_, memory.hints[ray]);
+      if (!hit) return;
+      memory.hints[ray] = hit.triangle;
+      visit(k, hit, origin, direction);
+    });
+  }
+
+  /// Calls visit(ray) for every ray that may have a triangle within its radius, and for some that have none, in an
+  /// order that depends on the rays alone.
+  template <typename Visit>
+  void each_near(const Pose& X_TC, Memory& memory, Visit visit) const {
     begin(memory);
     while (!memory.open.empty()) {
       const int index = memory.open.back();
@@ -48,14 +64,7 @@ class LayerRays {
         memory.open.push_back(group.children);
         continue;
       }
-      for (int k = group.first; k < group.last; ++k) {
-        const auto ray = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
-        const Vec3 origin = X_TC * rays_[ray].origin, direction = X_TC.R * rays_[ray].direction;
-        const TriangleTree::Hit hit = target_->leaving(origin, direction, length_, memory.hints[ray]);
-        if (!hit) continue;
-        memory.hints[ray] = hit.triangle;
-        visit(static_cast<int>(ray), hit, origin, direction);
-      }
+      for (int k = group.first; k < group.last; ++k) visit(order_[static_cast<std::size_t>(k)]);
     }
   }
 
@@ -80,6 +89,7 @@ class LayerRays {
   void split(int group);
 
   std::vector<Ray> rays_;
+  std::vector<double> radii_;
   std::shared_ptr<const TriangleTree> target_;
   double length_;
   double step_ = 0;  // m: the unit of clearances, about an edge of the target

@@ -32,7 +32,7 @@ TriangleLayer::TriangleLayer(const Mesh& casting, std::shared_ptr<const Triangle
   for (const auto& t : casting.triangles) areas_.push_back(area_vector(casting, t).norm());
 }
 
-void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out) const {
+void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int) const {
   rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3& direction) {
     const Ray& ray = rays_.rays()[at(k)];
     const LayerLaw::Pressure p = law_.at(hit.distance, thickness_.between(k, hit.triangle));
@@ -40,14 +40,17 @@ void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out) const {
     const Vec3 w = X_TC.R.transpose() * (plane / -plane.dot(direction));
     add_pressure(ray.origin, -ray.direction, ray.origin + hit.distance * ray.direction, w, p.p * areas_[at(k)],
                  p.slope * areas_[at(k)], out);
+    out.load += p.p * areas_[at(k)];
   });
 }
 
-void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const {
+void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
+                          int) const {
   rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3&) {
     const Ray& ray = rays_.rays()[at(k)];
     const double h = thickness_.between(k, hit.triangle);
-    visit({ray.origin, -ray.direction, areas_[at(k)], hit.distance, law_.at(hit.distance, h).p, hit.distance / h, k});
+    const double p = law_.at(hit.distance, h).p;
+    visit({ray.origin, -ray.direction, areas_[at(k)], p * areas_[at(k)], hit.distance, p, hit.distance / h, k});
   });
 }
 

@@ -31,8 +31,9 @@ class TriangleLayer final : public LayerQuadrature {
   TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
                 const LayerLaw& law, LayerThickness thickness);
 
-  void add(const Pose& X_TC, Memory& memory, LayerSum& out) const override;
-  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit) const override;
+  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const override;
+  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
+             int level = 0) const override;
 
   int triangle_count() const { return static_cast<int>(areas_.size()); }
 

@@ -184,6 +184,24 @@ std::optional<double> BlendSurface::gap(const Vec3& x) const {
   return f / slope;
 }
 
+bool BlendSurface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
+  constexpr double kMet = 2e-6;      // of the blend radius: the step after would be its square
+  constexpr double kGrazing = 1e-3;  // cosine with the normal
+  const double longest = kLongestStep * facts_.blend_radius;
+  double f;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    if (!implicit(origin + t * direction, f, normal)) return false;
+    const double slope = normal.norm(), along = normal.dot(direction);
+    if (!(slope > kLeastSlope) || !(std::abs(along) > kGrazing * slope)) return false;
+    const double step = std::clamp(-f / along, -longest, longest);
+    t += step;
+    if (std::abs(step) > kMet * facts_.blend_radius) continue;
+    normal /= slope;
+    return true;
+  }
+  return false;
+}
+
 double BlendSurface::edge_distance(const Vec3& p) const {
   if (boundary_.empty()) return std::numeric_limits<double>::infinity();
   const int node = field_.nearest_node(p);

@@ -49,6 +49,7 @@ class BlendSurface final : public Surface {
   bool project(const Vec3& x, SurfacePoint& out) const override;
   /// f/|grad f|: exact on the surface, second order off it.
   std::optional<double> gap(const Vec3& x) const override;
+  bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override;
   /// Exact up to edge_cap(), which is returned beyond.
   double edge_distance(const Vec3& p) const override;
   Mesh triangles(double edge, const Vec3& centre, double reach) const override;

@@ -68,6 +68,10 @@ class PatchSurface final : public Surface {
     return whole_->retract(from, ds, out);
   }
 
+  bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override {
+    return whole_->meet(origin, direction, t, normal);
+  }
+
   /// Empty past the edge: the surface there is no part of the patch, and its side says nothing.
   std::optional<double> gap(const Vec3& x) const override {
     SurfacePoint foot;

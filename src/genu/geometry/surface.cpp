@@ -10,6 +10,24 @@ bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& ou
   return project(from.p + step, out);
 }
 
+bool Surface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
+  constexpr int kMaxIterations = 20;
+  constexpr double kGrazing = 1e-3;  // cosine with the normal
+  constexpr double kSettled = 1e-9;  // m: a step this short leaves an error of its square times the curvature
+  SurfacePoint foot;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const Vec3 x = origin + t * direction;
+    if (!project(x, foot)) return false;
+    const double along = foot.n.dot(direction);
+    if (!(std::abs(along) > kGrazing)) return false;
+    const double step = foot.n.dot(foot.p - x) / along;
+    t += step;
+    normal = foot.n;
+    if (std::abs(step) <= kSettled) return true;
+  }
+  return false;
+}
+
 double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
 
 SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) const {

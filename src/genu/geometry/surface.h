@@ -51,6 +51,10 @@ class Surface {
   /// (exact where the shape has a closed form). Empty where it is not known.
   virtual std::optional<double> gap(const Vec3& x) const = 0;
 
+  /// Follows a line to the surface by Newton's method: `t` (m along the unit `direction`) is where to begin and becomes
+  /// the place, `normal` the outward unit normal there. False, with both unspecified, where it does not arrive.
+  virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;
+
   /// Distance (m) along the surface from p, a point on it, to the nearest edge of the patch, or the straight one, which
   /// is no longer: positive inside, negative past the edge, +infinity for a surface without edges.
   virtual double edge_distance(const Vec3& p) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "genu/contact/smooth_layer.h"
 #include "genu/contact/triangle_layer.h"
 
 namespace genu {
@@ -9,13 +10,13 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double kEdge = 0.01;  // of the smaller surface
-constexpr double kReach = 3;    // of the larger one, or of the characteristic length: what is used of endless shapes
+constexpr double kEdge = 0.01, kSmoothEdge = 0.02;  // of the smaller surface
+constexpr double kReach = 3;  // of the larger one, or of the characteristic length: what is used of endless shapes
 
 /// Triangles of one of the two surfaces, in its body.
 class Facets {
  public:
-  Facets(const JointModel& model, const JointModel::Layer& between) : model_(model) {
+  Facets(const JointModel& model, const JointModel::Layer& between, double edge) : model_(model) {
     const double coarse = model.scales.length;
     double smaller = 2 * coarse, larger = 0;
     for (const auto& surface : {between.a, between.b}) {
@@ -24,7 +25,7 @@ class Facets {
       smaller = larger == 0 ? size : std::min(smaller, size);
       larger = std::max(larger, size);
     }
-    edge_ = kEdge * smaller;
+    edge_ = edge * smaller;
     reach_ = kReach * std::max(larger, coarse);
   }
 
@@ -37,20 +38,40 @@ class Facets {
   double edge_ = 0, reach_ = 0;
 };
 
-}  // namespace
-
-std::shared_ptr<const ElasticLayer> build_layer(const JointModel& model, const LayerDef& def,
-                                                const JointModel::Layer& between) {
-  const Facets facets(model, between);
-  const Mesh a = facets.of(*between.a, between.body_a), b = facets.of(*between.b, between.body_b);
-  const bool from_a = def.cast_from == def.pair.surface_a;
+LayerLaw law_of(const LayerDef& def) {
   LayerLaw law;
   law.kind = def.law == LayerDef::Law::linear ? LayerLaw::Kind::linear : LayerLaw::Kind::logarithmic;
   law.confined_modulus = confined_modulus(def.modulus, def.poisson);
+  return law;
+}
+
+void build_smooth(const LayerDef& def, Mesh a, Mesh b, JointModel::Layer& between) {
+  const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
+  const auto cells_a = std::make_shared<const SmoothCells>(std::move(a), between.a);
+  const auto cells_b = std::make_shared<const SmoothCells>(std::move(b), between.b);
+  const LayerLaw law = law_of(def);
+  const auto side = [&](const auto& cells, const auto& other, const auto& target) {
+    return std::make_shared<SmoothLayer>(cells, other, target, def.search_depth, law, def.thickness);
+  };
+  between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
+      {true, 0.5, side(cells_a, between.b, tree_b)}, {false, 0.5, side(cells_b, between.a, tree_a)}});
+  between.tolerance = def.tolerance;
+  between.most_level = SmoothLayer::kMaxLevel;
+}
+
+}  // namespace
+
+void build_layer(const JointModel& model, const LayerDef& def, JointModel::Layer& between) {
+  const bool smooth = def.quadrature == LayerDef::Quadrature::smooth;
+  const Facets facets(model, between, smooth ? kSmoothEdge : kEdge);
+  Mesh a = facets.of(*between.a, between.body_a), b = facets.of(*between.b, between.body_b);
+  if (smooth) return build_smooth(def, std::move(a), std::move(b), between);
+  const bool from_a = def.cast_from == def.pair.surface_a;
   const auto target = std::make_shared<const TriangleTree>(from_a ? b : a);
   const LayerThickness thickness{def.thickness, {}, {}};
-  return std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
-      {from_a, 1.0, std::make_shared<TriangleLayer>(from_a ? a : b, target, def.search_depth, law, thickness)}});
+  between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
+      {from_a, 1.0,
+       std::make_shared<TriangleLayer>(from_a ? a : b, target, def.search_depth, law_of(def), thickness)}});
 }
 
 }  // namespace genu

@@ -7,9 +7,8 @@
 
 namespace genu {
 
-/// The layer of `def` between the surfaces of `between` (whose own layer is not there yet). Meshes are used as they
-/// are; shapes with a formula as triangles whose edges are 1/100 of the smaller of both surfaces.
-std::shared_ptr<const ElasticLayer> build_layer(const JointModel& model, const LayerDef& def,
-                                                const JointModel::Layer& between);
+/// Gives `between` its layer. Meshes are cut into the triangles they have; shapes with a formula into triangles whose
+/// edges are 1/100 of the smaller of both surfaces, or 1/50 where the sum is over smooth surfaces.
+void build_layer(const JointModel& model, const LayerDef& def, JointModel::Layer& between);
 
 }  // namespace genu

@@ -184,8 +184,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);
-  for (std::size_t k = 0; k < scene.layers.size(); ++k)
-    model.layers[k].layer = build_layer(model, scene.layers[k], model.layers[k]);
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) build_layer(model, scene.layers[k], model.layers[k]);
   return model;
 }
 

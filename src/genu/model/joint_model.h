@@ -59,6 +59,8 @@ struct JointModel {
     int body_a, body_b;
     std::shared_ptr<const Surface> a, b;
     std::shared_ptr<const ElasticLayer> layer;
+    double tolerance = 0;  ///< relative error of the force that is asked for; 0: the sum is what it is
+    int most_level = 0;
   };
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.

@@ -11,7 +11,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Sum {
  public:
   void add(const LayerPoint& point, double share, const Vec3& x, const Vec3& n_on_b) {
-    const double load = share * point.pressure * point.area;
+    const double load = share * point.load;
     totals_.force += load * n_on_b;
     totals_.moment += x.cross(Vec3(load * n_on_b));
     totals_.area += share * point.area;
@@ -50,13 +50,16 @@ LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& 
   std::vector<Sum> parts(regions.size());
   for (std::size_t i = 0; i < l.layer->sides().size(); ++i) {
     const auto& side = l.layer->sides()[i];
-    l.layer->visit(X_Wa, X_Wb, i, memory, [&](const LayerPoint& point) {
-      const Vec3 x = side.a ? X_ba * point.x : point.x;
-      const Vec3 n_on_b = side.a ? Vec3(X_ba.R * point.n) : Vec3(-point.n);
-      total.add(point, side.share, x, n_on_b);
-      for (std::size_t r = 0; r < regions.size(); ++r)
-        if (regions[r].contains(x)) parts[r].add(point, side.share, x, n_on_b);
-    });
+    l.layer->visit(
+        X_Wa, X_Wb, i, memory,
+        [&](const LayerPoint& point) {
+          const Vec3 x = side.a ? X_ba * point.x : point.x;
+          const Vec3 n_on_b = side.a ? Vec3(X_ba.R * point.n) : Vec3(-point.n);
+          total.add(point, side.share, x, n_on_b);
+          for (std::size_t r = 0; r < regions.size(); ++r)
+            if (regions[r].contains(x)) parts[r].add(point, side.share, x, n_on_b);
+        },
+        state.layer_level(at(layer)));
   }
   const Pose X_ab = X_ba.inverse();
   const Vec3 own_a = own_origin(model, l.body_a), own_b = own_origin(model, l.body_b);

@@ -18,7 +18,7 @@ struct LayerTotals {
   double most_used = 0;          ///< depth over thickness
   Vec3 centre = Vec3::Zero();    ///< m: centre of pressure, the mean of the points weighted by p dA; 0 without any
   Vec3 centre_a = Vec3::Zero();  ///< the same in the frame of the first surface's body
-  int points = 0;                ///< how many triangles carry pressure
+  int points = 0;                ///< how many triangles or nodes stand for it
   bool touches() const { return points > 0; }
 };
 

@@ -25,7 +25,9 @@ struct Linearization {
   std::vector<ContactBlock> contacts;
   /// Of each elastic layer, what earlier poses have shown: linearizations that are used in turn share it.
   std::shared_ptr<std::vector<ElasticLayer::Memory>> layers;
-  VecX length_gradient;  ///< 6B: of the last ligament with via points (kept here for its memory)
+  std::vector<double> layer_loads;   ///< N, of each elastic layer: sum of p dA
+  std::vector<double> layer_errors;  ///< N, and its error, estimated
+  VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
   /// they are the same for every body

@@ -35,6 +35,9 @@ struct State {
                                          ///< prescribed, then of all that joints hold
   std::vector<ActiveContact> contacts;
   std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
+  std::vector<int> layer_levels;      ///< how finely each elastic layer is summed (LayerQuadrature); empty: all at 0
+
+  int layer_level(std::size_t layer) const { return layer < layer_levels.size() ? layer_levels[layer] : 0; }
 };
 
 /// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the

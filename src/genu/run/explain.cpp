@@ -149,10 +149,9 @@ class Explanation {
                                   scene_.surfaces[at(c.surface_b)].name));
     std::vector<std::string> layers;
     for (const LayerDef& l : scene_.layers)
-      layers.push_back(fmt::format(
-          "{} ({} on {}, {}, rays from the triangles of {})", l.pair.name, scene_.surfaces[at(l.pair.surface_a)].name,
-          scene_.surfaces[at(l.pair.surface_b)].name, l.law == LayerDef::Law::linear ? "linear" : "logarithmic",
-          scene_.surfaces[at(l.cast_from)].name));
+      layers.push_back(fmt::format("{} ({} on {}, {}, {})", l.pair.name, scene_.surfaces[at(l.pair.surface_a)].name,
+                                   scene_.surfaces[at(l.pair.surface_b)].name,
+                                   l.law == LayerDef::Law::linear ? "linear" : "logarithmic", quadrature_name(l)));
     for (const LigamentDef& l : scene_.ligaments) {
       const std::string law = law_name(l.law);
       if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
@@ -169,6 +168,12 @@ class Explanation {
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
     effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
     if (!off_.empty()) line("off", joined(off_) + ": not named by the scene, costs nothing");
+  }
+
+  std::string quadrature_name(const LayerDef& l) const {
+    if (l.quadrature == LayerDef::Quadrature::smooth)
+      return fmt::format("summed over smooth surfaces to {:g} of the force", l.tolerance);
+    return "rays from the triangles of " + scene_.surfaces[at(l.cast_from)].name;
   }
 
   std::string value(const StepDef::Prescribed& p) const {

@@ -99,6 +99,9 @@ bool triangles_alone(const Scene& scene, std::size_t surface) {
     return c.surface_a == static_cast<int>(surface) || c.surface_b == static_cast<int>(surface);
   };
   return std::none_of(scene.contacts.begin(), scene.contacts.end(), uses) &&
+         std::none_of(
+             scene.layers.begin(), scene.layers.end(),
+             [&](const LayerDef& l) { return l.quadrature == LayerDef::Quadrature::smooth && uses(l.pair); }) &&
          std::any_of(scene.layers.begin(), scene.layers.end(), [&](const LayerDef& l) { return uses(l.pair); });
 }
 

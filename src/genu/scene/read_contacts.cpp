@@ -48,6 +48,28 @@ void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
   if (*found != a && *found != b) refuse(context, item, "must be one of the contact's two surfaces");
 }
 
+/// How the pressure is summed, and the key that belongs to that way alone.
+void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
+  constexpr double kLeast = 1e-8, kMost = 0.1;
+  const Item quadrature = section.find("quadrature");
+  std::optional<int> choice = 0;
+  if (quadrature) choice = read_choice(context, quadrature, {"smooth", "triangles"});
+  const Item cast_from = section.find("cast_from"), tolerance = section.find("tolerance");
+  if (!choice) return;
+  if (*choice == 1) {
+    layer.quadrature = LayerDef::Quadrature::triangles;
+    if (tolerance) refuse(context, tolerance, "belongs to quadrature = \"smooth\": triangles have none");
+    read_cast_from(context, section.require("cast_from"), layer);
+    return;
+  }
+  if (cast_from)
+    refuse(context, cast_from, "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
+  if (!tolerance) return;
+  layer.tolerance = read_number(context, tolerance, {.unit = 1, .unit_name = {}, .above = {}, .at_least = kLeast})
+                        .value_or(layer.tolerance);
+  if (layer.tolerance > kMost) refuse(context, tolerance, "must be <= 0.1: a relative error of the force");
+}
+
 void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   const NumberRule modulus{.unit = 1e6, .unit_name = "MPa", .above = 0, .at_least = {}};
   layer.modulus = read_number(context, section.require("modulus"), modulus).value_or(0);
@@ -60,9 +82,7 @@ void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   layer.thickness = read_number(context, section.require("thickness"), length).value_or(0);
   if (const Item law = section.find("law"))
     layer.law = static_cast<LayerDef::Law>(read_choice(context, law, {"linear", "logarithmic"}).value_or(0));
-  if (read_choice(context, section.require("quadrature"), {"triangles"}, {"smooth"}))
-    layer.quadrature = LayerDef::Quadrature::triangles;
-  read_cast_from(context, section.require("cast_from"), layer);
+  read_quadrature(context, section, layer);
   layer.search_depth = layer.thickness;
   const Item depth = section.find("search_depth");
   if (!depth) return;

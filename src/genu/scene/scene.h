@@ -124,13 +124,14 @@ struct ContactDef {
 /// An elastic layer between two surfaces: cartilage on rigid bones (contact/layer_law.h).
 struct LayerDef {
   enum class Law { linear, logarithmic };
-  enum class Quadrature { triangles };
+  enum class Quadrature { triangles, smooth };
   ContactDef pair;
   double modulus = 0;    ///< Young's, Pa
   double poisson = 0;    ///< in [0, 0.5)
   double thickness = 0;  ///< m, of both layers together
   Law law = Law::linear;
-  Quadrature quadrature = Quadrature::triangles;
+  Quadrature quadrature = Quadrature::smooth;
+  double tolerance = 1e-4;  ///< smooth: relative error of the force
   int cast_from = -1;       ///< triangles: index into Scene::surfaces
   double search_depth = 0;  ///< m: how far rays look
   SourceLocation search_depth_where;

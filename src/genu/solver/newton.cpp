@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/model/layer_levels.h"
+
 namespace genu {
 
 std::string to_string(NewtonReport::Outcome outcome) {
@@ -61,7 +63,19 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
 
 NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
   NewtonReport report;
+  if (!here_.layers) here_.layers = std::make_shared<std::vector<ElasticLayer::Memory>>();
   there_.layers = here_.layers;
+  finer_ = state;
+  do {
+    report.outcome = NewtonReport::Outcome::not_finite;
+    solve_as_fine(finer_, target, options, report);
+  } while (report.converged() && raise_layer_levels(*model_, here_, finer_));
+  if (report.converged()) std::swap(state, finer_);
+  return report;
+}
+
+/// With the layers as they are; counts iterations on.
+void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptions& options, NewtonReport& report) {
   current_ = state;
   fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);
@@ -70,35 +84,34 @@ NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptio
     report.residual_history[0] = report.residual_history[1];
     report.residual_history[1] = report.residual_history[2];
     report.residual_history[2] = report.residual = residual;
-    if (!std::isfinite(residual)) return report;
+    if (!std::isfinite(residual)) return;
     const bool solved = residual <= options.residual_tolerance;
-    if (!step_.factor(here_, target, options.route)) return report;
+    if (!step_.factor(here_, target, options.route)) return;
     report.rcond = step_.linear().rcond();
     report.full_rank = step_.linear().full_rank();
     report.minimum_norm = step_.linear().minimum_norm();
     if (solved) break;
     if (report.iterations == options.max_iterations) {
       report.outcome = NewtonReport::Outcome::iterations_used_up;
-      return report;
+      return;
     }
     step_.solve(here_, correction_);
     if (!advance(target, options, residual, report)) {
       if (residual <= options.residual_floor) break;
-      return report;
+      return;
     }
     const double next = step_.residual(here_, target);
     // Rounding ends the fall: below the floor a step that no longer halves the residual is the last one.
     if (next > 0.5 * residual && next <= options.residual_floor) {
       report.residual = next;
       ++report.iterations;
-      if (!step_.factor(here_, target, options.route)) return report;
+      if (!step_.factor(here_, target, options.route)) return;
       break;
     }
     residual = next;
   }
   report.outcome = NewtonReport::Outcome::converged;
   state = current_;
-  return report;
 }
 
 }  // namespace genu

@@ -41,7 +41,8 @@ class Newton {
  public:
   explicit Newton(const JointModel& model) : model_(&model), step_(model) {}
 
-  /// Solves from `state` in place. On failure `state` is left as it was.
+  /// Solves from `state` in place, again where elastic layers have to be summed more finely (layer_levels.h). On
+  /// failure `state` is left as it was.
   NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
 
   /// After a converged solve: the linearization at the solution.
@@ -49,6 +50,7 @@ class Newton {
   NewtonStep& step() { return step_; }
 
  private:
+  void solve_as_fine(State& state, const Target& target, const NewtonOptions& options, NewtonReport& report);
   double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
   bool advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report);
 
@@ -56,7 +58,7 @@ class Newton {
   NewtonStep step_;
   Linearization here_, there_;
   Correction correction_, simplified_;
-  State current_, trial_;
+  State current_, trial_, finer_;
 };
 
 }  // namespace genu

@@ -1,0 +1,74 @@
+// A surface cut into triangular cells, each with a lattice of nodes that lie on the smooth surface.
+//
+// The cells are the triangles of a mesh of the surface. Cut n times along each edge they share the nodes on their
+// edges; those of n / 2 are among those of n.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "genu/geometry/surface.h"
+
+namespace genu {
+
+class SmoothCells {
+ public:
+  /// A node's place, m, and the outward unit normal there.
+  struct Node {
+    Vec3 x = Vec3::Zero();
+    Vec3 n = Vec3::UnitZ();
+  };
+  /// A place in the lattice of a cell: i of `divisions` along the edge from its first corner to the second, j along
+  /// that to the third.
+  struct Place {
+    int cell = 0;
+    int divisions = 1;
+    int i = 0, j = 0;
+  };
+
+  static bool is_corner(const Place& p) { return p.i == p.divisions || p.j == p.divisions || (p.i == 0 && p.j == 0); }
+  static Place corner(const Place& p, int k) {
+    return {p.cell, p.divisions, k == 1 ? p.divisions : 0, k == 2 ? p.divisions : 0};
+  }
+  /// Of the cell's corners in the node; exact where `divisions` is a power of two.
+  static std::array<double, 3> shares(const Place& p) {
+    const double n = p.divisions;
+    return {1 - (p.i + p.j) / n, p.i / n, p.j / n};
+  }
+
+  SmoothCells(Mesh mesh, std::shared_ptr<const Surface> surface);
+
+  int cell_count() const { return static_cast<int>(mesh_.triangles.size()); }
+  int node_count(int divisions) const;
+  /// The same number from every cell that shares the node.
+  int number(const Place& place) const;
+  /// Onto the surface from the flat cell. Where the surface is not known there, or so far that the normals and places
+  /// of the cell's corners say nothing about it, the node stays on the flat cell, with their normals in between.
+  /// `length`: of the line along the normal that the node stands for, m.
+  Node node(const Place& place, double length) const;
+
+  /// No node of the cell, and no point `length` along its normal to either side, is farther (m) from that of `middle`.
+  double radius(int cell, const Node& middle, double length) const;
+  Node middle(int cell) const;
+  double longest_edge(int cell) const { return longest_edges_[static_cast<std::size_t>(cell)]; }
+  /// Mean of the cells' longest edges, m.
+  double mean_edge() const { return mean_; }
+
+  const Surface& surface() const { return *surface_; }
+
+ private:
+  std::array<const Node*, 3> corners(int cell) const;
+  void find_edges();
+  void place_corners();
+
+  Mesh mesh_;
+  std::shared_ptr<const Surface> surface_;
+  std::vector<Node> corners_;              // of the mesh's vertices
+  std::vector<std::array<int, 3>> edges_;  // of each cell: from corner 0 to 1, 1 to 2, 2 to 0
+  std::vector<double> longest_edges_;      // m, of each cell
+  int edge_count_ = 0;
+  double mean_ = 0;  // m: of the longest edges
+};
+
+}  // namespace genu

@@ -1,0 +1,63 @@
+// The layer summed over smooth surfaces: the casting surface is cut into triangles with corners on it, and the pressure
+// at these corners, from the depth along minus the surface's normal to the other smooth surface, goes linearly over
+// each triangle, outside of contact into negative values, and is cut off exactly where it is zero.
+//
+// With triangles of edge h the sum is off by c h^2 + O(h^4): sums I(h) and I(h / 2) give (4 I(h/2) - I(h)) / 3, and
+// their difference tells the error (L. F. Richardson 1911). Each is once continuously differentiable in the pose, and
+// the tangent is exact: what moves the zero line adds nothing, as the pressure is zero there.
+//
+// At `level` l each triangle of the mesh is cut 2^l and 2^(l + 1) times along its edges. Where the other surface ends,
+// pressure ends at once, as it does between triangles.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "genu/contact/layer_quadrature.h"
+#include "genu/contact/smooth_cells.h"
+
+namespace genu {
+
+class SmoothLayer final : public LayerQuadrature {
+ public:
+  static constexpr int kMaxLevel = 4;
+
+  /// `target`: triangles of the surface `other`, in the same frame; `thickness` of both layers together, m.
+  SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,
+              std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law, double thickness);
+
+  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const override;
+  /// The nodes, and the deepest points found from those deeper than all round them, which stand for no area.
+  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
+             int level = 0) const override;
+
+ private:
+  struct Depth {
+    bool met = false;
+    double depth = 0;       ///< m, negative outside
+    Vec3 w = Vec3::Zero();  ///< its derivative, see add_pressure(); in casting axes
+    int triangle = -1;      ///< of the target, -1: not looked for
+  };
+
+  void sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out) const;
+  void add_cell(const Pose& X_TC, int cell, int divisions, Memory& memory, LayerSum& out) const;
+  void add_triangle(const std::array<SmoothNode*, 3>& nodes, bool fine, Memory& memory, double& load) const;
+  bool worth_it(const Pose& X_TC, int cell, int divisions, Memory& memory) const;
+  SmoothNode& node(const Pose& X_TC, const SmoothCells::Place& place, Memory& memory) const;
+  bool follow(const Pose& X_TC, const SmoothCells::Node& node, double from, Depth& out) const;
+  Depth measure_inside(const Pose& X_TC, const SmoothCells::Place& place, const SmoothCells::Node& node, int hint,
+                       Memory& memory) const;
+  Depth measure(const Pose& X_TC, const SmoothCells::Node& node, int hint) const;
+  LayerPoint deepest_from(const Pose& X_TC, const SmoothNode& node, double spacing) const;
+
+  std::shared_ptr<const SmoothCells> casting_;
+  std::shared_ptr<const Surface> other_;
+  std::shared_ptr<const TriangleTree> target_;
+  double search_depth_, lead_, trust_;  // m
+  LayerLaw law_;
+  double thickness_;
+  LayerRays rays_;
+};
+
+}  // namespace genu
