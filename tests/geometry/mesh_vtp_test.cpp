@@ -162,7 +162,7 @@ TEST(MeshVtp, ArraysOfOtherShapeOrTypeAreNamed) {
     Arrays bad = ascii();
     bad.points =
         element("Float32", "Points", "ascii", numbers(kPoints), std::string("NumberOfComponents=\"") + count + "\"");
-    says(bad, std::string("of \"") + count + "\" components, not 3 (line 7)");
+    says(bad, std::string("of \"") + count + "\" components, not 3 (line 8)");
   }
   Arrays bad = ascii();
   bad.points = element("Complex", "Points", "ascii", numbers(kPoints));

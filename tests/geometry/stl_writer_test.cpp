@@ -46,7 +46,7 @@ TEST(StlWriter, AFailureIsSaidAndLeavesWhatIsThere) {
 TEST(StlWriter, FarFromTheOriginIsWrittenInFull) {
   test::TemporaryFolder folder;
   Mesh far = kTriangle;
-  for (Vec3& v : far.vertices) v += Vec3(1000, 1000, 0);  // 1e6 mm: float32 steps are 0.06 mm
+  for (Vec3& v : far.vertices) v += Vec3(1000.0000123, 1000, 0);  // 1e6 mm: float32 steps are 0.06 mm
   EXPECT_TRUE(fits_binary_stl(kTriangle, 1e-3));
   EXPECT_FALSE(fits_binary_stl(far, 1e-3));
   EXPECT_NEAR(binary_stl_rounding(far, 1e-3), 0, 5e-5);
@@ -57,8 +57,8 @@ TEST(StlWriter, FarFromTheOriginIsWrittenInFull) {
   ASSERT_TRUE(back);
   ASSERT_EQ(back->vertices.size(), 3u) << "not welded by the rounding of float32 either";
   for (std::size_t v = 0; v < 3; ++v) EXPECT_LT((back->vertices[v] - far.vertices[v]).norm(), 1e-12);
-  Mesh fine = kTriangle;  // 0.1 um edges at 30 mm
-  for (Vec3& v : fine.vertices) v = Vec3(0.03, 0, 0) + 1e-4 * v;
+  Mesh fine = kTriangle;  // edges of 2 nm at 30 mm
+  for (Vec3& v : fine.vertices) v = Vec3(0.0301234, 0, 0) + 1e-6 * v;
   EXPECT_FALSE(fits_binary_stl(fine, 1e-3));
 }
 
