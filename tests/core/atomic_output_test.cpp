@@ -154,7 +154,24 @@ TEST_F(AtomicOutput, AFileIsReplacedWholeAndOnlyAFile) {
   EXPECT_NE(write_file_atomically(dir_, "x"), "");
   EXPECT_NE(write_file_atomically("/dev/null", "x"), "");
   EXPECT_NE(write_file_atomically("", "x"), "");
+  fs::create_symlink(file, dir_ / "link");
+  EXPECT_NE(write_file_atomically(dir_ / "link", "x"), "") << "a link is somebody's, and so is what it names";
+  EXPECT_EQ(read(file), bytes);
+  fs::remove(dir_ / "link");
   EXPECT_EQ(names_in(dir_), Names{"results.csv"});
+}
+
+TEST_F(AtomicOutput, AFolderHoldsWhatLiesInItAtAnyDepth) {
+  fs::create_directories(dir_ / "a" / "b");
+  write(dir_ / "a" / "b" / "mesh.stl", "x");
+  write(dir_ / "other.stl", "x");
+  fs::create_symlink(dir_ / "a" / "b" / "mesh.stl", dir_ / "link.stl");
+  EXPECT_TRUE(folder_holds(dir_ / "a", dir_ / "a" / "b" / "mesh.stl"));
+  EXPECT_TRUE(folder_holds((dir_ / "a").string() + "/", dir_ / "a" / "b" / ".." / "b" / "mesh.stl"));
+  EXPECT_TRUE(folder_holds(dir_ / "a", dir_ / "link.stl"));
+  EXPECT_FALSE(folder_holds(dir_ / "a" / "b", dir_ / "other.stl"));
+  EXPECT_FALSE(folder_holds(dir_ / "a", dir_ / "a" / "none.stl"));
+  EXPECT_FALSE(folder_holds(dir_ / "ab", dir_ / "a" / "b" / "mesh.stl"));
 }
 
 // A limit on the size of files fails a write half way, as a full disk does.

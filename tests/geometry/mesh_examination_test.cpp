@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/geometry/mesh_check.h"
 #include "geometry/blend_meshes.h"
 #include "support/dirt.h"
 
@@ -74,7 +75,7 @@ TEST(MeshExamination, UnitsAreGuessedFromTheSize) {
   Mesh huge = kTorus;
   for (Vec3& v : huge.vertices) v *= 1000;
   EXPECT_EQ(finding(examined(huge, 1e-3), "size").verdict, Verdict::bad);
-  MeshFileFacts facts{1, 1, {}, 6e-5};
+  MeshFileFacts facts{1, 1, {}, 6e-5, true};
   EXPECT_EQ(finding(examine_mesh(kTorus, facts, 1e-3), "coordinates rounded to").verdict, Verdict::bad);
 }
 

@@ -38,8 +38,8 @@ TEST(MeshOff, SaysWhatIsWrongAndWhere) {
                                                      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "names a vertex"},
                                                      {"OFF BINARY\n", "binary OFF is not read"},
                                                      {"OFF\n" + kSquare + "more", "\"more\" in line 8"},
-                                                     {"OFF\n99999999999 1 0\n", "more vertices"},
-                                                     {"OFF\n-4 1 0\n", "a number"},
+                                                     {"OFF\n99999999999 1 0\n", "a count from 0"},
+                                                     {"OFF\n-4 1 0\n", "\"-4\" in line 2 where a count"},
                                                      {"", "truncated"}};
   for (const auto& [text, said] : bad) {
     Mesh mesh;

@@ -1,6 +1,7 @@
 #include "genu/geometry/mesh_reader.h"
 
 #include <cmath>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,8 @@ TEST(MeshReader, CoordinatesThatSinglePrecisionRoundsAreToldOf) {
   const auto warnings = [&](const Vec3& by, double unit) {
     Mesh moved = mesh;
     for (Vec3& v : moved.vertices) v += by;
+    for (Vec3& v : moved.vertices)  // as binary STL has them; it is not written where it rounds so much
+      for (int k = 0; k < 3; ++k) v[k] = unit * static_cast<double>(static_cast<float>(v[k] / unit));
     EXPECT_EQ(write_stl(moved, folder / "far.stl", unit, "far"), "");
     Diagnostics out;
     MeshFileFacts facts;
@@ -92,6 +95,41 @@ TEST(MeshReader, CoordinatesThatSinglePrecisionRoundsAreToldOf) {
   EXPECT_EQ(warnings({2, 0, 0}, 1e-3), "") << "2 m: rounded to 0.1 um";
   EXPECT_NE(warnings({1000, 0, 0}, 1e-3).find("rounded to 0.06"), std::string::npos);
   EXPECT_NE(warnings({100, 0, 0}, 1).find("rounded to 0.007"), std::string::npos);
+}
+
+TEST(MeshReader, TheUnitIsGuessedBeforeLengthsAreTold) {
+  TemporaryFolder folder;
+  Mesh mesh = geodesic_mesh({0.03, 0.02, 0.01}, 0.004);
+  for (Vec3& v : mesh.vertices) v.x() += 0.1;
+  for (const double unit : {1e-3, 1.0}) {
+    ASSERT_EQ(write_stl(mesh, folder / "a.stl", unit, "knee"), "");
+    Diagnostics out;
+    double found = 0;
+    const auto back = read_mesh_of_some_unit(folder / "a.stl", found, out);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(found, unit);
+    EXPECT_TRUE(out.items().empty()) << to_string(out.items()[0]);
+    EXPECT_NEAR(back->vertices[0].x(), mesh.vertices[0].x(), 1e-8);
+  }
+}
+
+TEST(MeshReader, DamagedCoordinatesAreNamed) {
+  TemporaryFolder folder;
+  const auto says = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  const std::string start = "solid a\n" + kFirst, end = "endsolid a\n";
+  const auto with = [&](const std::string& x) {
+    return start + ascii_facet("vertex " + x + " 0 0\nvertex 1 1 0\nvertex 0 1 0\n") + end;
+  };
+  for (const char* x : {"1e30", "1e155", "1e300", "-1e10", "nan", "inf"})
+    says(error(folder.write("far.stl", with(x))), std::string("has \"") + x + "\" in line 11 where a coordinate");
+  says(error(folder.write("off.stl", with("9e8"))), "of its vertex 4 at [9e+08, 0, 0]");
+  ASSERT_EQ(write_stl(geodesic_mesh({1, 1, 1}, 0.6), folder / "whole.stl", 1, "sphere"), "");
+  std::string far = test::read_file(folder / "whole.stl");
+  const float huge = 1e30f;
+  std::memcpy(far.data() + 84 + 50 + 12, &huge, sizeof huge);
+  says(error(folder.write("binary.stl", far)), "beyond 1e9 of its units (triangle 2, [1e+30,");
 }
 
 TEST(MeshReader, OffAndVtpAreRead) {

@@ -1,7 +1,10 @@
 // ASCII STL word by word: nothing is passed over in silence. (Binary files: mesh_reader_test.)
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "genu/geometry/mesh_formats.h"
+#include "genu/geometry/mesh_reader.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -42,7 +45,10 @@ TEST(MeshStl, GarbageIsNamedWithItsLine) {
                                                      {"vertex 0 1 0", "vertex 0 1.5.2 0"},
                                                      {"vertex 0 1 0", "vertex 0 1e400 0"},
                                                      {"endfacet", "end facet"},
-                                                     {"vertex 1 0 0\n", ""}};
+                                                     {"vertex 1 0 0\n", ""},
+                                                     {"vertex 0 1 0", "vertex 0 1e30 0"},
+                                                     {"endloop", "vertex 1 1 0\nendloop"},
+                                                     {"endfacet", std::string("end\0facet", 9)}};
   for (const auto& [piece, replacement] : bad) {
     std::string text = "solid\n" + kFacet + kFacet + "endsolid\n";
     text.replace(text.rfind(piece), piece.size(), replacement);
@@ -50,6 +56,23 @@ TEST(MeshStl, GarbageIsNamedWithItsLine) {
     const std::string problem = read(text, mesh);
     EXPECT_NE(problem.find("in line 1"), std::string::npos) << replacement << ": " << problem;
   }
+}
+
+TEST(MeshStl, AsciiIsKnownBehindMarksLongTitlesAndAnyLineEnds) {
+  const test::TemporaryFolder folder;
+  const std::string plain = "solid a\n" + kFacet + "endsolid a\n";
+  std::string carriage = plain;
+  std::replace(carriage.begin(), carriage.end(), '\n', '\r');
+  const std::string title = "solid " + std::string(5000, 'x') + std::string(3, '\0') + plain.substr(7);
+  for (const std::string& text : {"\xef\xbb\xbf" + plain, carriage, title}) {
+    Diagnostics out;
+    const auto mesh = read_mesh(folder.write("a.stl", text), 1, out);
+    ASSERT_TRUE(mesh) << to_string(out.items()[0]);
+    EXPECT_EQ(mesh->triangles.size(), 1u);
+  }
+  Diagnostics out;
+  EXPECT_FALSE(read_mesh(folder.write("b.stl", "solid facet" + std::string(200, '\0')), 1, out));
+  EXPECT_NE(to_string(out.items()[0]).find("is a binary STL"), std::string::npos);
 }
 
 TEST(MeshStl, EveryTruncationIsRefused) {

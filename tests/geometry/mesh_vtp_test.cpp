@@ -148,5 +148,26 @@ TEST(MeshVtp, EveryTruncationIsRefused) {
   }
 }
 
+TEST(MeshVtp, ArraysOfOtherShapeOrTypeAreNamed) {
+  const auto says = [](const Arrays& arrays, const std::string& part) {
+    Mesh mesh;
+    const std::string problem = read(file("", arrays), mesh);
+    EXPECT_NE(problem.find(part), std::string::npos) << problem;
+  };
+  Arrays good = ascii();
+  good.points = element("Float32", "Points", "ascii", numbers(kPoints), "NumberOfComponents=\"3\"");
+  Mesh mesh;
+  EXPECT_EQ(read(file("", good), mesh), "");
+  for (const char* count : {"2", "0", "-3", "x"}) {
+    Arrays bad = ascii();
+    bad.points =
+        element("Float32", "Points", "ascii", numbers(kPoints), std::string("NumberOfComponents=\"") + count + "\"");
+    says(bad, std::string("of \"") + count + "\" components, not 3 (line 8)");
+  }
+  Arrays bad = ascii();
+  bad.points = element("Complex", "Points", "ascii", numbers(kPoints));
+  says(bad, "type \"Complex\"");
+}
+
 }  // namespace
 }  // namespace genu

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/geometry/mesh_reader.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -29,18 +30,36 @@ TEST(StlWriter, WritesTheBytesOfTheFormat) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.stl.part"));
 }
 
-TEST(StlWriter, AFailureIsSaidAndLeavesTheOldFile) {
+TEST(StlWriter, AFailureIsSaidAndLeavesWhatIsThere) {
   test::TemporaryFolder folder;
-  EXPECT_NE(write_stl(kTriangle, folder / "no/such/a.stl", 1, "").find("cannot be opened"), std::string::npos);
+  EXPECT_NE(write_stl(kTriangle, folder / "no/such/a.stl", 1, ""), "");
   std::filesystem::create_directory(folder / "taken.stl");
-  EXPECT_NE(write_stl(kTriangle, folder / "taken.stl", 1, "").find("cannot be replaced"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(folder / "taken.stl.part"));
+  EXPECT_NE(write_stl(kTriangle, folder / "taken.stl", 1, ""), "");
+  const std::string mine = folder.write("a.stl.part", "mine"), target = folder.write("target.stl", "kept");
+  std::filesystem::create_symlink(target, folder / "link.stl");
+  EXPECT_NE(write_stl(kTriangle, folder / "link.stl", 1, ""), "");
+  EXPECT_EQ(write_stl(kTriangle, folder / "a.stl", 1, ""), "");
+  EXPECT_EQ(test::read_file(mine), "mine");
+  EXPECT_EQ(test::read_file(target), "kept");
+}
 
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full to play a full disk";
-  const std::string old = folder.write("full.stl", "old");
-  std::filesystem::create_symlink("/dev/full", folder / "full.stl.part");
-  EXPECT_NE(write_stl(kTriangle, old, 1, "").find("disk full"), std::string::npos);
-  EXPECT_EQ(test::read_file(old), "old");
+TEST(StlWriter, FarFromTheOriginIsWrittenInFull) {
+  test::TemporaryFolder folder;
+  Mesh far = kTriangle;
+  for (Vec3& v : far.vertices) v += Vec3(1000.0000123, 1000, 0);  // 1e6 mm: float32 steps are 0.06 mm
+  EXPECT_TRUE(fits_binary_stl(kTriangle, 1e-3));
+  EXPECT_FALSE(fits_binary_stl(far, 1e-3));
+  EXPECT_NEAR(binary_stl_rounding(far, 1e-3), 0, 5e-5);
+  ASSERT_EQ(write_stl(far, folder / "far.stl", 1e-3, "two\nlines"), "");
+  EXPECT_EQ(test::read_file(folder / "far.stl").compare(0, 16, "solid two lines\n"), 0);
+  Diagnostics out;
+  const auto back = read_mesh(folder / "far.stl", 1e-3, out);
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->vertices.size(), 3u) << "not welded by the rounding of float32 either";
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_LT((back->vertices[v] - far.vertices[v]).norm(), 1e-12);
+  Mesh fine = kTriangle;  // edges of 2 nm at 30 mm
+  for (Vec3& v : fine.vertices) v = Vec3(0.0301234, 0, 0) + 1e-6 * v;
+  EXPECT_FALSE(fits_binary_stl(fine, 1e-3));
 }
 
 }  // namespace

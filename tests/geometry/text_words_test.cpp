@@ -17,6 +17,24 @@ TEST(TextWords, KnowTheirLines) {
   EXPECT_EQ(words.next(), "");
 }
 
+TEST(TextWords, LinesMayEndInAnyWay) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text = "title that is" + end + "a b" + end + end + "c \\" + end + "d" + end;
+    TextWords words(text);
+    words.next();
+    words.skip_line();
+    EXPECT_EQ(words.next(), "a");
+    EXPECT_EQ(words.line(), 2u);
+    EXPECT_EQ(words.next_in_line(), "b");
+    EXPECT_EQ(words.next_in_line(), "");
+    EXPECT_EQ(words.next(), "c");
+    EXPECT_EQ(words.line(), 4u);
+    EXPECT_EQ(words.next_in_line(), "d") << "joined by the backslash";
+    EXPECT_EQ(words.next_in_line(), "");
+    EXPECT_EQ(words.rest(), end);
+  }
+}
+
 TEST(TextWords, NumbersAreWholeWords) {
   double x = 0;
   for (const char* good : {"1", "-1.5", "+2", ".5", "1e3", "1E-3", "1e-400"})

@@ -55,6 +55,36 @@ TEST(Cli, SearchesFromSeveralStarts) {
   EXPECT_EQ(genu("run " + scene + " --starts 0 --out " + (folder / "none")).exit_code, 2);
 }
 
+TEST(Cli, NamesTheOptionAndItsRule) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), out = " --out " + (folder / "out");
+  const auto says = [](const Outcome& o, const std::string& part) { EXPECT_TRUE(contains(o.err, part)) << o.err; };
+  says(genu("run " + scene + " --spread nan" + out), "--spread: nan is no number from 0.1 to 180");
+  says(genu("fit --scene " + scene + " --margin inf" + out), "--margin: inf is no number from 0.5 to 100");
+  says(genu("mesh " + scene + " --edge 0" + out), "--edge: 0 is no number from 1e-06 to 1e+06");
+  says(genu("run " + scene + " --out ''"), "the output folder has no name");
+  says(genu("fit " + (folder / "a.stl") + " --out ''"), "the output folder has no name");
+}
+
+TEST(Cli, WithoutMeshesThereAreNoErrorBars) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall);
+  const Outcome run = genu("run " + scene + " --error-bars --out " + (folder / "out"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "no error bars: the scene has no mesh")) << run.out;
+}
+
+TEST(Cli, AFitRadiusThatIsTooSmallIsNamedByItsKey) {
+  TemporaryFolder folder;
+  const std::string ball = folder.write("ball.toml", kBall);
+  ASSERT_EQ(genu("mesh " + ball + " ball --edge 2 --out " + (folder / "m")).exit_code, 0);
+  const std::string mesh = "shape = \"mesh\"\nfile = \"m/ball.stl\"\nunits = \"mm\"\nfit_radius = 0.1";
+  const Outcome check =
+      genu("check " + folder.write("mesh.toml", replaced(kBall, "shape = \"sphere\"\nradius = 20", mesh)));
+  EXPECT_EQ(check.exit_code, 2);
+  EXPECT_TRUE(contains(check.err, "surface.ball.fit_radius = 0.1 mm: must be at least")) << check.err;
+}
+
 TEST(Cli, DifferentiatesAScene) {
   TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", kBall), out = folder / "out";
@@ -206,6 +236,17 @@ TEST(Cli, RefusesArguments) {
                              "run /dev/null --out " + (folder / "out"),
                              "check " + (folder / "none.toml"),
                              "mesh " + scene + " --edge nan --out " + (folder / "out"),
+                             "mesh " + scene + " --edge 1e300 --out " + (folder / "out"),
+                             "mesh " + scene + " --edge 1 --reach 0 --out " + (folder / "out"),
+                             "mesh " + scene + " --edge 1 --thickness nan --out " + (folder / "out"),
+                             "mesh " + scene + " --edge 1 --out ''",
+                             "run " + scene + " --spread nan --out " + (folder / "out"),
+                             "run " + scene + " --spread 0 --out " + (folder / "out"),
+                             "run " + scene + " --spread -20 --out " + (folder / "out"),
+                             "run " + scene + " --starts 1e300 --out " + (folder / "out"),
+                             "run " + scene + " --starts nan --out " + (folder / "out"),
+                             "fit --scene " + scene + " --margin nan --out " + (folder / "out"),
+                             "fit --scene " + scene + " --margin 1e300 --out " + (folder / "out"),
                              "mesh " + scene + " --edge -1 --out " + (folder / "out"),
                              "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top 0",
                              "sensitivity " + scene + " --of knee.z --to '*.stiffness' --top=-1",

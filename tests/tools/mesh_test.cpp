@@ -73,6 +73,34 @@ TEST(MeshCommand, WritesEachSurfaceInItsBodysFrame) {
   EXPECT_NEAR(report.edge_length[2], 1e-3, 1e-4);
 }
 
+TEST(MeshCommand, ReplacesItsOwnFilesAlone) {
+  test::TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", kScene), log = folder / "log",
+                    command = scene + " --edge 2 --out " + folder / "";
+  const std::string measured = folder.write("plateau.stl", "solid measured\nendsolid measured\n");
+  EXPECT_EQ(run(command, log), 2);
+  EXPECT_NE(test::read_file(log).find("plateau.stl: is there already"), std::string::npos) << test::read_file(log);
+  EXPECT_EQ(test::read_file(measured), "solid measured\nendsolid measured\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "condyle.stl")) << "all or nothing";
+  std::filesystem::remove(measured);
+  for (const char* format : {"stl", "ply", "obj"})
+    for (int twice = 0; twice < 2; ++twice)
+      EXPECT_EQ(run(command + " --format " + format, log), 0) << test::read_file(log);
+}
+
+TEST(MeshCommand, MakesNoMoreTrianglesThanItSays) {
+  test::TemporaryFolder folder;
+  std::string scene = kScene;
+  scene.replace(scene.find("shape = \"torus\""), 15, "shape = \"sphere\"\nradius = 20");
+  for (const char* line : {"major_radius = 15\n", "minor_radius = 5\n"})
+    scene.erase(scene.find(line), std::string(line).size());
+  const std::string log = folder / "log";
+  ASSERT_EQ(run(folder.write("scene.toml", scene) + " condyle --edge 0.01 --out " + (folder / "out"), log), 0)
+      << test::read_file(log);
+  EXPECT_NE(test::read_file(log).find("coarser than --edge 0.01"), std::string::npos) << test::read_file(log);
+  EXPECT_LE(std::filesystem::file_size(folder / "out/condyle.stl"), 84 + 50 * 200'000u);
+}
+
 TEST(MeshCommand, RefusesWithExitCode2) {
   test::TemporaryFolder folder;
   const std::string scene = folder.write("scene.toml", kScene), log = folder / "log",

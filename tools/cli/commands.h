@@ -6,7 +6,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 namespace genu {
 class Diagnostics;
 }
@@ -24,6 +25,9 @@ void add_sensitivity(CLI::App& app, int& exit_code);
 
 /// Every error and warning on standard error, then how many there were; `computed` where that came after the work.
 void print(const Diagnostics& diagnostics, bool computed = false);
+
+/// Refuses what is no number from `low` to `high`; CLI11's own checks let nan pass.
+CLI::Validator number_within(double low, double high);
 
 /// From here on Ctrl-C stops the work at the next pose and keeps what was found: says whether it was pressed.
 std::function<bool()> stop_on_interrupt();

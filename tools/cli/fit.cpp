@@ -21,6 +21,7 @@
 #include "genu/run/fit_mesh.h"
 #include "genu/run/fit_scene.h"
 #include "genu/scene/reader.h"
+#include "genu/scene/words.h"
 
 namespace genu::cli {
 namespace {
@@ -49,15 +50,22 @@ std::optional<Vec3> direction(const std::string& text) {
     if (!CLI::detail::lexical_cast(text.substr(from, comma - from), v[k]) || !std::isfinite(v[k])) return std::nullopt;
     from = comma + 1;
   }
-  if (!(v.norm() > 0)) return std::nullopt;
-  return Vec3(v.normalized());
+  const double largest = v.cwiseAbs().maxCoeff();  // taken out first: squares of large numbers overflow
+  if (!(largest > 0)) return std::nullopt;
+  return Vec3((v / largest).normalized());
+}
+
+/// FILE and NAME of "FILE:NAME"; an empty name of "FILE".
+std::pair<std::string, std::string> like_file(const std::string& text) {
+  const auto colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return {text, {}};
+  return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
 /// The surface FILE:NAME, or the only one of FILE.
 std::optional<KnownPatch> read_like(const std::string& text, Diagnostics& out) {
-  const auto colon = text.rfind(':');
-  const bool named = colon != std::string::npos && colon > 0;
-  const std::string file = named ? text.substr(0, colon) : text, name = named ? text.substr(colon + 1) : "";
+  const auto [file, name] = like_file(text);
+  const bool named = file.size() < text.size();
   const auto scene = read_surface_file(file, out);
   if (!scene) return std::nullopt;
   const SurfaceDef* found = nullptr;
@@ -77,7 +85,10 @@ std::optional<KnownPatch> read_like(const std::string& text, Diagnostics& out) {
 }
 
 void show(const std::vector<NamedFit>& fits) {
-  for (const NamedFit& f : fits) fmt::print("{}: {}\n", f.name, describe(f.fit));
+  for (const NamedFit& f : fits) {
+    fmt::print("{}: {}\n", f.name, describe(f.fit));
+    for (const std::string& doubt : doubts(f.fit)) fmt::print("  DOUBTFUL: {}\n", doubt);
+  }
 }
 
 int written(const std::string& error, const FitOptions& options) {
@@ -89,12 +100,26 @@ int written(const std::string& error, const FitOptions& options) {
   return kExitFailed;
 }
 
-/// What StagedFolder would refuse is refused before the work.
-bool can_write(const std::string& folder, Diagnostics& out) {
-  StagedFolder probe;
-  const std::string error = probe.open(folder);
-  if (!error.empty()) out.error(folder, error.substr(std::min(error.size(), error.find(": ") + 2)));
-  return error.empty();
+/// What StagedFolder would refuse is refused before the work, and so is a folder that holds what is read.
+bool can_write(const std::string& folder, const std::vector<std::string>& inputs, Diagnostics& out) {
+  {
+    StagedFolder probe;
+    if (const std::string error = probe.open(folder); !error.empty()) {
+      out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+      return false;
+    }
+  }
+  for (const std::string& file : inputs) {
+    if (!folder_holds(folder, file)) continue;
+    out.error(folder, "holds " + file + ", which would be lost with the folder: choose another folder");
+    return false;
+  }
+  return true;
+}
+
+void check_name(const std::string& option, const std::string& name, Diagnostics& out) {
+  if (!name.empty() && !is_name(name))
+    out.error(option + " \"" + name + "\"", "a name is a letter or _, then letters, digits, _ or -");
 }
 
 int fit_one(const FitOptions& options) {
@@ -111,11 +136,21 @@ int fit_one(const FitOptions& options) {
     request.facing = direction(options.facing);
     if (!request.facing) problems.error("--facing " + options.facing, "must be an axis such as -y, or x,y,z");
   }
-  if (!options.like.empty()) request.like = read_like(options.like, problems);
+  check_name("--name", options.name, problems);
+  check_name("--body", options.body, problems);
+  std::vector<std::string> inputs{options.mesh};
+  if (!options.like.empty()) {
+    request.like = read_like(options.like, problems);
+    inputs.push_back(like_file(options.like).first);
+  }
   std::vector<NamedFit> fits;
-  if (!problems.has_errors() && can_write(options.folder, problems)) fits = fit_mesh(request, problems);
+  double unit = 0;
+  if (!problems.has_errors() && can_write(options.folder, inputs, problems)) fits = fit_mesh(request, problems, &unit);
   print(problems);
   if (problems.has_errors()) return kExitRefused;
+  if (options.unit.empty())
+    fmt::print("{}: units {} (guessed from the size; --units says it)\n", printable(options.mesh),
+               unit == 1 ? "m" : "mm");
   show(fits);
   auto files = fit_files(fits);
   const std::string title = "fitted to " + std::filesystem::path(options.mesh).filename().string();
@@ -130,7 +165,7 @@ int fit_all(const FitOptions& options) {
   request.margin = options.margin * kMillimetre;
   if (options.degree > 0) request.degree = options.degree;
   std::optional<SceneFits> found;
-  if (can_write(options.folder, problems)) found = fit_scene(request, options.folder, problems);
+  found = fit_scene(request, options.folder, problems);
   print(problems);
   if (!found) return kExitRefused;
   show(found->fits);
@@ -168,7 +203,7 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--degree", options->degree, "total degree; chosen by cross-validation where not given")
       ->check(CLI::Range(kLowestFitDegree, kHighestFitDegree));
   command->add_option("--margin", options->margin, "with --scene: mm that patches go beyond the contacts")
-      ->check(CLI::Range(0.5, 100.0))
+      ->check(number_within(0.5, 100))
       ->needs(scene)
       ->capture_default_str();
   const auto of_mesh = [&](CLI::Option* option) { option->needs(mesh); };

@@ -28,16 +28,9 @@ namespace genu::cli {
 namespace {
 
 constexpr int kOk = 0, kFailed = 1, kRefused = 2;
-constexpr double kReach = 0.05;  // m
-
-/// CLI11's own check for positive numbers lets nan and inf pass.
-const CLI::Validator kPositive(
-    [](std::string& text) {
-      double value = 0;
-      const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-6 && value <= 1e6;
-      return good ? std::string() : text + " is no number from 1e-6 to 1e6";
-    },
-    "POSITIVE");
+constexpr double kReach = 0.05;                     // m
+constexpr double kSmallest = 1e-6, kLargest = 1e6;  // of lengths, in the unit of the command
+const std::string kTitle = "genu mesh: ";           // of every file, by which it is known again
 
 struct MeshOptions {
   std::string scene, folder, unit = "mm", format = "stl";
@@ -73,14 +66,22 @@ int refuse(const Diagnostics& problems) {
   return kRefused;
 }
 
+/// A file of the same name that someone else wrote, as the mesh a surface was measured on, is not replaced.
+void refuse_foreign(const std::string& path, Diagnostics& out) {
+  std::error_code code;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, code)) || has_title(path, kTitle)) return;
+  out.error(path, "is there already and was not written by genu mesh: it will not be replaced; choose another folder");
+}
+
 void describe(const std::string& path, const Mesh& mesh, double wanted, const MeshOptions& options, double unit) {
   const MeshReport report = check_mesh(mesh);
   fmt::print("{}: {} vertices, {} triangles, edges {:.3g} .. {:.3g} .. {:.3g} {}, smallest angle {:.1f} deg\n", path,
              report.vertices, report.triangles, report.edge_length[0] / unit, report.edge_length[2] / unit,
              report.edge_length[4] / unit, options.unit, smallest_angle(mesh) * 180 / std::numbers::pi);
   if (report.edge_length[2] > 1.2 * wanted) {
-    fmt::print(stderr, "{}: warning: coarser than --edge {}: at most about {:.0f} triangles a surface\n", path,
-               options.edge, kMaxTriangles);
+    fmt::print(stderr,
+               "{}: warning: coarser than --edge {}: a surface of its kind gets no more than about {} triangles\n",
+               printable(path), options.edge, report.triangles);
   }
 }
 
@@ -109,6 +110,10 @@ int mesh_scene(const MeshOptions& options) {
   }
   if (problems.has_errors()) return refuse(problems);
 
+  const auto path_of = [&](const SurfaceDef& s) { return options.folder + "/" + s.name + "." + options.format; };
+  for (const SurfaceDef* def : chosen) refuse_foreign(path_of(*def), problems);
+  if (options.folder.empty()) problems.error("--out", "names no folder");
+  if (problems.has_errors()) return refuse(problems);
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) {
@@ -116,8 +121,8 @@ int mesh_scene(const MeshOptions& options) {
     return kFailed;
   }
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const std::string path = options.folder + "/" + chosen[k]->name + "." + options.format;
-    const std::string title = fmt::format("genu mesh: {}, edge {} {}", chosen[k]->name, options.edge, options.unit);
+    const std::string path = path_of(*chosen[k]);
+    const std::string title = fmt::format("{}{}, edge {} {}", kTitle, chosen[k]->name, options.edge, options.unit);
     if (const std::string error = write_mesh(meshes[k], path, unit, title); !error.empty()) {
       fmt::print(stderr, "{}\n", error);
       return kFailed;
@@ -137,20 +142,20 @@ void add_mesh(CLI::App& app, int& exit_code) {
   command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
   command
       ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
-      ->check(kPositive)
+      ->check(number_within(kSmallest, kLargest))
       ->required();
   command->add_option("--unit", options->unit, "unit of --edge, --reach and the files")
       ->check(CLI::IsMember({"mm", "m"}))
       ->capture_default_str();
   command->add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
-      ->check(kPositive);
+      ->check(number_within(kSmallest, kLargest));
   command->add_option("--format", options->format, "of the files: stl is binary float32, ply binary float64, obj text")
       ->check(CLI::IsMember({"stl", "ply", "obj"}))
       ->capture_default_str();
   command
       ->add_option("--thickness", options->thickness,
                    "closes open surfaces: watertight solids so thick, behind the surface; closed ones stay")
-      ->check(kPositive);
+      ->check(number_within(kSmallest, kLargest));
   command->add_option("--out", options->folder, "folder for the files, made if need be")->required();
   command->footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
   command->callback([options, &exit_code] { exit_code = mesh_scene(*options); });

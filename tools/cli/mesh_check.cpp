@@ -1,6 +1,7 @@
 // genu mesh-check femur.stl tibia.stl
 //   1. read each file and say everything there is to say about it, a line each with a number and a verdict
-//   2. with --repair OUT: take out what is wrong, fill what is missing, write binary STL in the file's unit
+//   2. with --repair OUT: take out what is wrong, fill what is missing, write STL, PLY or OBJ in the file's unit, and
+//      say the same of what was written
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -17,8 +18,7 @@
 #include "genu/core/timer.h"
 #include "genu/geometry/mesh_examination.h"
 #include "genu/geometry/mesh_repair.h"
-#include "genu/geometry/mesh_topology.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/geometry/mesh_writer.h"
 
 namespace genu::cli {
 namespace {
@@ -28,6 +28,7 @@ constexpr int kOk = 0, kFailed = 1, kRefused = 2, kFlawed = 3;
 struct CheckOptions {
   std::vector<std::string> files;
   std::string unit, repaired;
+  bool repairs = false;
 };
 
 void print_findings(const MeshExamination& examination) {
@@ -37,62 +38,73 @@ void print_findings(const MeshExamination& examination) {
   }
 }
 
-/// The unit that was said, else the one that makes it a knee's surface, else mm. `mesh` is in file units.
-double unit_of(const Mesh& mesh, const std::string& said) {
-  const std::string unit = said.empty() ? guess_unit(bounding_box(mesh).diagonal()) : said;
-  return unit == "m" ? 1.0 : 1e-3;
+/// Why the mended mesh cannot go where --repair says; empty where it can.
+std::string why_not_there(const std::string& from, const std::string& to) {
+  if (to.empty()) return "genu mesh-check: --repair names no file";
+  if (std::string why = why_not_writable(to); !why.empty()) return why;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(from, to, ignored)) return to + ": is the file that is mended: give --repair another";
+  return {};
 }
 
-int repair(const std::string& from, Mesh mesh, const MeshFileFacts& facts, double unit, const std::string& to) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(from, to, ignored)) {
-    fmt::print(stderr, "{}: is the file that is mended: give --repair another name\n", to);
-    return kRefused;
-  }
+int refuse(const Diagnostics& problems) {
+  for (const Diagnostic& d : problems.items())
+    if (d.severity == Diagnostic::Severity::error) fmt::print(stderr, "{}\n", to_string(d));
+  return kRefused;
+}
+
+/// What was written, as whoever reads it gets it.
+int check_written(const std::string& file, double unit) {
+  Diagnostics problems;
+  MeshFileFacts facts;
+  const std::optional<Mesh> mesh = read_mesh(file, unit, problems, &facts);
+  if (!mesh) return refuse(problems);
+  const MeshExamination examination = examine_mesh(*mesh, facts, unit);
+  print_findings(examination);
+  return examination.bad() ? kFlawed : kOk;
+}
+
+int repair(const std::string& from, Mesh mesh, double unit, const std::string& to) {
   const RepairReport r = repair_mesh(mesh);
   if (!r.problem.empty()) {
-    fmt::print(stderr, "{}: {}\n", from, r.problem);
+    fmt::print(stderr, "{}: {}\n", printable(from), r.problem);
     return kRefused;
   }
-  if (const std::string error = write_stl(mesh, to, unit, "genu mesh-check --repair"); !error.empty()) {
-    fmt::print(stderr, "{}\n", error);
+  if (const std::string error = write_mesh(mesh, to, unit, "genu mesh-check --repair"); !error.empty()) {
+    fmt::print(stderr, "{}\n", printable(error));
     return kFailed;
   }
   fmt::print(
       "{}: {} triangles taken out, {} turned round, {} holes filled with {} triangles; no vertex that stays was "
       "moved\n",
-      to, r.removed, r.turned, r.filled, r.new_triangles);
-  if (r.left_open > 0) fmt::print("{}: {} holes could not be filled\n", to, r.left_open);
-  MeshFileFacts mended{3 * mesh.triangles.size(), mesh.triangles.size(), {}, facts.rounding};
-  mended.weld.joined = mended.vertices - mesh.vertices.size();
-  const MeshExamination after = examine_mesh(mesh, mended, unit);
-  print_findings(after);
-  return after.bad() ? kFlawed : kOk;
+      printable(to), r.removed, r.turned, r.filled, r.new_triangles);
+  if (r.left_open > 0) fmt::print("{}: {} holes could not be filled\n", printable(to), r.left_open);
+  return check_written(to, unit);
 }
 
 int check_file(const std::string& file, const CheckOptions& options) {
-  Diagnostics out;
+  if (options.repairs)
+    if (const std::string why = why_not_there(file, options.repaired); !why.empty()) {
+      fmt::print(stderr, "{}\n", printable(why));
+      return kRefused;
+    }
+  Diagnostics problems;  // the warnings among them are said below, a line each
   MeshFileFacts facts;
   const Timer timer;
-  std::optional<Mesh> mesh = read_mesh(file, 1, out, &facts);
-  std::vector<Diagnostic> said = out.items();
-  // Read as metres: what is said of lengths there is said below, in the unit found out.
-  if (mesh) std::erase_if(said, [](const Diagnostic& d) { return d.severity == Diagnostic::Severity::warning; });
-  for (const Diagnostic& d : said) fmt::print(stderr, "{}\n", to_string(d));
-  if (!mesh) return kRefused;
-  const double unit = unit_of(*mesh, options.unit), seconds = timer.seconds();
-  for (Vec3& v : mesh->vertices) v *= unit;
-  facts.rounding *= unit;
-  fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), seconds, unit == 1 ? "m" : "mm",
+  double unit = options.unit == "m" ? 1.0 : 1e-3;
+  std::optional<Mesh> mesh = options.unit.empty() ? read_mesh_of_some_unit(file, unit, problems, &facts)
+                                                  : read_mesh(file, unit, problems, &facts);
+  if (!mesh) return refuse(problems);
+  fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), timer.seconds(), unit == 1 ? "m" : "mm",
              options.unit.empty() ? " (guessed from the size)" : "");
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
-  if (!options.repaired.empty()) return repair(file, std::move(*mesh), facts, unit, options.repaired);
+  if (options.repairs) return repair(file, std::move(*mesh), unit, options.repaired);
   return examination.bad() ? kFlawed : kOk;
 }
 
 int check_files(const CheckOptions& options) {
-  if (!options.repaired.empty() && options.files.size() > 1) {
+  if (options.repairs && options.files.size() > 1) {
     fmt::print(stderr, "genu mesh-check: --repair mends one file at a time\n");
     return kRefused;
   }
@@ -115,12 +127,16 @@ void add_mesh_check(CLI::App& app, int& exit_code) {
   command->add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
   command->add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
-  command->add_option("--repair", options->repaired,
-                      "write the mended mesh there, as binary STL in the file's unit (needs CGAL)");
+  auto* repaired = command->add_option("--repair", options->repaired,
+                                       "write the mended mesh there, as STL, PLY or OBJ by the ending of the name, "
+                                       "in the file's unit (needs CGAL)");
   command->footer(
       "Exit code 0: nothing bad; 3: contact near what is BAD cannot be trusted; 2: a file cannot be read.\n"
       "Example: genu mesh-check femur.stl --repair femur-mended.stl");
-  command->callback([options, &exit_code] { exit_code = check_files(*options); });
+  command->callback([options, repaired, &exit_code] {
+    options->repairs = repaired->count() > 0;
+    exit_code = check_files(*options);
+  });
 }
 
 }  // namespace genu::cli

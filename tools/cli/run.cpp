@@ -99,11 +99,20 @@ void print_starts(const ResultTable& starts, double spread) {
   if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
 }
 
+/// "row 12, knee.flexion_deg 55": a row of results.csv and what is prescribed there.
+std::string place_of(const Solution& solution, std::size_t row) {
+  std::string place = fmt::format("row {}", row + 1);
+  for (const std::string& column : solution.prescribed)
+    if (solution.poses.has_column(column))
+      place += fmt::format(", {} {:.4g}", column, solution.poses.number(row, column));
+  return place;
+}
+
 /// The error bars of the columns shown, the largest and what causes it.
 void print_error_bars(const Solution& solution) {
   const std::vector<std::string> shown = short_columns(solution.poses);
   ResultTable table;
-  for (const char* column : {"error bar of", "median", "largest", "at row", "mostly"}) table.add_column(column);
+  for (const char* column : {"error bar of", "median", "largest", "at", "mostly"}) table.add_column(column);
   for (const ErrorBars::Largest& l : solution.error_bars->largest) {
     if (std::find(shown.begin(), shown.end(), l.column) == shown.end() || !(l.largest > 1e-9))
       continue;  // what is prescribed
@@ -111,7 +120,7 @@ void print_error_bars(const Solution& solution) {
     table.set(0, l.column);
     table.set(1, l.median);
     table.set(2, l.largest);
-    table.set(3, static_cast<long>(l.row + 1));
+    table.set(3, place_of(solution, l.row));
     table.set(4, std::string(to_string(l.cause)));
   }
   if (table.rows() > 0) fmt::print("{}\n", to_text(table, table.columns(), 4, table.rows()));
@@ -144,7 +153,10 @@ int run(const Arguments& arguments) {
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),
                to_text(solution.poses, short_columns(solution.poses), 4, kRows));
     if (solution.starts) print_starts(*solution.starts, spread);
-    if (solution.error_bars) print_error_bars(solution);
+    if (solution.error_bars)
+      print_error_bars(solution);
+    else if (error_bars)
+      fmt::print("no error bars: the scene has no mesh, so there is nothing to vary\n");
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
@@ -171,7 +183,7 @@ void add_run(CLI::App& app, int& exit_code) {
           "--spread", arguments->spread,
           "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
           "each 20 deg")
-      ->check(CLI::Range(0.1, kMostSpread))
+      ->check(number_within(0.1, kMostSpread))
       ->capture_default_str();
   command->add_flag("--error-bars", arguments->error_bars,
                     "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "

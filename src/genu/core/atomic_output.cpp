@@ -126,9 +126,18 @@ std::string StagedFolder::commit() {
   return code ? failure(old, "is the earlier result and cannot be removed", code) : std::string();
 }
 
+bool folder_holds(const fs::path& folder, const fs::path& file) {
+  std::error_code code;
+  const fs::path outer = fs::weakly_canonical(fs::absolute(folder, code), code),
+                 inner = fs::weakly_canonical(fs::absolute(file, code), code);
+  const fs::path relative = inner.lexically_relative(outer.has_filename() ? outer : outer.parent_path());
+  return !relative.empty() && *relative.begin() != ".." && fs::exists(inner, code);
+}
+
 std::string write_file_atomically(const fs::path& path, std::string_view content) {
   std::error_code code;
-  const fs::file_status status = fs::status(path, code);
+  const fs::file_status status = fs::symlink_status(path, code);
+  if (fs::is_symlink(status)) return path.string() + ": is a symbolic link, which a file would replace: name another";
   if (fs::exists(status) && !fs::is_regular_file(status)) return path.string() + ": is not a file that can be replaced";
   if (!path.has_filename()) return path.string() + ": is not the name of a file";
   const fs::path partial = sibling(path, "partial");

@@ -39,8 +39,11 @@ class StagedFolder {
   std::filesystem::path staging_;
 };
 
+/// Whether a file lies in a folder, at any depth, links followed: replacing the folder would lose it.
+bool folder_holds(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Writes a file whole or not at all: a reader, a full disk or a crash of the program leaves the old content or the
-/// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file.
+/// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
 std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace genu

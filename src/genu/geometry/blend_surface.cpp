@@ -56,8 +56,8 @@ bool check_options(const BlendOptions& options, double median_edge, const std::s
   const bool radius_ok = std::isfinite(radius) && radius >= median_edge;
   const bool degree_ok = degree >= kMinDegree && degree <= kMaxDegree;
   if (!radius_ok) {
-    refuse(".fit_radius", fmt::format("{:g} m", radius),
-           fmt::format("must be at least the mesh's median edge, {:.3g} m", median_edge));
+    refuse(".fit_radius", fmt::format("{:g} mm", 1e3 * radius),
+           fmt::format("must be at least the mesh's median edge, {:.3g} mm", 1e3 * median_edge));
   }
   if (!degree_ok) refuse(".degree", fmt::format("{}", degree), "must be 2, 3 or 4");
   return radius_ok && degree_ok;

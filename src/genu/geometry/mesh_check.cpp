@@ -73,6 +73,14 @@ MeshReport check_mesh(const Mesh& mesh) {
   return report;
 }
 
+std::string guess_unit(double diagonal) {
+  const std::pair<const char*, double> units[] = {
+      {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
+  for (const auto& [name, metres] : units)
+    if (diagonal * metres >= kSmallest && diagonal * metres <= kLargest) return name;
+  return {};
+}
+
 void check_scale(const MeshReport& report, const std::string& file, const std::string& unit, Diagnostics& out) {
   const double size = report.box.diagonal();
   if (size >= kSmallest && size <= kLargest) return;

@@ -75,15 +75,33 @@ class Examiner {
         : guess.size() < 3 && guess != "cm"
             ? "a knee's in " + guess + ": say --units " + guess + ", and units in the scene"
             : "a knee's in " + guess + ", which genu does not read: scale it to mm");
-    say("vertices, triangles", fmt::format("{}, {}", report_.vertices, report_.triangles), Verdict::good);
+    constexpr std::size_t kFew = 100, kTooFew = 4;  // triangles: a joint's surface has hundreds, a tetrahedron four
+    say("vertices, triangles", fmt::format("{}, {}", report_.vertices, report_.triangles),
+        report_.triangles < kTooFew ? Verdict::bad
+        : report_.triangles < kFew  ? Verdict::note
+                                    : Verdict::good,
+        report_.triangles < kTooFew ? "too few to be a surface"
+        : report_.triangles < kFew  ? "few: a joint's surface has hundreds"
+                                    : "");
     say("edges 5/50/95 %",
         fmt::format("{:.3f} / {:.3f} / {:.3f} mm", kMillimetre * report_.edge_length[1],
                     kMillimetre * report_.edge_length[2], kMillimetre * report_.edge_length[3]),
         Verdict::good);
+    say_rounding();
+  }
+
+  void say_rounding() {
+    constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
     const double step = facts_.rounding;
+    const bool coarse = step > kCoarse, far = coarse && facts_.single;
     say("coordinates rounded to", step > 0 ? fmt::format("{:.2g} mm", kMillimetre * step) : "double precision",
-        step > 2e-6 ? Verdict::bad : Verdict::good,
-        step > 2e-6 ? "single precision, far from the origin: export it again about an origin near the joint" : "");
+        far      ? Verdict::bad
+        : coarse ? Verdict::note
+                 : Verdict::good,
+        far      ? "single precision, far from the origin: export it again about an origin near the joint"
+        : coarse ? fmt::format("noise of {:.2g} mm rms: export it again with more digits",
+                               kMillimetre * step / std::sqrt(12.0))
+                 : "");
   }
 
   void say_pieces() {
@@ -91,10 +109,9 @@ class Examiner {
     say("components", std::to_string(report_.components), Verdict::good);
     count("stray pieces", strays, Verdict::bad, where(Flaw::Kind::stray_piece));
     count("pieces inside others", inner, Verdict::note, where(Flaw::Kind::inner_piece) + "; contact leaves them out");
-    std::size_t borders = 0;
-    for (const FreeLoop& loop : free_loops(mesh_)) borders += loop.border ? 1 : 0;
-    say("borders of open sheets", std::to_string(borders), borders == 0 ? Verdict::good : Verdict::note,
-        borders == 0 ? "" : "contact cannot run over them");
+    for (const FreeLoop& loop : free_loops(mesh_)) borders_ += loop.border ? 1 : 0;
+    say("borders of open sheets", std::to_string(borders_), borders_ == 0 ? Verdict::good : Verdict::note,
+        borders_ == 0 ? "" : "contact cannot run over them");
     count("holes", places(Flaw::Kind::hole), Verdict::bad, where(Flaw::Kind::hole));
   }
 
@@ -106,7 +123,9 @@ class Examiner {
         facts_.weld.joined + facts_.weld.joined_near == 0 ? ""
         : soup && facts_.weld.joined_near == 0            ? "as every STL has"
                                                           : fmt::format("joined to {}", left));
-    count("duplicate faces", facts_.weld.duplicate, Verdict::note, "dropped");
+    const bool mostly = facts_.weld.duplicate > report_.triangles;
+    count("duplicate faces", facts_.weld.duplicate, mostly ? Verdict::bad : Verdict::note,
+          mostly ? "dropped: more than are left; export the mesh again" : "dropped");
     count("degenerate faces", facts_.weld.degenerate + report_.degenerate, Verdict::note, "without area: not used");
     count("sliver faces", report_.slivers, Verdict::note, "an angle below 5 deg: fits use the vertices alone");
   }
@@ -155,7 +174,12 @@ class Examiner {
                             kMillimetre * tightest)
               : fmt::format("positive bulges outward; sharpest twentieth: radius {:.2g} mm", kMillimetre * tightest));
     }
-    if (s.thickness_rays > 0)
+    if (s.thickness_rays > 0 && borders_ > 0)  // the air in a bowl, the hollow of a shaft: no thickness of anything
+      say("across, 5/50/95 %",
+          fmt::format("{:.2f} / {:.2f} / {:.2f} mm", kMillimetre * s.thickness[0], kMillimetre * s.thickness[1],
+                      kMillimetre * s.thickness[2]),
+          Verdict::good, "from face to face of an open surface: not the thickness of a solid");
+    else if (s.thickness_rays > 0)
       say("thickness 5/50/95 %",
           fmt::format("{:.2f} / {:.2f} / {:.2f} mm", kMillimetre * s.thickness[0], kMillimetre * s.thickness[1],
                       kMillimetre * s.thickness[2]),
@@ -168,6 +192,7 @@ class Examiner {
   const Mesh& mesh_;
   const MeshFileFacts& facts_;
   double unit_;
+  std::size_t borders_ = 0;  ///< of open sheets
   MeshReport report_;
   Mesh wound_, clean_;
   MeshExamination out_;
@@ -177,15 +202,6 @@ class Examiner {
 
 const char* to_string(MeshFinding::Verdict verdict) {
   return verdict == Verdict::good ? "ok" : verdict == Verdict::note ? "note" : "BAD";
-}
-
-std::string guess_unit(double diagonal) {
-  constexpr double kSmallest = 5e-3, kLargest = 0.5;  // m: a knee's surfaces
-  const std::pair<const char*, double> units[] = {
-      {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
-  for (const auto& [name, metres] : units)
-    if (diagonal * metres >= kSmallest && diagonal * metres <= kLargest) return name;
-  return {};
 }
 
 bool MeshExamination::bad() const {

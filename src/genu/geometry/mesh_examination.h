@@ -23,10 +23,6 @@ struct MeshFinding {
 };
 const char* to_string(MeshFinding::Verdict verdict);
 
-/// The unit in which a box of this diagonal (file units) would be a knee's: "mm", "m", or another that genu does not
-/// read ("cm", "inch", ...); empty where none fits.
-std::string guess_unit(double diagonal);
-
 struct MeshExamination {
   std::vector<MeshFinding> findings;
   std::vector<Flaw> flaws;  ///< places, largest of each kind first

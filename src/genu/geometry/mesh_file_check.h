@@ -8,7 +8,7 @@ namespace genu {
 
 struct MeshFileCheck {
   std::string problem;              ///< what is wrong and what to do; empty where nothing is
-  std::size_t least_triangles = 0;  ///< faces that the header promises, each at least one triangle; 0 where unknown
+  std::size_t least_triangles = 0;  ///< that the header of a binary STL promises; 0 where unknown
 };
 
 /// Is there a regular file of a known format, neither empty nor truncated (as far as its format tells) nor larger than

@@ -9,6 +9,7 @@
 
 #include "genu/geometry/mesh_crossings.h"
 #include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/sharp_corners.h"
 #include "genu/geometry/winding_number.h"
 
 namespace genu {
@@ -215,7 +216,8 @@ void add_holes(const Mesh& mesh, const std::vector<MeshEdge>& before, std::vecto
 }
 
 /// The triangles round a vertex that stands out so steeply that their angles there add up to little. Where its
-/// neighbours do as well, the mesh is coarse there and no vertex is to blame.
+/// neighbours do as well, the mesh is coarse there and no vertex is to blame; where creases meet, it is the corner of a
+/// solid (SharpCorners).
 void mark_spikes(const Mesh& mesh, const std::vector<MeshEdge>& edges, std::vector<char>& wrong, char mark) {
   constexpr double kSteep = 4.5;  // rad, of 2 pi on a smooth surface; the corner of a cube has 4.7
   std::vector<double> angle(mesh.vertices.size(), 0.0);
@@ -235,9 +237,11 @@ void mark_spikes(const Mesh& mesh, const std::vector<MeshEdge>& edges, std::vect
       if (steep[at(e.v[0])] != 0 && steep[at(e.v[1])] != 0) out[at(e.v[0])] = out[at(e.v[1])] = 0;
     return out;
   }();
+  if (std::none_of(alone.begin(), alone.end(), [](char c) { return c != 0; })) return;
+  const SharpCorners corners(mesh, edges);
   for (std::size_t t = 0; t < wrong.size(); ++t)
     for (const int v : mesh.triangles[t])
-      if (alone[at(v)] != 0) wrong[t] = mark;
+      if (alone[at(v)] != 0 && !corners.is_corner(v)) wrong[t] = mark;
 }
 
 }  // namespace

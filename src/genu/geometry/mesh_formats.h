@@ -3,6 +3,11 @@
 // there are lines; the empty text is success, and a mesh without triangles is none of their business.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <string>
 
 #include "genu/geometry/mesh.h"
@@ -20,11 +25,31 @@ std::string read_off(const std::string& path, Mesh& mesh);
 /// inline or appended, of either byte order, plain or compressed by zlib.
 std::string read_vtp(const std::string& path, Mesh& mesh);
 
-/// PLY and OBJ (mesh_assimp.cpp).
-std::string read_by_assimp(const std::string& path, Mesh& mesh);
+/// PLY, ASCII or binary of either byte order (mesh_ply.cpp): faces and triangle strips; other elements and properties
+/// are passed over.
+std::string read_ply(const std::string& path, Mesh& mesh);
 
-/// The words of an ASCII PLY's body or of an OBJ's v and f lines that are no numbers: assimp reads them as 0. The first
-/// one found, with its line; empty where there is none.
-std::string check_numbers(const std::string& path);
+/// Wavefront OBJ (mesh_obj.cpp): v and f lines.
+std::string read_obj(const std::string& path, Mesh& mesh);
+
+/// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
+/// squares of numbers much larger overflow.
+inline constexpr double kFarthest = 1e9;
+
+inline bool is_coordinate(double x) { return std::abs(x) <= kFarthest; }  // false for nan
+
+/// What a coordinate has to be, for messages.
+inline constexpr const char* kCoordinate = "a coordinate (finite, at most 1e9)";
+
+/// How many vertices, or triangles, a mesh may have: an int counts them, three to a triangle of STL.
+inline constexpr std::size_t kMostPerMesh = 700'000'000;
+
+/// The bytes of a file; empty where it cannot be opened.
+inline std::optional<std::string> bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+inline constexpr const char* kCannotOpen = "cannot be opened; check its permissions";
 
 }  // namespace genu

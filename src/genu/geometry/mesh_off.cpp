@@ -1,6 +1,3 @@
-#include <fstream>
-#include <iterator>
-
 #include "genu/geometry/mesh_formats.h"
 #include "genu/geometry/text_words.h"
 
@@ -16,7 +13,7 @@ class OffFile {
     if (!read_head(vertices, faces, edges)) return problem_;
     for (std::size_t v = 0; v < vertices && problem_.empty(); ++v) {
       Vec3 p;
-      for (int k = 0; k < 3; ++k) read(p[k]);
+      for (int k = 0; k < 3; ++k) read_coordinate(p[k]);
       double more = 0;  // a normal, a colour or a texture coordinate
       for (std::size_t k = 0; k < beside_; ++k) read(more);
       mesh_.vertices.push_back(p);
@@ -42,6 +39,15 @@ class OffFile {
     return problem_.empty();
   }
 
+  void read_coordinate(double& value) {
+    if (!problem_.empty()) return;
+    const std::string_view word = words_.next();
+    if (!TextWords::number(word, value))
+      found(word, "a number");
+    else if (!is_coordinate(value))
+      found(word, kCoordinate);
+  }
+
   bool read_head(std::size_t& vertices, std::size_t& faces, std::size_t& edges) {
     std::string_view word = words_.next();
     if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") {
@@ -54,12 +60,11 @@ class OffFile {
       if (c != 'N' && c != 'C') found(word, "\"OFF\", \"NOFF\" or \"COFF\"");
     }
     if (words_.peek() == "BINARY") found(words_.next(), "the count of vertices (binary OFF is not read)");
-    read(vertices);
-    read(faces);
-    read(edges);
-    constexpr std::size_t kMost = 700'000'000;
-    if (problem_.empty() && (vertices > kMost || faces > kMost))
-      problem_ = "promises more vertices or faces than can be counted: it is damaged; export it again";
+    for (std::size_t* count : {&vertices, &faces, &edges}) {
+      word = words_.next();
+      if (!TextWords::number(word, *count) || *count > kMostPerMesh)
+        found(word, "a count from 0 to " + std::to_string(kMostPerMesh));
+    }
     return problem_.empty();
   }
 
@@ -93,10 +98,8 @@ class OffFile {
 }  // namespace
 
 std::string read_off(const std::string& path, Mesh& mesh) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return "cannot be opened; check its permissions";
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return OffFile(text, mesh).read();
+  const auto text = bytes_of(path);
+  return text ? OffFile(*text, mesh).read() : kCannotOpen;
 }
 
 }  // namespace genu

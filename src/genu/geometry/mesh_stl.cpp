@@ -47,7 +47,7 @@ bool same(std::string_view word, std::string_view lower) {
 /// Reads an ASCII STL word by word, so that whatever is not one is named with its line.
 class AsciiStl {
  public:
-  AsciiStl(std::string_view text, Mesh& mesh) : words_(text), mesh_(mesh) {}
+  AsciiStl(std::string_view text, Mesh& mesh) : words_(without_mark(text)), mesh_(mesh) {}
 
   std::string read() {
     if (!expect("solid")) return problem_;
@@ -67,6 +67,11 @@ class AsciiStl {
   }
 
  private:
+  /// Some editors mark UTF-8 by three bytes at the start.
+  static std::string_view without_mark(std::string_view text) {
+    return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  }
+
   void found(std::string_view word, const std::string& wanted) {
     if (!problem_.empty()) return;
     problem_ = word.empty() ? "ends where " + wanted + " should stand: it is truncated; copy or export it again"
@@ -88,18 +93,27 @@ class AsciiStl {
     return problem_.empty();
   }
 
+  bool read_corner(Vec3& out) {
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = words_.next();
+      if (!TextWords::number(word, out[k]))
+        found(word, "a number");
+      else if (!is_coordinate(out[k]))
+        found(word, kCoordinate);
+    }
+    return problem_.empty();
+  }
+
   void read_facet() {
     Vec3 normal;  // not used: the corners' order says it, and exporters write nonsense, "nan" too
     if (!expect("normal") || !read_numbers(normal) || !expect("outer") || !expect("loop")) return;
     const int first = static_cast<int>(mesh_.vertices.size());
-    int corners = 0;
-    while (same(words_.peek(), "vertex")) {
+    for (int k = 0; k < 3; ++k) {
       Vec3 p;
-      if (!expect("vertex") || !read_numbers(p)) return;
+      if (!expect("vertex") || !read_corner(p)) return;
       mesh_.vertices.push_back(p);
-      if (++corners >= 3) mesh_.triangles.push_back({first, first + corners - 2, first + corners - 1});
     }
-    if (corners < 3) return found(words_.next(), "\"vertex\"");
+    mesh_.triangles.push_back({first, first + 1, first + 2});
     if (expect("endloop")) expect("endfacet");
   }
 
@@ -120,8 +134,7 @@ std::string read_stl(const std::string& path, Mesh& mesh) {
     in.seekg(static_cast<std::streamoff>(kHeader - sizeof count));
     in.read(reinterpret_cast<char*>(&count), sizeof count);
     if (size == kHeader + kTriangle * count) {
-      constexpr std::uint32_t kMost = 700'000'000;  // three corners each, counted by an int
-      if (count > kMost) return "has more triangles than can be counted: reduce the mesh";
+      if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
       return read_binary(in, count, mesh);
     }
   }

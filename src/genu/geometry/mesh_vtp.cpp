@@ -1,7 +1,6 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 
@@ -152,8 +151,21 @@ class VtpFile {
       out = &cells.connectivity;
     else if (!section_.empty() && name == "offsets")
       out = &cells.offsets;
-    if (out != nullptr && problem_.empty()) problem_ = read_vtp_array(array, encoding_, *out);
+    if (out == nullptr || !problem_.empty() || !of_components(tag, out == &points_ ? "3" : "1")) return end;
+    if (std::string problem = read_vtp_array(array, encoding_, *out); !problem.empty()) fail(problem + where(tag));
     return end;
+  }
+
+  /// " (line 12)", where a tag ends.
+  std::string where(const Tag& tag) const {
+    return " (line " + std::to_string(1 + std::count(text_.begin(), text_.begin() + tag.after, '\n')) + ")";
+  }
+
+  bool of_components(const Tag& tag, const char* wanted) {
+    const std::string found = value(tag.attributes, "NumberOfComponents", wanted);
+    return found == wanted ||
+           fail("has an array " + in_quotes(value(tag.attributes, "Name")) + " of " + in_quotes(found) +
+                " components, not " + wanted + where(tag) + ": it is damaged; export it again");
   }
 
   /// Does the piece have as many numbers as it says?
@@ -165,11 +177,10 @@ class VtpFile {
   }
 
   void add_piece() {
-    constexpr std::size_t kMost = 700'000'000;
     if (!promised("NumberOfPoints", points_.size(), 3)) return;
     if (!promised("NumberOfPolys", polygons_.offsets.size(), 1)) return;
     if (!promised("NumberOfStrips", strips_.offsets.size(), 1)) return;
-    if (mesh_.vertices.size() + points_.size() / 3 > kMost)
+    if (mesh_.vertices.size() + points_.size() / 3 > kMostPerMesh)
       fail("has more points than can be counted: reduce the mesh");
     base_ = mesh_.vertices.size();
     for (std::size_t k = 0; problem_.empty() && k + 2 < points_.size(); k += 3)
@@ -224,10 +235,8 @@ class VtpFile {
 }  // namespace
 
 std::string read_vtp(const std::string& path, Mesh& mesh) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return "cannot be opened; check its permissions";
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return VtpFile(text, mesh).read();
+  const auto text = bytes_of(path);
+  return text ? VtpFile(*text, mesh).read() : kCannotOpen;
 }
 
 }  // namespace genu

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "genu/geometry/coordinate_step.h"
 #include "genu/geometry/mesh_topology.h"
 
 namespace genu {
@@ -129,9 +130,12 @@ void compact(Mesh& mesh) {
 double weld_tolerance(const Mesh& mesh) {
   constexpr double kBoxShare = 1e-6;
   constexpr double kFloatUlps = 2 * std::numeric_limits<float>::epsilon();
+  const CoordinateStep written = coordinate_step(mesh);
   const BoundingBox box = bounding_box(mesh);
   const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  return std::max(kBoxShare * box.diagonal(), kFloatUlps * largest);
+  const double rounding =
+      written.single > 0 ? kFloatUlps * largest : std::min(2 * written.decimal, kFloatUlps * largest);
+  return std::max(kBoxShare * box.diagonal(), rounding);
 }
 
 WeldReport weld(Mesh& mesh, double tolerance) {

@@ -15,8 +15,9 @@ struct WeldReport {
   std::size_t duplicate = 0;    ///< triangles dropped because another has the same corners, in either direction
 };
 
-/// The distance within which vertices are the same: 1e-6 of the bounding box' diagonal, or what float32 cannot tell
-/// apart at the largest coordinate, whichever is more. Same unit as the mesh.
+/// The distance within which vertices are the same: 1e-6 of the bounding box' diagonal, or what the file's numbers
+/// cannot tell apart (float32 at the largest coordinate, a finer decimal step), whichever is more. Same unit as the
+/// mesh, which has to be the file's: only there can be seen how its numbers are rounded.
 double weld_tolerance(const Mesh& mesh);
 
 /// Makes one vertex of those nearer than `tolerance` to one that came before them (which stays where it is), drops

@@ -1,8 +1,12 @@
 #include "genu/geometry/mesh_writer.h"
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -27,6 +31,12 @@ std::string one_line(std::string title) {
   for (char& c : title)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   return title;
+}
+
+std::string ending_of(const std::string& path) {
+  std::string s = std::filesystem::path(path).extension().string();
+  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return s;
 }
 
 }  // namespace
@@ -57,11 +67,33 @@ std::string write_obj(const Mesh& mesh, const std::string& path, double metres_p
   return write_file_atomically(path, text);
 }
 
+std::string why_not_writable(const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::string ending = ending_of(path);
+  if (ending != ".stl" && ending != ".ply" && ending != ".obj")
+    return path + ": the name of a mesh file ends in .stl, .ply or .obj";
+  std::error_code code;
+  const fs::file_status status = fs::symlink_status(path, code);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return path + ": is no regular file and will not be replaced: name another";
+  return {};
+}
+
+bool has_title(const std::string& path, const std::string& start) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(512, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  for (const char* before : {"", "solid ", "# ", "ply\nformat binary_little_endian 1.0\ncomment "})
+    if (bytes.starts_with(before + start)) return true;
+  return false;
+}
+
 std::string write_mesh(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {
-  if (path.ends_with(".ply")) return write_ply(mesh, path, metres_per_unit, title);
-  if (path.ends_with(".obj")) return write_obj(mesh, path, metres_per_unit, title);
-  if (path.ends_with(".stl")) return write_stl(mesh, path, metres_per_unit, title);
-  return path + ": the name of a mesh file ends in .stl, .ply or .obj";
+  if (std::string why = why_not_writable(path); !why.empty()) return why;
+  const std::string ending = ending_of(path);
+  if (ending == ".ply") return write_ply(mesh, path, metres_per_unit, title);
+  if (ending == ".obj") return write_obj(mesh, path, metres_per_unit, title);
+  return write_stl(mesh, path, metres_per_unit, title);
 }
 
 }  // namespace genu

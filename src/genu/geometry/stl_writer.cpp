@@ -1,13 +1,16 @@
 #include "genu/geometry/stl_writer.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <limits>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
+
+#include "genu/core/atomic_output.h"
 
 namespace genu {
 namespace {
@@ -23,6 +26,13 @@ void append(std::string& bytes, T value) {
 
 void append(std::string& bytes, const Vec3& v) {
   for (int k = 0; k < 3; ++k) append(bytes, static_cast<float>(v[k]));
+}
+
+/// One line, whatever is in the title.
+std::string one_line(std::string title) {
+  for (char& c : title)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return title;
 }
 
 std::string stl_bytes(const Mesh& mesh, double metres_per_unit, const std::string& title) {
@@ -44,26 +54,53 @@ std::string stl_bytes(const Mesh& mesh, double metres_per_unit, const std::strin
   return bytes;
 }
 
+/// Every digit that brings back the same doubles.
+std::string stl_text(const Mesh& mesh, double metres_per_unit, const std::string& title) {
+  std::string text = "solid " + title + "\n";
+  for (const auto& t : mesh.triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int v : t) {
+      const Vec3 p = mesh.vertices[static_cast<std::size_t>(v)] / metres_per_unit;
+      fmt::format_to(std::back_inserter(text), "vertex {} {} {}\n", p.x(), p.y(), p.z());
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid " + title + "\n";
+}
+
+double shortest_edge(const Mesh& mesh) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh.vertices[static_cast<std::size_t>(t[k])],
+                 &b = mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      shortest = std::min(shortest, (b - a).norm());
+    }
+  return shortest;
+}
+
 }  // namespace
+
+double binary_stl_rounding(const Mesh& mesh, double metres_per_unit) {
+  double worst = 0;
+  for (const Vec3& v : mesh.vertices) {
+    const Vec3 p = v / metres_per_unit;
+    worst = std::max(worst, (p - p.cast<float>().cast<double>()).norm());
+  }
+  return metres_per_unit * worst;
+}
+
+bool fits_binary_stl(const Mesh& mesh, double metres_per_unit) {
+  constexpr double kUnseen = 1e-6;       // m: steps twice as large show in curvature
+  constexpr double kShareOfEdge = 0.05;  // more turns triangles visibly
+  return binary_stl_rounding(mesh, metres_per_unit) <= std::min(kUnseen, kShareOfEdge * shortest_edge(mesh));
+}
 
 std::string write_stl(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) return path + ": too many triangles for STL";
-  const std::string bytes = stl_bytes(mesh, metres_per_unit, title);
-  const std::string unfinished = path + ".part";
-  std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-  if (!out) return unfinished + ": cannot be opened for writing";
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();  // a full disk may show here only
-  std::error_code failure;
-  if (!out) {
-    std::filesystem::remove(unfinished, failure);
-    return unfinished + ": cannot be written to the end (is the disk full?)";
-  }
-  std::filesystem::rename(unfinished, path, failure);
-  if (!failure) return {};
-  const std::string reason = failure.message();
-  std::filesystem::remove(unfinished, failure);
-  return path + ": cannot be replaced (" + reason + ")";
+  const std::string line = one_line(title);
+  return write_file_atomically(path, fits_binary_stl(mesh, metres_per_unit) ? stl_bytes(mesh, metres_per_unit, line)
+                                                                            : stl_text(mesh, metres_per_unit, line));
 }
 
 }  // namespace genu

@@ -1,4 +1,4 @@
-// Binary STL files.
+// STL files.
 #pragma once
 
 #include <string>
@@ -7,9 +7,16 @@
 
 namespace genu {
 
-/// Writes the mesh in units of `metres_per_unit` (0.001 for mm) as binary STL, float32 as the format wants, `title`
-/// (ASCII, cut at 79 characters) in its header. The file is written under another name and renamed when all of it has
-/// reached the disk: `path` is the old file or the new one, never half of it.
+/// How far (m) the float32 of binary STL in units of `metres_per_unit` (0.001 for mm) moves a vertex at most.
+double binary_stl_rounding(const Mesh& mesh, double metres_per_unit);
+
+/// Whether that is little enough: at most 1 um and a twentieth of the shortest edge. Meshes far from their origin are
+/// refused by that.
+bool fits_binary_stl(const Mesh& mesh, double metres_per_unit);
+
+/// Writes the mesh in units of `metres_per_unit` as STL: binary where that holds its coordinates, else ASCII with as
+/// many digits as bring back the same doubles. `title` (one line; cut at 79 characters in a binary file) stands in
+/// front. Written whole or not at all, as write_file_atomically() does.
 /// Returns an empty text on success, else what went wrong.
 std::string write_stl(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title);
 

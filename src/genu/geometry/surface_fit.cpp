@@ -9,6 +9,7 @@
 
 #include "genu/geometry/chart_choice.h"
 #include "genu/geometry/covered_box.h"
+#include "genu/geometry/mesh_noise.h"
 #include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
 #include "genu/geometry/polynomial_surface.h"
@@ -275,6 +276,7 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
   fit.inside = inside_;
   fit.patch = at.patch;
   fit.degree = degree;
+  fit.wanted_degree = scores.empty() ? 0 : choose_degree(scores, kFileRounding);
   fit.terms = PolynomialFit(at.samples, at.sampled, degree).terms(degree);
   fit.scores = std::move(scores);
   fit.covered = at.covered;
@@ -294,6 +296,7 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
     fit.residual.where = q.p;
   }
   fit.residual.rms = area > 0 ? std::sqrt(square / area) : 0;
+  fit.noise = estimate_noise(fit.zone, vertex_graph(fit.zone)).rms;
   return fit;
 }
 

@@ -41,7 +41,7 @@ struct SurfaceFitOptions {
   std::optional<KnownPatch> like;  ///< another fit's chart, patch and (where none is given) degree: taken as they are
 };
 
-/// Where a surface lies off the vertices it was fitted to.
+/// Where a surface lies off the vertices it was fitted to, along its normals.
 struct FitResidual {
   double rms = 0;             ///< m, weighted by area
   double largest = 0;         ///< m, signed: positive where the vertex is outside of the fitted surface
@@ -54,9 +54,11 @@ struct SurfaceFit {
   bool inside = false;  ///< the outward side is toward the axis
   ChartBox patch;       ///< centred on (0, 0)
   int degree = 0;
+  int wanted_degree = 0;  ///< what cross-validation asked for; 0 where the degree was given
   std::vector<PolynomialTerm> terms;
   std::vector<DegreeScore> scores;  ///< of the degrees tried; empty where the degree was given
   FitResidual residual;
+  double noise = 0;              ///< m, rms, of the zone's vertices about any smooth surface (mesh_noise.h)
   double covered = 0;            ///< share of the patch that lies over the zone
   Mesh zone;                     ///< the piece that faces the chart's way
   std::vector<double> distance;  ///< m, of each vertex of `zone` to the fitted surface; NaN off the patch

@@ -66,7 +66,10 @@ Mesh geodesic_mesh(const Vec3& radii, double edge) {
                                 {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   constexpr double kArc = 1.1071487177940904;  // between neighbouring corners, seen from the centre
   const double shortest = radii.minCoeff();
-  const int n = std::max(2, static_cast<int>(std::lround(kArc * shortest / graded_edge(edge, shortest))));
+  constexpr double kMostDivisions = 100;
+  static_assert(20 * kMostDivisions * kMostDivisions <= kMaxTriangles);
+  const double divisions = std::min(kMostDivisions, kArc * shortest / graded_edge(edge, shortest));
+  const int n = std::max(2, static_cast<int>(std::lround(divisions)));
   Mesh mesh;
   // A vertex is known by its weights on the corners, which neighbouring faces share along an edge.
   std::map<std::array<int, 6>, int> known;

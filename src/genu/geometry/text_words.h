@@ -9,6 +9,7 @@
 
 namespace genu {
 
+/// Lines end with LF, CR LF or CR.
 class TextWords {
  public:
   /// `comment` starts what is passed over up to the line's end; 0: nothing does. The text must outlive this.
@@ -16,26 +17,35 @@ class TextWords {
 
   /// The next word; empty at the end of the text.
   std::string_view next() {
-    skip();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
-    return text_.substr(begin, at_ - begin);
+    skip(true);
+    return word();
+  }
+
+  /// The next word of the line of the word that came last; empty where the line has no more. A backslash at the end of
+  /// a line joins the next one to it.
+  std::string_view next_in_line() {
+    skip(false);
+    return word();
   }
 
   std::string_view peek() {
     const std::size_t at = at_, line = line_;
-    const std::string_view word = next();
+    const std::string_view found = next();
     at_ = at;
     line_ = line;
-    return word;
+    return found;
   }
 
+  /// Up to the end of the line, which is left to stand.
   void skip_line() {
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    while (at_ < text_.size() && !ends_line(text_[at_])) ++at_;
   }
 
   /// Of the word that came last.
   std::size_t line() const { return line_; }
+
+  /// All after the word that came last.
+  std::string_view rest() const { return text_.substr(at_); }
 
   /// A whole word that is a number ("nan" and "inf" are, as far as this goes); false for anything else.
   template <class T>
@@ -51,16 +61,38 @@ class TextWords {
 
  private:
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  static bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-  void skip() {
+  std::string_view word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  bool line_ends_at(std::size_t at) const { return at < text_.size() && ends_line(text_[at]); }
+
+  /// Over one end of a line.
+  void pass_line_end() {
+    if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
+    ++at_;
+    ++line_;
+  }
+
+  void skip(bool over_lines) {
     while (at_ < text_.size()) {
-      if (text_[at_] == '\n') ++line_;
-      if (comment_ != 0 && text_[at_] == comment_)
-        skip_line();
-      else if (is_space(text_[at_]))
+      if (!over_lines && text_[at_] == '\\' && line_ends_at(at_ + 1)) {
         ++at_;
-      else
+        pass_line_end();
+      } else if (ends_line(text_[at_])) {
+        if (!over_lines) return;
+        pass_line_end();
+      } else if (comment_ != 0 && text_[at_] == comment_) {
+        skip_line();
+      } else if (is_space(text_[at_])) {
+        ++at_;
+      } else {
         return;
+      }
     }
   }
 

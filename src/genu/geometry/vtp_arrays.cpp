@@ -156,7 +156,10 @@ std::string read_ascii(std::string_view text, std::vector<double>& out) {
 }  // namespace
 
 std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out) {
-  if (array.format == "ascii") return read_ascii(array.text, out);
+  const bool ascii = array.format == "ascii";
+  if (!(ascii && array.type.empty()) && !append_as(array.type, {}, false, out))
+    return "has an array of the type " + in_quotes(array.type) + ", which genu does not know";
+  if (ascii) return read_ascii(array.text, out);
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary")
     return "has an array of the format " + in_quotes(array.format) + "; genu reads ascii, binary and appended";
@@ -167,8 +170,7 @@ std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, s
   const std::string problem =
       encoding.compressed ? read_blocks(source, encoding, bytes) : read_plain(source, encoding, bytes);
   if (!problem.empty()) return problem;
-  if (!append_as(array.type, bytes, encoding.swap, out))
-    return "has an array of the type " + in_quotes(array.type) + ", which genu does not know";
+  append_as(array.type, bytes, encoding.swap, out);
   return {};
 }
 

@@ -13,6 +13,7 @@
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_topology.h"
 #include "genu/scene/region_text.h"
+#include "genu/scene/surface_writer.h"
 
 namespace genu {
 namespace {
@@ -30,14 +31,9 @@ std::string name_from(const std::string& file) {
 /// The mesh in metres, and the file's unit: where it is not given, the one of mm and m that makes it the size of a
 /// joint.
 std::optional<Mesh> read(const FitMeshRequest& request, double& unit, Diagnostics& out) {
-  constexpr double kLargestInMetres = 1;  // of a box in the file's numbers: a joint in mm is larger
-  unit = request.file_unit.value_or(1);
-  auto mesh = read_mesh(request.file, unit, out);
+  unit = request.file_unit.value_or(unit);
+  auto mesh = request.file_unit ? read_mesh(request.file, unit, out) : read_mesh_of_some_unit(request.file, unit, out);
   if (!mesh) return std::nullopt;
-  if (!request.file_unit && bounding_box(*mesh).diagonal() > kLargestInMetres) {
-    unit = units::kMillimetre;
-    for (Vec3& v : mesh->vertices) v *= unit;
-  }
   check_scale(check_mesh(*mesh), request.file, unit == 1 ? "m" : "mm", out);
   if (out.has_errors()) return std::nullopt;
   make_winding_consistent(*mesh, mesh_edges(*mesh));
@@ -57,9 +53,10 @@ void keep_largest(std::vector<Zone>& zones) {
 
 }  // namespace
 
-std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out) {
+std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out, double* file_unit) {
   double unit = 1;
   const auto mesh = read(request, unit, out);
+  if (file_unit != nullptr) *file_unit = unit;
   std::vector<ZoneOptions> wanted;
   for (const std::string& text : request.regions) {
     const auto conditions = parse_region(text, unit);
@@ -96,8 +93,8 @@ std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out) 
 std::string surface_file(const std::vector<NamedFit>& fits, const std::string& title) {
   return fmt::format(
              "# Polynomial surfaces, written by genu fit: tables to copy into a scene of these units.\n"
-             "format = 1\ntitle = \"{}\"\nunits = {{ length = \"mm\", angle = \"deg\" }}\n\n",
-             title) +
+             "format = 1\ntitle = {}\nunits = {{ length = \"mm\", angle = \"deg\" }}\n\n",
+             toml_string(title)) +
          surface_tables(fits, units::kMillimetre, units::kDegree);
 }
 

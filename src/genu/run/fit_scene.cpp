@@ -107,7 +107,7 @@ class SceneFitter {
 }  // namespace
 
 std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::string& folder, Diagnostics& out) {
-  const auto prepared = prepare_run(request.file, std::nullopt, out);
+  const auto prepared = prepare_run(request.file, folder, out);
   if (!prepared) return std::nullopt;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return std::nullopt;

@@ -82,6 +82,14 @@ void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDe
 /// Errors of a stage that does not know the scene get the place in the scene that named the file.
 void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
   for (Diagnostic d : found.items()) {
+    if (d.key == def.file + ".fit_radius") {
+      d.file = scene.file;
+      d.line = def.where.line;
+      d.column = def.where.column;
+      d.key = "surface." + def.name + ".fit_radius";
+      out.add(d);
+      continue;
+    }
     const std::string detail = d.file.empty() || d.file == def.file ? d.rule : d.file + ": " + d.rule;
     d.file = scene.file;
     d.line = def.file_where.line;

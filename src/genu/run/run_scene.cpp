@@ -11,6 +11,7 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
+#include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/run/contact_location.h"
 #include "genu/run/surface_variants.h"
@@ -82,16 +83,6 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   if (point.stability.verdict == Stability::Verdict::stable) ++s.poses_stable;
   s.smallest_force = std::min(s.smallest_force, point.report.certificate.smallest_force);
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
-}
-
-/// Whether a file lies in a folder, at any depth, links followed.
-bool holds(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const fs::path outer = fs::weakly_canonical(fs::absolute(folder), code),
-                 inner = fs::weakly_canonical(fs::absolute(file), code);
-  const fs::path relative = inner.lexically_relative(outer.has_filename() ? outer : outer.parent_path());
-  return !relative.empty() && *relative.begin() != ".." && fs::exists(inner, code);
 }
 
 std::string interrupted_folder(std::string folder) {
@@ -190,6 +181,11 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
+  for (const StepPlan& step : prepared.steps)
+    for (const auto& p : step.prescribed)
+      if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
+          std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
+        out.prescribed.push_back(column);
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }
@@ -244,7 +240,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
       return std::nullopt;
     }
   }
-  if (holds(*folder, path)) {
+  if (folder_holds(*folder, path)) {
     out.error(*folder, "holds the scene itself, which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
@@ -256,7 +252,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
   for (const SurfaceDef& def : prepared->scene.surfaces) {
-    if (def.file.empty() || !holds(*folder, def.file)) continue;
+    if (def.file.empty() || !folder_holds(*folder, def.file)) continue;
     out.error(*folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }

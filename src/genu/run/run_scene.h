@@ -21,6 +21,7 @@ struct Solution {
   ResultTable poses, event_rows;
   std::optional<ResultTable> starts;    ///< where several starts were asked for
   std::optional<ErrorBars> error_bars;  ///< where they were asked for and the scene has meshes
+  std::vector<std::string> prescribed;  ///< columns of `poses` that a step prescribes, in the order they come
   RunSummary summary;
   std::string folder;  ///< where the results were written
 };

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/scene/surface_writer.h"
 #include "genu/scene/toml_document.h"
 
 namespace genu {
@@ -40,9 +41,13 @@ class Lines {
     return true;
   }
 
-  void replace(int line, const std::string& what, const std::string& with) {
+  /// False where the line does not hold it, as where a string is written with escapes.
+  bool replace(int line, const std::string& what, const std::string& with) {
     std::string& text = lines_[static_cast<std::size_t>(line) - 1];
-    if (const auto place = text.find(what); place != std::string::npos) text.replace(place, what.size(), with);
+    const auto place = text.find(what);
+    if (place == std::string::npos) return false;
+    text.replace(place, what.size(), with);
+    return true;
   }
 
   /// The text with `insert` in front of line `before`.
@@ -117,8 +122,17 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
     } else {
       const TomlNode* table = document->member("surface")->member(s.name);
       const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(s.file).lexically_normal();
-      if (const TomlNode* name = table ? table->member("file") : nullptr)
-        lines.replace(s.file_where.line, name->text, to.lexically_relative(from).generic_string());
+      const TomlNode* name = table ? table->member("file") : nullptr;
+      const std::string path = to.lexically_relative(from).generic_string();
+      const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
+      if (name && !(plain && lines.replace(s.file_where.line, name->text, path)))
+        out.add({.file = file,
+                 .line = s.file_where.line,
+                 .column = s.file_where.column,
+                 .key = "surface." + s.name + ".file",
+                 .found = {},
+                 .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, backslashes "
+                         "and control characters"});
     }
   }
   for (const int k : replaced) {

@@ -1,5 +1,6 @@
 #include "genu/run/surface_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "genu/geometry/mesh_topology.h"
 #include "genu/results/coverage_picture.h"
 #include "genu/scene/surface_writer.h"
+#include "genu/scene/utf8.h"
 
 namespace genu {
 namespace {
@@ -46,16 +48,9 @@ CoverageMap coverage_map(const NamedFit& named) {
   return map;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return out;
-}
-
 std::string to_json(const NamedFit& named) {
+  std::string doubtful;
+  for (const std::string& doubt : doubts(named.fit)) doubtful += (doubtful.empty() ? "" : ", ") + toml_string(doubt);
   const SurfaceFit& f = named.fit;
   const Vec3 where = kMm * f.residual.where;
   std::string scores;
@@ -63,12 +58,12 @@ std::string to_json(const NamedFit& named) {
     scores += fmt::format("{}{{\"degree\": {}, \"left_out_rms_mm\": {}, \"fitted_rms_mm\": {}}}",
                           scores.empty() ? "" : ", ", s.degree, kMm * s.left_out_rms, kMm * s.fitted_rms);
   return fmt::format(
-      "    {{\"name\": \"{}\", \"source\": \"{}\", \"chart\": \"{}\", \"degree\": {}, \"coefficients\": {},\n"
+      "    {{\"name\": \"{}\", \"source\": {}, \"chart\": \"{}\", \"degree\": {}, \"coefficients\": {},\n"
       "     \"rms_mm\": {}, \"largest_mm\": {}, \"largest_at_mm\": [{}, {}, {}], \"vertices\": {}, \"covered\": {},\n"
-      "     \"degrees_tried\": [{}]}}",
-      named.name, escaped(named.source), f.chart.cylindrical ? "cylindrical" : "cartesian", f.degree, f.terms.size(),
-      kMm * f.residual.rms, kMm * f.residual.largest, where.x(), where.y(), where.z(), f.residual.count, f.covered,
-      scores);
+      "     \"noise_mm\": {}, \"degrees_tried\": [{}], \"doubts\": [{}]}}",
+      named.name, toml_string(named.source), f.chart.cylindrical ? "cylindrical" : "cartesian", f.degree,
+      f.terms.size(), kMm * f.residual.rms, kMm * f.residual.largest, where.x(), where.y(), where.z(), f.residual.count,
+      f.covered, kMm * f.noise, scores, doubtful);
 }
 
 }  // namespace
@@ -112,16 +107,38 @@ std::string describe(const SurfaceFit& fit) {
   const std::string patch = fit.chart.cylindrical ? fmt::format("{:.0f} deg x {:.1f} mm", u / units::kDegree, v)
                                                   : fmt::format("{:.1f} x {:.1f} mm", kMm * u, v);
   return fmt::format(
-      "{}, degree {}, patch {} ({:.0f} % over mesh), rms {:.3g} mm, largest {:.3g} mm at {}, {} vertices",
+      "{}, degree {}, patch {} ({:.0f} % over mesh), rms {:.3g} mm along its normal, largest {:.3g} mm at {}, {} "
+      "vertices",
       fit.chart.cylindrical ? "cylindrical" : "cartesian", fit.degree, patch, 100 * fit.covered, kMm * fit.residual.rms,
       kMm * fit.residual.largest, point_text(fit.residual.where), fit.residual.count);
+}
+
+std::vector<std::string> doubts(const SurfaceFit& fit) {
+  // What measured cartilage leaves over a good fit is 1 to 3 times its noise; less than 0.1 mm no scan resolves.
+  constexpr double kTimesNoise = 4, kUnseen = 1e-4, kPeak = 8, kUnseenPeak = 5e-4;
+  std::vector<std::string> out;
+  const FitResidual& r = fit.residual;
+  if (r.rms > std::max(kTimesNoise * fit.noise, kUnseen))
+    out.push_back(
+        fmt::format("the vertices lie {:.3g} mm rms off it, but their own noise is {:.2g} mm: it does not "
+                    "follow the shape; a smaller region or another degree may",
+                    kMm * r.rms, kMm * fit.noise));
+  const double largest = std::abs(r.largest);
+  if (largest > std::max({kPeak * fit.noise, kPeak * r.rms, kUnseenPeak}))
+    out.push_back(fmt::format("one vertex lies {:.3g} mm off it, far more than the others: look at {}", kMm * largest,
+                              point_text(r.where)));
+  if (fit.wanted_degree > fit.degree)
+    out.push_back(fmt::format("the degree was lowered from {} to {}: higher ones fold or swing out over the patch",
+                              fit.wanted_degree, fit.degree));
+  return out;
 }
 
 std::string surface_tables(const std::vector<NamedFit>& fits, double length_unit, double angle_unit) {
   std::string out;
   for (const NamedFit& named : fits) {
     if (!out.empty()) out += "\n";
-    out += fmt::format("# Fitted to {}:\n# {}.\n", printable(named.source), describe(named.fit));
+    out += fmt::format("# Fitted to {}:\n# {}.\n", printable(valid_utf8(named.source)), describe(named.fit));
+    for (const std::string& doubt : doubts(named.fit)) out += "# DOUBTFUL: " + doubt + ".\n";
     out += polynomial_table(surface_def(named), named.body, length_unit, angle_unit);
   }
   return out;

@@ -25,8 +25,13 @@ SurfaceDef surface_def(const NamedFit& fit);
 /// chart alone.
 std::optional<KnownPatch> known_patch(const SurfaceDef& def);
 
-/// "cylindrical, degree 9, patch 176 deg x 19.8 mm, rms 0.057 mm, largest 0.331 mm at [1, 2, 3] mm, 3139 vertices".
+/// "cylindrical, degree 9, patch 176 deg x 19.8 mm, rms 0.057 mm along its normal,
+/// largest 0.331 mm at [1, 2, 3] mm, 3139 vertices".
 std::string describe(const SurfaceFit& fit);
+
+/// What speaks against using a fit: residuals far above the mesh's noise, a degree that had to be lowered. A sentence
+/// each; none where it is a good one.
+std::vector<std::string> doubts(const SurfaceFit& fit);
 
 /// The tables of the surfaces, each under a comment that says how well it fits.
 std::string surface_tables(const std::vector<NamedFit>& fits, double length_unit, double angle_unit);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/scene/utf8.h"
+
 namespace genu {
 namespace {
 
@@ -22,6 +24,18 @@ std::string range_text(const char* key, const SurfaceDef::Patch::Range& range, d
 }
 
 }  // namespace
+
+std::string toml_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : valid_utf8(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f)
+      out += fmt::format("\\u{:04x}", code);
+    else
+      out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
+  return out + "\"";
+}
 
 std::string polynomial_table(const SurfaceDef& def, const std::string& body, double length_unit, double angle_unit) {
   const bool cylindrical = def.shape == SurfaceDef::Shape::cylindrical_polynomial;

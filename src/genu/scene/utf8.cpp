@@ -47,4 +47,14 @@ std::optional<SourceLocation> first_invalid_utf8(std::string_view text) {
   return std::nullopt;
 }
 
+std::string valid_utf8(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    out += length > 0 ? text.substr(at, length) : "?";
+    at += length > 0 ? length : 1;
+  }
+  return out;
+}
+
 }  // namespace genu
