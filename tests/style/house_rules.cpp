@@ -36,6 +36,7 @@ const std::map<std::string, std::set<std::string>>& allowed_layers() {
 const std::map<std::string, std::vector<std::string>>& guarded_libraries() {
   static const std::map<std::string, std::vector<std::string>> libraries = {
       {"FCL", {"fcl/", "ccd/"}},
+      {"assimp", {"assimp/"}},
       {"CGAL", {"CGAL/"}},
       {"toml++", {"toml++/", "toml.hpp", "toml.h"}},
   };

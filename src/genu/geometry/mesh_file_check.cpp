@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+#include "genu/geometry/mesh_formats.h"
+
 namespace genu {
 namespace {
 
@@ -79,7 +81,12 @@ MeshFileCheck check_mesh_file(const std::string& path) {
   const std::string extension = lower(fs::path(path).extension().string());
   if (extension == ".stl") return check_stl(path, size);
   if (extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".vtp") return {};
-  return {.problem = "has the ending \"" + extension + "\"; genu reads .stl, .ply, .obj, .off and .vtp"};
+  std::string known = ".stl, .ply, .obj, .off, .vtp";
+  for (const char* other : kByAssimp) {
+    if (extension == other) return {};
+    known += std::string(", ") + other;
+  }
+  return {.problem = "has the ending \"" + extension + "\"; genu reads " + known};
 }
 
 }  // namespace genu

@@ -32,6 +32,11 @@ std::string read_ply(const std::string& path, Mesh& mesh);
 /// Wavefront OBJ (mesh_obj.cpp): v and f lines.
 std::string read_obj(const std::string& path, Mesh& mesh);
 
+/// What assimp reads and genu has no reader of its own for (mesh_assimp.cpp): the meshes of a scene graph in its root's
+/// frame. assimp keeps coordinates in single precision. Names its formats ".glb".
+std::string read_by_assimp(const std::string& path, Mesh& mesh);
+inline constexpr const char* kByAssimp[] = {".3ds", ".3mf", ".amf", ".dae", ".glb", ".gltf"};
+
 /// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
 /// squares of numbers much larger overflow.
 inline constexpr double kFarthest = 1e9;

@@ -41,7 +41,8 @@ std::string import(const std::string& path, Mesh& mesh) {
                               : extension == ".off" ? read_off(path, mesh)
                               : extension == ".vtp" ? read_vtp(path, mesh)
                               : extension == ".ply" ? read_ply(path, mesh)
-                                                    : read_obj(path, mesh);
+                              : extension == ".obj" ? read_obj(path, mesh)
+                                                    : read_by_assimp(path, mesh);
   return problem.empty() ? check_coordinates(mesh, stl) : problem;
 }
 

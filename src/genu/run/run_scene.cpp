@@ -245,7 +245,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
     return std::nullopt;
   }
   for (const std::string& input : inputs) {
-    if (!holds(*folder, input)) continue;
+    if (!folder_holds(*folder, input)) continue;
     out.error(*folder, "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
