@@ -8,8 +8,8 @@
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 1;                             // rays
-constexpr std::array kClearances = {8.0, 2.0, 0.5};  // edges: tried from the largest
+constexpr int kLeaf = 1;                                        // rays
+constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
 constexpr double kLookAgain = 0.25;  // edges: what was near is taken to be so until it has moved that far
 
 }  // namespace

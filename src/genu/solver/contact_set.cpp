@@ -299,7 +299,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
-  if (report.status == PoseStatus::flawed_mesh) return report;  // another pose would be no better founded
+  // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
   // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one.
   PoseReport seeded;
   for (const double stiffer : {1.0, 30.0, 1000.0}) {

@@ -71,6 +71,7 @@ class PathRun {
     result_.iterations += report_.iterations;
     if (report_.status != PoseStatus::ok && step_ > 1) report_ = solver_.settle_from_seed(pose_, start);
     if (report_.status != PoseStatus::ok) {
+      if (settle_past_flaw(step, report_)) return true;
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
       return false;
     }
@@ -81,11 +82,32 @@ class PathRun {
     walker_.begin(plan, kApproach, pose_, report_);
     while (!walker_.walk_to(1)) {
       if (walker_.law_jump().empty() && walker_.step_over(window(plan))) continue;
+      pose_ = walker_.pose();
+      if (settle_past_flaw(step, walker_.failure())) return true;
       fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");
       return false;
     }
     pose_ = walker_.pose();
     report_ = walker_.report();
+    approaching_ = false;
+    return true;
+  }
+
+  /// Where contact leans on a flaw of a mesh on the way to the step's start, in a pose that nobody has asked for: tries
+  /// the start itself, from the pose nearest to it.
+  bool settle_past_flaw(const StepPlan& step, const PoseReport& failure) {
+    if (failure.status != PoseStatus::flawed_mesh) return false;
+    Balanced trial = pose_;
+    trial.state.contacts.clear();
+    for (const auto& p : step.target(0).prescribed)
+      if (const CoordinateRef& c = p.coordinate.first; p.coordinate.combination < 0)
+        trial.state.coordinates[static_cast<std::size_t>(c.joint)][static_cast<std::size_t>(c.index)] = p.value;
+    trial.state.poses = poses_from_coordinates(solver_.model(), trial.state.coordinates);
+    const PoseReport report = solver_.settle_cold(trial, step.target(0));
+    result_.iterations += report.iterations;
+    if (report.status != PoseStatus::ok) return false;
+    pose_ = std::move(trial);
+    report_ = report;
     approaching_ = false;
     return true;
   }
