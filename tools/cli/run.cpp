@@ -4,6 +4,7 @@
 //   3. write results.csv, events.csv, curves.svg, summary.json; print a short table and the verdict
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -99,12 +100,15 @@ void print_starts(const ResultTable& starts, double spread) {
   if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
 }
 
+/// What Newton's method leaves of a zero is zero.
+double without_rounding(double x) { return std::abs(x) < 1e-9 ? 0 : x; }
+
 /// "row 12, knee.flexion_deg 55": a row of results.csv and what is prescribed there.
 std::string place_of(const Solution& solution, std::size_t row) {
   std::string place = fmt::format("row {}", row + 1);
   for (const std::string& column : solution.prescribed)
     if (solution.poses.has_column(column))
-      place += fmt::format(", {} {:.4g}", column, solution.poses.number(row, column));
+      place += fmt::format(", {} {:.4g}", column, without_rounding(solution.poses.number(row, column)));
   return place;
 }
 

@@ -14,6 +14,7 @@
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/run/contact_location.h"
+#include "genu/run/layer_verdict.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
 
@@ -186,6 +187,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
           std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
         out.prescribed.push_back(column);
+  for (std::string& sentence : layer_sentences(prepared.scene, out.poses)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }

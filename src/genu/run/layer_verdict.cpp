@@ -1,0 +1,67 @@
+#include "genu/run/layer_verdict.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "genu/contact/layer_law.h"
+
+namespace genu {
+namespace {
+
+constexpr double kMillimetre = 1e3;
+constexpr double kFewTriangles = 50;  // a sum over fewer jumps visibly from pose to pose
+constexpr double kNearlyAll = 0.95;   // of the search depth
+
+/// The row where a column has its extreme, over cells with a number; no row where none has.
+struct Extreme {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::size_t row = 0, count = 0;  ///< rows beyond the limit
+};
+
+template <typename Beyond>
+Extreme extreme(const ResultTable& poses, const std::string& column, double sign, Beyond beyond) {
+  Extreme out;
+  for (std::size_t row = 0; row < poses.rows(); ++row) {
+    const double x = poses.number(row, column);
+    if (std::isnan(x)) continue;
+    if (std::isnan(out.value) || sign * x > sign * out.value) out.value = x, out.row = row;
+    if (beyond(x)) ++out.count;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> layer_sentences(const Scene& scene, const ResultTable& poses) {
+  std::vector<std::string> out;
+  for (const LayerDef& layer : scene.layers) {
+    const std::string& name = layer.pair.name;
+    const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [&](double depth) {
+      return depth > LayerLaw::kDeepest * kMillimetre * layer.thickness;
+    });
+    if (deepest.count > 0)
+      out.push_back(
+          fmt::format("The layer of {} is pressed to {:.2f} mm of its {:.2f} mm in row {} (more than {:.0f} % "
+                      "in {} rows): it is too soft or too thin for the load, and its law no longer holds.",
+                      name, deepest.value, kMillimetre * layer.thickness, deepest.row + 1, 100 * LayerLaw::kDeepest,
+                      deepest.count));
+    else if (deepest.value > kNearlyAll * kMillimetre * layer.search_depth)
+      out.push_back(
+          fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
+                      "`search_depth` may find more.",
+                      name, deepest.value, deepest.row + 1));
+    if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
+    const Extreme few =
+        extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewTriangles; });
+    if (few.count > 0)
+      out.push_back(
+          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles "
+                      "carry it ({:.0f} in row {}). A finer mesh or quadrature = \"smooth\" resolves it.",
+                      name, few.count, poses.rows(), kFewTriangles, few.value, few.row + 1));
+  }
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,52 @@
+#include "genu/run/layer_verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+Scene scene_with_layer() {
+  Scene scene;
+  LayerDef layer;
+  layer.pair.name = "tf";
+  layer.thickness = 6e-3;
+  layer.search_depth = 4e-3;
+  layer.quadrature = LayerDef::Quadrature::triangles;
+  scene.layers.push_back(layer);
+  return scene;
+}
+
+ResultTable poses(const std::vector<std::pair<double, double>>& depth_and_points) {
+  ResultTable table;
+  table.add_column("tf.max_depth_mm");
+  table.add_column("tf.points");
+  for (const auto& [depth, points] : depth_and_points) {
+    table.add_row();
+    table.set("tf.max_depth_mm", depth);
+    table.set("tf.points", points);
+  }
+  return table;
+}
+
+TEST(LayerVerdict, SaysNothingWhereAllIsWell) {
+  EXPECT_TRUE(layer_sentences(scene_with_layer(), poses({{0.4, 300}, {0, 0}, {0.5, 50}})).empty());
+}
+
+TEST(LayerVerdict, FewTrianglesAreTooFew) {
+  const auto said = layer_sentences(scene_with_layer(), poses({{0.1, 60}, {0.1, 49}, {0.1, 12}}));
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("in 2 of 3 rows fewer than 50 triangles carry it (12 in row 3)"), std::string::npos)
+      << said[0];
+}
+
+TEST(LayerVerdict, DeeperThanTheLawOrTheRays) {
+  auto said = layer_sentences(scene_with_layer(), poses({{5.8, 300}, {0.1, 60}}));
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("pressed to 5.80 mm of its 6.00 mm in row 1"), std::string::npos) << said[0];
+  said = layer_sentences(scene_with_layer(), poses({{3.9, 300}}));
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("where its rays end"), std::string::npos) << said[0];
+}
+
+}  // namespace
+}  // namespace genu
