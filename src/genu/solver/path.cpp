@@ -187,10 +187,19 @@ class PathRun {
         return;
       }
       if (!edge && walker_.law_jump().empty() && walker_.snap_beyond(t - walker_.t())) continue;
+      if (!edge && may_skip(step, k)) return fail(step, k, t, walker_.failure(), "", false);
       explain_end(step, k, t);
       return;
     }
+    skipped_ = 0;
     hand_over(step, k);
+  }
+
+  /// With layers a pose without equilibrium (a ray that runs off an edge makes forces jump) says little about the next
+  /// one, to which the joint can settle from here as well.
+  bool may_skip(const StepPlan& step, int k) {
+    constexpr int kMost = 3;  // in a row
+    return walker_.can_snap() && k < step.increments && ++skipped_ <= kMost;
   }
 
   /// A stretch without solution that may be stepped over, in units of the step's parameter.
@@ -314,6 +323,7 @@ class PathRun {
   bool approaching_ = false;
   int handed_over_ = 0, rows_ = 0;
   double where_ = 0;  // of a step by arc length that ended early
+  int skipped_ = 0;   // rows without a pose since the last one that has one
   bool stopped_ = false;
 };
 

@@ -311,11 +311,13 @@ bool Walker::step_over(double window) {
   return false;
 }
 
+bool Walker::can_snap() const {
+  return !solver_.model().layers.empty() &&
+         std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+}
+
 bool Walker::snap_beyond(double window) {
-  const JointModel& model = solver_.model();
-  const bool driven =
-      std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
-  if (model.layers.empty() || !driven) return false;
+  if (!can_snap()) return false;
   for (const double fraction : {0.03, 0.3, 1.0}) {
     const double t = std::min(1.0, t_ + fraction * window);
     Balanced next = pose_;

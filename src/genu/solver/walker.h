@@ -30,6 +30,7 @@ class Walker {
   /// and a coordinate that is driven: between rigid surfaces the way is not known well enough, and a load that is too
   /// large has no place of rest to lead to.
   bool snap_beyond(double window);
+  bool can_snap() const;
 
   double t() const { return t_; }
   const Balanced& pose() const { return pose_; }
