@@ -35,7 +35,7 @@ std::string read_obj(const std::string& path, Mesh& mesh);
 /// What assimp reads and genu has no reader of its own for (mesh_assimp.cpp): the meshes of a scene graph in its root's
 /// frame. assimp keeps coordinates in single precision. Names its formats ".glb".
 std::string read_by_assimp(const std::string& path, Mesh& mesh);
-inline constexpr const char* kByAssimp[] = {".3ds", ".3mf", ".amf", ".dae", ".glb", ".gltf"};
+inline constexpr const char* kByAssimp[] = {".3ds", ".amf", ".dae", ".glb", ".gltf"};
 
 /// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
 /// squares of numbers much larger overflow.
