@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/geometry/facet_surface.h"
 #include "support/scene_model.h"
 #include "support/wrench_difference.h"
 
@@ -95,6 +96,41 @@ TEST(ContactField, FoundationsStiffnessDescribesItsForce) {
   const double z = 0.019, h = 1e-7;
   const VecX difference = (wrench(z + h).wrench - wrench(z - h).wrench) / (2 * h);
   EXPECT_LT((wrench(z).stiffness.col(2) - difference).norm(), 1e-4 * difference.norm());
+}
+
+/// A surface of triangles with a place that is not to be trusted.
+std::shared_ptr<const Surface> flawed(Mesh mesh, const Vec3& place) {
+  auto surface = std::make_shared<FacetSurface>(std::move(mesh));
+  surface->set_doubtful({{"a fold", {place}, 1e-3, false}});
+  return surface;
+}
+
+TEST(ContactField, ALayerLeansOnAFlawWhereItPressesAndNowhereElse) {
+  // 0.1 mm deep two balls press a circle of 1.4 mm.
+  const std::string text =
+      test::bone_on_ground("{ z = 39.9 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+      test::surface("knob", "ground", "sphere", "radius = 20") + test::spring("s", "[0, 0, 0]", "[0, 0, -30]", 1, 20);
+  for (const std::string quadrature :
+       {"smooth\"", "triangles\"\ncast_from = \"ball\"", "triangles\"\ncast_from = \"knob\""}) {
+    test::SceneModel s = test::scene_model(text + test::layer("soft", "ball", "knob", "quadrature = \"" + quadrature));
+    const std::shared_ptr<const Surface> ball = s.model.layers[0].a, knob = s.model.layers[0].b;
+    State touching = reference_state(s.model), apart = touching;
+    apart.poses[1].p.z() = 0.0401;
+    for (const double x : {0.0, 1e-3, 4e-3})
+      for (const bool on_ball : {true, false}) {
+        const Vec3 place(x, 0, (on_ball ? -1 : 1) * std::sqrt(0.02 * 0.02 - x * x));
+        s.model.layers[0].a = on_ball ? flawed(ball->triangles(5e-3, Vec3::Zero(), 0.1), place) : ball;
+        s.model.layers[0].b = on_ball ? knob : flawed(knob->triangles(5e-3, Vec3::Zero(), 0.1), place);
+        ContactField field(s.model);
+        ASSERT_TRUE(field.any_doubtful());
+        const DoubtfulPlace* found = field.doubtful(touching);
+        EXPECT_EQ(found != nullptr, x < 3e-3) << quadrature << " " << on_ball << " " << x;
+        if (found != nullptr) {
+          EXPECT_EQ(found->what, "a fold");
+        }
+        EXPECT_EQ(field.doubtful(apart), nullptr) << quadrature << " " << on_ball << " " << x;
+      }
+  }
 }
 
 }  // namespace

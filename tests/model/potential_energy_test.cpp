@@ -143,5 +143,12 @@ TEST(PotentialEnergy, LoadsCountTheirWorkSinceTheReferencePose) {
   EXPECT_DOUBLE_EQ(*potential_energy(s.model, state, test::target_of(s.scene)), -1.25);
 }
 
+TEST(PotentialEnergy, NoneWithAnElasticLayer) {
+  const auto s = scene_model(bone_on_ground("{ z = 19 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+                             test::surface("floor", "ground", "plane") + test::layer("soft", "ball", "floor") +
+                             test::spring("s", "[0, 0, 0]", "[0, 0, -30]", 1, 20));
+  EXPECT_FALSE(potential_energy(s.model, reference_state(s.model), test::target_of(s.scene)).has_value());
+}
+
 }  // namespace
 }  // namespace genu

@@ -151,5 +151,19 @@ TEST(Evaluate, StopsWhereItIsInterruptedAndKeepsTheRest) {
   EXPECT_NE(found.summary.verdict.at(0).find("Interrupted"), std::string::npos);
 }
 
+TEST(Evaluate, SumsASmoothLayerAsFinelyAsARunDoes) {
+  const test::TemporaryFolder folder;
+  const std::string fine = test::replaced(
+      test::replaced(soft_ball(), "quadrature = \"triangles\"", "quadrature = \"smooth\"\ntolerance = 1e-6"),
+      "cast_from = \"ball\"\n", "");
+  const Twice t = run_and_evaluate(folder.write("ball.toml", fine));
+  for (std::size_t row = 0; row < t.solved.poses.rows(); ++row) {
+    const double force = t.solved.poses.number(row, "medial.force_z_N");
+    EXPECT_NEAR(t.evaluated.poses.number(row, "medial.force_z_N"), force, 2e-6 * std::abs(force)) << row;
+    EXPECT_GT(std::abs(force), 10);
+  }
+  EXPECT_GT(t.solved.records.back().point.pose.state.layer_level(0), 0) << "nothing was asked of the tolerance";
+}
+
 }  // namespace
 }  // namespace genu

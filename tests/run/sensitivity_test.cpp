@@ -10,6 +10,7 @@
 #include "run/scenes.h"
 #include "support/finite_difference.h"
 #include "support/temporary_folder.h"
+#include "tools/cli_scenes.h"
 
 namespace genu {
 namespace {
@@ -212,6 +213,48 @@ increments = 1
   EXPECT_EQ(r.poses_without, static_cast<int>(r.solution.records.size()));
   for (const double d : r.rows.derivatives) EXPECT_TRUE(std::isnan(d));
   EXPECT_NE(r.text.find("have no derivative"), std::string::npos) << r.text;
+}
+
+TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
+  const test::TemporaryFolder folder;
+  const std::string scene =
+      folder.write("ball.toml", test::replaced(test::kBall, "model = \"rigid\"",
+                                               "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4") +
+                                    "[[step]]\nprescribe = { \"knee.flexion\" = [10, 5] }\nincrements = 3\n");
+  const auto refused = [&](const SensitivityChoice& choice) {
+    Diagnostics out;
+    SensitivityResult r;
+    EXPECT_EQ(run_sensitivity(scene, {}, choice, {}, out, r), kExitRefused);
+    return test::messages(out);
+  };
+  for (const char* pattern : {"ball.radius", "ball.*", "plate.offset", "ball.radius+plate.offset:together"}) {
+    const std::string why = refused({{"knee.z"}, {pattern}});
+    EXPECT_NE(why.find("the elastic layer medial presses"), std::string::npos) << pattern << "\n" << why;
+  }
+  for (const char* pattern : {"medial.force_z", "medial.*", "medial.area_mm2"}) {
+    const std::string why = refused({{pattern}, {"front.stiffness"}});
+    EXPECT_NE(why.find("a number of an elastic layer"), std::string::npos) << pattern << "\n" << why;
+  }
+  // What has derivatives has them: against runs of the edited scene.
+  Diagnostics out;
+  SensitivityResult r;
+  ASSERT_EQ(run_sensitivity(scene, {}, {{"knee.z"}, {"all"}}, {}, out, r), kExitOk) << test::messages(out);
+  EXPECT_NE(r.text.find("not of the surfaces under elastic layers (medial)"), std::string::npos) << r.text;
+  const auto stiffer = [&](double k) {
+    return test::table_of(test::replaced(read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
+                                         "stiffness = " + std::to_string(k) + "\nreference_strain = 0.05"));
+  };
+  constexpr double kStep = 20;
+  const ResultTable above = stiffer(20000 + kStep), below = stiffer(20000 - kStep);
+  const auto& known = r.rows.parameters;
+  const auto p = static_cast<std::size_t>(
+      std::find_if(known.begin(), known.end(), [](const Parameter& x) { return x.name == "front.stiffness"; }) -
+      known.begin());
+  ASSERT_LT(p, known.size());
+  for (std::size_t row = 0; row < above.rows(); ++row) {
+    const double difference = (above.number(row, "knee.z_mm") - below.number(row, "knee.z_mm")) / (2 * kStep);
+    EXPECT_NEAR(r.rows.derivatives[row * known.size() + p], difference, 1e-5 * std::abs(difference)) << row;
+  }
 }
 
 }  // namespace

@@ -84,6 +84,13 @@ inline std::string contact(const std::string& name, const std::string& a, const 
   return "[contact." + name + "]\nsurfaces = [\"" + a + "\", \"" + b + "\"]\nmodel = \"rigid\"\n";
 }
 
+/// An elastic layer of 4 mm and 5 MPa; `more` names its quadrature.
+inline std::string layer(const std::string& name, const std::string& a, const std::string& b,
+                         const std::string& more = "") {
+  return "[contact." + name + "]\nsurfaces = [\"" + a + "\", \"" + b +
+         "\"]\nmodel = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\n" + more + "\n";
+}
+
 /// A ligament from `point` of bone to `anchor` of ground; `more` names its law.
 inline std::string ligament(const std::string& name, const std::string& point, const std::string& anchor,
                             const std::string& more) {

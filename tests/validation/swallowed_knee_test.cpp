@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/geometry/analytic.h"
 #include "genu/geometry/mesh_reader.h"
+#include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/stl_writer.h"
 #include "run/scenes.h"
 #include "support/brute_force.h"
 #include "support/knee_scene.h"
@@ -103,6 +106,46 @@ TEST(SwallowedKnee, OpenCartilageSheetsAreNeverFreeBehindEachOther) {
     EXPECT_EQ(knee.overlap({Mat3::Identity(), {0, -down, 0}}), 0) << down << " m apart";
     EXPECT_EQ(turned.overlap({Mat3::Identity(), {0, -down, 0}}), 0) << down << " m apart, named the other way";
   }
+}
+
+/// A femoral sheet and a ball, named in either order.
+std::string ball_and_sheet(const std::string& ball, bool sheet_first) {
+  return "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.bone]\nfixed = true\n[body.ball]\n"
+         "[joint.j]\ntype = \"free\"\nparent = \"bone\"\nchild = \"ball\"\nrotations = [\"a x\", \"b y\", \"c z\"]\n"
+         "translations = [\"x\", \"y\", \"z\"]\n[surface.sheet]\nbody = \"bone\"\nshape = \"mesh\"\nfile = \"" +
+         test::data_path("lenhart2015/ACLC01-R-femur-cart-coarse.stl") +
+         "\"\nunits = \"m\"\n[surface.ball]\nbody = \"ball\"\n" + ball +
+         "[contact.c]\nsurfaces = " + (sheet_first ? "[\"sheet\", \"ball\"]" : "[\"ball\", \"sheet\"]") +
+         "\nmodel = \"rigid\"\n[ligament.s]\nfrom = { body = \"bone\", point = [0, 0, 0] }\n"
+         "to = { body = \"ball\", point = [0, 0, 0] }\nlaw = \"spring\"\nstiffness = 5\nslack_length = 0\n"
+         "[[step]]\nincrements = 1\n";
+}
+
+TEST(SwallowedKnee, ABallBehindAnOpenSheetIsNeverFree) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart-coarse.stl");
+  constexpr double kRadius = 5e-3;
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(write_stl(make_sphere({}, kRadius, false)->triangles(1e-3, Vec3::Zero(), 1), folder / "ball.stl", 1, ""),
+            "");
+  const std::string balls[] = {"shape = \"sphere\"\nradius = 5\n",
+                               "shape = \"mesh\"\nfile = \"" + (folder / "ball.stl") + "\"\nunits = \"m\"\n"};
+  for (const std::string& ball : balls)
+    for (const bool sheet_first : {true, false}) {
+      Knee knee(ball_and_sheet(ball, sheet_first));
+      ASSERT_TRUE(knee.prepared);
+      const Mesh sheet = knee.prepared->surfaces[0]->triangles(0, Vec3::Zero(), 0);
+      const std::vector<Vec3> normals = vertex_normals(sheet);
+      const auto at = [&](std::size_t v, double behind) {
+        State state = knee.start;
+        state.poses[1] = {Mat3::Identity(), sheet.vertices[v] - behind * normals[v]};
+        return knee.field->overlap(state, 0);
+      };
+      for (std::size_t v = 0; v < sheet.vertices.size(); v += 97) {
+        for (const double depth : {1e-3, 4e-3, 8e-3, 12e-3})
+          EXPECT_GT(at(v, depth), 0) << ball << " vertex " << v << ", " << depth << " m behind, " << sheet_first;
+        EXPECT_EQ(at(v, -0.2), 0) << ball << " vertex " << v;
+      }
+    }
 }
 
 TEST(SwallowedKnee, ARunThatStartsSoIsRefused) {

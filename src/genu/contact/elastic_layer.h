@@ -50,4 +50,9 @@ class ElasticLayer {
   std::vector<Side> sides_;
 };
 
+/// Of all layers of a model, in its order.
+struct LayerMemories {
+  std::vector<ElasticLayer::Memory> each;
+};
+
 }  // namespace genu

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/contact/smooth_layer.h"
 #include "genu/contact/triangle_layer.h"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/contact/elastic_layer.h"
+
 namespace genu {
 namespace {
 
@@ -30,9 +32,28 @@ double stands_out(const DoubtfulPlace& place) {
   return half < place.reach ? 0 : half * half / (2 * kRadius);
 }
 
+/// Whether the contact at `feet`, each with its `size`, or the surface `other` itself, comes upon a doubtful place.
+/// X_OS: the place's body in the frame of the other.
+bool leans_on(const DoubtfulPlace& place, const std::vector<Vec3>& feet, const std::vector<double>& size,
+              const Surface& other, const Pose& X_OS) {
+  for (const Vec3& p : place.points)
+    for (std::size_t k = 0; k < feet.size(); ++k)
+      if ((p - feet[k]).norm() < place.reach + size[k]) return true;
+  if (!place.missing) return false;
+  const double out = stands_out(place);
+  if (out == 0) return false;
+  return std::any_of(place.points.begin(), place.points.end(), [&](const Vec3& p) {
+    const Vec3 x = X_OS * p;
+    const auto gap = other.gap(x);
+    SurfacePoint foot;
+    return gap && *gap<out&& * gap> - place.reach && other.project(x, foot) && other.edge_distance(foot.p) >= 0;
+  });
+}
+
 }  // namespace
 
-ContactField::ContactField(const JointModel& model) : model_(&model), spacing_(choose_spacing(model)) {
+ContactField::ContactField(const JointModel& model)
+    : model_(&model), spacing_(choose_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
   const Vec3 centre = joint_centre(model);
   pairs_.reserve(model.pairs.size());
   for (const auto& pair : model.pairs) {
@@ -44,6 +65,8 @@ ContactField::ContactField(const JointModel& model) : model_(&model), spacing_(c
     pairs_.emplace_back(*pair.a, *pair.b, options);
     any_doubtful_ = any_doubtful_ || !pair.a->doubtful().empty() || !pair.b->doubtful().empty();
   }
+  for (const auto& layer : model.layers)
+    any_doubtful_ = any_doubtful_ || !layer.a->doubtful().empty() || !layer.b->doubtful().empty();
 }
 
 Pose ContactField::relative(const State& state, int pair) const {
@@ -81,38 +104,64 @@ double ContactField::edge_distance(int pair, const ContactGeometry& contact) con
   return pairs_[at(pair)].edge_distance(contact);
 }
 
-const DoubtfulPlace* ContactField::doubtful(const State& state, const std::vector<Candidate>& also) const {
-  for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair)
-    for (const bool of_a : {true, false}) {
-      const auto& p = model_->pairs[at(pair)];
-      for (const DoubtfulPlace& place : (of_a ? p.a : p.b)->doubtful())
-        if (leans_on(place, state, also, pair, of_a)) return &place;
-    }
+ContactField::Feet ContactField::feet_of_pair(const State& state, const std::vector<Candidate>& also, int pair) const {
+  Feet feet;
+  const auto add = [&](const ContactGeometry& contact) {
+    feet.on_a.push_back(contact.a.p);
+    feet.on_b.push_back(contact.b.p);
+    feet.size.push_back(0);
+  };
+  for (const ActiveContact& c : state.contacts)
+    if (c.pair == pair) add(c.geometry);
+  for (const Candidate& c : also)
+    if (c.pair == pair) add(c.minimum.contact);
+  return feet;
+}
+
+ContactField::Feet ContactField::feet_of_layer(const State& state, int layer) {
+  const auto& l = model_->layers[at(layer)];
+  const Pose &X_Wa = state.poses[at(l.body_a)], &X_Wb = state.poses[at(l.body_b)];
+  const Pose X_ab = X_Wa.inverse() * X_Wb, X_ba = X_ab.inverse();
+  Feet feet;
+  layers_->each.resize(model_->layers.size());
+  for (std::size_t i = 0; i < l.layer->sides().size(); ++i) {
+    const bool from_a = l.layer->sides()[i].a;
+    const auto add = [&](const LayerPoint& point) {
+      const Vec3 across = point.x - point.depth * point.n;
+      feet.on_a.push_back(from_a ? point.x : X_ab * across);
+      feet.on_b.push_back(from_a ? X_ba * across : point.x);
+      feet.size.push_back(std::sqrt(point.area));
+    };
+    l.layer->visit(X_Wa, X_Wb, i, layers_->each[at(layer)], add, state.layer_level(at(layer)));
+  }
+  return feet;
+}
+
+template <typename Meeting>
+const DoubtfulPlace* ContactField::doubtful_between(const Meeting& surfaces, const Pose& X_ab, const Feet& feet) {
+  for (const DoubtfulPlace& place : surfaces.a->doubtful())
+    if (leans_on(place, feet.on_a, feet.size, *surfaces.b, X_ab.inverse())) return &place;
+  for (const DoubtfulPlace& place : surfaces.b->doubtful())
+    if (leans_on(place, feet.on_b, feet.size, *surfaces.a, X_ab)) return &place;
   return nullptr;
 }
 
-bool ContactField::leans_on(const DoubtfulPlace& place, const State& state, const std::vector<Candidate>& also,
-                            int pair, bool of_a) const {
-  const auto near = [&](const ContactGeometry& contact) {
-    const Vec3& foot = of_a ? contact.a.p : contact.b.p;
-    return std::any_of(place.points.begin(), place.points.end(),
-                       [&](const Vec3& p) { return (p - foot).squaredNorm() < place.reach * place.reach; });
+const DoubtfulPlace* ContactField::doubtful(const State& state, const std::vector<Candidate>& also) {
+  const auto flawed = [](const auto& meeting) {
+    return !meeting.a->doubtful().empty() || !meeting.b->doubtful().empty();
   };
-  for (const ActiveContact& c : state.contacts)
-    if (c.pair == pair && near(c.geometry)) return true;
-  for (const Candidate& c : also)
-    if (c.pair == pair && near(c.minimum.contact)) return true;
-  if (!place.missing) return false;
-  const double out = stands_out(place);
-  if (out == 0) return false;
-  const Pose X = of_a ? relative(state, pair).inverse() : relative(state, pair);
-  const Surface& other = of_a ? *model_->pairs[at(pair)].b : *model_->pairs[at(pair)].a;
-  return std::any_of(place.points.begin(), place.points.end(), [&](const Vec3& p) {
-    const Vec3 x = X * p;
-    const auto gap = other.gap(x);
-    SurfacePoint foot;
-    return gap && *gap<out&& * gap> - place.reach && other.project(x, foot) && other.edge_distance(foot.p) >= 0;
-  });
+  for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
+    const auto& p = model_->pairs[at(pair)];
+    if (!flawed(p)) continue;
+    if (const auto* place = doubtful_between(p, relative(state, pair), feet_of_pair(state, also, pair))) return place;
+  }
+  for (int layer = 0; layer < static_cast<int>(model_->layers.size()); ++layer) {
+    const auto& l = model_->layers[at(layer)];
+    if (!flawed(l)) continue;
+    const Pose X_ab = state.poses[at(l.body_a)].inverse() * state.poses[at(l.body_b)];
+    if (const auto* place = doubtful_between(l, X_ab, feet_of_layer(state, layer))) return place;
+  }
+  return nullptr;
 }
 
 double ContactField::smallest_gap(const State& state, int pair) {

@@ -44,9 +44,10 @@ class ContactField {
 
   double edge_distance(int pair, const ContactGeometry& contact) const;
 
-  /// The first doubtful place of a surface that a contact of `state` leans on, or where the other surface comes near
-  /// to what is missing; null where there is none. `also`: places that are touched beside those contacts.
-  const DoubtfulPlace* doubtful(const State& state, const std::vector<Candidate>& also = {}) const;
+  /// The first doubtful place of a surface that a contact or a layer's pressure at `state` leans on, or where the other
+  /// surface comes near to what is missing; null where there is none. `also`: places that are touched beside those
+  /// contacts.
+  const DoubtfulPlace* doubtful(const State& state, const std::vector<Candidate>& also = {});
   bool any_doubtful() const { return any_doubtful_; }
 
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
@@ -63,14 +64,23 @@ class ContactField {
   double add_foundation(const State& state, double modulus, Linearization& out);
 
  private:
+  /// Where two surfaces touch, in the frames of their bodies, and how far (m) each of these points stands for more.
+  struct Feet {
+    std::vector<Vec3> on_a, on_b;
+    std::vector<double> size;
+  };
+  template <typename Meeting>
+  static const DoubtfulPlace* doubtful_between(const Meeting& surfaces, const Pose& X_ab, const Feet& feet);
+  Feet feet_of_pair(const State& state, const std::vector<Candidate>& also, int pair) const;
+  Feet feet_of_layer(const State& state, int layer);
+
   Pose relative(const State& state, int pair) const;
-  bool leans_on(const DoubtfulPlace& place, const State& state, const std::vector<Candidate>& also, int pair,
-                bool of_a) const;
 
   const JointModel* model_;
   double spacing_;
   bool any_doubtful_ = false;
   std::vector<Proximity> pairs_;
+  std::shared_ptr<LayerMemories> layers_;
   ProximityScan scan_;
   std::vector<NearSample> near_;
 };

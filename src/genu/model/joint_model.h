@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "genu/contact/elastic_layer.h"
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/surface.h"
 #include "genu/model/joint_coordinates.h"
@@ -14,6 +13,8 @@
 #include "genu/scene/scene.h"
 
 namespace genu {
+
+class ElasticLayer;
 
 struct JointModel {
   struct Body {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/model/state.h"
 
 namespace genu {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/model/ligament_pieces.h"
 
 namespace genu {
@@ -181,12 +182,12 @@ void add_layers(const JointModel& model, const State& state, Linearization& out)
   out.layer_loads.resize(model.layers.size());
   out.layer_errors.resize(model.layers.size());
   if (model.layers.empty()) return;
-  if (!out.layers) out.layers = std::make_shared<std::vector<ElasticLayer::Memory>>();
-  out.layers->resize(model.layers.size());
+  if (!out.layers) out.layers = std::make_shared<LayerMemories>();
+  out.layers->each.resize(model.layers.size());
   LayerWrench pressed;
   for (std::size_t k = 0; k < model.layers.size(); ++k) {
     const auto& layer = model.layers[k];
-    layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], (*out.layers)[k], pressed,
+    layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], out.layers->each[k], pressed,
                           state.layer_level(k));
     out.layer_loads[k] = pressed.load;
     out.layer_errors[k] = pressed.error;

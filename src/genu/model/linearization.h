@@ -16,6 +16,8 @@
 
 namespace genu {
 
+struct LayerMemories;
+
 /// Everything in SI and unscaled, so that each block can be read and checked by itself.
 struct Linearization {
   VecX wrench;      ///< 6B: total wrench on each moving body, 0 at equilibrium
@@ -24,7 +26,7 @@ struct Linearization {
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
   /// Of each elastic layer, what earlier poses have shown: linearizations that are used in turn share it.
-  std::shared_ptr<std::vector<ElasticLayer::Memory>> layers;
+  std::shared_ptr<LayerMemories> layers;
   std::vector<double> layer_loads;   ///< N, of each elastic layer: sum of p dA
   std::vector<double> layer_errors;  ///< N, and its error, estimated
   VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)

@@ -52,6 +52,7 @@ bool has_potential(const Load& load) {
 }
 
 std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target) {
+  if (!model.layers.empty()) return std::nullopt;
   double energy = stored(model, state);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];

@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 
+#include "genu/model/layer_levels.h"
+
 namespace genu {
 namespace {
 
@@ -35,8 +37,11 @@ Unbalanced unbalanced(const JointModel& model, State state, Target target, Linea
   target.prescribed.clear();
   state.contacts.clear();
   state.multipliers.assign(model.held.size(), 0.0);
-  linearize(model, state, target, memory);
+  do {
+    linearize(model, state, target, memory);
+  } while (raise_layer_levels(model, memory, state));
   Unbalanced out;
+  out.layer_levels = state.layer_levels;
   out.wrenches.resize(at(model.moving_count));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int moving = model.bodies[b].moving;

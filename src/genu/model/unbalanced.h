@@ -18,6 +18,8 @@ struct Unbalanced {
   /// The same as generalised moments and forces (N m, N) on every coordinate of every joint, those that joints hold
   /// among them; empty where a joint is at its gimbal pose.
   std::optional<std::vector<JointValues>> forces;
+  /// How finely each elastic layer had to be summed for its tolerance (State::layer_levels).
+  std::vector<int> layer_levels;
 };
 
 /// At a state, and the load factors and time of `target`; what it prescribes, the state's contacts and multipliers do

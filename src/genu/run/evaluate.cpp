@@ -49,12 +49,25 @@ class Evaluator {
     reset_pieces(model, state);
     add_gaps(record);
     const Unbalanced missing = unbalanced(model, state, point.target, memory_);
+    state.layer_levels = missing.layer_levels;
+    look_for_flaws(point);
     record.given = PoseRecord::Given{missing.wrenches, missing.forces && model.pairs.empty()};
     if (record.given->reactions) add_reactions(*missing.forces, point);
     return record;
   }
 
  private:
+  void look_for_flaws(PosePoint& point) {
+    if (!field_.any_doubtful()) return;
+    std::vector<Candidate> touching;
+    for (const OpenContact& c : point.pose.open)
+      if (c.gap <= 0) touching.push_back({c.pair, {c.geometry, c.gap}});
+    const DoubtfulPlace* place = field_.doubtful(point.pose.state, touching);
+    if (place == nullptr) return;
+    point.report.status = PoseStatus::flawed_mesh;
+    point.report.why = place->what;
+  }
+
   void add_gaps(PoseRecord& record) {
     const State& state = record.point.pose.state;
     const int pairs = static_cast<int>(prepared_.model.pairs.size());
@@ -107,6 +120,12 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                   records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
   if (s.smallest_gap < 0)
     s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -kMillimetre * s.smallest_gap));
+  const auto leans = [](const PoseRecord& r) { return r.point.report.status == PoseStatus::flawed_mesh; };
+  if (const auto flawed = std::find_if(records.begin(), records.end(), leans); flawed != records.end())
+    s.verdict.push_back(fmt::format("In {} row{} contact leans on a flaw of a mesh, first in row {}: {}.",
+                                    std::count_if(records.begin(), records.end(), leans),
+                                    std::count_if(flawed + 1, records.end(), leans) > 0 ? "s" : "",
+                                    flawed - records.begin() + 1, flawed->point.report.why));
   if (s.given->left_out > 0)
     s.verdict.push_back(fmt::format("{} row{} of {} hold{} no pose that was solved: left out.", s.given->left_out,
                                     s.given->left_out == 1 ? "" : "s", s.given->file,

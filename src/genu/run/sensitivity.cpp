@@ -26,6 +26,20 @@ void refuse(Diagnostics& out, const char* option, const std::string& pattern, co
   out.add({.file = {}, .key = option, .found = in_quotes(pattern), .rule = why});
 }
 
+/// The layer whose number a column of results.csv is; null for any other column.
+const LayerDef* layer_of(const Scene& scene, const std::string& column) {
+  for (const LayerDef& layer : scene.layers)
+    if (column.starts_with(layer.pair.name + ".")) return &layer;
+  return nullptr;
+}
+
+/// The layer that a parameter's surface is pressed by; null for any other parameter.
+const LayerDef* layer_of(const Scene& scene, const Parameter& p) {
+  for (const LayerDef& layer : scene.layers)
+    if (p.of_surface() && (layer.pair.surface_a == p.object || layer.pair.surface_b == p.object)) return &layer;
+  return nullptr;
+}
+
 /// Why a pattern names no output.
 std::string no_output(const Prepared& prepared, const std::vector<Output>& known, const std::string& pattern) {
   std::vector<std::string> words;
@@ -33,6 +47,11 @@ std::string no_output(const Prepared& prepared, const std::vector<Output>& known
   for (const std::string& column : table.columns())
     if (const std::string why = why_not_smooth(column); !why.empty() && names(pattern, column))
       return "matches " + column + ", which " + why;
+  for (const std::string& column : table.columns())
+    if (names(pattern, column) && layer_of(prepared.scene, column) != nullptr)
+      return "matches " + column +
+             ", a number of an elastic layer: none of them has an exact derivative here. Coordinates, ligaments and "
+             "reactions of a scene with layers have";
   for (const Output& o : known) words.insert(words.end(), {o.column, without_unit(o.column)});
   return "is no output of this scene" + did_you_mean(pattern, words) +
          " (outputs are the columns of results.csv, with or without the unit)";
@@ -49,7 +68,11 @@ const char* kind_of_object(const Parameter& p) {
 
 /// Why a pattern names no parameter: what the objects that it names have, those of ligaments alone where it asks for a
 /// key that only ligaments can have.
-std::string no_parameter(const std::vector<Parameter>& known, const std::string& pattern) {
+std::string no_parameter(const Scene& scene, const std::vector<Parameter>& known, const std::string& pattern) {
+  for (const Parameter& p : parameters_of(scene))
+    if (const LayerDef* layer = layer_of(scene, p); layer != nullptr && matches(pattern, p.name))
+      return fmt::format("matches {}, on a surface that the elastic layer {} presses: there are no derivatives to it",
+                         p.name, layer->pair.name);
   constexpr std::array kOfLigaments = {
       "toe_stiffness", "transition_strain", "slack_length", "reference_strain", "reference_force", "from", "to", "via"};
   const auto object_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
@@ -99,14 +122,14 @@ void choose_outputs(const Prepared& prepared, const std::vector<std::string>& pa
 constexpr const char* kTogether = ":together";
 
 /// Marks what a pattern names in `wanted`, or refuses it.
-void mark_parameters(const std::vector<Parameter>& known, const std::string& pattern, std::vector<bool>& wanted,
-                     Diagnostics& out) {
+void mark_parameters(const Scene& scene, const std::vector<Parameter>& known, const std::string& pattern,
+                     std::vector<bool>& wanted, Diagnostics& out) {
   bool found = false;
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (pattern != "all" && !matches(pattern, known[k].name)) continue;
     wanted[k] = found = true;
   }
-  if (!found) refuse(out, "--to", pattern, no_parameter(known, pattern));
+  if (!found) refuse(out, "--to", pattern, no_parameter(scene, known, pattern));
 }
 
 /// The one parameter that moves all of `members`, each by its standard change.
@@ -121,10 +144,17 @@ Parameter bundle_of(const std::string& name, const std::vector<Parameter>& membe
   return bundle;
 }
 
+/// What can be asked for: nothing that only moves a surface that a layer presses.
+std::vector<Parameter> known_parameters(const Scene& scene) {
+  std::vector<Parameter> known = parameters_of(scene);
+  std::erase_if(known, [&](const Parameter& p) { return layer_of(scene, p) != nullptr; });
+  return known;
+}
+
 /// Single parameters in the scene's order, then the bundles as asked for.
 void choose_parameters(const Scene& scene, const std::vector<std::string>& patterns, SensitivityRows& rows,
                        Diagnostics& out) {
-  const std::vector<Parameter> known = parameters_of(scene);
+  const std::vector<Parameter> known = known_parameters(scene);
   const auto marked = [&](const std::vector<bool>& wanted) {
     std::vector<Parameter> chosen;
     for (std::size_t k = 0; k < known.size(); ++k)
@@ -136,12 +166,12 @@ void choose_parameters(const Scene& scene, const std::vector<std::string>& patte
   std::vector<std::vector<Parameter>> members;
   for (const std::string& pattern : patterns) {
     if (!pattern.ends_with(kTogether)) {
-      mark_parameters(known, pattern, singles, out);
+      mark_parameters(scene, known, pattern, singles, out);
       continue;
     }
     std::vector<bool> wanted(known.size());
     std::stringstream parts(pattern.substr(0, pattern.size() - std::string_view(kTogether).size()));
-    for (std::string part; std::getline(parts, part, '+');) mark_parameters(known, part, wanted, out);
+    for (std::string part; std::getline(parts, part, '+');) mark_parameters(scene, known, part, wanted, out);
     members.push_back(marked(wanted));
     bundles.push_back(bundle_of(pattern, members.back()));
     if (members.back().empty() && parts.str().empty()) refuse(out, "--to", pattern, "names nothing to move together");
@@ -184,7 +214,21 @@ bool too_many(const Prepared& prepared, const SensitivityRows& rows, Diagnostics
   return true;
 }
 
-std::string facts(const SensitivityChoice& choice, const SensitivityResult& r) {
+/// The layers whose surfaces a pattern names beside what it finds; their parameters are left out.
+std::string left_out(const Scene& scene, const SensitivityChoice& choice) {
+  std::vector<const LayerDef*> layers;
+  for (const Parameter& p : parameters_of(scene))
+    for (const std::string& pattern : choice.parameters)
+      if (const LayerDef* layer = layer_of(scene, p);
+          layer != nullptr && (pattern == "all" || matches(pattern, p.name)))
+        if (std::find(layers.begin(), layers.end(), layer) == layers.end()) layers.push_back(layer);
+  std::string names;
+  for (const LayerDef* layer : layers) names += (names.empty() ? "" : ", ") + layer->pair.name;
+  if (names.empty()) return {};
+  return fmt::format("  {:<12}not of the surfaces under elastic layers ({})\n", "", names);
+}
+
+std::string facts(const Scene& scene, const SensitivityChoice& choice, const SensitivityResult& r) {
   std::string out =
       fmt::format("  {:<12}{} poses, {} outputs, {} parameters: {} derivatives in {:.3f} s\n", "derivatives",
                   r.rows.rows(), r.rows.outputs.size(), r.rows.parameters.size(), r.rows.derivatives.size(), r.seconds);
@@ -197,7 +241,7 @@ std::string facts(const SensitivityChoice& choice, const SensitivityResult& r) {
         "  {:<12}{} of {} poses have no derivative (not solved, not determined, or J is singular): their "
         "cells are empty\n",
         "", r.poses_without, r.rows.rows());
-  return out;
+  return out + left_out(scene, choice);
 }
 
 }  // namespace
@@ -277,7 +321,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   const Scene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;
-  result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(choice, result);
+  result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(scene, choice, result);
   if (!folder) return solution.summary.exit_code;
   result.solution.folder = folder_for(*folder, options, result.solution.summary);
   const Chart chart = sensitivity_chart(result.rows, curves(scene, steps, solution.poses, solution.events));

@@ -39,7 +39,7 @@ void read_regions(ReadContext& context, const Item& item, ContactDef& contact) {
   }
 }
 
-/// Whether a surface has triangles to send rays from or to send them to.
+/// The surface whose triangles send the rays.
 void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
   const int a = layer.pair.surface_a, b = layer.pair.surface_b;
   const auto found = read_reference(context, item, "surface", names_of(context.scene.surfaces));

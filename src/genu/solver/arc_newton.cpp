@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/model/layer_levels.h"
+
 namespace genu {
 namespace {
 
@@ -83,7 +85,10 @@ bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint&
     report.rcond = step_.linear().rcond();
     report.full_rank = step_.linear().full_rank();
     report.minimum_norm = step_.linear().minimum_norm();
-    if (solved) return true;
+    if (solved) {
+      if (!raise_layer_levels(*model_, here_, point.pose.state)) return true;
+      continue;
+    }
     report.outcome = NewtonReport::Outcome::iterations_used_up;
     if (report.iterations == kMost) return false;
     step_.solve(here_, correction_);

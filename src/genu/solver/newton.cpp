@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {
@@ -63,7 +64,7 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
 
 NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
   NewtonReport report;
-  if (!here_.layers) here_.layers = std::make_shared<std::vector<ElasticLayer::Memory>>();
+  if (!here_.layers) here_.layers = std::make_shared<LayerMemories>();
   there_.layers = here_.layers;
   finer_ = state;
   do {
