@@ -36,7 +36,8 @@ std::vector<Met> cast(const LayerRays& rays, const Pose& X_TC, LayerRays::Memory
 TEST(LayerRays, WarmIsColdAlongAWander) {
   std::mt19937 random(3);
   std::normal_distribution<double> step(0, 1);
-  const LayerRays rays(rays_of(test::sheet(0.02, 25)), std::make_shared<TriangleTree>(test::ball(0.02, 1.5e-3)), 5e-3);
+  const LayerRays rays(rays_of(test::sheet(0.02, 25)), std::make_shared<TriangleTree>(test::ball(0.02, 1.5e-3)), 5e-3,
+                       LayerRays::Grouping::together);
   LayerRays::Memory warm;
   Pose X{Mat3::Identity(), {0, 0, -0.019}};
   std::size_t most = 0;
@@ -60,7 +61,7 @@ TEST(LayerRays, WarmIsColdAlongAWander) {
 
 TEST(LayerRays, EveryRayThatMeetsIsVisitedOnce) {
   const Mesh casting = test::sheet(0.02, 25), target = test::ball(0.02, 1.5e-3);
-  const LayerRays rays(rays_of(casting), std::make_shared<TriangleTree>(target), 5e-3);
+  const LayerRays rays(rays_of(casting), std::make_shared<TriangleTree>(target), 5e-3, LayerRays::Grouping::together);
   const Pose X{exp_rotation({0.2, 0.1, 0.3}), {1e-3, 2e-3, -0.0185}};
   LayerRays::Memory memory;
   std::vector<int> visits(casting.triangles.size());
@@ -72,7 +73,7 @@ TEST(LayerRays, EveryRayThatMeetsIsVisitedOnce) {
 }
 
 TEST(LayerRays, NoRays) {
-  const LayerRays rays({}, std::make_shared<TriangleTree>(test::ball(0.02, 4e-3)), 5e-3);
+  const LayerRays rays({}, std::make_shared<TriangleTree>(test::ball(0.02, 4e-3)), 5e-3, LayerRays::Grouping::together);
   LayerRays::Memory memory;
   EXPECT_TRUE(cast(rays, {}, memory).empty());
 }

@@ -8,25 +8,30 @@
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 1;                                        // rays
+constexpr int kTogether = 8;                                    // rays
 constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
-constexpr double kLookAgain = 0.25;  // edges: what was near is taken to be so until it has moved that far
+constexpr std::size_t kCoarse = 3;                              // of them, for rays together
+constexpr double kLookAgain = 3;  // edges: what was near is taken to be so until it has moved that far
+constexpr double kPocket = 3;     // edges: the motion that triangles near a group are gathered for
+constexpr double kLeast = 0.05;   // edges: the motion that what a ray can meet is listed for
 
 }  // namespace
 
 LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length,
-                     std::vector<double> radii)
+                     Grouping grouping, std::vector<double> radii)
     : rays_(std::move(rays)),
       radii_(std::move(radii)),
       target_(std::move(target)),
       length_(length),
+      levels_(grouping == Grouping::single ? kClearances.size() : kCoarse),
+      leaf_(grouping == Grouping::single ? 1 : kTogether),
       order_(rays_.size()) {
   double area = 0;
   for (int t = 0; t < target_->size(); ++t) area += target_->area_vector(t).norm();
   step_ = std::sqrt(area / std::max(1, target_->size()));
   std::iota(order_.begin(), order_.end(), 0);
   if (rays_.empty()) return;
-  groups_.push_back({0, static_cast<int>(rays_.size()), -1, {}, 0});
+  groups_.push_back({.first = 0, .last = static_cast<int>(rays_.size()), .middle = {}});
   for (std::size_t i = 0; i < groups_.size(); ++i) split(static_cast<int>(i));
 }
 
@@ -53,7 +58,10 @@ void LayerRays::split(int index) {
   enclose(groups_[static_cast<std::size_t>(index)]);
   const int first = groups_[static_cast<std::size_t>(index)].first,
             last = groups_[static_cast<std::size_t>(index)].last;
-  if (last - first <= kLeaf) return;
+  if (last - first <= leaf_) {
+    groups_[static_cast<std::size_t>(index)].leaf = leaves_++;
+    return;
+  }
   const auto place = [&](int ray) {
     const Ray& r = rays_[static_cast<std::size_t>(ray)];
     return Vec3(r.origin + 0.5 * length_ * r.direction);
@@ -71,8 +79,8 @@ void LayerRays::split(int index) {
     return x < y || (x == y && a < b);
   });
   groups_[static_cast<std::size_t>(index)].children = static_cast<int>(groups_.size());
-  groups_.push_back({first, half, -1, {}, 0});
-  groups_.push_back({half, last, -1, {}, 0});
+  groups_.push_back({.first = first, .last = half, .middle = {}});
+  groups_.push_back({.first = half, .last = last, .middle = {}});
 }
 
 void LayerRays::begin(Memory& memory) const {
@@ -92,14 +100,15 @@ double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) c
 
 void LayerRays::measure(const Group& group, const Pose& X_TC, Memory::Group& known) const {
   std::array<double, kClearances.size()> margins;
-  for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = group.radius + kClearances[i] * step_;
-  const std::size_t level =
-      target_->clear_by(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margins, known.near);
+  for (std::size_t i = 0; i < levels_; ++i) margins[i] = group.radius + kClearances[i] * step_;
+  const std::size_t level = target_->clear_by(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_,
+                                              {margins.data(), levels_}, known.near);
   known.measured = X_TC;
-  known.clear = level < margins.size() ? kClearances[level] * step_ : 0;
+  known.clear = level < levels_ ? kClearances[level] * step_ : 0;
 }
 
 bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known) const {
+  if (group.children < 0 && leaf_ > 1) return false;  // to ask its rays costs no more
   if (known.clear >= 0) {
     const double moved = motion(group, known.measured, X_TC);
     if (moved < known.clear) return true;
@@ -107,6 +116,32 @@ bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known
   }
   measure(group, X_TC, known);
   return known.clear > 0;
+}
+
+/// Brings a leaf to a pose, with triangles that are good for the least margin beyond it at least.
+LayerRays::Memory::Block& LayerRays::advance(const Group& group, const Pose& X_TC, Memory& memory) const {
+  Memory::Block& block = memory.blocks[static_cast<std::size_t>(group.leaf)];
+  if (block.until >= 0) block.path += motion(group, block.last, X_TC);
+  block.last = X_TC;
+  if (block.path + kLeast * step_ <= block.until) return block;
+  constexpr double kRounding = 1e-6;
+  const double margin = (1 + kRounding) * (group.radius + kPocket * step_);
+  target_->clusters_near(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margin, block.clusters);
+  block.until = block.path + kPocket * step_;
+  return block;
+}
+
+TriangleTree::Hit LayerRays::meet(const Vec3& origin, const Vec3& direction, const Memory::Block& block,
+                                  Memory::AtRay& known) const {
+  TrianglesAtRay& here = known.triangles;
+  if (!(block.path < known.until)) {
+    target_->at_ray(block.clusters, origin, direction, length_, kLeast * step_, kPocket * step_, here);
+    known.until = std::min(block.path + here.margin, block.until);
+  }
+  if (here.count <= TrianglesAtRay::kMost)
+    return target_->leaving({here.places.data(), static_cast<std::size_t>(here.count)}, origin, direction, length_);
+  known.until = -1;
+  return target_->leaving(block.clusters, origin, direction, length_);
 }
 
 }  // namespace genu

@@ -17,8 +17,12 @@ struct Ray {
 
 class LayerRays {
  public:
+  /// How rays are told apart from those that meet nothing: one by one and closely where much depends on each, or a few
+  /// neighbours together where each is asked for no more than what it meets.
+  enum class Grouping { single, together };
+
   /// Rays of `length` (m) into the triangles of `target`. `radii` (m): each stands for what is within that of it.
-  LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length,
+  LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length, Grouping grouping,
             std::vector<double> radii = {});
 
   /// What is known from earlier poses: makes the next cast faster and never other. One for each thread.
@@ -28,8 +32,20 @@ class LayerRays {
       int near = -1;      ///< a triangle of the target that was near
       Pose measured;
     };
+    /// Of a leaf: the triangles that its rays can meet until they have moved on.
+    struct Block {
+      ClustersNear clusters;
+      Pose last;
+      double path = 0;    ///< m: how far any point of its rays has moved since the first pose, at most
+      double until = -1;  ///< m: of the path that the triangles are good for
+    };
+    struct AtRay {
+      TrianglesAtRay triangles;
+      double until = -1;  ///< m: of the block's path
+    };
     std::vector<Group> groups;
-    std::vector<int> hints;  ///< of each ray: the triangle it met last
+    std::vector<Block> blocks;  ///< of each leaf
+    std::vector<AtRay> rays;
     std::vector<int> open;
   };
 
@@ -38,14 +54,19 @@ class LayerRays {
   /// target's frame.
   template <typename Visit>
   void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
-    memory.hints.resize(rays_.size(), -1);
-    each_near(X_TC, memory, [&](int k) {
-      const auto ray = static_cast<std::size_t>(k);
-      const Vec3 origin = X_TC * rays_[ray].origin, direction = X_TC.R * rays_[ray].direction;
-      const TriangleTree::Hit hit = target_->leaving(origin, direction, length_, memory.hints[ray]);
-      if (!hit) return;
-      memory.hints[ray] = hit.triangle;
-      visit(k, hit, origin, direction);
+    memory.blocks.resize(static_cast<std::size_t>(leaves_));
+    memory.rays.resize(rays_.size());
+    each_near_group(X_TC, memory, [&](const Group& group) {
+      Memory::Block& block = advance(group, X_TC, memory);
+      if (block.clusters.count == 0) return;
+      for (int k = group.first; k < group.last; ++k) {
+        const int index = order_[static_cast<std::size_t>(k)];
+        const Ray& ray = rays_[static_cast<std::size_t>(index)];
+        Memory::AtRay& known = memory.rays[static_cast<std::size_t>(index)];
+        if (known.triangles.count == 0 && block.path < known.until) continue;
+        const Vec3 origin = X_TC * ray.origin, direction = X_TC.R * ray.direction;
+        if (const TriangleTree::Hit hit = meet(origin, direction, block, known)) visit(index, hit, origin, direction);
+      }
     });
   }
 
@@ -53,19 +74,9 @@ class LayerRays {
   /// order that depends on the rays alone.
   template <typename Visit>
   void each_near(const Pose& X_TC, Memory& memory, Visit visit) const {
-    begin(memory);
-    while (!memory.open.empty()) {
-      const int index = memory.open.back();
-      memory.open.pop_back();
-      const Group& group = groups_[static_cast<std::size_t>(index)];
-      if (clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
-      if (group.children >= 0) {
-        memory.open.push_back(group.children + 1);
-        memory.open.push_back(group.children);
-        continue;
-      }
+    each_near_group(X_TC, memory, [&](const Group& group) {
       for (int k = group.first; k < group.last; ++k) visit(order_[static_cast<std::size_t>(k)]);
-    }
+    });
   }
 
   const std::vector<Ray>& rays() const { return rays_; }
@@ -77,11 +88,33 @@ class LayerRays {
   struct Group {
     int first = 0, last = 0;
     int children = -1;  ///< index of the first of two, -1 for a leaf
+    int leaf = -1;      ///< its number among the leaves
     Ray middle;
     double radius = 0;  ///< m
   };
 
+  /// Calls visit(group) for every leaf that is not clear of the target.
+  template <typename Visit>
+  void each_near_group(const Pose& X_TC, Memory& memory, Visit visit) const {
+    begin(memory);
+    while (!memory.open.empty()) {
+      const int index = memory.open.back();
+      memory.open.pop_back();
+      const Group& group = groups_[static_cast<std::size_t>(index)];
+      if (clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
+      if (group.children < 0) {
+        visit(group);
+        continue;
+      }
+      memory.open.push_back(group.children + 1);
+      memory.open.push_back(group.children);
+    }
+  }
+
   void begin(Memory& memory) const;
+  Memory::Block& advance(const Group& group, const Pose& X_TC, Memory& memory) const;
+  TriangleTree::Hit meet(const Vec3& origin, const Vec3& direction, const Memory::Block& block,
+                         Memory::AtRay& known) const;
   bool clear(const Group& group, const Pose& X_TC, Memory::Group& known) const;
   void measure(const Group& group, const Pose& X_TC, Memory::Group& known) const;
   double motion(const Group& group, const Pose& from, const Pose& to) const;
@@ -92,7 +125,9 @@ class LayerRays {
   std::vector<double> radii_;
   std::shared_ptr<const TriangleTree> target_;
   double length_;
-  double step_ = 0;  // m: the unit of clearances, about an edge of the target
+  double step_ = 0;            // m: the unit of clearances, about an edge of the target
+  std::size_t levels_ = 0;     // of clearances that are told apart
+  int leaf_ = 1, leaves_ = 0;  // rays in a leaf at most; how many leaves there are
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
 };

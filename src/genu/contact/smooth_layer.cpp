@@ -61,7 +61,7 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       trust_(kTrust * mean_edge(*target_)),
       law_(law),
       thickness_(thickness),
-      rays_(cell_rays(*casting_, lead_), target_, lead_ + search_depth,
+      rays_(cell_rays(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
             cell_radii(*casting_, std::max(lead_, search_depth))) {}
 
 bool SmoothLayer::follow(const Pose& X_TC, const SmoothCells::Node& node, double from, Depth& out) const {

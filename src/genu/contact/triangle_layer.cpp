@@ -27,7 +27,9 @@ std::vector<Ray> rays_from(const Mesh& mesh) {
 
 TriangleLayer::TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
                              const LayerLaw& law, LayerThickness thickness)
-    : rays_(rays_from(casting), std::move(target), search_depth), law_(law), thickness_(std::move(thickness)) {
+    : rays_(rays_from(casting), std::move(target), search_depth, LayerRays::Grouping::together),
+      law_(law),
+      thickness_(std::move(thickness)) {
   areas_.reserve(casting.triangles.size());
   for (const auto& t : casting.triangles) areas_.push_back(area_vector(casting, t).norm());
 }

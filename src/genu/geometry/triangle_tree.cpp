@@ -2,39 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "genu/geometry/triangle_ray.h"
 
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 4;        // triangles
-constexpr int kMostDepth = 64;  // of the tree: halves of at most 2^31 triangles
-
-constexpr double kOutside = std::numeric_limits<double>::infinity();
-
-/// The part of a segment inside a box grown by `margin`: its entry, or infinity where there is none.
-struct Slab {
-  Slab(const Vec3& o, const Vec3& d, double l) : origin(o), length(l) {
-    // Along an axis that the segment does not move in, it is inside for ever or never: a very large slope says the same
-    // without a case of its own.
-    constexpr double kStill = 1e-30;
-    for (Eigen::Index i = 0; i < 3; ++i) inverse[i] = 1 / (std::abs(d[i]) < kStill ? kStill : d[i]);
-  }
-
-  double entry(const Vec3& low, const Vec3& high, double margin, double most) const {
-    double in = 0, out = most;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const double a = (low[i] - margin - origin[i]) * inverse[i], b = (high[i] + margin - origin[i]) * inverse[i];
-      in = std::max(in, std::min(a, b));
-      out = std::min(out, std::max(a, b));
-    }
-    return in <= out ? in : kOutside;
-  }
-
-  Vec3 origin, inverse;
-  double length;
-};
+constexpr int kLeaf = 4;  // triangles
 
 }  // namespace
 
@@ -59,6 +34,7 @@ void TriangleTree::build() {
     const auto& c = corners_[static_cast<std::size_t>(triangle_[k])];
     ordered.push_back(c);
     areas_.emplace_back(0.5 * (c[1] - c[0]).cross(c[2] - c[0]));
+    sizes_.push_back(areas_.back().norm());
     place_[static_cast<std::size_t>(triangle_[k])] = static_cast<int>(k);
   }
   corners_ = std::move(ordered);
@@ -69,6 +45,7 @@ void TriangleTree::build() {
     node.low -= more;
     node.high += more;
   }
+  gather_clusters();
 }
 
 /// While the tree is built corners_ is still in the mesh's order.
@@ -76,7 +53,7 @@ void TriangleTree::split(int index) {
   const int first = nodes_[static_cast<std::size_t>(index)].first, last = nodes_[static_cast<std::size_t>(index)].last;
   const auto corners = [&](int t) -> const std::array<Vec3, 3>& { return corners_[static_cast<std::size_t>(t)]; };
   const auto middle = [&](int t) { return Vec3(corners(t)[0] + corners(t)[1] + corners(t)[2]); };
-  Vec3 low = Vec3::Constant(kOutside), high = -low, low_middle = low, high_middle = high;
+  Vec3 low = Vec3::Constant(Slab::kOutside), high = -low, low_middle = low, high_middle = high;
   for (int k = first; k < last; ++k) {
     const int t = triangle_[static_cast<std::size_t>(k)];
     for (const Vec3& p : corners(t)) {
@@ -103,28 +80,7 @@ void TriangleTree::split(int index) {
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), half, last});
 }
 
-/// A ray with what its triangles are asked for: points are sheared along it into a plane across it, each alike for all
-/// triangles that share it, so that no ray passes between them (Woop, Benthin and Wald 2013).
-struct TriangleTree::Line {
-  Line(const Vec3& o, const Vec3& d, double l) : origin(o), direction(d), length(l) {
-    d.cwiseAbs().maxCoeff(&z);
-    x = (z + 1) % 3;
-    y = (z + 2) % 3;
-    slope = Vec2(d[x], d[y]) / d[z];
-  }
-
-  Vec2 across(const Vec3& p) const {
-    const Vec3 from = p - origin;
-    return {from[x] - slope[0] * from[z], from[y] - slope[1] * from[z]};
-  }
-
-  Vec3 origin, direction;
-  double length;
-  Eigen::Index x = 0, y = 0, z = 0;
-  Vec2 slope;
-};
-
-void TriangleTree::meet(std::size_t k, const Line& line, double side, Hit& best) const {
+void TriangleTree::meet(std::size_t k, const RayLine& line, double side, Hit& best) const {
   const double facing = areas_[k].dot(line.direction);
   if (!(side * facing > 0)) return;
   const auto& c = corners_[k];
@@ -137,7 +93,7 @@ void TriangleTree::meet(std::size_t k, const Line& line, double side, Hit& best)
   best = {triangle_[k], t};
 }
 
-void TriangleTree::search(const Line& line, double side, Hit& best) const {
+void TriangleTree::search(const RayLine& line, double side, Hit& best) const {
   if (nodes_.empty()) return;
   const Slab slab(line.origin, line.direction, line.length);
   struct Waiting {
@@ -147,7 +103,7 @@ void TriangleTree::search(const Line& line, double side, Hit& best) const {
   Waiting stack[kMostDepth];
   int top = 0;
   const double root = slab.entry(nodes_[0].low, nodes_[0].high, 0, line.length);
-  if (root == kOutside) return;
+  if (root == Slab::kOutside) return;
   stack[top++] = {0, root};
   while (top > 0) {
     const Waiting next = stack[--top];
@@ -165,12 +121,12 @@ void TriangleTree::search(const Line& line, double side, Hit& best) const {
     }
     const int nearer = child[1].entry < child[0].entry ? 1 : 0;
     for (const int i : {1 - nearer, nearer})
-      if (child[i].entry != kOutside) stack[top++] = child[i];
+      if (child[i].entry != Slab::kOutside) stack[top++] = child[i];
   }
 }
 
 TriangleTree::Hit TriangleTree::leaving(const Vec3& origin, const Vec3& direction, double length, int hint) const {
-  const Line line(origin, direction, length);
+  const RayLine line(origin, direction, length);
   Hit best;
   if (hint >= 0) meet(place(hint), line, 1, best);
   search(line, 1, best);
@@ -179,7 +135,7 @@ TriangleTree::Hit TriangleTree::leaving(const Vec3& origin, const Vec3& directio
 
 TriangleTree::Hit TriangleTree::entering(const Vec3& origin, const Vec3& direction, double length) const {
   Hit best;
-  search(Line(origin, direction, length), -1, best);
+  search(RayLine(origin, direction, length), -1, best);
   return best;
 }
 
@@ -191,7 +147,9 @@ std::size_t TriangleTree::clear_by(const Vec3& origin, const Vec3& direction, do
   const auto try_triangle = [&](std::size_t k) {
     const auto& c = corners_[k];
     const Vec3 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]), high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
-    while (level < margins.size() && slab.entry(low, high, margins[level], length) != kOutside) {
+    const double facing = areas_[k].dot(direction), size = sizes_[k];
+    while (level < margins.size() && facing + 2 * margins[level] / length * size > 0 &&
+           slab.entry(low, high, margins[level], length) != Slab::kOutside) {
       ++level;
       met = triangle_[k];
     }
@@ -202,7 +160,7 @@ std::size_t TriangleTree::clear_by(const Vec3& origin, const Vec3& direction, do
   stack[top++] = 0;
   while (top > 0 && level < margins.size()) {
     const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
-    if (slab.entry(node.low, node.high, margins[level], length) == kOutside) continue;
+    if (slab.entry(node.low, node.high, margins[level], length) == Slab::kOutside) continue;
     if (node.children >= 0) {
       stack[top++] = node.children;
       stack[top++] = node.children + 1;

@@ -9,6 +9,31 @@
 
 namespace genu {
 
+struct RayLine;
+
+/// The triangles of a tree that a ray can come out of while it moves by less than `margin` (m) anywhere.
+struct TrianglesAtRay {
+  static constexpr int kMost = 6;
+  std::array<int, kMost> places;  ///< in the tree
+  int count = 0;                  ///< more than kMost: too many to be listed
+  int nearest = -1;               ///< the cluster that is: where to begin the next time
+  double margin = 0;
+};
+
+/// Clusters of a tree's triangles round a place, and balls that hold them side by side.
+struct ClustersNear {
+  struct Balls {
+    static constexpr int kSize = 8;
+    using Floats = Eigen::Array<float, kSize, 1>;
+    Floats x, y, z, reach;  ///< m: middle, about `centre`; radius
+    std::array<int, kSize> cluster;
+  };
+  Vec3 centre = Vec3::Zero();  ///< m
+  double reach = 0;            ///< m: the farthest middle from it
+  std::vector<Balls> balls;
+  int count = 0;
+};
+
 class TriangleTree {
  public:
   /// A triangle met by a ray.
@@ -30,7 +55,21 @@ class TriangleTree {
   /// The same for triangles whose outward side the ray enters (normal . direction < 0).
   Hit entering(const Vec3& origin, const Vec3& direction, double length) const;
 
-  /// The first of `margins` (m, falling) such that no triangle lies within it of the segment, surely; their number
+  /// Fills `out` with every cluster of triangles (neighbours, by the tree) of which one is within `margin` (m) of the
+  /// segment, and with some others.
+  void clusters_near(const Vec3& origin, const Vec3& direction, double length, double margin, ClustersNear& out) const;
+
+  /// What a ray can come out of while it moves by less than a margin (m) anywhere: the largest margin up to `most` that
+  /// is sure to leave nothing, or else `least`. Nothing outside of `clusters` matters to it then.
+  void at_ray(const ClustersNear& clusters, const Vec3& origin, const Vec3& direction, double length, double least,
+              double most, TrianglesAtRay& out) const;
+
+  /// What leaving() finds, for a ray to which no triangle matters but these places in the tree, or but some clusters.
+  Hit leaving(std::span<const int> places, const Vec3& origin, const Vec3& direction, double length) const;
+  Hit leaving(const ClustersNear& among, const Vec3& origin, const Vec3& direction, double length) const;
+
+  /// The first of `margins` (m, falling) such that no triangle that a ray along the segment can come out of lies
+  /// within it of the segment, surely, even when both ends of the ray are moved by less than the margin; their number
   /// where there is none. `met` becomes a triangle that is near, and given again makes the answer faster.
   std::size_t clear_by(const Vec3& origin, const Vec3& direction, double length, std::span<const double> margins,
                        int& met) const;
@@ -42,24 +81,42 @@ class TriangleTree {
   int size() const { return static_cast<int>(corners_.size()); }
 
  private:
+  static constexpr int kMostDepth = 64;  // of the tree: halves of at most 2^31 triangles
+
   struct Node {
     Vec3 low, high;
     int first = 0, last = 0;  ///< triangles, in the tree's order
     int children = -1;        ///< index of the first of two; -1 for a leaf
+    int cluster = -1;         ///< its number, where the triangles are one
+  };
+  /// The balls that hold some triangles, and their outward unit normals, side by side: a ray is asked of all at once.
+  struct Cluster {
+    static constexpr int kSize = 16;
+    using Floats = Eigen::Array<float, kSize, 1>;
+    Vec3 centre = Vec3::Zero();          ///< m: the balls' middles are about it
+    double reach = 0;                    ///< m: a ball about it holds the triangles
+    Floats x, y, z, radius, nx, ny, nz;  ///< m; unit
+    int first = 0, count = 0;            ///< triangles, in the tree's order
   };
 
   std::size_t place(int triangle) const { return static_cast<std::size_t>(place_[static_cast<std::size_t>(triangle)]); }
+  struct Asked;
+  void ask(int cluster, const Asked& ray, double& free, TrianglesAtRay& out) const;
+  static Cluster::Floats room(const Cluster& cluster, const Vec3& from, const Vec3& direction, double length);
+  void gather_clusters();
   void build();
   void split(int node);
-  struct Line;
-  void meet(std::size_t k, const Line& line, double side, Hit& best) const;
-  void search(const Line& line, double side, Hit& best) const;
+  bool misses(std::size_t k, const RayLine& line, double turn, double aside) const;
+  void meet(std::size_t k, const RayLine& line, double side, Hit& best) const;
+  void search(const RayLine& line, double side, Hit& best) const;
 
   std::vector<std::array<Vec3, 3>> corners_;  // in the tree's order
   std::vector<Vec3> areas_;
+  std::vector<double> sizes_;  // m^2
   std::vector<int> triangle_;  // of the mesh, in the tree's order
   std::vector<int> place_;     // the other way round
   std::vector<Node> nodes_;    // the root first
+  std::vector<Cluster> clusters_;
 };
 
 }  // namespace genu
