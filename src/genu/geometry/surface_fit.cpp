@@ -12,6 +12,7 @@
 #include "genu/geometry/mesh_noise.h"
 #include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/patch_border.h"
 #include "genu/geometry/polynomial_surface.h"
 #include "genu/geometry/tame_degree.h"
 
@@ -48,6 +49,7 @@ class Fitter {
 
  private:
   bool start(std::string& why);
+  std::optional<SurfaceFit> from_border(std::string& why);
   bool choose_chart(const std::vector<OrientedPoint>& points, const std::vector<SurfaceChart>& charts,
                     std::string& why);
   bool place(Placed& at, std::string& why) const;
@@ -75,6 +77,17 @@ bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& p
   double outward = 0;
   for (const OrientedPoint& q : points) outward += q.area * q.n.dot(chart.upward(q.p));
   return outward < 0;
+}
+
+/// The patch with its sides at round numbers where they are so to rounding.
+ChartBox round_where_it_is(const ChartBox& patch) {
+  constexpr double kForRounding = 1e-4;  // of a step
+  const auto nearest = [](double half, double step) {
+    const double whole = std::round(half / step);
+    return std::abs(half / step - whole) < kForRounding ? whole * step : half;
+  };
+  const double a = nearest(patch.u1, kRoundAngle), b = nearest(patch.v1, kRoundLength);
+  return {-a, a, -b, b};
 }
 
 bool Fitter::start(std::string& why) {
@@ -107,6 +120,28 @@ bool Fitter::start(std::string& why) {
       charts.push_back({true, axis_frame(points, axis)});
   }
   return choose_chart(points, charts, why);
+}
+
+/// The polynomial that the zone was cut from, where its border tells the axis and the vertices lie on a polynomial
+/// about that to the file's rounding: of the lowest degree that leaves no more than any.
+std::optional<SurfaceFit> Fitter::from_border(std::string& why) {
+  constexpr double kRounding = 1e-15, kAsGood = 2;
+  if (options_.like || !options_.keep.empty() || !options_.cylindrical.value_or(true)) return std::nullopt;
+  const auto border = chart_of_border(zone_);
+  if (!border) return std::nullopt;
+  inside_ = faces_inward(border->chart, oriented_points(zone_));
+  patch_is_fixed_ = true;
+  Placed at{border->chart, round_where_it_is(border->patch), 1, {}, {}, {}};
+  if (place(at, why)) {
+    const PolynomialFit fit(at.samples, at.sampled, kHighestFitDegree);
+    const double left = fit.highest() < 0 ? std::numeric_limits<double>::infinity() : fit.rms(fit.highest());
+    int degree = kLowestFitDegree;
+    while (degree < fit.highest() && fit.rms(degree) > kAsGood * left + kRounding) ++degree;
+    if (left <= file_resolution(zone_))
+      if (auto exact = checked(at, options_.degree.value_or(degree), {}, why)) return exact;
+  }
+  patch_is_fixed_ = false;
+  return std::nullopt;
 }
 
 /// Of some charts the one that sees most of the zone with least left over.
@@ -301,6 +336,7 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
 }
 
 std::optional<SurfaceFit> Fitter::run(std::string& why) {
+  if (auto exact = from_border(why)) return exact;
   if (!start(why)) return std::nullopt;
   Placed at{first_, {}, 0, {}, {}, {}};
   if (options_.like) {
