@@ -1,11 +1,13 @@
-// The axis of a patch, read off its border.
+// The chart of a patch, read off its border.
 //
-// A sheet that was cut from r = P(theta, z) along the lines of its chart has a border that no segmentation has: two
-// sides in parallel planes, across the axis, and two in planes that meet in the axis. That gives the chart back to
-// rounding, whatever P is. The surface inside hardly does: moving the axis sideways adds cos(theta) to r, which terms
-// of a high degree take up, and tilting it does nothing at all to a surface as round across as along.
+// A sheet that was cut from a polynomial along the lines of its chart has a border that no segmentation has. Of
+// z = P(x, y): two sides in parallel planes, two in planes across. Of r = P(theta, z): two in parallel planes across
+// the axis, two in planes that meet in it. That gives the chart back to rounding, whatever P is. The surface inside
+// does not tell an axis so well: moving it sideways adds cos(theta) to r, which terms of a high degree take up, and
+// tilting it does nothing at all to a surface as round across as along.
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "genu/geometry/mesh.h"
@@ -13,16 +15,21 @@
 
 namespace genu {
 
+inline constexpr double kRoundLength = 1e-4;                   ///< m: of which half sides of patches are multiples
+inline constexpr double kRoundAngle = std::numbers::pi / 360;  ///< rad, 0.5 deg: the same round an axis
+
 struct BorderChart {
-  SurfaceChart chart;  ///< cylindrical; z with its largest component positive, x through the middle of the patch
-  ChartBox patch;      ///< centred on (0, 0)
+  /// Cartesian: z outward, x along the longer side. Cylindrical: x through the middle of the patch. Either way the
+  /// largest component of the axis across its sides that is free to point either way (x, z) is positive.
+  SurfaceChart chart;
+  ChartBox patch;  ///< centred on (0, 0); in round numbers where it is so to rounding
 };
 
 /// The spacing of single precision (m) at the coordinates of a mesh: what a file may have moved a vertex by.
 double file_resolution(const Mesh& mesh);
 
-/// The chart of which the one border of `sheet` is a rectangle, to file_resolution(). Empty where the border is
-/// anything else, or where the sides along the axis keep their distance from it, so that their planes are not told.
+/// The chart of which the one border of `sheet` is a rectangle, to file_resolution(); the height of a cartesian one's
+/// origin is any. Empty where the border is anything else, or so straight that it does not tell.
 std::optional<BorderChart> chart_of_border(const Mesh& sheet);
 
 }  // namespace genu

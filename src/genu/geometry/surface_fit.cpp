@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -26,10 +25,8 @@ constexpr int kFrameDegree = 6;                        // for the first frames
 constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
 constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
 constexpr double kKeepBeyond = 0.003;                  // m: round points to keep, where the patch may lie bare
-constexpr double kGoodEnough = 2e-5;   // m: among charts that fit better than that, what they see decides
-constexpr double kRoundLength = 1e-4;  // m: half sides of patches
-constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
-constexpr double kLongerSide = 0.95;                    // the other side of a cartesian patch is shorter than that
+constexpr double kGoodEnough = 2e-5;  // m: among charts that fit better than that, what they see decides
+constexpr double kLongerSide = 0.95;  // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
 struct Placed {
@@ -50,6 +47,7 @@ class Fitter {
  private:
   bool start(std::string& why);
   std::optional<SurfaceFit> from_border(std::string& why);
+  std::optional<SurfaceFit> cut_from(Placed& at, std::string& why) const;
   bool choose_chart(const std::vector<OrientedPoint>& points, const std::vector<SurfaceChart>& charts,
                     std::string& why);
   bool place(Placed& at, std::string& why) const;
@@ -77,17 +75,6 @@ bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& p
   double outward = 0;
   for (const OrientedPoint& q : points) outward += q.area * q.n.dot(chart.upward(q.p));
   return outward < 0;
-}
-
-/// The patch with its sides at round numbers where they are so to rounding.
-ChartBox round_where_it_is(const ChartBox& patch) {
-  constexpr double kForRounding = 1e-4;  // of a step
-  const auto nearest = [](double half, double step) {
-    const double whole = std::round(half / step);
-    return std::abs(half / step - whole) < kForRounding ? whole * step : half;
-  };
-  const double a = nearest(patch.u1, kRoundAngle), b = nearest(patch.v1, kRoundLength);
-  return {-a, a, -b, b};
 }
 
 bool Fitter::start(std::string& why) {
@@ -122,26 +109,33 @@ bool Fitter::start(std::string& why) {
   return choose_chart(points, charts, why);
 }
 
-/// The polynomial that the zone was cut from, where its border tells the axis and the vertices lie on a polynomial
-/// about that to the file's rounding: of the lowest degree that leaves no more than any.
+/// The polynomial that the zone was cut from, where its border tells the chart and it has one there.
 std::optional<SurfaceFit> Fitter::from_border(std::string& why) {
-  constexpr double kRounding = 1e-15, kAsGood = 2;
-  if (options_.like || !options_.keep.empty() || !options_.cylindrical.value_or(true)) return std::nullopt;
+  if (options_.like || !options_.keep.empty()) return std::nullopt;
   const auto border = chart_of_border(zone_);
-  if (!border) return std::nullopt;
+  if (!border || options_.cylindrical.value_or(border->chart.cylindrical) != border->chart.cylindrical)
+    return std::nullopt;
   inside_ = faces_inward(border->chart, oriented_points(zone_));
   patch_is_fixed_ = true;
-  Placed at{border->chart, round_where_it_is(border->patch), 1, {}, {}, {}};
-  if (place(at, why)) {
-    const PolynomialFit fit(at.samples, at.sampled, kHighestFitDegree);
-    const double left = fit.highest() < 0 ? std::numeric_limits<double>::infinity() : fit.rms(fit.highest());
-    int degree = kLowestFitDegree;
-    while (degree < fit.highest() && fit.rms(degree) > kAsGood * left + kRounding) ++degree;
-    if (left <= file_resolution(zone_))
-      if (auto exact = checked(at, options_.degree.value_or(degree), {}, why)) return exact;
+  Placed at{border->chart, border->patch, 1, {}, {}, {}};
+  auto exact = place(at, why) ? cut_from(at, why) : std::nullopt;
+  if (!exact) {  // another chart may do
+    patch_is_fixed_ = false;
+    why.clear();
   }
-  patch_is_fixed_ = false;
-  return std::nullopt;
+  return exact;
+}
+
+/// The polynomial that all samples lie on to the file's rounding.
+std::optional<SurfaceFit> Fitter::cut_from(Placed& at, std::string& why) const {
+  const PolynomialFit fit(at.samples, at.sampled, kHighestFitDegree);
+  const int exact = exact_degree(fit, file_resolution(zone_)), degree = options_.degree.value_or(exact);
+  if (exact < kLowestFitDegree || fit.highest() < degree) return std::nullopt;
+  if (!at.chart.cylindrical) {  // its origin is on the surface
+    at.chart.X_BS.p = at.chart.position({0, 0, Polynomial(fit.terms(degree)).value(0, 0)});
+    gather(at);
+  }
+  return checked(at, degree, {}, why);
 }
 
 /// Of some charts the one that sees most of the zone with least left over.
