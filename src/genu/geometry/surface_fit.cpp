@@ -70,13 +70,6 @@ class Fitter {
   bool patch_is_fixed_ = false;  ///< else it follows the chart
 };
 
-/// The outward side of the zone in a chart: true where that is toward the axis.
-bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& points) {
-  double outward = 0;
-  for (const OrientedPoint& q : points) outward += q.area * q.n.dot(chart.upward(q.p));
-  return outward < 0;
-}
-
 bool Fitter::start(std::string& why) {
   const std::vector<OrientedPoint> points = oriented_points(zone_);
   double area = 0;
