@@ -19,8 +19,8 @@ inline constexpr double kRoundLength = 1e-4;                   ///< m: of which 
 inline constexpr double kRoundAngle = std::numbers::pi / 360;  ///< rad, 0.5 deg: the same round an axis
 
 struct BorderChart {
-  /// Cartesian: z outward, x along the longer side. Cylindrical: x through the middle of the patch. Either way the
-  /// largest component of the axis across its sides that is free to point either way (x, z) is positive.
+  /// Cartesian: z outward, x along the longer side, its largest component positive. Cylindrical: z along the axis, its
+  /// largest component positive, x through the middle of the patch.
   SurfaceChart chart;
   ChartBox patch;  ///< centred on (0, 0); in round numbers where it is so to rounding
 };
