@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/pose.h"
-#include "geometry/blend_meshes.h"
+#include "genu/geometry/analytic.h"
+#include "geometry/blend_torus.h"
 
 namespace genu {
 namespace {
@@ -44,6 +45,36 @@ TEST(FitChoice, GrowsWithTheCubeRootOfTheNoise) {
     EXPECT_NEAR(choice.noise.rms, noise, 0.15 * noise);
     last = choice.radius;
   }
+}
+
+/// The curvature of a blend against the exact one, rms over its nodes, 1/m.
+double curvature_error(const Mesh& mesh, const Surface& exact, int degree) {
+  BlendOptions options;
+  options.degree = degree;
+  const auto blend = test::build(mesh, options);
+  double square = 0;
+  int count = 0;
+  for (const Vec3& x : blend->node_positions()) {
+    SurfacePoint p, q;
+    if (!blend->project(x, p) || !exact.project(p.p, q)) continue;
+    square += (test::tensor(p) - test::tensor(q)).squaredNorm();
+    ++count;
+  }
+  return std::sqrt(square / count);
+}
+
+TEST(FitChoice, UnderNoiseDegreeThreeIsNeverFarFromTheBest) {
+  const auto torus = make_torus({}, 15e-3, 5e-3, false);
+  for (const double edge : {0.8e-3, 1.6e-3})
+    for (const double noise : {15e-6, 50e-6}) {
+      const Mesh mesh = test::jittered_torus(15e-3, 5e-3, edge, noise);
+      const double two = curvature_error(mesh, *torus, 2), three = curvature_error(mesh, *torus, 3),
+                   four = curvature_error(mesh, *torus, 4);
+      std::printf("edge %.1f mm, noise %.0f um: curvature errs by %.1f, %.1f, %.1f 1/m with degrees 2, 3, 4\n",
+                  1e3 * edge, 1e6 * noise, two, three, four);
+      EXPECT_LT(three, 1.6 * std::min(two, four));
+      EXPECT_LT(three, std::max(two, four));
+    }
 }
 
 TEST(FitChoice, TakesWhatIsGiven) {

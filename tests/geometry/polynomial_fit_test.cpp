@@ -120,5 +120,18 @@ TEST(PolynomialFit, ChoosesTheLowestDegreeThatIsAsGood) {
   EXPECT_EQ(choose_degree({}, 0), -1);
 }
 
+TEST(PolynomialFit, ExactDegreeIsTheLowestThatLeavesRounding) {
+  for (const double rounding : {0.0, 2e-9}) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> off(-rounding, rounding);
+    const Polynomial P({{2, 0, 10}, {0, 2, 15}, {2, 3, 2e5}});
+    auto samples = samples_of(40, [&](double u, double v) { return P.value(u, v); });
+    for (HeightSample& s : samples) s.h += off(random);
+    EXPECT_EQ(exact_degree(PolynomialFit(samples, kBox, 12), 4e-9), 5);
+    EXPECT_EQ(exact_degree(PolynomialFit(samples, kBox, 4), 4e-9), -1);
+  }
+  EXPECT_EQ(exact_degree(PolynomialFit({}, kBox, 4), 1), -1);
+}
+
 }  // namespace
 }  // namespace genu

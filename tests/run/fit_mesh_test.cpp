@@ -1,8 +1,12 @@
 #include "genu/run/fit_mesh.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "run/meshed_scene.h"
+#include "support/data.h"
 
 namespace genu {
 namespace {
@@ -36,6 +40,50 @@ TEST(FitMesh, FindsItsUnitAndNames) {
     EXPECT_EQ(fit_files(fits).size(), 2u);
   }
 }
+
+/// The largest change of a coefficient, as what it changes at the patch's corner (m).
+double worst_change(const SurfaceFit& a, const SurfaceFit& b) {
+  if (a.terms.size() != b.terms.size()) return 1;
+  double worst = 0;
+  for (std::size_t k = 0; k < a.terms.size(); ++k)
+    worst = std::max(worst, std::abs(a.terms[k].c - b.terms[k].c) * std::pow(a.patch.u1, a.terms[k].i) *
+                                std::pow(a.patch.v1, a.terms[k].j));
+  return worst;
+}
+
+class FitMeasured : public ::testing::TestWithParam<const char*> {};
+
+/// mesh -> polynomial -> mesh file -> polynomial, with nothing said about the second fit.
+TEST_P(FitMeasured, RoundTripKeepsTheCoefficients) {
+  GENU_NEEDS_DATA(GetParam());
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  FitMeshRequest request;
+  request.file = test::data_path(GetParam());
+  const auto fits = fit_mesh(request, out);
+  ASSERT_EQ(fits.size(), 2u);
+  for (const NamedFit& first : fits) {
+    const SurfaceDef def = surface_def(first);
+    const Mesh mesh = within_patch(make_analytic_surface(def), def)->triangles(1e-3, Vec3::Zero(), 0.05);
+    for (const std::string format : {"ply", "stl"}) {
+      FitMeshRequest unaided;
+      unaided.file = folder / ("made." + format);
+      ASSERT_EQ(write_mesh(mesh, unaided.file, 1e-3, ""), "");
+      const auto again = fit_mesh(unaided, out);
+      ASSERT_EQ(again.size(), 1u);
+      EXPECT_EQ(again[0].fit.degree, first.fit.degree);
+      const double worst = worst_change(first.fit, again[0].fit);
+      std::printf("%s, degree %d, by %s: coefficients change by %.1e m, %.1e of the half side\n", first.name.c_str(),
+                  first.fit.degree, format.c_str(), worst, worst / first.fit.patch.v1);
+      EXPECT_LT(worst / first.fit.patch.v1, format == "ply" ? 1e-11 : 5e-6);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Knees, FitMeasured,
+                         ::testing::Values("lenhart2015/ACLC01-R-femur-cart.stl", "lenhart2015/ACLC01-R-tibia-cart.stl",
+                                           "ssm/S001_Femur_Cartilage.ply", "ssm/S002_Femur_Cartilage.ply",
+                                           "ssm/mean_Femur_Cartilage.ply"));
 
 }  // namespace
 }  // namespace genu

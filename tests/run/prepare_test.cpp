@@ -61,6 +61,17 @@ TEST(Prepare, ErrorsOfAMeshFileStandWhereTheSceneNamesIt) {
   EXPECT_EQ(d.found, '"' + (folder / "lump.stl") + '"');
 }
 
+TEST(Prepare, ARadiusThatTheMeshIsTooCoarseForIsFoundAtItsKey) {
+  const test::TemporaryFolder folder;
+  write_lump(folder, Vec3(0.02, 0.014, 0.01), 1.5e-3);
+  Diagnostics out;
+  EXPECT_FALSE(prepare(folder.write("scene.toml", scene_text("degree = 3\n  fit_radius = 0.2\n")), out).has_value());
+  ASSERT_EQ(out.items().size(), 1u) << test::messages(out);
+  EXPECT_EQ(out.items()[0].key, "surface.lump.fit_radius");
+  EXPECT_EQ(out.items()[0].line, 18);
+  EXPECT_EQ(out.items()[0].column, 16);
+}
+
 TEST(Prepare, KeepsWarningsOfAMeshThatCanBeUsed) {
   const test::TemporaryFolder folder;
   write_lump(folder, Vec3(1e-3, 9e-4, 8e-4), 1e-4);  // 3 mm across: small for a knee, not refused

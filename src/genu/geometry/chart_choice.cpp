@@ -101,6 +101,12 @@ Pose axis_frame(const std::vector<OrientedPoint>& points, const Vec3& axis) {
   return {axes_from(z, middle - on_axis), on_axis + (middle - on_axis).dot(z) * z};
 }
 
+bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& points) {
+  double outward = 0;
+  for (const OrientedPoint& q : points) outward += q.area * q.n.dot(chart.upward(q.p));
+  return outward < 0;
+}
+
 void align_with_zone(const Mesh& zone, SurfaceChart& chart) {
   Mat2 second = Mat2::Zero();
   Vec2 first = Vec2::Zero();

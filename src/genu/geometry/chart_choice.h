@@ -41,6 +41,9 @@ std::vector<Vec3> normal_axes(const std::vector<OrientedPoint>& points);
 /// and whose x points to the mean of the points.
 Pose axis_frame(const std::vector<OrientedPoint>& points, const Vec3& axis);
 
+/// Whether the outward side of a surface in a chart is the one toward the axis (or down).
+bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& points);
+
 /// The cartesian chart turned about its z so that x is the principal axis of the zone's projection, its largest
 /// component in the body positive. Exact integrals over the triangles: a rectangle's own sides come out to rounding.
 void align_with_zone(const Mesh& zone, SurfaceChart& chart);

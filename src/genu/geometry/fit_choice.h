@@ -12,9 +12,12 @@
 // (fit_uncertainty.h). On a measured knee the two sides agree: at 3 edges fits disagree by 35 (femur) and 44 1/m
 // (tibia) where the noise seen, 24 um over 1.1 mm, lets the blend err by 28.
 //
-// Degree 3 unless the scene asks for another: the radius suits the degree. Nodes stand a quarter of the fit radius
-// apart, whatever the noise: the blend's own error is then well below a fit's. Thickness sets no limit: a fit walks
-// over its own face, and faces that a point could see together are parted into sheets (blend_nodes.h).
+// Degree 3 unless the scene asks for another: the radius suits the degree. Under noise of 15 to 50 um degree 3 erred by
+// at most 1.4 times what the best of 2, 3 and 4 did, on tori, ellipsoids and knees; 2 and 4 by up to 2.8 times. Degree
+// 4 is the best without noise, but the disagreement of fits does not tell: both fits of a pair err alike by truncation.
+// Nodes stand a quarter of the fit radius apart, whatever the noise: the blend's own error is then well below a fit's.
+// Thickness sets no limit: a fit walks over its own face, and faces that a point could see together are parted into
+// sheets (blend_nodes.h).
 #pragma once
 
 #include <optional>

@@ -147,6 +147,14 @@ std::vector<DegreeScore> PolynomialFit::scores(int lowest, double block_u, doubl
   return out;
 }
 
+int exact_degree(const PolynomialFit& fit, double resolution) {
+  constexpr double kAsGood = 2, kLeft = 1e-15;  // m: of coordinates of some cm, twice their rounding and more
+  if (fit.highest() < kLowestFitDegree || !(fit.rms(fit.highest()) <= resolution)) return -1;
+  int degree = kLowestFitDegree;
+  while (fit.rms(degree) > kAsGood * fit.rms(fit.highest()) + kLeft) ++degree;
+  return degree;
+}
+
 int choose_degree(const std::vector<DegreeScore>& scores, double floor) {
   constexpr double kAsGood = 1.05;
   if (scores.empty()) return -1;

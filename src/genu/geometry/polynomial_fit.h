@@ -60,6 +60,10 @@ class PolynomialFit {
   VecX right_, Qh_;
 };
 
+/// Of a polynomial written down before: the lowest degree from kLowestFitDegree that leaves no more than the highest,
+/// where that leaves at most `resolution` (m, rms); -1 where it leaves more.
+int exact_degree(const PolynomialFit& fit, double resolution);
+
 /// The lowest degree whose left-out rms is within 5 % of the best (plus `floor`, m: what no mesh file resolves).
 int choose_degree(const std::vector<DegreeScore>& scores, double floor);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "genu/geometry/mesh_noise.h"
 #include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/patch_border.h"
 #include "genu/geometry/polynomial_surface.h"
 #include "genu/geometry/tame_degree.h"
 
@@ -25,10 +25,8 @@ constexpr int kFrameDegree = 6;                        // for the first frames
 constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
 constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
 constexpr double kKeepBeyond = 0.003;                  // m: round points to keep, where the patch may lie bare
-constexpr double kGoodEnough = 2e-5;   // m: among charts that fit better than that, what they see decides
-constexpr double kRoundLength = 1e-4;  // m: half sides of patches
-constexpr double kRoundAngle = std::numbers::pi / 360;  // rad, 0.5 deg
-constexpr double kLongerSide = 0.95;                    // the other side of a cartesian patch is shorter than that
+constexpr double kGoodEnough = 2e-5;  // m: among charts that fit better than that, what they see decides
+constexpr double kLongerSide = 0.95;  // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
 struct Placed {
@@ -48,6 +46,8 @@ class Fitter {
 
  private:
   bool start(std::string& why);
+  std::optional<SurfaceFit> from_border(std::string& why);
+  std::optional<SurfaceFit> cut_from(Placed& at, std::string& why) const;
   bool choose_chart(const std::vector<OrientedPoint>& points, const std::vector<SurfaceChart>& charts,
                     std::string& why);
   bool place(Placed& at, std::string& why) const;
@@ -69,13 +69,6 @@ class Fitter {
   bool inside_ = false;
   bool patch_is_fixed_ = false;  ///< else it follows the chart
 };
-
-/// The outward side of the zone in a chart: true where that is toward the axis.
-bool faces_inward(const SurfaceChart& chart, const std::vector<OrientedPoint>& points) {
-  double outward = 0;
-  for (const OrientedPoint& q : points) outward += q.area * q.n.dot(chart.upward(q.p));
-  return outward < 0;
-}
 
 bool Fitter::start(std::string& why) {
   const std::vector<OrientedPoint> points = oriented_points(zone_);
@@ -107,6 +100,35 @@ bool Fitter::start(std::string& why) {
       charts.push_back({true, axis_frame(points, axis)});
   }
   return choose_chart(points, charts, why);
+}
+
+/// The polynomial that the zone was cut from, where its border tells the chart and it has one there.
+std::optional<SurfaceFit> Fitter::from_border(std::string& why) {
+  if (options_.like || !options_.keep.empty()) return std::nullopt;
+  const auto border = chart_of_border(zone_);
+  if (!border || options_.cylindrical.value_or(border->chart.cylindrical) != border->chart.cylindrical)
+    return std::nullopt;
+  inside_ = faces_inward(border->chart, oriented_points(zone_));
+  patch_is_fixed_ = true;
+  Placed at{border->chart, border->patch, 1, {}, {}, {}};
+  auto exact = place(at, why) ? cut_from(at, why) : std::nullopt;
+  if (!exact) {  // another chart may do
+    patch_is_fixed_ = false;
+    why.clear();
+  }
+  return exact;
+}
+
+/// The polynomial that all samples lie on to the file's rounding.
+std::optional<SurfaceFit> Fitter::cut_from(Placed& at, std::string& why) const {
+  const PolynomialFit fit(at.samples, at.sampled, kHighestFitDegree);
+  const int exact = exact_degree(fit, file_resolution(zone_)), degree = options_.degree.value_or(exact);
+  if (exact < kLowestFitDegree || fit.highest() < degree) return std::nullopt;
+  if (!at.chart.cylindrical) {  // its origin is on the surface
+    at.chart.X_BS.p = at.chart.position({0, 0, Polynomial(fit.terms(degree)).value(0, 0)});
+    gather(at);
+  }
+  return checked(at, degree, {}, why);
 }
 
 /// Of some charts the one that sees most of the zone with least left over.
@@ -301,6 +323,7 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
 }
 
 std::optional<SurfaceFit> Fitter::run(std::string& why) {
+  if (auto exact = from_border(why)) return exact;
   if (!start(why)) return std::nullopt;
   Placed at{first_, {}, 0, {}, {}, {}};
   if (options_.like) {

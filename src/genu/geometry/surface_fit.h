@@ -1,6 +1,7 @@
 // A polynomial surface (Wismans et al. 1980) fitted to a piece of a mesh, with the patch on which it may be trusted.
 //
-//   1. the chart: a plane or an axis (chart_choice.h)
+//   0. chart and patch of a sheet that was cut from a polynomial: its border has them (patch_border.h)
+//   1. else the chart: a plane or an axis (chart_choice.h)
 //   2. the patch: the largest rectangle of the chart that the piece fills (covered_box.h), a little less in round
 //   numbers
 //   3. the degree: cross-validation over blocks (polynomial_fit.h), lowered until the polynomial neither folds nor

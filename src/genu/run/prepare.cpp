@@ -84,8 +84,8 @@ void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found,
   for (Diagnostic d : found.items()) {
     if (d.key == def.file + ".fit_radius") {
       d.file = scene.file;
-      d.line = def.where.line;
-      d.column = def.where.column;
+      d.line = def.fit_radius_where.line;
+      d.column = def.fit_radius_where.column;
       d.key = "surface." + def.name + ".fit_radius";
       out.add(d);
       continue;

@@ -104,7 +104,9 @@ void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
   read_mesh_file(context, section.require("file"), surface);
   const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
   surface.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
-  surface.fit_radius = read_number(context, section.find("fit_radius"), positive(length_rule(context)));
+  const Item radius = section.find("fit_radius");
+  surface.fit_radius = read_number(context, radius, positive(length_rule(context)));
+  if (surface.fit_radius) surface.fit_radius_where = radius.node->where;
   const auto degree = read_integer(context, section.find("degree"), 2, 4);
   if (degree) surface.degree = static_cast<int>(*degree);
 }

@@ -98,6 +98,7 @@ struct SurfaceDef {
   std::optional<Patch> patch;
   SourceLocation where;
   SourceLocation file_where;
+  SourceLocation fit_radius_where;  ///< where one is given
 };
 
 /// A half space or an intersection of some, in the frame of the second surface's body: "z < 0", "z >= 0 and x < 5".
