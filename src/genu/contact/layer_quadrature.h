@@ -62,4 +62,11 @@ inline void add_pressure(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3
   out.tangent += (load_slope * line) * rate.transpose();
 }
 
+/// h' = u . (velocity of the ray at the target's surface - velocity of the target there), of a thickness on the target
+/// with this gradient: the point where the ray comes out moves with the ray and, as d changes, along it. A pressure
+/// depends on d / h alone, so p' = slope (d' - (d / h) h').
+inline Vec3 thickness_rate(const Vec3& gradient, const Vec3& direction, const Vec3& w) {
+  return gradient + gradient.dot(direction) * w;
+}
+
 }  // namespace genu

@@ -34,20 +34,20 @@ Extreme extreme(const ResultTable& poses, const std::string& column, double sign
 
 }  // namespace
 
-std::vector<std::string> layer_sentences(const Scene& scene, const ResultTable& poses) {
+std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& model, const ResultTable& poses) {
   std::vector<std::string> out;
-  for (const LayerDef& layer : scene.layers) {
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+    const LayerDef& layer = scene.layers[k];
     const std::string& name = layer.pair.name;
-    const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [&](double depth) {
-      return depth > LayerLaw::kDeepest * kMillimetre * layer.thickness;
-    });
-    if (deepest.count > 0)
-      out.push_back(
-          fmt::format("The layer of {} is pressed to {:.2f} mm of its {:.2f} mm in row {} (more than {:.0f} % "
-                      "in {} rows): it is too soft or too thin for the load, and its law no longer holds.",
-                      name, deepest.value, kMillimetre * layer.thickness, deepest.row + 1, 100 * LayerLaw::kDeepest,
-                      deepest.count));
-    else if (deepest.value > kNearlyAll * kMillimetre * layer.search_depth)
+    const Extreme used =
+        extreme(poses, name + ".max_strain", 1, [](double strain) { return strain > LayerLaw::kDeepest; });
+    const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [](double) { return false; });
+    if (used.count > 0)
+      out.push_back(fmt::format(
+          "The layer of {} is pressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows): it is "
+          "too soft or too thin for the load, and its law no longer holds.",
+          name, 100 * used.value, used.row + 1, 100 * LayerLaw::kDeepest, used.count));
+    else if (deepest.value > kNearlyAll * kMillimetre * model.layers[k].search_depth)
       out.push_back(
           fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
                       "`search_depth` may find more.",

@@ -50,6 +50,18 @@ std::vector<double> pair_gaps(const PosePoint& point, const JointModel& model, C
   return gaps;
 }
 
+/// "no unknowns; tibiofemoral measured, 1.1 to 8.3 mm thick"
+std::string layer_note(const Prepared& p) {
+  std::string note = "no unknowns";
+  for (std::size_t k = 0; k < p.model.layers.size(); ++k) {
+    const JointModel::Layer& layer = p.model.layers[k];
+    if (p.scene.layers[k].measured)
+      note += fmt::format("; {} measured, {:.2g} to {:.2g} mm thick", layer.name, kMillimetre * layer.thinnest,
+                          kMillimetre * layer.thickest);
+  }
+  return note;
+}
+
 void note_effects(const Prepared& p, RunSummary& summary) {
   const Scene& scene = p.scene;
   const int bodies = p.model.moving_count;
@@ -67,7 +79,7 @@ void note_effects(const Prepared& p, RunSummary& summary) {
     summary.effects.push_back(
         {"rigid contact pairs", static_cast<int>(scene.contacts.size()), "5 unknowns for each contact point found"});
   if (!scene.layers.empty())
-    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), "no unknowns"});
+    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), layer_note(p)});
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
@@ -187,7 +199,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
           std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
         out.prescribed.push_back(column);
-  for (std::string& sentence : layer_sentences(prepared.scene, out.poses)) s.verdict.push_back(std::move(sentence));
+  for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }
@@ -254,9 +266,11 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
   for (const SurfaceDef& def : prepared->scene.surfaces) {
-    if (def.file.empty() || !folder_holds(*folder, def.file)) continue;
-    out.error(*folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
-    return std::nullopt;
+    for (const std::string& file : {def.file, def.thickness ? def.thickness->bone : std::string()}) {
+      if (file.empty() || !folder_holds(*folder, file)) continue;
+      out.error(*folder, "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
+      return std::nullopt;
+    }
   }
   return prepared;
 }
