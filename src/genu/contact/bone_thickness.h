@@ -23,11 +23,11 @@ struct BoneUnder {
 /// How well it went, at the vertices.
 struct BoneReport {
   int vertices = 0;
-  int without = 0;             ///< have no bone under them, nor standing out over them
-  double farthest = 0;         ///< m: the one of these that is farthest from any vertex that has bone, along edges
+  int without = 0;      ///< have no bone under them, nor standing out over them
+  double farthest = 0;  ///< m: the one of these that is farthest from any vertex that has bone, along edges
   Vec3 farthest_place = Vec3::Zero();
-  int thin = 0;                ///< thinner than the least, bone standing out included
-  double thinnest = 0;         ///< m: of these; negative where bone stands out
+  int thin = 0;         ///< thinner than the least, bone standing out included
+  double thinnest = 0;  ///< m: of these; negative where bone stands out
   Vec3 thinnest_place = Vec3::Zero();
 };
 

@@ -18,8 +18,7 @@ ThicknessField::ThicknessField(const Mesh& mesh, std::vector<double> at_vertices
     const Vec3 b = mesh.vertices[index(t[1])] - a, c = mesh.vertices[index(t[2])] - a, normal = b.cross(c);
     const double h = at_vertex(t[0]), to_b = at_vertex(t[1]) - h, to_c = at_vertex(t[2]) - h;
     const double size = normal.squaredNorm();
-    planes_.push_back(
-        {a, size > 0 ? Vec3((to_b * c.cross(normal) + to_c * normal.cross(b)) / size) : Vec3::Zero(), h});
+    planes_.push_back({a, size > 0 ? Vec3((to_b * c.cross(normal) + to_c * normal.cross(b)) / size) : Vec3::Zero(), h});
     if (!given) at_centroids_.push_back(h + (to_b + to_c) / 3);
   }
   if (at_vertices_.empty()) return;

@@ -3,7 +3,8 @@
 // (Smith, Brandon and Thelen 2019: OpenSim-JAM's articular contact).
 //
 // Pressure is continuous while rays wander over the other mesh; where a ray runs off its edge it ends at once. So is a
-// measured thickness (layer_thickness.h): at the ray's start on the casting mesh, where the ray comes out on the target.
+// measured thickness (layer_thickness.h): at the ray's start on the casting mesh, where the ray comes out on the
+// target.
 #pragma once
 
 #include <memory>

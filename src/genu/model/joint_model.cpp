@@ -184,8 +184,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);
-  for (std::size_t k = 0; k < scene.layers.size(); ++k)
-    good = build_layer(scene, bones, model, k, out) && good;
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) good = build_layer(scene, bones, model, k, out) && good;
   if (!good) return std::nullopt;
   return model;
 }

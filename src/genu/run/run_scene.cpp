@@ -199,7 +199,8 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
           std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
         out.prescribed.push_back(column);
-  for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses)) s.verdict.push_back(std::move(sentence));
+  for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses))
+    s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }

@@ -137,9 +137,9 @@ struct LayerDef {
   enum class Law { linear, logarithmic };
   enum class Quadrature { triangles, smooth };
   ContactDef pair;
-  double modulus = 0;    ///< Young's, Pa
-  double poisson = 0;    ///< in [0, 0.5)
-  double thickness = 0;  ///< m, of both layers together, without what is measured on a surface
+  double modulus = 0;     ///< Young's, Pa
+  double poisson = 0;     ///< in [0, 0.5)
+  double thickness = 0;   ///< m, of both layers together, without what is measured on a surface
   bool measured = false;  ///< on one of the surfaces at least
   Law law = Law::linear;
   Quadrature quadrature = Quadrature::smooth;
