@@ -1,6 +1,7 @@
 #include "genu/model/measured_thickness.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -31,13 +32,18 @@ std::string place(const Scene& scene, const SurfaceDef& surface, const Vec3& x) 
 void warn(const Scene& scene, const SurfaceDef& surface, const BoneReport& report, Diagnostics& out) {
   const SurfaceDef::Thickness& asked = *surface.thickness;
   const auto percent = [&](int count) { return 100.0 * count / report.vertices; };
-  if (report.without > 0)
+  if (report.without > 0) {
+    const std::string worst =
+        std::isfinite(report.farthest)
+            ? fmt::format("they take the thickness of the nearest that have some, up to {:.1f} mm away at {}",
+                          kMillimetre * report.farthest, place(scene, surface, report.farthest_place))
+            : fmt::format("a piece of the mesh without any, at {}, is taken to be {:.3g} mm thick",
+                          place(scene, surface, report.farthest_place), kMillimetre * asked.least);
     say(scene, surface, Diagnostic::Severity::warning,
-        fmt::format("no bone within {:.3g} mm under {} of {} vertices ({:.1f} %): they take the thickness of the "
-                    "nearest that have some, at {} over {:.1f} mm",
-                    kMillimetre * asked.most, report.without, report.vertices, percent(report.without),
-                    place(scene, surface, report.farthest_place), kMillimetre * report.farthest),
+        fmt::format("no bone within {:.3g} mm under {} of {} vertices ({:.1f} %): {}", kMillimetre * asked.most,
+                    report.without, report.vertices, percent(report.without), worst),
         out);
+  }
   if (report.thin > 0)
     say(scene, surface, Diagnostic::Severity::warning,
         fmt::format("cartilage is thinner than {:.3g} mm at {} of {} vertices ({:.1f} %) and counts as that thick; {} "

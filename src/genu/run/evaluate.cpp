@@ -11,6 +11,7 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/unbalanced.h"
 #include "genu/results/curves.h"
+#include "genu/results/pressure_map.h"
 
 namespace genu {
 namespace {
@@ -143,7 +144,8 @@ std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
   return to_svg(chart);
 }
 
-std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation) {
+std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation,
+                             const std::vector<std::pair<std::string, std::string>>& maps) {
   StagedFolder out;
   std::string error = out.open(folder);
   const auto write = [&](const std::string& name, const std::string& content) {
@@ -152,6 +154,7 @@ std::string write_evaluation(const std::string& folder, const Prepared& prepared
   write("results.csv", evaluation.poses.to_csv());
   write("curves.svg", picture(prepared, evaluation));
   write("summary.json", to_json(evaluation.summary));
+  for (const auto& [name, content] : maps) write(name, content);
   if (error.empty()) error = out.commit();
   return error;
 }
@@ -205,7 +208,10 @@ int evaluate_scene(const std::string& path, const std::string& poses, const std:
   same.cancelled = options.cancelled;
   found.folder = folder_for(folder, same, found.summary);
   int code = found.summary.exit_code;
-  if (const std::string error = write_evaluation(found.folder, *prepared, found); !error.empty()) {
+  const auto maps = options.pressure_maps ? pressure_maps(prepared->scene, prepared->model, found.records)
+                                          : std::vector<std::pair<std::string, std::string>>();
+  for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
+  if (const std::string error = write_evaluation(found.folder, *prepared, found, maps); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }

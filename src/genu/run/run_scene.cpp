@@ -13,6 +13,7 @@
 #include "genu/core/timer.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
+#include "genu/results/pressure_map.h"
 #include "genu/run/contact_location.h"
 #include "genu/run/layer_verdict.h"
 #include "genu/run/surface_variants.h"
@@ -313,7 +314,10 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   }
   int code = found.summary.exit_code;
   found.folder = folder_for(folder, options, found.summary);
-  if (const std::string error = write_results(found.folder, *prepared, found); !error.empty()) {
+  const auto maps = options.pressure_maps ? pressure_maps(prepared->scene, prepared->model, found.records)
+                                          : std::vector<std::pair<std::string, std::string>>();
+  for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
+  if (const std::string error = write_results(found.folder, *prepared, found, maps); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }
