@@ -63,7 +63,8 @@ TEST(PressureMap, AddsUpToTheColumns) {
       // The second pose was not solved; the last is out of contact.
       if (k == 1) r.point.pose.state.poses.clear();
       if (k != 1)
-        r.point.pose.state.poses[1] = {exp_rotation(Vec3(0.1 * k, 0.2, -0.3)), Vec3(1e-3 * k, 0, k == 3 ? 0.03 : 0.019)};
+        r.point.pose.state.poses[1] = {exp_rotation(Vec3(0.1 * k, 0.2, -0.3)),
+                                       Vec3(1e-3 * k, 0, k == 3 ? 0.03 : 0.019)};
       r.point.pose.state.layer_levels = {k == 2 ? 1 : 0};
       records.push_back(r);
     }

@@ -37,9 +37,9 @@ class PressureMap {
         const Vec3 x = kMillimetre * (point.x - origin);
         const Vec3 force = share * point.load * (a ? Vec3(R_ba * point.n) : Vec3(-point.n));
         fmt::format_to(std::back_inserter(text_), "{},{},{}", row, names_[a ? 0 : 1], point.cell);
-        for (const double value : {x[0], x[1], x[2], point.n[0], point.n[1], point.n[2],
-                                   share * kSquareMillimetre * point.area, kMillimetre * point.depth, point.used,
-                                   point.pressure / kMegapascal, force[0], force[1], force[2]})
+        for (const double value :
+             {x[0], x[1], x[2], point.n[0], point.n[1], point.n[2], share * kSquareMillimetre * point.area,
+              kMillimetre * point.depth, point.used, point.pressure / kMegapascal, force[0], force[1], force[2]})
           fmt::format_to(std::back_inserter(text_), ",{:.17g}", value);
         text_ += '\n';
       };

@@ -10,9 +10,10 @@
 namespace genu {
 
 /// CSV of layer k, a row for each triangle (smooth surfaces: for each node of their lattice, and each deepest point,
-/// which stands for no area) that is pressed at a pose of `records`, pose after pose. `row` counts the poses as the rows
-/// of results.csv, from 1; `triangle` those of the surface's mesh, from 0. Place and normal are those of the named surface, which casts, in its own body; force is that
-/// on the second surface's body, in its axes. Frames as in the scene's files; areas and forces hold the surface's share.
+/// which stands for no area) that is pressed at a pose of `records`, pose after pose. `row` counts the poses as the
+/// rows of results.csv, from 1; `triangle` those of the surface's mesh, from 0. Place and normal are those of the named
+/// surface, which casts, in its own body; force is that on the second surface's body, in its axes. Frames as in the
+/// scene's files; areas and forces hold the surface's share.
 std::string pressure_map(const Scene& scene, const JointModel& model, int layer,
                          const std::vector<PoseRecord>& records);
 

@@ -12,6 +12,7 @@
 #include "genu/model/unbalanced.h"
 #include "genu/results/curves.h"
 #include "genu/results/pressure_map.h"
+#include "genu/run/hertz_check.h"
 
 namespace genu {
 namespace {
@@ -108,6 +109,7 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                   records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
   if (s.smallest_gap < 0)
     s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -kMillimetre * s.smallest_gap));
+  for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)
     s.verdict.push_back(fmt::format("{} row{} of {} hold{} no pose that was solved: left out.", s.given->left_out,
                                     s.given->left_out == 1 ? "" : "s", s.given->file,
@@ -186,6 +188,7 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
   s.poses_solved = static_cast<int>(out.records.size());
   s.exit_code = s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
+  s.hertz = hertz_checks(prepared, out.records, out.poses);
   s.seconds.emplace_back("evaluating", timer.seconds());
   return out;
 }

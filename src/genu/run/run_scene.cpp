@@ -15,6 +15,7 @@
 #include "genu/results/curves.h"
 #include "genu/results/pressure_map.h"
 #include "genu/run/contact_location.h"
+#include "genu/run/hertz_check.h"
 #include "genu/run/layer_verdict.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
@@ -202,6 +203,8 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
         out.prescribed.push_back(column);
   for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses))
     s.verdict.push_back(std::move(sentence));
+  s.hertz = hertz_checks(prepared, out.records, out.poses);
+  for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }
