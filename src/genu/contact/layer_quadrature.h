@@ -48,6 +48,11 @@ class LayerQuadrature {
   /// Visits the points that carry pressure.
   virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
                      int level = 0) const = 0;
+
+  /// From the middle of each cell of the casting surface along minus its normal, in the casting body's frame.
+  virtual std::vector<Ray> cell_rays() const = 0;
+  /// What rays meet: triangles of the other surface, in its body's frame.
+  virtual const TriangleTree& target() const = 0;
 };
 
 /// Adds what a pressure on a small area does. `x`: where; `n`: outward unit normal of the casting body; `y`: the point

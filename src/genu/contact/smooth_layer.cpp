@@ -21,7 +21,7 @@ constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
 // spheres, ellipsoids and tori.
 constexpr double kErrorLeft = 0.3;
 
-std::vector<Ray> cell_rays(const SmoothCells& cells, double lead) {
+std::vector<Ray> rays_from(const SmoothCells& cells, double lead) {
   std::vector<Ray> rays;
   for (int cell = 0; cell < cells.cell_count(); ++cell) {
     const SmoothCells::Node m = cells.middle(cell);
@@ -61,8 +61,10 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       trust_(kTrust * mean_edge(*target_)),
       law_(law),
       thickness_(std::move(thickness)),
-      rays_(cell_rays(*casting_, lead_), target_, lead_ + search_depth,
+      rays_(rays_from(*casting_, lead_), target_, lead_ + search_depth,
             cell_radii(*casting_, std::max(lead_, search_depth))) {}
+
+std::vector<Ray> SmoothLayer::cell_rays() const { return rays_from(*casting_, 0); }
 
 bool SmoothLayer::follow(const Pose& X_TC, const SmoothCells::Node& node, double from, Depth& out) const {
   const Vec3 direction = -(X_TC.R * node.n);

@@ -34,6 +34,8 @@ class SmoothLayer final : public LayerQuadrature {
   /// The nodes, and the deepest points found from those deeper than all round them, which stand for no area.
   void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
              int level = 0) const override;
+  std::vector<Ray> cell_rays() const override;
+  const TriangleTree& target() const override { return *target_; }
 
  private:
   struct Depth {

@@ -25,6 +25,8 @@ class TriangleLayer final : public LayerQuadrature {
   void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
              int level = 0) const override;
 
+  std::vector<Ray> cell_rays() const override { return rays_.rays(); }
+  const TriangleTree& target() const override { return rays_.target(); }
   int triangle_count() const { return static_cast<int>(areas_.size()); }
 
  private:

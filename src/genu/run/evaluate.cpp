@@ -13,6 +13,7 @@
 #include "genu/results/curves.h"
 #include "genu/results/pressure_map.h"
 #include "genu/run/hertz_check.h"
+#include "genu/run/layer_verdict.h"
 
 namespace genu {
 namespace {
@@ -109,6 +110,7 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                   records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
   if (s.smallest_gap < 0)
     s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -kMillimetre * s.smallest_gap));
+  say_layer_doubts(p, records, s.verdict);
   for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)
     s.verdict.push_back(fmt::format("{} row{} of {} hold{} no pose that was solved: left out.", s.given->left_out,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/contact/layer_law.h"
+#include "genu/run/layer_doubts.h"
 
 namespace genu {
 namespace {
@@ -62,6 +63,21 @@ std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& m
                       name, few.count, poses.rows(), kFewTriangles, few.value, few.row + 1));
   }
   return out;
+}
+
+void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records, std::vector<std::string>& out) {
+  if (prepared.model.layers.empty()) return;
+  constexpr std::size_t kLooked = 8;
+  const State start = start_state(prepared.model);
+  std::vector<const State*> states{&start};
+  for (std::size_t k = 0; k < std::min(kLooked, records.size()); ++k) {
+    const std::size_t row = records.size() <= kLooked ? k : k * (records.size() - 1) / (kLooked - 1);
+    const State& state = records[row].point.pose.state;
+    if (!state.poses.empty()) states.push_back(&state);
+  }
+  for (std::string& sentence : facing_doubts(prepared, states)) out.push_back(std::move(sentence));
+  states.erase(states.begin());  // where the search starts bodies may lie anyhow
+  for (std::string& sentence : reach_doubts(prepared, states)) out.push_back(std::move(sentence));
 }
 
 }  // namespace genu

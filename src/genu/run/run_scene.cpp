@@ -16,6 +16,7 @@
 #include "genu/results/pressure_map.h"
 #include "genu/run/contact_location.h"
 #include "genu/run/hertz_check.h"
+#include "genu/run/layer_doubts.h"
 #include "genu/run/layer_verdict.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
@@ -203,6 +204,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
         out.prescribed.push_back(column);
   for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses))
     s.verdict.push_back(std::move(sentence));
+  say_layer_doubts(prepared, out.records, s.verdict);
   s.hertz = hertz_checks(prepared, out.records, out.poses);
   for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
