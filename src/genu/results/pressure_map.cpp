@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "genu/contact/elastic_layer.h"
 
 namespace genu {
 namespace {

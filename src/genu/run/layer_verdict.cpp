@@ -58,9 +58,10 @@ std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& m
         extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewTriangles; });
     if (few.count > 0)
       out.push_back(
-          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles "
+          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles of {} "
                       "carry it ({:.0f} in row {}). A finer mesh or quadrature = \"smooth\" resolves it.",
-                      name, few.count, poses.rows(), kFewTriangles, few.value, few.row + 1));
+                      name, few.count, poses.rows(), kFewTriangles,
+                      scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name, few.value, few.row + 1));
   }
   return out;
 }
