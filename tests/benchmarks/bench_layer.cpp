@@ -67,7 +67,7 @@ double median(std::vector<double> values) {
 
 Times measure(const Mesh& casting, const Mesh& target_mesh) {
   const auto target = std::make_shared<const TriangleTree>(target_mesh);
-  const TriangleLayer layer(casting, target, kDepth, law(), {kThickness, {}, {}});
+  const TriangleLayer layer(casting, target, kDepth, law(), {kThickness, nullptr, nullptr});
   const std::vector<Pose> poses = path();
   Times times;
   std::vector<double> warm, cold;

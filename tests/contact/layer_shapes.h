@@ -107,8 +107,9 @@ inline Pressed smooth(const std::shared_ptr<const Surface>& b, double edge, doub
   const auto cells_b = std::make_shared<const SmoothCells>(mesh_b, b);
   const auto tree_a = std::make_shared<const TriangleTree>(mesh_a),
              tree_b = std::make_shared<const TriangleTree>(mesh_b);
-  const auto from_a = std::make_shared<SmoothLayer>(cells_a, b, tree_b, search_depth, law, thickness);
-  const auto from_b = std::make_shared<SmoothLayer>(cells_b, a, tree_a, search_depth, law, thickness);
+  const LayerThickness both{thickness, nullptr, nullptr};
+  const auto from_a = std::make_shared<SmoothLayer>(cells_a, b, tree_b, search_depth, law, both);
+  const auto from_b = std::make_shared<SmoothLayer>(cells_b, a, tree_a, search_depth, law, both);
   return {
       std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{!swap, 0.5, from_a}, {swap, 0.5, from_b}}),
       static_cast<int>(mesh_b.triangles.size())};
@@ -121,7 +122,7 @@ inline Pressed triangles(const std::shared_ptr<const Surface>& b, double edge, d
   const Mesh mesh_b = b->triangles(edge, Vec3::Zero(), reach);
   const auto target = std::make_shared<const TriangleTree>(from_bowl ? mesh_a : mesh_b);
   const auto layer = std::make_shared<TriangleLayer>(from_bowl ? mesh_b : mesh_a, target, search_depth, law,
-                                                     LayerThickness{thickness, {}, {}});
+                                                     LayerThickness{thickness, nullptr, nullptr});
   return {std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{!from_bowl, 1.0, layer}}),
           static_cast<int>(mesh_b.triangles.size())};
 }

@@ -84,12 +84,14 @@ TEST(TriangleLayer, TangentIsTheDerivative) {
   }
 }
 
-TEST(TriangleLayer, ThicknessOfEachTriangle) {
+TEST(TriangleLayer, ThicknessIsTheSumOfItsParts) {
   const Mesh casting = test::sheet(0.01, 20), target = test::ball(0.02, 1.5e-3);
   const auto tree = std::make_shared<TriangleTree>(target);
   const Pose X{Mat3::Identity(), {0, 0, -0.0195}};
-  LayerThickness parts{0, std::vector<double>(casting.triangles.size(), 2e-3),
-                       std::vector<double>(target.triangles.size(), 4e-3)};
+  const auto even = [](const Mesh& mesh, double h) {
+    return std::make_shared<const ThicknessField>(mesh, std::vector<double>(mesh.vertices.size(), h));
+  };
+  const LayerThickness parts{1e-3, even(casting, 2e-3), even(target, 3e-3)};
   LayerSum constant, summed;
   LayerQuadrature::Memory memory;
   TriangleLayer(casting, tree, kSearch, kLinear, {6e-3, {}, {}}).add(X, memory, constant);

@@ -75,6 +75,30 @@ bool solvers_own(const std::string& column) {
   return column.rfind("stability", 0) == 0 || column == "newton.iterations" || column == "residual";
 }
 
+TEST(Evaluate, PressureMapsOfARunAndOfItsPoses) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", soft_ball());
+  Diagnostics out;
+  RunOptions run;
+  EvaluateOptions again;
+  run.pressure_maps = again.pressure_maps = true;
+  Solution solved;
+  Evaluation evaluated;
+  ASSERT_EQ(run_scene(scene, folder / "run", run, out, &solved), kExitOk) << messages(out);
+  ASSERT_EQ(evaluate_scene(scene, folder / "run/results.csv", folder / "again", again, out, &evaluated), kExitOk);
+  ASSERT_EQ(solved.pressure_files.size(), 1u);
+  EXPECT_EQ(solved.pressure_files, evaluated.pressure_files);
+  const std::string name = solved.pressure_files[0];
+  for (const std::string& text : {read_file(folder / ("run/" + name)), read_file(folder / ("again/" + name))}) {
+    double points = 0;
+    for (std::size_t row = 0; row < solved.poses.rows(); ++row)
+      points += solved.poses.number(row, name.substr(10, name.size() - 14) + ".points");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + points);
+  }
+  EXPECT_EQ(run_scene(scene, folder / "plain", {}, out, &solved), kExitOk);
+  EXPECT_FALSE(std::filesystem::exists(folder / ("plain/" + name)));
+}
+
 TEST(Evaluate, GivesARunWithLayersAgainReactionsIncluded) {
   const test::TemporaryFolder folder;
   const Twice t = run_and_evaluate(folder.write("ball.toml", soft_ball()));

@@ -23,5 +23,26 @@ TEST(SceneEdit, RefusesTablesItCannotCutOut) {
   EXPECT_EQ(out.items().back().key, "contact.medial");
 }
 
+/// A surface of a layer that stays keeps its bone, told from the new scene's folder.
+TEST(SceneEdit, BonesAreToldFromTheNewFolder) {
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  std::string text = test::text_of(test::meshed_scene(folder));
+  const std::string bone = "\nthickness = { bone = \"femur_lateral.ply\", units = \"mm\" }";
+  for (const std::string name : {"femur_lateral", "tibia_lateral"}) {
+    const std::size_t end = text.find('\n', text.find("units = \"mm\"", text.find("[surface." + name + "]")));
+    text.insert(end, name == "femur_lateral" ? bone : "\nthickness = 2");
+  }
+  const std::size_t model = text.find("model = \"rigid\"", text.find("[contact.lateral]"));
+  text.replace(model, 15, "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4");
+  const std::string file = folder.write("layered.toml", text);
+  const auto scene = read_scene(file, out);
+  ASSERT_TRUE(scene) << to_string(out.items().front());
+  const std::string edited =
+      with_fitted_surfaces(file, *scene, {{0, "medial", "femur_medial", "tibia_medial"}}, {}, folder / "new/out", out);
+  EXPECT_FALSE(out.has_errors());
+  EXPECT_NE(edited.find("bone = \"../../femur_lateral.ply\""), std::string::npos) << edited;
+}
+
 }  // namespace
 }  // namespace genu

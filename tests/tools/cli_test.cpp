@@ -74,6 +74,23 @@ TEST(Cli, WithoutMeshesThereAreNoErrorBars) {
   EXPECT_TRUE(contains(run.out, "no error bars: the scene has no mesh")) << run.out;
 }
 
+TEST(Cli, PressureMapsAreNamedOrSaidToBeNone) {
+  TemporaryFolder folder;
+  const std::string rigid = folder.write("ball.toml", kBall);
+  const std::string soft = folder.write("soft.toml", replaced(kBall, "model = \"rigid\"",
+                                                              "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\n"
+                                                              "thickness = 4\nquadrature = \"triangles\"\n"
+                                                              "cast_from = \"ball\""));
+  const Outcome none = genu("run " + rigid + " --pressure-maps --out " + (folder / "rigid"));
+  EXPECT_EQ(none.exit_code, 0) << none.err;
+  EXPECT_TRUE(contains(none.out, "no pressure maps: the scene has no cartilage")) << none.out;
+  const Outcome run = genu("run " + soft + " --pressure-maps --out " + (folder / "run"));
+  EXPECT_TRUE(contains(run.out, "events.csv, pressures_medial.csv, curves.svg")) << run.out;
+  const Outcome again = genu("evaluate " + soft + " --poses " + (folder / "run/results.csv") +
+                             " --pressure-maps --out " + (folder / "again"));
+  EXPECT_TRUE(contains(again.out, "results.csv, pressures_medial.csv, curves.svg")) << again.out;
+}
+
 TEST(Cli, AFitRadiusThatIsTooSmallIsNamedByItsKey) {
   TemporaryFolder folder;
   const std::string ball = folder.write("ball.toml", kBall);

@@ -60,6 +60,74 @@ TEST(LayerClosedForms, SmoothSurfacesAgainstTriangles) {
     }
 }
 
+/// Root mean square over places of the bowl, so that a lucky one tells nothing.
+Errors typical(const ElasticLayer& layer, const Carried& truth) {
+  constexpr int kPlaces = 12;
+  Errors out{0, 0, 0};
+  for (int k = 0; k < kPlaces; ++k) {
+    const Pose X{exp_rotation(Vec3(0, 0, 0.5 * k)), Vec3(0.23e-3 * k, 0.31e-3 * k, -kDelta)};
+    const Carried found = carried(layer, {}, X);
+    out.force += std::pow(found.force / truth.force - 1, 2) / kPlaces;
+    out.area += std::pow(found.area / truth.area - 1, 2) / kPlaces;
+    out.peak += std::pow(found.peak / truth.peak - 1, 2) / kPlaces;
+  }
+  return {std::sqrt(out.force), std::sqrt(out.area), std::sqrt(out.peak)};
+}
+
+struct Refined {
+  Errors coarse, fine;
+  double finer;  ///< edges of the coarse triangles over those of the fine ones
+  Errors order() const {
+    const double step = std::log(finer);
+    return {std::log(coarse.force / fine.force) / step, std::log(coarse.area / fine.area) / step,
+            std::log(coarse.peak / fine.peak) / step};
+  }
+};
+
+template <typename Press>
+Refined refined(Press press, const Carried& truth) {
+  const Pressed coarse = press(4e-3), fine = press(1e-3);
+  return {typical(*coarse.layer, truth), typical(*fine.layer, truth),
+          std::sqrt(static_cast<double>(fine.triangles) / coarse.triangles)};
+}
+
+/// Over smooth surfaces force and largest pressure are of fourth order (Richardson; the blend of a mesh is of fourth
+/// order itself; of a closed form the largest pressure is exact), the area, cut off along straight lines, of the
+/// second. Over triangles what their facets miss of the shape is of second order, and the area, a count of triangles,
+/// of the first.
+TEST(LayerClosedForms, OrderOfConvergence) {
+  const double K = kLaw.confined_modulus / kThickness;
+  for (const Bowl& bowl : {sphere(25e-3), ellipsoid(40e-3, 20e-3, 25e-3), torus(20e-3, 15e-3)}) {
+    const Refined form =
+        refined([&](double edge) { return smooth(bowl.surface, edge, kReach, kLaw, kThickness, kThickness); },
+                exact(bowl, kDelta, K));
+    const Refined blend =
+        refined([&](double edge) { return smooth(as_mesh(bowl, edge), edge, kReach, kLaw, kThickness, kThickness); },
+                exact(bowl, kDelta, K));
+    const Refined flat = refined(
+        [&](double edge) { return triangles(as_mesh(bowl, edge), edge, kReach, kLaw, kThickness, kThickness, true); },
+        exact(bowl, kDelta, K, 1));
+    const auto print = [&](const char* what, const Refined& r) {
+      std::printf("%-10s %-12s force %.1e order %.1f, area %.1e order %.1f, peak %.1e order %.1f (x %.1f)\n",
+                  bowl.name.c_str(), what, r.fine.force, r.order().force, r.fine.area, r.order().area, r.fine.peak,
+                  r.order().peak, r.finer);
+    };
+    print("closed form", form), print("blend", blend), print("triangles", flat);
+    EXPECT_GT(form.order().force, 3.5) << bowl.name;
+    EXPECT_GT(form.order().area, 1.5) << bowl.name;
+    EXPECT_LT(form.coarse.peak, 1e-9) << bowl.name;
+    EXPECT_GT(blend.order().force, 3.5) << bowl.name;
+    EXPECT_GT(blend.order().area, 2) << bowl.name;
+    EXPECT_GT(blend.order().peak, 3.5) << bowl.name;
+    EXPECT_GT(flat.order().force, 1.6) << bowl.name;
+    EXPECT_GT(flat.order().area, 0.6) << bowl.name;
+    EXPECT_GT(flat.order().peak, 1.4) << bowl.name;
+    EXPECT_LT(form.fine.force, 5e-5) << bowl.name;
+    EXPECT_LT(blend.fine.force, 2e-4) << bowl.name;
+    EXPECT_LT(flat.fine.force, 3e-2) << bowl.name;
+  }
+}
+
 TEST(LayerClosedForms, ParaboloidsOfWinkler) {
   // A shallow contact: F = pi K delta^2 sqrt(R1 R2), A = 2 pi delta sqrt(R1 R2), the largest pressure K delta.
   const double K = kLaw.confined_modulus / kThickness, delta = 1e-5;

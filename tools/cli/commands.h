@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -31,5 +33,12 @@ CLI::Validator number_within(double low, double high);
 
 /// From here on Ctrl-C stops the work at the next pose and keeps what was found: says whether it was pressed.
 std::function<bool()> stop_on_interrupt();
+
+/// "a.csv, b.csv, ": to be followed by more.
+inline std::string listed(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files) text += file + ", ";
+  return text;
+}
 
 }  // namespace genu::cli

@@ -21,7 +21,7 @@ namespace {
 struct Arguments {
   std::string scene, poses, folder;
   PoseColumnOptions columns;
-  bool quiet = false;
+  bool pressure_maps = false, quiet = false;
 };
 
 void print_columns(const RunSummary::GivenPoses& given) {
@@ -65,6 +65,7 @@ std::vector<std::string> short_columns(const ResultTable& table) {
 int evaluate(const Arguments& arguments) {
   EvaluateOptions options;
   options.columns = arguments.columns;
+  options.pressure_maps = arguments.pressure_maps;
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Evaluation found;
@@ -77,7 +78,11 @@ int evaluate(const Arguments& arguments) {
              to_text(found.poses, short_columns(found.poses), 4, kRows));
   for (const std::string& sentence : found.summary.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
-  if (code != kExitFailed) fmt::print("  {:<12}{}/results.csv, curves.svg, summary.json\n", "written", found.folder);
+  if (arguments.pressure_maps && found.pressure_files.empty())
+    fmt::print("no pressure maps: the scene has no cartilage\n");
+  if (code != kExitFailed)
+    fmt::print("  {:<12}{}/results.csv, {}curves.svg, summary.json\n", "written", found.folder,
+               listed(found.pressure_files));
   return code;
 }
 
@@ -100,6 +105,9 @@ void add_evaluate(CLI::App& app, int& exit_code) {
                       "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
   command->add_option("--units", arguments->columns.units,
                       "units of columns that do not say theirs, such as deg,mm (else what the file says, or rad,m)");
+  command->add_flag("--pressure-maps", arguments->pressure_maps,
+                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
+                    "pressures_CONTACT.csv");
   command->add_flag("--quiet", arguments->quiet, "print errors only");
   command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
 }

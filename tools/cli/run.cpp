@@ -134,14 +134,15 @@ struct Arguments {
   std::string scene, folder;
   int starts = 0;
   double spread = 20;
-  bool error_bars = false, quiet = false;
+  bool error_bars = false, pressure_maps = false, quiet = false;
 };
 
 int run(const Arguments& arguments) {
-  const auto& [scene, folder, starts, spread, error_bars, quiet] = arguments;
+  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, quiet] = arguments;
   RunOptions options;
   options.starts = starts;
   options.error_bars = error_bars;
+  options.pressure_maps = pressure_maps;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
   if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
@@ -161,11 +162,13 @@ int run(const Arguments& arguments) {
       print_error_bars(solution);
     else if (error_bars)
       fmt::print("no error bars: the scene has no mesh, so there is nothing to vary\n");
+    if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
     fmt::print("{}", to_text(solution.summary));
   }
   if (code != kExitFailed && !quiet)
-    fmt::print("  {:<12}{}/results.csv, events.csv, {}{}curves.svg, summary.json\n", "written", solution.folder,
-               solution.starts ? "starts.csv, " : "", solution.error_bars ? "error_bars.csv, error_shares.csv, " : "");
+    fmt::print("  {:<12}{}/results.csv, events.csv, {}{}{}curves.svg, summary.json\n", "written", solution.folder,
+               solution.starts ? "starts.csv, " : "", solution.error_bars ? "error_bars.csv, error_shares.csv, " : "",
+               listed(solution.pressure_files));
   return code;
 }
 
@@ -192,6 +195,9 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_flag("--error-bars", arguments->error_bars,
                     "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "
                     "points), and write how far each result may be off");
+  command->add_flag("--pressure-maps", arguments->pressure_maps,
+                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
+                    "pressures_CONTACT.csv");
   command->add_flag("--quiet", arguments->quiet, "print errors only");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -48,6 +48,11 @@ class LayerQuadrature {
   /// Visits the points that carry pressure.
   virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
                      int level = 0) const = 0;
+
+  /// From the middle of each cell of the casting surface along minus its normal, in the casting body's frame.
+  virtual std::vector<Ray> cell_rays() const = 0;
+  /// What rays meet: triangles of the other surface, in its body's frame.
+  virtual const TriangleTree& target() const = 0;
 };
 
 /// Adds what a pressure on a small area does. `x`: where; `n`: outward unit normal of the casting body; `y`: the point
@@ -60,6 +65,13 @@ inline void add_pressure(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3
   rate << w, y.cross(w);
   out.wrench += load * line;
   out.tangent += (load_slope * line) * rate.transpose();
+}
+
+/// h' = u . (velocity of the ray at the target's surface - velocity of the target there), of a thickness on the target
+/// with this gradient: the point where the ray comes out moves with the ray and, as d changes, along it. A pressure
+/// depends on d / h alone, so p' = slope (d' - (d / h) h').
+inline Vec3 thickness_rate(const Vec3& gradient, const Vec3& direction, const Vec3& w) {
+  return gradient + gradient.dot(direction) * w;
 }
 
 }  // namespace genu

@@ -56,6 +56,7 @@ class SmoothCells {
   double mean_edge() const { return mean_; }
 
   const Surface& surface() const { return *surface_; }
+  const std::array<int, 3>& vertices(int cell) const { return mesh_.triangles[static_cast<std::size_t>(cell)]; }
 
  private:
   std::array<const Node*, 3> corners(int cell) const;

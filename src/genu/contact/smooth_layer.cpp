@@ -21,7 +21,7 @@ constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
 // spheres, ellipsoids and tori.
 constexpr double kErrorLeft = 0.3;
 
-std::vector<Ray> cell_rays(const SmoothCells& cells, double lead) {
+std::vector<Ray> rays_from(const SmoothCells& cells, double lead) {
   std::vector<Ray> rays;
   for (int cell = 0; cell < cells.cell_count(); ++cell) {
     const SmoothCells::Node m = cells.middle(cell);
@@ -52,7 +52,7 @@ Vec6 line_of(const SmoothNode& node) {
 
 SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,
                          std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law,
-                         double thickness)
+                         LayerThickness thickness)
     : casting_(std::move(casting)),
       other_(std::move(other)),
       target_(std::move(target)),
@@ -60,9 +60,11 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       lead_(kLead * casting_->mean_edge()),
       trust_(kTrust * mean_edge(*target_)),
       law_(law),
-      thickness_(thickness),
-      rays_(cell_rays(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
+      thickness_(std::move(thickness)),
+      rays_(rays_from(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
             cell_radii(*casting_, std::max(lead_, search_depth))) {}
+
+std::vector<Ray> SmoothLayer::cell_rays() const { return rays_from(*casting_, 0); }
 
 bool SmoothLayer::follow(const Pose& X_TC, const SmoothCells::Node& node, double from, Depth& out) const {
   const Vec3 direction = -(X_TC.R * node.n);
@@ -82,18 +84,38 @@ SmoothLayer::Depth SmoothLayer::measure(const Pose& X_TC, const SmoothCells::Nod
   Depth out;
   if (!hit) return out;
   out.triangle = hit.triangle;
-  const double flat = hit.distance - lead_;
-  if (follow(X_TC, node, flat, out)) return out;
+  out.flat = hit.distance - lead_;
+  if (thickness_.target) add_thickness(X_TC, node, out);
+  if (follow(X_TC, node, out.flat, out)) return out;
   const Vec3& m = target_->area_vector(hit.triangle);
   out.met = true;
-  out.depth = flat;
+  out.depth = out.flat;
   out.w = X_TC.R.transpose() * (m / -m.dot(direction));
   return out;
+}
+
+/// What was measured on the triangle that was met, where it was met.
+void SmoothLayer::add_thickness(const Pose& X_TC, const SmoothCells::Node& node, Depth& out) const {
+  const Vec3 direction = -(X_TC.R * node.n), y = X_TC * node.x + out.flat * direction;
+  const Vec3& m = target_->area_vector(out.triangle);
+  out.thickness = thickness_.target->at(out.triangle, y);
+  const Vec3 w = m / -m.dot(direction);
+  out.u = X_TC.R.transpose() * thickness_rate(thickness_.target->gradient(out.triangle), direction, w);
+}
+
+double SmoothLayer::own_thickness(const SmoothCells::Place& place) const {
+  if (!thickness_.casting) return thickness_.constant;
+  const std::array<double, 3> share = SmoothCells::shares(place);
+  const std::array<int, 3>& corners = casting_->vertices(place.cell);
+  double own = 0;  // alone: of two terms, on an edge, the sum is the same from both cells to the last bit
+  for (int k = 0; k < 3; ++k) own += share[at(k)] * thickness_.casting->at_vertex(corners[at(k)]);
+  return thickness_.constant + own;
 }
 
 /// Where the cell's corners round it have met the other surface, from the depth in between; else as for a corner.
 SmoothLayer::Depth SmoothLayer::measure_inside(const Pose& X_TC, const SmoothCells::Place& place,
                                                const SmoothCells::Node& node, int hint, Memory& memory) const {
+  if (thickness_.target) return measure(X_TC, node, hint);  // its triangle is needed
   const std::array<double, 3> share = SmoothCells::shares(place);
   double between = 0;
   for (int k = 0; k < 3; ++k) {
@@ -115,6 +137,7 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
     known.nodes.emplace_back();
     known.nodes.back().x = fresh.x;
     known.nodes.back().n = fresh.n;
+    known.nodes.back().own_thickness = own_thickness(place);
   }
   if (known.nodes[at(index)].pose == known.pose) return known.nodes[at(index)];
   const SmoothCells::Node line{known.nodes[at(index)].x, known.nodes[at(index)].n};
@@ -127,9 +150,15 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
   if (!d.met) return node;
   node.triangle = d.triangle;
   node.depth = d.depth;
-  const LayerLaw::Pressure pressure = law_.at(d.depth, thickness_);
+  node.thickness = node.own_thickness + d.thickness;
+  const LayerLaw::Pressure pressure = law_.at(d.depth, node.thickness);
   node.p = pressure.p;
   node.p_rate << d.w, (node.x - d.depth * node.n).cross(d.w);
+  if (thickness_.target) {
+    Vec6 thicker;
+    thicker << d.u, (node.x - d.flat * node.n).cross(d.u);
+    node.p_rate -= d.depth / node.thickness * thicker;
+  }
   node.p_rate *= pressure.slope;
   node.listed = node.passed = false;
   node.load = node.area = 0;
@@ -235,13 +264,13 @@ void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level
 LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, double spacing) const {
   constexpr int kSteps = 6;
   constexpr double kReach = 2;  // spacings
-  LayerPoint best{node.x, node.n, 0, 0, node.depth, node.p, node.depth / thickness_, node.cell};
+  LayerPoint best{node.x, node.n, 0, 0, node.depth, node.p, node.depth / node.thickness, node.cell};
   SurfacePoint here;
   if (!casting_->surface().project(node.x, here)) return best;
   double h = 0.5 * spacing;
   for (int step = 0; step < kSteps; ++step, h = std::max(0.5 * h, 0.05 * spacing)) {
     // The quadratic through six points round here.
-    double d[6];
+    double d[6], target_thickness = 0;
     const Vec2 places[6] = {{0, 0}, {h, 0}, {-h, 0}, {0, h}, {0, -h}, {h, h}};
     for (int k = 0; k < 6; ++k) {
       SurfacePoint there = here;
@@ -249,10 +278,12 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
       const Depth depth = measure(X_TC, {there.p, there.n}, node.triangle);
       if (!depth.met) return best;
       d[k] = depth.depth;
+      if (k == 0) target_thickness = depth.thickness;
     }
     if (d[0] > best.depth) {
-      const double p = law_.at(d[0], thickness_).p;
-      best = {here.p, here.n, 0, 0, d[0], p, d[0] / thickness_, node.cell};
+      const double own = thickness_.casting ? thickness_.casting->at(node.cell, here.p) : 0;
+      const double thick = thickness_.constant + own + target_thickness;
+      best = {here.p, here.n, 0, 0, d[0], law_.at(d[0], thick).p, d[0] / thick, node.cell};
     }
     const double hh = h * h, mixed = (d[5] - d[1] - d[3] + d[0]) / hh;
     const Vec2 gradient((d[1] - d[2]) / (2 * h), (d[3] - d[4]) / (2 * h));
@@ -273,7 +304,7 @@ void SmoothLayer::visit(const Pose& X_TC, Memory& memory, const std::function<vo
   for (const int index : memory.nodes.carrying) {
     const SmoothNode& node = memory.nodes.nodes[at(index)];
     const double depth = std::max(node.depth, 0.0);
-    visit({node.x, node.n, node.area, node.load, depth, std::max(node.p, 0.0), depth / thickness_, node.cell});
+    visit({node.x, node.n, node.area, node.load, depth, std::max(node.p, 0.0), depth / node.thickness, node.cell});
     if (!node.passed && node.depth > 0)
       visit(deepest_from(X_TC, node, casting_->longest_edge(node.cell) / memory.nodes.divisions));
   }

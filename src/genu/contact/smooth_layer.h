@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "genu/contact/layer_quadrature.h"
+#include "genu/contact/layer_thickness.h"
 #include "genu/contact/smooth_cells.h"
 
 namespace genu {
@@ -23,14 +24,18 @@ class SmoothLayer final : public LayerQuadrature {
  public:
   static constexpr int kMaxLevel = 4;
 
-  /// `target`: triangles of the surface `other`, in the same frame; `thickness` of both layers together, m.
+  /// `target`: triangles of the surface `other`, in the same frame. A measured thickness is that of the meshes of
+  /// `casting` and `target`: linear over a cell, and where a line along the normal meets the target's triangles.
   SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,
-              std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law, double thickness);
+              std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law,
+              LayerThickness thickness);
 
   void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const override;
   /// The nodes, and the deepest points found from those deeper than all round them, which stand for no area.
   void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
              int level = 0) const override;
+  std::vector<Ray> cell_rays() const override;
+  const TriangleTree& target() const override { return *target_; }
 
  private:
   struct Depth {
@@ -38,6 +43,9 @@ class SmoothLayer final : public LayerQuadrature {
     double depth = 0;       ///< m, negative outside
     Vec3 w = Vec3::Zero();  ///< its derivative, see add_pressure(); in casting axes
     int triangle = -1;      ///< of the target, -1: not looked for
+    double thickness = 0;   ///< m: measured on the target
+    double flat = 0;        ///< m: depth of the target's triangles, where that is
+    Vec3 u = Vec3::Zero();  ///< derivative of `thickness`, see thickness_rate(); in casting axes
   };
 
   void sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out) const;
@@ -49,6 +57,8 @@ class SmoothLayer final : public LayerQuadrature {
   Depth measure_inside(const Pose& X_TC, const SmoothCells::Place& place, const SmoothCells::Node& node, int hint,
                        Memory& memory) const;
   Depth measure(const Pose& X_TC, const SmoothCells::Node& node, int hint) const;
+  void add_thickness(const Pose& X_TC, const SmoothCells::Node& node, Depth& out) const;
+  double own_thickness(const SmoothCells::Place& place) const;
   LayerPoint deepest_from(const Pose& X_TC, const SmoothNode& node, double spacing) const;
 
   std::shared_ptr<const SmoothCells> casting_;
@@ -56,7 +66,7 @@ class SmoothLayer final : public LayerQuadrature {
   std::shared_ptr<const TriangleTree> target_;
   double search_depth_, lead_, trust_;  // m
   LayerLaw law_;
-  double thickness_;
+  LayerThickness thickness_;
   LayerRays rays_;
 };
 

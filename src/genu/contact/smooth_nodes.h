@@ -11,13 +11,15 @@ namespace genu {
 struct SmoothNode {
   Vec3 x = Vec3::Zero();  ///< m, on the casting surface, in its body's frame
   Vec3 n = Vec3::UnitZ();
-  int triangle = -1;  ///< of the target, met last
+  double own_thickness = 0;  ///< m, of what does not depend on the pose
+  int triangle = -1;         ///< of the target, met last
 
   std::uint64_t pose = 0;  ///< the pose that what follows is of
   bool met = false;        ///< the line along the normal meets the other surface
   bool listed = false;     ///< among SmoothNodes::carrying
   bool passed = false;     ///< a node next to it is deeper
   double depth = 0;        ///< m, negative outside of contact
+  double thickness = 0;    ///< m, of both layers
   double p = 0;            ///< Pa, negative outside of contact
   Vec6 p_rate;             ///< Pa/m, Pa: its derivative to the twist, casting axes
   double load = 0;         ///< N that the node stands for

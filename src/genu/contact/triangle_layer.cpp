@@ -34,12 +34,22 @@ TriangleLayer::TriangleLayer(const Mesh& casting, std::shared_ptr<const Triangle
   for (const auto& t : casting.triangles) areas_.push_back(area_vector(casting, t).norm());
 }
 
+double TriangleLayer::thickness(int ray, const TriangleTree::Hit& hit, const Vec3& origin,
+                                const Vec3& direction) const {
+  const double own = thickness_.casting_at(ray);
+  return thickness_.target ? own + thickness_.target->at(hit.triangle, origin + hit.distance * direction) : own;
+}
+
 void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int) const {
-  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3& direction) {
+  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
     const Ray& ray = rays_.rays()[at(k)];
-    const LayerLaw::Pressure p = law_.at(hit.distance, thickness_.between(k, hit.triangle));
+    const double h = thickness(k, hit, origin, direction);
+    const LayerLaw::Pressure p = law_.at(hit.distance, h);
     const Vec3& plane = rays_.target().area_vector(hit.triangle);
-    const Vec3 w = X_TC.R.transpose() * (plane / -plane.dot(direction));
+    Vec3 w = plane / -plane.dot(direction);
+    if (thickness_.target)
+      w -= hit.distance / h * thickness_rate(thickness_.target->gradient(hit.triangle), direction, w);
+    w = X_TC.R.transpose() * w;
     add_pressure(ray.origin, -ray.direction, ray.origin + hit.distance * ray.direction, w, p.p * areas_[at(k)],
                  p.slope * areas_[at(k)], out);
     out.load += p.p * areas_[at(k)];
@@ -48,9 +58,9 @@ void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int) co
 
 void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
                           int) const {
-  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3&, const Vec3&) {
+  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
     const Ray& ray = rays_.rays()[at(k)];
-    const double h = thickness_.between(k, hit.triangle);
+    const double h = thickness(k, hit, origin, direction);
     const double p = law_.at(hit.distance, h).p;
     visit({ray.origin, -ray.direction, areas_[at(k)], p * areas_[at(k)], hit.distance, p, hit.distance / h, k});
   });

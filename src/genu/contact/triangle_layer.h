@@ -2,29 +2,19 @@
 // normal, to the nearest triangle of the other mesh that the ray comes out of, not deeper than `search_depth`
 // (Smith, Brandon and Thelen 2019: OpenSim-JAM's articular contact).
 //
-// Pressure is continuous while rays wander over the other mesh; where a ray runs off its edge it ends at once.
+// Pressure is continuous while rays wander over the other mesh; where a ray runs off its edge it ends at once. So is a
+// measured thickness (layer_thickness.h): at the ray's start on the casting mesh, where the ray comes out on the
+// target.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "genu/contact/layer_quadrature.h"
+#include "genu/contact/layer_thickness.h"
 #include "genu/geometry/mesh.h"
 
 namespace genu {
-
-/// Thickness (m) of both layers together: one number, or the sum of one for each triangle of either mesh.
-struct LayerThickness {
-  double constant = 0;
-  std::vector<double> casting, target;  ///< of each triangle; empty: nothing to add to `constant`
-
-  double between(int casting_triangle, int target_triangle) const {
-    double h = constant;
-    if (!casting.empty()) h += casting[static_cast<std::size_t>(casting_triangle)];
-    if (!target.empty()) h += target[static_cast<std::size_t>(target_triangle)];
-    return h;
-  }
-};
 
 class TriangleLayer final : public LayerQuadrature {
  public:
@@ -35,9 +25,14 @@ class TriangleLayer final : public LayerQuadrature {
   void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
              int level = 0) const override;
 
+  std::vector<Ray> cell_rays() const override { return rays_.rays(); }
+  const TriangleTree& target() const override { return rays_.target(); }
   int triangle_count() const { return static_cast<int>(areas_.size()); }
 
  private:
+  /// Both layers together where a ray meets the target, m.
+  double thickness(int ray, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) const;
+
   LayerRays rays_;
   std::vector<double> areas_;  // m^2
   LayerLaw law_;

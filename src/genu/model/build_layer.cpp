@@ -5,6 +5,7 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/contact/smooth_layer.h"
 #include "genu/contact/triangle_layer.h"
+#include "genu/model/measured_thickness.h"
 
 namespace genu {
 namespace {
@@ -46,33 +47,52 @@ LayerLaw law_of(const LayerDef& def) {
   return law;
 }
 
-void build_smooth(const LayerDef& def, Mesh a, Mesh b, JointModel::Layer& between) {
+using Field = std::shared_ptr<const ThicknessField>;
+
+void build_smooth(const LayerDef& def, Mesh a, Mesh b, const Field& on_a, const Field& on_b,
+                  JointModel::Layer& between) {
   const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
   const auto cells_a = std::make_shared<const SmoothCells>(std::move(a), between.a);
   const auto cells_b = std::make_shared<const SmoothCells>(std::move(b), between.b);
   const LayerLaw law = law_of(def);
-  const auto side = [&](const auto& cells, const auto& other, const auto& target) {
-    return std::make_shared<SmoothLayer>(cells, other, target, def.search_depth, law, def.thickness);
+  const auto side = [&](const auto& cells, const auto& other, const auto& target, const Field& own,
+                        const Field& others) {
+    return std::make_shared<SmoothLayer>(cells, other, target, between.search_depth, law,
+                                         LayerThickness{def.thickness, own, others});
   };
-  between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
-      {true, 0.5, side(cells_a, between.b, tree_b)}, {false, 0.5, side(cells_b, between.a, tree_a)}});
+  between.layer = std::make_shared<const ElasticLayer>(
+      std::vector<ElasticLayer::Side>{{true, 0.5, side(cells_a, between.b, tree_b, on_a, on_b)},
+                                      {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}});
   between.tolerance = def.tolerance;
   between.most_level = SmoothLayer::kMaxLevel;
 }
 
 }  // namespace
 
-void build_layer(const JointModel& model, const LayerDef& def, JointModel::Layer& between) {
+bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out) {
+  const LayerDef& def = scene.layers[k];
+  JointModel::Layer& between = model.layers[k];
   const bool smooth = def.quadrature == LayerDef::Quadrature::smooth;
   const Facets facets(model, between, smooth ? kSmoothEdge : kEdge);
   Mesh a = facets.of(*between.a, between.body_a), b = facets.of(*between.b, between.body_b);
-  if (smooth) return build_smooth(def, std::move(a), std::move(b), between);
+  Field on_a, on_b;
+  const bool known_a = thickness_on(scene, bones, def.pair.surface_a, a, on_a, out),
+             known_b = thickness_on(scene, bones, def.pair.surface_b, b, on_b, out);
+  if (!known_a || !known_b) return false;
+  between.thinnest = def.thickness + (on_a ? on_a->least() : 0) + (on_b ? on_b->least() : 0);
+  between.thickest = def.thickness + (on_a ? on_a->most() : 0) + (on_b ? on_b->most() : 0);
+  between.search_depth = def.search_depth > 0 ? def.search_depth : between.thickest;
+  if (smooth) {
+    build_smooth(def, std::move(a), std::move(b), on_a, on_b, between);
+    return true;
+  }
   const bool from_a = def.cast_from == def.pair.surface_a;
   const auto target = std::make_shared<const TriangleTree>(from_a ? b : a);
-  const LayerThickness thickness{def.thickness, {}, {}};
+  const LayerThickness thickness{def.thickness, from_a ? on_a : on_b, from_a ? on_b : on_a};
   between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
       {from_a, 1.0,
-       std::make_shared<TriangleLayer>(from_a ? a : b, target, def.search_depth, law_of(def), thickness)}});
+       std::make_shared<TriangleLayer>(from_a ? a : b, target, between.search_depth, law_of(def), thickness)}});
+  return true;
 }
 
 }  // namespace genu

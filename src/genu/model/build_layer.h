@@ -7,8 +7,10 @@
 
 namespace genu {
 
-/// Gives `between` its layer. Meshes are cut into the triangles they have; shapes with a formula into triangles whose
-/// edges are 1/100 of the smaller of both surfaces, or 1/50 where the sum is over smooth surfaces.
-void build_layer(const JointModel& model, const LayerDef& def, JointModel::Layer& between);
+/// Gives model.layers[k] its layer, whose surfaces it has. Meshes are cut into the triangles they have; shapes with a
+/// formula into triangles whose edges are 1/100 of the smaller of both surfaces, or 1/50 where the sum is over smooth
+/// surfaces. False, with the reason in `out`, where a thickness is to be measured and there is no bone; where bone is
+/// missing or stands out in places, a warning in `out` says where.
+bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out);
 
 }  // namespace genu

@@ -137,7 +137,7 @@ std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vec
 }
 
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                                      Diagnostics& out) {
+                                      Diagnostics& out, const Bones& bones) {
   JointModel model;
   for (const BodyDef& body : scene.bodies)
     model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, body.centre});
@@ -184,7 +184,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);
-  for (std::size_t k = 0; k < scene.layers.size(); ++k) build_layer(model, scene.layers[k], model.layers[k]);
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) good = build_layer(scene, bones, model, k, out) && good;
+  if (!good) return std::nullopt;
   return model;
 }
 

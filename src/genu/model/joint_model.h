@@ -14,7 +14,11 @@
 
 namespace genu {
 
+struct BoneUnder;
 class ElasticLayer;
+
+/// One for each of Scene::surfaces: in the frame of its body, or null.
+using Bones = std::vector<std::shared_ptr<const BoneUnder>>;
 
 struct JointModel {
   struct Body {
@@ -62,6 +66,8 @@ struct JointModel {
     std::shared_ptr<const ElasticLayer> layer;
     double tolerance = 0;  ///< relative error of the force that is asked for; 0: the sum is what it is
     int most_level = 0;
+    double thinnest = 0, thickest = 0;  ///< m: of both layers together
+    double search_depth = 0;            ///< m: how far rays look
   };
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.
@@ -87,10 +93,11 @@ struct JointModel {
   Scales scales;
 };
 
-/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces. What the scene's laws cannot
-/// be is added to `out`, and the result is empty.
+/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each
+/// whose thickness is measured (null for others; may be empty where there is none). What the scene's laws cannot be is
+/// added to `out`, and the result is empty; so are warnings on thicknesses.
 std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                                      Diagnostics& out);
+                                      Diagnostics& out, const Bones& bones = {});
 
 /// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
 /// are indices into JointModel::bodies. Only before a State is made of the model.

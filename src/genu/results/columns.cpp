@@ -33,7 +33,7 @@ std::string point_column(const Scene& scene, std::size_t pair, bool second, std:
   return centre_column(scene, scene.contacts[pair], second, axis);
 }
 
-const std::array<LayerColumn, 12> kLayerColumns = {{
+const std::array<LayerColumn, 13> kLayerColumns = {{
     {"force_N", [](const LayerTotals& t) { return t.force.norm(); }},
     {"force_x_N", [](const LayerTotals& t) { return t.force.x(); }},
     {"force_y_N", [](const LayerTotals& t) { return t.force.y(); }},
@@ -45,6 +45,7 @@ const std::array<LayerColumn, 12> kLayerColumns = {{
     {"mean_pressure_MPa", [](const LayerTotals& t) { return t.mean_pressure / kMegapascal; }},
     {"max_pressure_MPa", [](const LayerTotals& t) { return t.max_pressure / kMegapascal; }},
     {"max_depth_mm", [](const LayerTotals& t) { return kMillimetre * t.max_depth; }},
+    {"max_strain", [](const LayerTotals& t) { return t.most_used; }},
     {"points", [](const LayerTotals& t) { return static_cast<double>(t.points); }},
 }};
 

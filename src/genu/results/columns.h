@@ -37,7 +37,7 @@ struct LayerColumn {
   const char* name;  ///< "area_mm2"
   double (*value)(const LayerTotals&);
 };
-extern const std::array<LayerColumn, 12> kLayerColumns;
+extern const std::array<LayerColumn, 13> kLayerColumns;
 
 /// "knee.adduction" of "knee.adduction_deg"
 std::string without_unit(const std::string& column);

@@ -32,6 +32,22 @@ void add_given(const RunSummary& s, ordered_json& j) {
   j["smallest_gap_mm"] = number_or_null(1e3 * s.smallest_gap);
 }
 
+ordered_json hertz_json(const HertzCheck& c) {
+  ordered_json j = {{"contact", c.contact},           {"row", c.row},
+                    {"applies", c.applies()},         {"approach_mm", 1e3 * c.approach},
+                    {"layer_force_N", c.layer_force}, {"layer_max_pressure_MPa", 1e-6 * c.layer_peak_pressure}};
+  if (!c.applies()) {
+    j["why"] = c.why;
+    return j;
+  }
+  j["force_N"] = c.force;
+  j["max_pressure_MPa"] = 1e-6 * c.peak_pressure;
+  j["half_axes_mm"] = {1e3 * c.a, 1e3 * c.b};
+  j["layer_force_over_hertz"] = number_or_null(c.layer_force / c.force);
+  j["half_axis_over_thickness"] = c.axis_over_thickness;
+  return j;
+}
+
 }  // namespace
 
 std::string to_json(const RunSummary& s) {
@@ -60,6 +76,7 @@ std::string to_json(const RunSummary& s) {
                                      {"least_ratio", number_or_null(c.ratio())},
                                      {"poses_below_ratio_10", c.doubtful},
                                      {"poses", c.poses}});
+  for (const HertzCheck& c : s.hertz) j["hertz"].push_back(hertz_json(c));
   for (const auto& [stage, seconds] : s.seconds) j["seconds"][stage] = seconds;
   j["machine"] = {{"hardware_threads", std::thread::hardware_concurrency()}};
   // Names come from files: whatever is no UTF-8 there is replaced, not refused.

@@ -25,6 +25,18 @@ struct ContactLocation {
   double ratio() const { return least_curvature / curvature_uncertainty; }
 };
 
+/// What half spaces of a layer's material would carry at the same approach (run/hertz_check.h), in one row.
+struct HertzCheck {
+  std::string contact;
+  std::size_t row = 0;                                ///< of results.csv, from 1
+  double approach = 0;                                ///< m
+  double layer_force = 0, layer_peak_pressure = 0;    ///< N, Pa: of the layer itself
+  std::string why;                                    ///< why Hertz does not apply; empty where he does
+  double force = 0, peak_pressure = 0, a = 0, b = 0;  ///< N, Pa, half axes in m
+  double axis_over_thickness = 0;
+  bool applies() const { return why.empty(); }
+};
+
 struct RunSummary {
   struct Effect {
     std::string name;      ///< "rigid contact", "ligaments", "loads", "weights", "prescribed coordinates"
@@ -63,6 +75,7 @@ struct RunSummary {
   double smallest_force = 0;                            ///< N, +infinity without contact
   double smallest_gap = 0;                              ///< m, +infinity without contact
   std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh
+  std::vector<HertzCheck> hertz;                        ///< of layers in contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
   int exit_code = 0;

@@ -11,6 +11,9 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/unbalanced.h"
 #include "genu/results/curves.h"
+#include "genu/results/pressure_map.h"
+#include "genu/run/hertz_check.h"
+#include "genu/run/layer_verdict.h"
 
 namespace genu {
 namespace {
@@ -126,6 +129,8 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                                     std::count_if(records.begin(), records.end(), leans),
                                     std::count_if(flawed + 1, records.end(), leans) > 0 ? "s" : "",
                                     flawed - records.begin() + 1, flawed->point.report.why));
+  say_layer_doubts(p, records, s.verdict);
+  for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)
     s.verdict.push_back(fmt::format("{} row{} of {} hold{} no pose that was solved: left out.", s.given->left_out,
                                     s.given->left_out == 1 ? "" : "s", s.given->file,
@@ -162,7 +167,8 @@ std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
   return to_svg(chart);
 }
 
-std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation) {
+std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation,
+                             const std::vector<std::pair<std::string, std::string>>& maps) {
   StagedFolder out;
   std::string error = out.open(folder);
   const auto write = [&](const std::string& name, const std::string& content) {
@@ -171,6 +177,7 @@ std::string write_evaluation(const std::string& folder, const Prepared& prepared
   write("results.csv", evaluation.poses.to_csv());
   write("curves.svg", picture(prepared, evaluation));
   write("summary.json", to_json(evaluation.summary));
+  for (const auto& [name, content] : maps) write(name, content);
   if (error.empty()) error = out.commit();
   return error;
 }
@@ -202,6 +209,7 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
   s.poses_solved = static_cast<int>(out.records.size());
   s.exit_code = s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
+  s.hertz = hertz_checks(prepared, out.records, out.poses);
   s.seconds.emplace_back("evaluating", timer.seconds());
   return out;
 }
@@ -224,7 +232,10 @@ int evaluate_scene(const std::string& path, const std::string& poses, const std:
   same.cancelled = options.cancelled;
   found.folder = folder_for(folder, same, found.summary);
   int code = found.summary.exit_code;
-  if (const std::string error = write_evaluation(found.folder, *prepared, found); !error.empty()) {
+  const auto maps = options.pressure_maps ? pressure_maps(prepared->scene, prepared->model, found.records)
+                                          : std::vector<std::pair<std::string, std::string>>();
+  for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
+  if (const std::string error = write_evaluation(found.folder, *prepared, found, maps); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }

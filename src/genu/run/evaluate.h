@@ -11,6 +11,7 @@ namespace genu {
 
 struct EvaluateOptions {
   PoseColumnOptions columns;
+  bool pressure_maps = false;       ///< as RunOptions::pressure_maps
   std::function<bool()> cancelled;  ///< may be empty
 };
 
@@ -18,7 +19,8 @@ struct Evaluation {
   std::vector<PoseRecord> records;
   ResultTable poses;  ///< the columns of a run's results.csv, then what each moving body lacks to balance
   RunSummary summary;
-  std::string folder;  ///< where the results were written
+  std::string folder;                       ///< where the results were written
+  std::vector<std::string> pressure_files;  ///< in it, where they were asked for
 };
 
 /// Evaluates a scene at every pose, as far as it is not cancelled. Forces of rigid contacts follow from an equilibrium

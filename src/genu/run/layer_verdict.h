@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "genu/results/result_table.h"
-#include "genu/scene/scene.h"
+#include "genu/results/pose_table.h"
+#include "genu/run/prepare.h"
 
 namespace genu {
 
 /// Sentences on layers too stiff for their mesh and on depths that their law or rays do not reach; empty where all is
 /// well. `poses` is the pose_table() of the scene.
-std::vector<std::string> layer_sentences(const Scene& scene, const ResultTable& poses);
+std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& model, const ResultTable& poses);
+
+/// Adds what layer_doubts.h finds at the pose where the search starts and at some of the records.
+void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records, std::vector<std::string>& out);
 
 }  // namespace genu

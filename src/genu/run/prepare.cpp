@@ -11,6 +11,7 @@
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_shape.h"
 #include "genu/run/build_surface.h"
+#include "genu/run/read_bones.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 
@@ -227,8 +228,9 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
   centre_bodies(p.scene);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
+  p.bones = read_bones(p.scene, out);
   if (out.has_errors()) return std::nullopt;
-  auto model = build_model(p.scene, p.surfaces, out);
+  auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
   p.steps = plan_steps(p.scene);

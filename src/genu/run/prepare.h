@@ -26,6 +26,7 @@ struct Prepared {
   Scene scene;  ///< its points from the origins that centre_bodies() chose
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<SurfaceNote> notes;
+  Bones bones;  ///< under surfaces whose thickness is measured
   JointModel model;
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"

@@ -13,7 +13,10 @@
 #include "genu/core/timer.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
+#include "genu/results/pressure_map.h"
 #include "genu/run/contact_location.h"
+#include "genu/run/hertz_check.h"
+#include "genu/run/layer_doubts.h"
 #include "genu/run/layer_verdict.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
@@ -50,6 +53,18 @@ std::vector<double> pair_gaps(const PosePoint& point, const JointModel& model, C
   return gaps;
 }
 
+/// "no unknowns; tibiofemoral measured, 1.1 to 8.3 mm thick"
+std::string layer_note(const Prepared& p) {
+  std::string note = "no unknowns";
+  for (std::size_t k = 0; k < p.model.layers.size(); ++k) {
+    const JointModel::Layer& layer = p.model.layers[k];
+    if (p.scene.layers[k].measured)
+      note += fmt::format("; {} measured, {:.2g} to {:.2g} mm thick", layer.name, kMillimetre * layer.thinnest,
+                          kMillimetre * layer.thickest);
+  }
+  return note;
+}
+
 void note_effects(const Prepared& p, RunSummary& summary) {
   const Scene& scene = p.scene;
   const int bodies = p.model.moving_count;
@@ -67,7 +82,7 @@ void note_effects(const Prepared& p, RunSummary& summary) {
     summary.effects.push_back(
         {"rigid contact pairs", static_cast<int>(scene.contacts.size()), "5 unknowns for each contact point found"});
   if (!scene.layers.empty())
-    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), "no unknowns"});
+    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), layer_note(p)});
   if (!scene.ligaments.empty())
     summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
   if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
@@ -187,7 +202,11 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
           std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
         out.prescribed.push_back(column);
-  for (std::string& sentence : layer_sentences(prepared.scene, out.poses)) s.verdict.push_back(std::move(sentence));
+  for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses))
+    s.verdict.push_back(std::move(sentence));
+  say_layer_doubts(prepared, out.records, s.verdict);
+  s.hertz = hertz_checks(prepared, out.records, out.poses);
+  for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   return out;
 }
@@ -254,9 +273,11 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
   for (const SurfaceDef& def : prepared->scene.surfaces) {
-    if (def.file.empty() || !folder_holds(*folder, def.file)) continue;
-    out.error(*folder, "holds the mesh " + def.file + ", which would be lost with the folder: choose another folder");
-    return std::nullopt;
+    for (const std::string& file : {def.file, def.thickness ? def.thickness->bone : std::string()}) {
+      if (file.empty() || !folder_holds(*folder, file)) continue;
+      out.error(*folder, "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
+      return std::nullopt;
+    }
   }
   return prepared;
 }
@@ -298,7 +319,10 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   }
   int code = found.summary.exit_code;
   found.folder = folder_for(folder, options, found.summary);
-  if (const std::string error = write_results(found.folder, *prepared, found); !error.empty()) {
+  const auto maps = options.pressure_maps ? pressure_maps(prepared->scene, prepared->model, found.records)
+                                          : std::vector<std::pair<std::string, std::string>>();
+  for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
+  if (const std::string error = write_results(found.folder, *prepared, found, maps); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }

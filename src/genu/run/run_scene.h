@@ -23,12 +23,14 @@ struct Solution {
   std::optional<ErrorBars> error_bars;  ///< where they were asked for and the scene has meshes
   std::vector<std::string> prescribed;  ///< columns of `poses` that a step prescribes, in the order they come
   RunSummary summary;
-  std::string folder;  ///< where the results were written
+  std::string folder;                       ///< where the results were written
+  std::vector<std::string> pressure_files;  ///< in it, where they were asked for
 };
 
 struct RunOptions {
   PathOptions path;
-  bool error_bars = false;  ///< solves the scene on other surfaces its meshes might have given as well
+  bool pressure_maps = false;  ///< writes what each triangle of each elastic layer carries at every pose as well
+  bool error_bars = false;     ///< solves the scene on other surfaces its meshes might have given as well
   int starts = 0;  ///< > 0: searches from this many starts at the first pose as well; the path is the same without
   /// rad: how far the starts turn what is free; translations go half the characteristic length for each 20 deg of it
   double spread = kStartSpread;

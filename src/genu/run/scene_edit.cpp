@@ -116,23 +116,28 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
   };
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
     const SurfaceDef& s = scene.surfaces[k];
-    if (s.shape != SurfaceDef::Shape::mesh) continue;
-    if (used.count(static_cast<int>(k)) == 0) {
+    const bool meshed = s.shape == SurfaceDef::Shape::mesh;
+    if (meshed && used.count(static_cast<int>(k)) == 0) {
       drop("surface." + s.name, s.where);
     } else {
       const TomlNode* table = document->member("surface")->member(s.name);
-      const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(s.file).lexically_normal();
-      const TomlNode* name = table ? table->member("file") : nullptr;
-      const std::string path = to.lexically_relative(from).generic_string();
-      const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
-      if (name && !(plain && lines.replace(s.file_where.line, name->text, path)))
-        out.add({.file = file,
-                 .line = s.file_where.line,
-                 .column = s.file_where.column,
-                 .key = "surface." + s.name + ".file",
-                 .found = {},
-                 .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, backslashes "
-                         "and control characters"});
+      const auto rename = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
+        const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(opened).lexically_normal();
+        const std::string path = to.lexically_relative(from).generic_string();
+        const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
+        if (name && !(plain && lines.replace(name->where.line, name->text, path)))
+          out.add({.file = file,
+                   .line = name->where.line,
+                   .column = name->where.column,
+                   .key = "surface." + s.name + key,
+                   .found = {},
+                   .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, "
+                           "backslashes and control characters"});
+      };
+      if (meshed) rename(table ? table->member("file") : nullptr, s.file, ".file");
+      const TomlNode* thickness = table ? table->member("thickness") : nullptr;
+      if (thickness && s.thickness && s.thickness->measured)
+        rename(thickness->member("bone"), s.thickness->bone, ".thickness.bone");
     }
   }
   for (const int k : replaced) {

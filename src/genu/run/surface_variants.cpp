@@ -70,7 +70,8 @@ std::optional<Prepared> vary(const Prepared& prepared, const std::vector<MeshNoi
     if (!out.surfaces.back()) return std::nullopt;
   }
   Diagnostics unused;
-  auto model = build_model(out.scene, out.surfaces, unused);
+  out.bones = prepared.bones;
+  auto model = build_model(out.scene, out.surfaces, unused, out.bones);
   if (!model || unused.has_errors()) return std::nullopt;
   out.model = std::move(*model);
   return out;

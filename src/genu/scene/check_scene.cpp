@@ -208,6 +208,7 @@ std::vector<Pose> reference_poses(const Scene& scene) {
 }
 
 void check_scene(ReadContext& context) {
+  check_thickness_used(context);
   check_columns(context);
   if (!check_tree(context)) return;
   check_lengths(context);

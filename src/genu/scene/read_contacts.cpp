@@ -78,16 +78,10 @@ void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   if (nu && *nu >= 0.5)
     refuse(context, poisson, "must be < 0.5: a layer that cannot be compressed carries any pressure");
   layer.poisson = nu.value_or(0);
-  const NumberRule length = positive(length_rule(context));
-  layer.thickness = read_number(context, section.require("thickness"), length).value_or(0);
+  read_layer_thickness(context, section, layer);
   if (const Item law = section.find("law"))
     layer.law = static_cast<LayerDef::Law>(read_choice(context, law, {"linear", "logarithmic"}).value_or(0));
   read_quadrature(context, section, layer);
-  layer.search_depth = layer.thickness;
-  const Item depth = section.find("search_depth");
-  if (!depth) return;
-  layer.search_depth = read_number(context, depth, length).value_or(0);
-  layer.search_depth_where = depth.node->where;
 }
 
 }  // namespace

@@ -22,6 +22,18 @@ void check_scene(ReadContext& context);
 /// lies along the body's x, the axes are the body's in cyclic order (x = the body's y).
 Pose read_placement(ReadContext& context, Section& section);
 
+/// The file of a mesh, which must exist, as it is to be opened. `where` gets the value's place.
+std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocation& where);
+
+/// `thickness` of a surface.
+std::optional<SurfaceDef::Thickness> read_surface_thickness(ReadContext& context, const Item& item);
+
+/// `thickness` and `search_depth` of a layer whose surfaces are known; the thickness may be that of the surfaces.
+void read_layer_thickness(ReadContext& context, Section& section, LayerDef& layer);
+
+/// A surface's thickness says something only where a layer uses it.
+void check_thickness_used(ReadContext& context);
+
 /// `patch` of a surface whose shape is known.
 std::optional<SurfaceDef::Patch> read_patch(ReadContext& context, const Item& item, const SurfaceDef& surface);
 

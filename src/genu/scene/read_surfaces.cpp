@@ -81,27 +81,8 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
     refuse(context, terms, "needs a term [0, 0, r] with r > 0: the radius at theta = z = 0");
 }
 
-void read_mesh_file(ReadContext& context, const Item& item, SurfaceDef& surface) {
-  const auto name = read_string(context, item);
-  if (!name) return;
-  surface.file_where = item.node->where;
-  const fs::path path = context.folder / fs::path(*name);
-  surface.file = path.lexically_normal().string();
-  std::error_code failed;
-  const fs::file_status status = fs::status(path, failed);
-  if (name->empty() || name->find('\0') != std::string::npos) {
-    refuse(context, item, "must name a mesh file");
-  } else if (status.type() == fs::file_type::not_found) {
-    refuse(context, item, "no such file: " + surface.file);
-  } else if (failed) {
-    refuse(context, item, "cannot be read: " + surface.file + ": " + failed.message());
-  } else if (!fs::is_regular_file(status)) {
-    refuse(context, item, "is not a file: " + surface.file);
-  }
-}
-
 void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
-  read_mesh_file(context, section.require("file"), surface);
+  surface.file = read_mesh_file(context, section.require("file"), surface.file_where);
   const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
   surface.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
   const Item radius = section.find("fit_radius");
@@ -152,6 +133,26 @@ void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
 
 }  // namespace
 
+std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocation& where) {
+  const auto name = read_string(context, item);
+  if (!name) return {};
+  where = item.node->where;
+  const fs::path path = context.folder / fs::path(*name);
+  std::string file = path.lexically_normal().string();
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (name->empty() || name->find('\0') != std::string::npos) {
+    refuse(context, item, "must name a mesh file");
+  } else if (status.type() == fs::file_type::not_found) {
+    refuse(context, item, "no such file: " + file);
+  } else if (failed) {
+    refuse(context, item, "cannot be read: " + file + ": " + failed.message());
+  } else if (!fs::is_regular_file(status)) {
+    refuse(context, item, "is not a file: " + file);
+  }
+  return file;
+}
+
 void read_surfaces(ReadContext& context, Section& root) {
   const std::vector<std::string> bodies = names_of(context.scene.bodies);
   for (const Item& item : named_tables(context, root, "surface")) {
@@ -164,6 +165,7 @@ void read_surfaces(ReadContext& context, Section& root) {
     surface.placement = read_placement(context, section);
     surface.inside = read_bool(context, section.find("inside")).value_or(false);
     surface.patch = read_patch(context, section.find("patch"), surface);
+    surface.thickness = read_surface_thickness(context, section.find("thickness"));
     section.finish();
     context.scene.surfaces.push_back(surface);
   }

@@ -81,6 +81,16 @@ struct SurfaceDef {
     Range theta;                                             ///< about z from x toward y, rad
     SourceLocation where;
   };
+  /// Of the cartilage on the surface: a number, or what lies between it and the mesh of a bone.
+  struct Thickness {
+    bool measured = false;
+    double constant = 0;    ///< m, where it is not measured
+    std::string bone;       ///< mesh: path as opened
+    double bone_unit = 1;   ///< m per unit of that file
+    double least = 0.5e-3;  ///< m: what is thinner counts as this thick
+    double most = 10e-3;    ///< m: how far the bone is looked for
+    SourceLocation where, bone_where;
+  };
   std::string name;
   int body = -1;
   Shape shape = Shape::plane;
@@ -96,6 +106,7 @@ struct SurfaceDef {
   std::optional<double> fit_radius;  ///< mesh: m
   std::optional<int> degree;         ///< mesh: 2 to 4
   std::optional<Patch> patch;
+  std::optional<Thickness> thickness;  ///< where the surface has one of its own
   SourceLocation where;
   SourceLocation file_where;
   SourceLocation fit_radius_where;  ///< where one is given
@@ -127,15 +138,15 @@ struct LayerDef {
   enum class Law { linear, logarithmic };
   enum class Quadrature { triangles, smooth };
   ContactDef pair;
-  double modulus = 0;    ///< Young's, Pa
-  double poisson = 0;    ///< in [0, 0.5)
-  double thickness = 0;  ///< m, of both layers together
+  double modulus = 0;     ///< Young's, Pa
+  double poisson = 0;     ///< in [0, 0.5)
+  double thickness = 0;   ///< m, of both layers together, without what is measured on a surface
+  bool measured = false;  ///< on one of the surfaces at least
   Law law = Law::linear;
   Quadrature quadrature = Quadrature::smooth;
   double tolerance = 1e-4;  ///< smooth: relative error of the force
   int cast_from = -1;       ///< triangles: index into Scene::surfaces
-  double search_depth = 0;  ///< m: how far rays look
-  SourceLocation search_depth_where;
+  double search_depth = 0;  ///< m: how far rays look; 0: as deep as the layers are thick, where that is measured
 };
 
 struct LigamentDef {

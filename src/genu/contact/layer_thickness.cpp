@@ -1,0 +1,36 @@
+#include "genu/contact/layer_thickness.h"
+
+#include <algorithm>
+
+namespace genu {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+ThicknessField::ThicknessField(const Mesh& mesh, std::vector<double> at_vertices, std::vector<double> at_centroids)
+    : at_vertices_(std::move(at_vertices)), at_centroids_(std::move(at_centroids)) {
+  const bool given = !at_centroids_.empty();
+  planes_.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[index(t[0])];
+    const Vec3 b = mesh.vertices[index(t[1])] - a, c = mesh.vertices[index(t[2])] - a, normal = b.cross(c);
+    const double h = at_vertex(t[0]), to_b = at_vertex(t[1]) - h, to_c = at_vertex(t[2]) - h;
+    const double size = normal.squaredNorm();
+    planes_.push_back({a, size > 0 ? Vec3((to_b * c.cross(normal) + to_c * normal.cross(b)) / size) : Vec3::Zero(), h});
+    if (!given) at_centroids_.push_back(h + (to_b + to_c) / 3);
+  }
+  if (at_vertices_.empty()) return;
+  const auto [low, high] = std::minmax_element(at_vertices_.begin(), at_vertices_.end());
+  least_ = *low, most_ = *high;
+  for (const double h : at_centroids_) least_ = std::min(least_, h), most_ = std::max(most_, h);
+}
+
+double ThicknessField::at(int triangle, const Vec3& x) const {
+  const Plane& plane = planes_[static_cast<std::size_t>(triangle)];
+  // Rounding may put x a little outside of the triangle: never beyond what is known anywhere.
+  return std::clamp(plane.h + plane.gradient.dot(x - plane.corner), least_, most_);
+}
+
+}  // namespace genu

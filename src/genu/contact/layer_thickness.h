@@ -1,0 +1,48 @@
+// How thick the two layers of a contact are: one number for both, or what was measured on either mesh.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "genu/geometry/mesh.h"
+
+namespace genu {
+
+/// Thickness on the mesh of one surface: known at its vertices, linear over each triangle. So it is continuous while a
+/// contact wanders over the mesh, invents nothing between the vertices and has an exact derivative inside of each
+/// triangle; its slope jumps at edges.
+class ThicknessField {
+ public:
+  /// One thickness (m) for each vertex of the mesh. A ray that starts at a triangle's centroid has a thickness of its
+  /// own where `at_centroids` has one for each triangle; else that of the field there.
+  ThicknessField(const Mesh& mesh, std::vector<double> at_vertices, std::vector<double> at_centroids = {});
+
+  double at_vertex(int vertex) const { return at_vertices_[static_cast<std::size_t>(vertex)]; }
+  double at_centroid(int triangle) const { return at_centroids_[static_cast<std::size_t>(triangle)]; }
+  /// At x, on the plane of the triangle, in the mesh's frame.
+  double at(int triangle, const Vec3& x) const;
+  /// Its derivative by x: along the triangle.
+  const Vec3& gradient(int triangle) const { return planes_[static_cast<std::size_t>(triangle)].gradient; }
+
+  double least() const { return least_; }  ///< m
+  double most() const { return most_; }    ///< m
+
+ private:
+  struct Plane {
+    Vec3 corner, gradient;
+    double h;  ///< at the corner
+  };
+  std::vector<double> at_vertices_, at_centroids_;
+  std::vector<Plane> planes_;  // of each triangle
+  double least_ = 0, most_ = 0;
+};
+
+/// Thickness (m) of both layers together.
+struct LayerThickness {
+  double constant = 0;
+  std::shared_ptr<const ThicknessField> casting, target;  ///< null: nothing to add to `constant`
+
+  double casting_at(int triangle) const { return constant + (casting ? casting->at_centroid(triangle) : 0); }
+};
+
+}  // namespace genu

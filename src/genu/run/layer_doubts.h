@@ -1,0 +1,19 @@
+// What the geometry of a layer gives reason to doubt: surfaces that face the same way, and rays that reach through.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/run/prepare.h"
+
+namespace genu {
+
+/// A sentence for each layer whose surfaces face the same way where they are nearest: one of the two is inside out. Of
+/// the first of `states` in which the surfaces are near.
+std::vector<std::string> facing_doubts(const Prepared& prepared, const std::vector<const State*>& states);
+
+/// A sentence for each layer with rays that carry load though they enter the other body before they leave it: what they
+/// measure is no overlap, but the far side of something thinner than `search_depth`. Of the worst of `states`.
+std::vector<std::string> reach_doubts(const Prepared& prepared, const std::vector<const State*>& states);
+
+}  // namespace genu

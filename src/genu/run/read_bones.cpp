@@ -1,0 +1,46 @@
+#include "genu/run/read_bones.h"
+
+#include "genu/contact/bone_thickness.h"
+#include "genu/geometry/mesh_check.h"
+#include "genu/geometry/mesh_reader.h"
+#include "genu/geometry/mesh_shape.h"
+#include "genu/geometry/mesh_topology.h"
+
+namespace genu {
+namespace {
+
+std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef& surface, Diagnostics& out) {
+  const SurfaceDef::Thickness& thickness = *surface.thickness;
+  Diagnostics found;
+  auto mesh = read_mesh(thickness.bone, thickness.bone_unit, found);
+  if (mesh) check_scale(check_mesh(*mesh), thickness.bone, thickness.bone_unit == 1 ? "m" : "mm", found);
+  for (Diagnostic d : found.items()) {
+    d.rule = d.file.empty() || d.file == thickness.bone ? d.rule : d.file + ": " + d.rule;
+    d.file = scene.file;
+    d.line = thickness.bone_where.line;
+    d.column = thickness.bone_where.column;
+    d.key = "surface." + surface.name + ".thickness.bone";
+    d.found = '"' + thickness.bone + '"';
+    out.add(std::move(d));
+  }
+  if (!mesh || found.has_errors()) return nullptr;
+  make_winding_consistent(*mesh, mesh_edges(*mesh));
+  turn_odd_pieces(*mesh);
+  for (Vec3& v : mesh->vertices) v = surface.placement * v;
+  BoneUnder bone;
+  bone.triangles = std::make_shared<const TriangleTree>(*mesh);
+  bone.least = thickness.least;
+  bone.most = thickness.most;
+  return std::make_shared<const BoneUnder>(std::move(bone));
+}
+
+}  // namespace
+
+Bones read_bones(const Scene& scene, Diagnostics& out) {
+  Bones bones;
+  for (const SurfaceDef& surface : scene.surfaces)
+    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, out) : nullptr);
+  return bones;
+}
+
+}  // namespace genu
