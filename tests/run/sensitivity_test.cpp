@@ -241,7 +241,7 @@ TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
   ASSERT_EQ(run_sensitivity(scene, {}, {{"knee.z"}, {"all"}}, {}, out, r), kExitOk) << test::messages(out);
   EXPECT_NE(r.text.find("not of the surfaces under elastic layers (medial)"), std::string::npos) << r.text;
   const auto stiffer = [&](double k) {
-    return test::table_of(test::replaced(read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
+    return test::table_of(test::replaced(test::read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
                                          "stiffness = " + std::to_string(k) + "\nreference_strain = 0.05"));
   };
   constexpr double kStep = 20;

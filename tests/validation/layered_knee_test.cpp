@@ -91,5 +91,16 @@ TEST(LayeredKnee, SoftAndStiffAndEveryResolution) {
     }
 }
 
+TEST(LayeredKnee, LightAndHeavyLoadsSoftAndStiff) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl");
+  for (const char* load : {"100", "500", "1000"})
+    for (const char* modulus : {"1", "10", "100", "1000"}) {
+      const Solution solution = solve_text(layered("", 90, 30, load, modulus));
+      EXPECT_EQ(solution.summary.poses_solved, 31) << load << " N, " << modulus << " MPa";
+      for (std::size_t row = 0; row < solution.poses.rows(); ++row)
+        EXPECT_LT(solution.poses.number(row, "residual"), 1e-10) << load << " N, " << modulus << " MPa, row " << row;
+    }
+}
+
 }  // namespace
 }  // namespace genu

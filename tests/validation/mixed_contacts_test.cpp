@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/contact/layer_law.h"
 #include "genu/run/evaluate.h"
 #include "run/scenes.h"
 #include "support/knee_scene.h"

@@ -58,10 +58,21 @@ void ContactInspector::inspect(const State& state, Findings& out) {
   inspect_held(state, out);
   look_for_merged(state, out);
   look_everywhere(state, out);
+  if (!model_->layers.empty()) look_for_buried(state, out);
   if (field_->any_doubtful()) look_for_doubt(state, out);
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
   std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
                    [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
+}
+
+void ContactInspector::look_for_buried(const State& state, Findings& out) {
+  const auto buried = field_->buried(state);
+  if (!buried) return;
+  const auto& layer = model_->layers[at(buried->layer)];
+  out.deep_overlap = true;
+  out.worst = std::min(out.worst, -buried->depth / model_->scales.length);
+  out.where = fmt::format("{} by {:.3f} mm, deeper than its search_depth of {:.3g} mm", layer.name, 1e3 * buried->depth,
+                          1e3 * layer.search_depth);
 }
 
 void ContactInspector::look_for_doubt(const State& state, Findings& out) {
