@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "genu/contact/elastic_layer.h"
+
 namespace genu {
 namespace {
 
@@ -69,6 +71,13 @@ void ContactInspector::look_for_buried(const State& state, Findings& out) {
   const auto buried = field_->buried(state);
   if (!buried) return;
   const auto& layer = model_->layers[at(buried->layer)];
+  // A soft layer may be pressed deeper than that somewhere and still carry what it is asked to: the run tells how deep.
+  // One that carries nothing is taken for free though it is not.
+  ElasticLayer::Memory memory;
+  LayerWrench pressed;
+  layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], memory, pressed,
+                        state.layer_level(at(buried->layer)));
+  if (pressed.load > 0) return;
   out.deep_overlap = true;
   out.worst = std::min(out.worst, -buried->depth / model_->scales.length);
   out.where = fmt::format("{} by {:.3f} mm, deeper than its search_depth of {:.3g} mm", layer.name, 1e3 * buried->depth,
