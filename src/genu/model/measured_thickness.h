@@ -1,6 +1,7 @@
 // The thickness that a scene wants measured on a surface, and what is to be said about it.
 #pragma once
 
+#include "genu/contact/bone_thickness.h"
 #include "genu/model/joint_model.h"
 
 namespace genu {
