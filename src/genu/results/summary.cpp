@@ -27,6 +27,7 @@ void add_motion(const RunSummary& s, ordered_json& j) {
   j["motion"] = {{"duration_s", m.duration},
                  {"output_interval_s", m.output_interval},
                  {"tolerance", m.tolerance},
+                 {"method", m.method},
                  {"steps", m.steps},
                  {"evaluations", m.evaluations},
                  {"jacobians", m.jacobians},

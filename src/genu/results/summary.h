@@ -64,6 +64,7 @@ struct RunSummary {
   /// Of a motion over time, in the place of what a search for equilibria counts.
   struct Motion {
     double duration = 0, output_interval = 0, tolerance = 0;  ///< s, s, 1
+    std::string method;                                       ///< in words
     long steps = 0, evaluations = 0, jacobians = 0, starts = 0;
     double worst_residual = 0, worst_drift = 0;  ///< of constraints, MotionPoint
     double worst_energy = 0, energy_scale = 0;   ///< J: error of the balance; largest energy or work

@@ -105,6 +105,7 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
   s.motion = {plan.duration,
               plan.output_interval,
               plan.tolerance,
+              result.stiff_from ? fmt::format("Adams, from {:g} s on BDF: stiff", *result.stiff_from) : "Adams",
               result.counts.steps,
               result.counts.evaluations,
               result.counts.jacobians,

@@ -14,6 +14,7 @@ namespace {
 constexpr double kOnConstraints = 1e-14;  // scaled residual: positions of some lengths' size round to this
 constexpr double kLargestResidual = 1e-11;
 constexpr int kMostProjections = 8;
+constexpr double kRounding = 1e-15;  // of a position: less is not asked for, however small the scale of length
 constexpr double kSecond = 1;  // s: speeds below length / kSecond are small
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -182,7 +183,8 @@ void EquationsOfMotion::weights(OdeSystem::Values y, Eigen::Ref<VecX> out) const
   const double length = model_.scales.length;
   for (int k = 0; k < bodies; ++k) {
     const Eigen::Index speeds = 7 * bodies + 6 * k;
-    out.segment<3>(7 * k).setConstant(1 / (tolerance_ * length));
+    const double place = std::max(tolerance_ * length, kRounding * y.segment<3>(7 * k).norm());
+    out.segment<3>(7 * k).setConstant(1 / place);
     out.segment<4>(7 * k + 3).setConstant(1 / tolerance_);
     out.segment<3>(speeds).setConstant(1 / (tolerance_ * (length / kSecond + y.segment<3>(speeds).norm())));
     out.segment<3>(speeds + 3).setConstant(1 / (tolerance_ * (1 / kSecond + y.segment<3>(speeds + 3).norm())));

@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kMostSwitches = 1000;         // without time going on by more than kStill of the duration
 constexpr double kStill = 1e-9;
+constexpr long kLookAtStiffness = 500;      // steps: 2 evaluations each, and one look costs some 30
+constexpr double kStabilityBound = 0.6;     // step times decay: Adams of orders 4 to 8 are stable to 0.5 ... 1
 constexpr double kRounding = 1e-12;         // of the output interval: a row this near the end is the end
 constexpr double kLargestDrift = 1e-6;      // from the constraints: beyond, the integration begins anew on them
 
@@ -72,6 +74,7 @@ class Motion {
         stops_(stops_of(model, plan.duration)),
         largest_step_(largest_step(model, plan.duration)) {
     now_.state = start_state(model);
+    now_.state.multipliers.assign(model.held.size(), 0.0);
     now_.twist = start_twist(model, now_.state, plan);
     switches_.settle(now_, equations_.pieces(), equations_.modes());
   }
@@ -102,7 +105,7 @@ class Motion {
 
   /// Starts the integration at a point that is on the constraints.
   bool begin_at(double t, const VecX& y) {
-    if (!equations_.read(t, y, now_) || !integrator_.start(t, equations_.pack(now_), largest_step_)) {
+    if (!equations_.read(t, y, now_) || !integrator_.start(t, equations_.pack(now_), largest_step_, method_)) {
       result_.why = fmt::format("the equations of motion cannot be evaluated at {:.9g} s", t);
       return false;
     }
@@ -151,7 +154,16 @@ class Motion {
     equations_.continue_from(now_);
     if (taken == OdeIntegrator::Step::root) return switch_over();
     reached = taken == OdeIntegrator::Step::stopped || now_.time >= stop;
-    if (now_.drift > kLargestDrift) return begin_at(now_.time, equations_.pack(now_));
+    if (now_.drift > kLargestDrift || found_stiff()) return begin_at(now_.time, equations_.pack(now_));
+    return true;
+  }
+
+  /// Whether Adams' steps have become so short that only stability can ask for it; then BDF goes on.
+  bool found_stiff() {
+    if (method_ == OdeMethod::bdf || ++steps_ % kLookAtStiffness != 0) return false;
+    if (integrator_.last_step() * integrator_.fastest_decay() < kStabilityBound) return false;
+    method_ = OdeMethod::bdf;
+    result_.stiff_from = now_.time;
     return true;
   }
 
@@ -206,6 +218,8 @@ class Motion {
   VecX between_;
   std::size_t written_ = 0;
   bool tried_ = false;
+  OdeMethod method_ = OdeMethod::adams;
+  long steps_ = 0;
   double last_switch_ = -std::numeric_limits<double>::infinity();
   int switched_ = 0;
   MotionResult result_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ struct MotionPlan {
   double tolerance = 0;
   std::vector<std::pair<CoordinateRef, double>> start_rates;  ///< rad/s, m/s; others are 0
 
-  static constexpr double kStepShare = 0.01;
+  static constexpr double kStepShare = 1e-3;
   static constexpr double kLeastStepTolerance = 1e-14;  ///< rounding alone is not far below
 };
 
@@ -28,6 +29,7 @@ struct MotionResult {
   bool complete = false;
   std::string why;  ///< where it is not
   OdeCounts counts;
+  std::optional<double> stiff_from;  ///< s: where BDF took over from Adams
   double worst_residual = 0;  ///< of the constraints in all points handed over: MotionPoint::residual
   double worst_drift = 0;     ///< of the integrated numbers from the constraints, after any step
 };

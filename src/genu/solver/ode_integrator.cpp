@@ -1,15 +1,22 @@
 #include "genu/solver/ode_integrator.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <Eigen/Eigenvalues>
 
 namespace genu {
 namespace {
 
 constexpr long kMostSteps = 100'000'000;  // CVODE's own limit between two returns: one step each here
+
+constexpr double kDifference = 1e-7;      // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
+constexpr double kDamped = 0.1;           // of |lambda|: a root that decays as fast as this is damped
 
 template <typename T, void (*Free)(T)>
 struct Deleter {
@@ -31,6 +38,7 @@ void be_silent(int, const char*, const char*, char*, void*) {}
 
 struct OdeIntegrator::Impl {
   OdeSystem system;
+  OdeMethod method = OdeMethod::adams;
   Owned<SUNContext, free_context> context;
   Owned<N_Vector, N_VDestroy> y;
   Owned<SUNMatrix, free_matrix> matrix;
@@ -73,7 +81,7 @@ struct OdeIntegrator::Impl {
     context.reset(made);
     y.reset(N_VNew_Serial(system.size, made));
     view(y.get()) = now;
-    memory.reset(CVodeCreate(CV_BDF, made));
+    memory.reset(CVodeCreate(method == OdeMethod::adams ? CV_ADAMS : CV_BDF, made));
     void* m = memory.get();
     if (m == nullptr || CVodeInit(m, rate, t, y.get()) != CV_SUCCESS) return false;
     matrix.reset(SUNDenseMatrix(system.size, system.size, made));
@@ -94,9 +102,11 @@ OdeIntegrator::OdeIntegrator(OdeSystem system) : impl_(std::make_unique<Impl>())
 
 OdeIntegrator::~OdeIntegrator() = default;
 
-bool OdeIntegrator::start(double t, const VecX& y, double largest_step) {
+bool OdeIntegrator::start(double t, const VecX& y, double largest_step, OdeMethod method) {
   Impl& i = *impl_;
   i.before = counts();
+  if (method != i.method) i.memory.reset();
+  i.method = method;
   i.now = y;
   i.time = t;
   if (!i.memory) {
@@ -126,6 +136,34 @@ OdeIntegrator::Step OdeIntegrator::step(double stop) {
 }
 
 double OdeIntegrator::time() const { return impl_->time; }
+
+double OdeIntegrator::last_step() const {
+  double h = 0;
+  CVodeGetLastStep(impl_->memory.get(), &h);
+  return h;
+}
+
+double OdeIntegrator::fastest_decay() const {
+  const Impl& i = *impl_;
+  const Eigen::Index n = i.system.size;
+  VecX y = i.now, weights(n), at_y(n), beside(n);
+  MatX jacobian(n, n);
+  i.system.weights(y, weights);
+  if (!i.system.rate(i.time, y, at_y)) return 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double step = std::max(kDifference * std::abs(y[k]), kDifference);
+    y[k] += step;
+    if (!i.system.rate(i.time, y, beside)) return 0;
+    jacobian.col(k) = (beside - at_y) / step;
+    y[k] = i.now[k];
+  }
+  double fastest = 0;
+  const Eigen::VectorXcd lambdas = Eigen::EigenSolver<MatX>(jacobian, false).eigenvalues();
+  for (const auto& lambda : lambdas)
+    if (lambda.real() < -kDamped * std::abs(lambda)) fastest = std::max(fastest, std::abs(lambda));
+  return fastest;
+}
+
 const VecX& OdeIntegrator::y() const { return impl_->now; }
 const std::vector<int>& OdeIntegrator::roots() const { return impl_->roots; }
 const std::string& OdeIntegrator::failure() const { return impl_->failure; }

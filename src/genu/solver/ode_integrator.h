@@ -26,6 +26,10 @@ struct OdeCounts {
   long steps = 0, evaluations = 0, jacobians = 0, starts = 0, error_test_failures = 0;
 };
 
+/// Adams-Moulton, orders 1 to 12: accurate, but steps stay below about 1 / |lambda| of the fastest decay. BDF, orders 1
+/// to 5: no such bound.
+enum class OdeMethod { adams, bdf };
+
 class OdeIntegrator {
  public:
   enum class Step { taken, stopped, root, failed };
@@ -36,13 +40,18 @@ class OdeIntegrator {
   OdeIntegrator& operator=(const OdeIntegrator&) = delete;
 
   /// Begins anew at (t, y), without a past. Steps are at most `largest_step` (s).
-  bool start(double t, const VecX& y, double largest_step);
+  bool start(double t, const VecX& y, double largest_step, OdeMethod method);
 
   /// One step, of a size of its own choice, not beyond `stop`. f is not evaluated beyond `stop`.
   Step step(double stop);
 
   double time() const;    ///< s, after the last step: the root's, where it found one
   const VecX& y() const;  ///< there
+
+  double last_step() const;  ///< s
+
+  /// |lambda| (1/s) of the fastest eigenvalue of df/dy that is damped; 0 where none is.
+  double fastest_decay() const;
 
   /// y at a time of the last step, to its accuracy.
   void interpolate(double t, VecX& y) const;
