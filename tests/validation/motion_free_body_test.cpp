@@ -28,14 +28,15 @@ TEST(MotionFreeBody, ATopKeepsEnergyAndMomentum) {
   // Turning about its middle axis, which tumbles over, with the centre of mass off the origin.
   const Scene scene = motion_scene(
       kGround +
-      free_body("top", "mass = 1.5\ncentre_of_mass = [0.1, -0.05, 0.2]\ninertia = [0.02, 0.03, 0.04, 0.002, 0, 0.001]") +
+      free_body("top",
+                "mass = 1.5\ncentre_of_mass = [0.1, -0.05, 0.2]\ninertia = [0.02, 0.03, 0.04, 0.002, 0, 0.001]") +
       dynamics(10, 0.1, 1e-11, "\"top_in.a\" = 0.02, \"top_in.b\" = 6, \"top_in.c\" = 0.03, \"top_in.x\" = 0.5"));
   ASSERT_TRUE(scene.dynamics);
   const Prepared p = test::prepared_motion(scene);
   const Inertia& inertia = p.model.inertias[0];
   std::vector<MotionPoint> points;
-  const MotionResult result =
-      follow_motion(p.model, plan_motion(*scene.dynamics), {[&](const MotionPoint& m) { points.push_back(m); }, {}, {}});
+  const MotionResult result = follow_motion(p.model, plan_motion(*scene.dynamics),
+                                            {[&](const MotionPoint& m) { points.push_back(m); }, {}, {}});
   ASSERT_TRUE(result.complete) << result.why;
   Vec3 first_momentum, first_centre, first_speed;
   double worst_momentum = 0, worst_energy = 0, worst_line = 0, first_energy = 0, least = 1;
@@ -87,8 +88,8 @@ slack_length = {}
     worst = std::max(worst, std::abs((kA * s.poses.number(row, "a_in.x_mm") + kB * s.poses.number(row, "b_in.x_mm")) *
                                          1e-3 / (kA + kB) -
                                      centre));
-    worst_force = std::max(
-        worst_force, std::abs(s.poses.number(row, "spring.force_N") - kStiffness * stretch - kDamping * rate));
+    worst_force =
+        std::max(worst_force, std::abs(s.poses.number(row, "spring.force_N") - kStiffness * stretch - kDamping * rate));
   }
   EXPECT_LT(worst, 1e-10) << "m";
   EXPECT_LT(worst_force, 1e-8) << "N";
@@ -98,9 +99,10 @@ slack_length = {}
 TEST(MotionFreeBody, ATetherWithADamperGoesTautAndSlack) {
   // Flies out, is caught by the tether, let go where tether and damper would push, and flies back slack.
   constexpr double kMass = 0.5, kStiffness = 200, kDamping = 3, kSlack = 0.5, kSpeed = 1.1;
-  const Solution s = motion_of(kGround +
-                               free_body("ball", "mass = 0.5\ninertia = [0.001, 0.001, 0.001]", "{ x = 0.4 }\nreference = { x = 0.4 }") +
-                               fmt::format(R"([ligament.tether]
+  const Solution s = motion_of(
+      kGround +
+      free_body("ball", "mass = 0.5\ninertia = [0.001, 0.001, 0.001]", "{ x = 0.4 }\nreference = { x = 0.4 }") +
+      fmt::format(R"([ligament.tether]
 from = {{ body = "ground", point = [0, 0, 0] }}
 to = {{ body = "ball", point = [0, 0, 0] }}
 law = "linear"
@@ -108,8 +110,8 @@ stiffness = {}
 damping = {}
 slack_length = {}
 )",
-                                           kStiffness * kSlack, kDamping, kSlack) +
-                               dynamics(0.8, 0.01, 1e-11, fmt::format("\"ball_in.x\" = {}", kSpeed)));
+                  kStiffness * kSlack, kDamping, kSlack) +
+      dynamics(0.8, 0.01, 1e-11, fmt::format("\"ball_in.x\" = {}", kSpeed)));
   const double caught = 0.1 / kSpeed, delta = kDamping / (2 * kMass);
   const double omega = std::sqrt(kStiffness / kMass - delta * delta);
   const double held = (std::numbers::pi - std::atan(kDamping * omega / (kStiffness - kDamping * delta))) / omega;

@@ -80,9 +80,8 @@ TEST(MotionKnee, KeepsItsEnergy) {
   EXPECT_LT(s.summary.motion->steps, 50'000);
   // The tendon is as stretched as its ends say, and pulls accordingly.
   for (std::size_t row = 0; row < s.poses.rows(); row += 100) {
-    const double stretch = (s.poses.number(row, "patellar_tendon.length_mm") -
-                            s.poses.number(0, "patellar_tendon.length_mm")) *
-                           1e-3;
+    const double stretch =
+        (s.poses.number(row, "patellar_tendon.length_mm") - s.poses.number(0, "patellar_tendon.length_mm")) * 1e-3;
     const double rate = s.poses.number(row, "patellar_tendon.velocity_mm_s") * 1e-3;
     EXPECT_NEAR(s.poses.number(row, "patellar_tendon.force_N"), 1e5 * stretch + 50 * rate, 1e-8);
   }
@@ -147,8 +146,8 @@ TEST(MotionKnee, IsTheSameInMillimetresAndRadians) {
 
 TEST(MotionKnee, AStiffDamperIsNoBurden) {
   // 2e4 N s/m on 60 g: a decay in some microseconds.
-  const Solution s = motion_of(replaced(replaced(knee_text(), "duration = 17", "duration = 3"), "damping = 50 ",
-                                        "damping = 2e4 "));
+  const Solution s =
+      motion_of(replaced(replaced(knee_text(), "duration = 17", "duration = 3"), "damping = 50 ", "damping = 2e4 "));
   EXPECT_LT(s.summary.motion->steps, 20'000);
   EXPECT_LT(s.summary.motion->worst_energy, 1e-6 * s.summary.motion->energy_scale);
 }

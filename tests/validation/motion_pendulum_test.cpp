@@ -8,14 +8,15 @@ namespace {
 
 using test::dynamics;
 using test::kGround;
-using test::motion_of;
 using test::kPerDegree;
+using test::motion_of;
 
 constexpr double kMass = 2, kArm = 0.4, kInertia = 0.05, kG = 9.81;  // the hinge does not go through the centre of mass
 const double kOmega = std::sqrt(kMass * kG * kArm / (kInertia + kMass * kArm * kArm));
 
 std::string pendulum(double start, const std::string& dynamics_text) {
-  return kGround + fmt::format(R"([body.link]
+  return kGround +
+         fmt::format(R"([body.link]
 mass = {}
 centre_of_mass = [0, {}, 0.3]
 inertia = [0.06, 0.04, {}, 0.004, -0.002, 0.001]
@@ -27,7 +28,7 @@ origin = [0.1, -0.2, 0.05]
 axis = [0, 0, 1]
 start = {{ angle = {} }}
 )",
-                               kMass, -kArm, kInertia, start) +
+                     kMass, -kArm, kInertia, start) +
          dynamics_text;
 }
 std::string with_gravity(std::string text) {
@@ -62,8 +63,8 @@ TEST(MotionPendulum, SwingsAsTheEllipticFunctionsSay) {
 
 TEST(MotionPendulum, TurnsOverAndOver) {
   const double rate = 2.2 * kOmega, k = 2 * kOmega / rate;  // just over the top
-  const Solution s = motion_of(
-      with_gravity(pendulum(0, dynamics(10, 0.05, 1e-11, fmt::format("\"h.angle\" = {:.17g}", rate)))));
+  const Solution s =
+      motion_of(with_gravity(pendulum(0, dynamics(10, 0.05, 1e-11, fmt::format("\"h.angle\" = {:.17g}", rate)))));
   double worst = 0;
   for (std::size_t row = 0; row < s.poses.rows(); ++row)
     worst = std::max(worst, std::abs(s.poses.number(row, "h.angle_deg") * kPerDegree -
@@ -75,8 +76,7 @@ TEST(MotionPendulum, TurnsOverAndOver) {
 TEST(MotionPendulum, TheErrorFallsWithTheTolerance) {
   double last = 1;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const double worst =
-        worst_swing(motion_of(with_gravity(pendulum(1.5, dynamics(5, 0.1, tolerance)))).poses, 1.5);
+    const double worst = worst_swing(motion_of(with_gravity(pendulum(1.5, dynamics(5, 0.1, tolerance)))).poses, 1.5);
     EXPECT_LT(worst, 10 * tolerance) << "rad, at " << tolerance;
     EXPECT_LT(worst, last / 10) << "at " << tolerance;
     last = worst;
@@ -163,7 +163,8 @@ TEST(MotionPendulum, ADoubleOneAsLagrangesEquationsSay) {
   for (std::size_t row = 0; row < s.poses.rows(); ++row) {
     const double first = s.poses.number(row, "h1.angle_deg") * kPerDegree;
     const double second = first + s.poses.number(row, "h2.angle_deg") * kPerDegree;
-    worst = std::max({worst, std::abs(first - static_cast<double>(y[0])), std::abs(second - static_cast<double>(y[1]))});
+    worst =
+        std::max({worst, std::abs(first - static_cast<double>(y[0])), std::abs(second - static_cast<double>(y[1]))});
     for (int k = 0; k < 2000; ++k) Links().step(y, 0.1L / 2000);
   }
   EXPECT_LT(worst, 1e-9) << "rad";

@@ -73,8 +73,7 @@ std::vector<std::string> short_columns(const ResultTable& table) {
   for (const std::string& name : table.columns())
     if (ends_with(name, ".factor") && columns.size() < kMost + 2) columns.push_back(name);
   for (const std::string& name : table.columns())
-    if (motion && ends_with(name, ".force_N") && columns.size() < kMost)
-      columns.push_back(name);
+    if (motion && ends_with(name, ".force_N") && columns.size() < kMost) columns.push_back(name);
   for (const char* name : {"energy.kinetic_J", "energy.balance_J", "stability", "status"})
     if (table.has_column(name)) columns.push_back(name);
   return columns;

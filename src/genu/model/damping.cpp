@@ -53,8 +53,8 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
   return modes;
 }
 
-double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes,
-                   const VecX& twist, VecX& wrench) {
+double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,
+                   VecX& wrench) {
   double power = 0;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];

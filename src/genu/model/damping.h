@@ -28,7 +28,7 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
 
 /// Adds the wrenches (6 for each moving body) of all dampers to `wrench`. Returns what they dissipate, W: with -F L' of
 /// a relaxed ligament, whose stored energy goes to nobody.
-double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes,
-                   const VecX& twist, VecX& wrench);
+double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,
+                   VecX& wrench);
 
 }  // namespace genu

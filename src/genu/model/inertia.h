@@ -1,7 +1,7 @@
 // What a moving body brings to the equations of motion.
 //
-// With the twist [v, w] of a pose's origin O, the centre of mass at c from O (world axes) and I the inertia about it, the
-// momentum is m (v + w x c), and Newton's and Euler's laws about O are  M [a, alpha] + b = wrench  with
+// With the twist [v, w] of a pose's origin O, the centre of mass at c from O (world axes) and I the inertia about it,
+// the momentum is m (v + w x c), and Newton's and Euler's laws about O are  M [a, alpha] + b = wrench  with
 //   M = [ m, -m [c]x; m [c]x, I - m [c]x [c]x ],  b = [ m w x (w x c); w x I w + c x m (w x (w x c)) ].
 #pragma once
 
@@ -10,8 +10,8 @@
 namespace genu {
 
 struct Inertia {
-  double mass = 0;                          ///< kg
-  Vec3 centre_of_mass = Vec3::Zero();       ///< m, in the body
+  double mass = 0;                           ///< kg
+  Vec3 centre_of_mass = Vec3::Zero();        ///< m, in the body
   Mat3 about_centre_of_mass = Mat3::Zero();  ///< kg m^2, in the body's axes; products as elements of the matrix
 };
 

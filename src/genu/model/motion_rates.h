@@ -1,4 +1,5 @@
-// What moves how fast, and what that costs: rates and energies of a state in motion. `twist` has 6 for each moving body.
+// What moves how fast, and what that costs: rates and energies of a state in motion. `twist` has 6 for each moving
+// body.
 #pragma once
 
 #include "genu/model/state.h"

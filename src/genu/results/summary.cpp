@@ -113,16 +113,16 @@ std::string to_text(const RunSummary& s) {
   for (const auto& f : s.surfaces) line(&f == &s.surfaces.front() ? "surfaces" : "", f.name + ": " + f.text);
   if (s.motion) {
     const RunSummary::Motion& m = *s.motion;
-    line("motion", fmt::format("{} of {} rows over {:g} s; {} steps, {} evaluations, {} Jacobians, {} starts",
-                               s.poses_solved, s.poses_asked, m.duration, m.steps, m.evaluations, m.jacobians,
-                               m.starts));
+    line("motion",
+         fmt::format("{} of {} rows over {:g} s; {} steps, {} evaluations, {} Jacobians, {} starts", s.poses_solved,
+                     s.poses_asked, m.duration, m.steps, m.evaluations, m.jacobians, m.starts));
     line("checks", fmt::format("constraints kept to {:.1e} of the length scale, energy to {:.1e} of {:.3g} J",
                                m.worst_residual, m.worst_energy, m.energy_scale));
   } else {
     line("poses", fmt::format("{} of {} solved, {} of them stable; {} to {} contacts", s.poses_solved, s.poses_asked,
-                            s.poses_stable, s.fewest_contacts, s.most_contacts));
-    line("newton",
-       fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps, s.worst_residual));
+                              s.poses_stable, s.fewest_contacts, s.most_contacts));
+    line("newton", fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps,
+                               s.worst_residual));
   }
   if (!s.motion && std::isfinite(s.smallest_gap))
     line("certificate",

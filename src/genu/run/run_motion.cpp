@@ -26,8 +26,8 @@ void note_effects(const Prepared& p, RunSummary& s) {
   const auto add = [&](const char* name, std::size_t count, std::string unknowns) {
     if (count > 0) s.effects.push_back({name, static_cast<int>(count), std::move(unknowns)});
   };
-  const auto damped = std::count_if(p.model.ligaments.begin(), p.model.ligaments.end(),
-                                    [](const auto& l) { return l.damping > 0; });
+  const auto damped =
+      std::count_if(p.model.ligaments.begin(), p.model.ligaments.end(), [](const auto& l) { return l.damping > 0; });
   const int bodies = p.model.moving_count;
   add("dynamics", 1, fmt::format("{} numbers over time: pose, quaternion, twist; 2 energies", 13 * bodies));
   add("moving bodies", p.model.inertias.size(), fmt::format("6 accelerations each: {}", 6 * bodies));
@@ -56,8 +56,8 @@ std::vector<std::string> verdict(const MotionResult& result, const RunSummary& s
   else
     out.push_back(fmt::format("{} of {} rows: {}.", s.poses_solved, s.poses_asked, result.why));
   if (s.motion->switches > 0)
-    out.push_back(fmt::format("{} times a ligament became slack or taut or changed formula: events.csv.",
-                              s.motion->switches));
+    out.push_back(
+        fmt::format("{} times a ligament became slack or taut or changed formula: events.csv.", s.motion->switches));
   return out;
 }
 

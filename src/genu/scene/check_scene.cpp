@@ -153,8 +153,8 @@ void add_joint(const JointDef& joint, Columns& columns) {
   for (int k = 0; k < 6; ++k) {
     if (!joint.leaves(k)) continue;
     const auto i = static_cast<std::size_t>(k);
-    const std::string name = joint.name + "." + (k < 3 ? joint.rotations[i].name : joint.translations[i - 3]);
-    columns.add(object, joint.where, name + (k < 3 ? "_deg" : "_mm"));
+    columns.add(object, joint.where,
+                joint.name + "." + (k < 3 ? joint.rotations[i].name + "_deg" : joint.translations[i - 3] + "_mm"));
   }
 }
 

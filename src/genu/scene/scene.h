@@ -279,7 +279,7 @@ struct Scene {
   std::vector<LayerDef> layers;
   std::vector<LigamentDef> ligaments;
   std::vector<LoadDef> loads;
-  std::vector<StepDef> steps;             ///< empty where there is dynamics
+  std::vector<StepDef> steps;  ///< empty where there is dynamics
   std::optional<DynamicsDef> dynamics;
 };
 

@@ -15,7 +15,7 @@ constexpr double kOnConstraints = 1e-14;  // scaled residual: positions of some 
 constexpr double kLargestResidual = 1e-11;
 constexpr int kMostProjections = 8;
 constexpr double kRounding = 1e-15;  // of a position: less is not asked for, however small the scale of length
-constexpr double kSecond = 1;  // s: speeds below length / kSecond are small
+constexpr double kSecond = 1;        // s: speeds below length / kSecond are small
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

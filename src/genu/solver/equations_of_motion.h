@@ -1,9 +1,9 @@
 // The equations of motion of a joint as y' = f(t, y).
 //
 //   M a + b = W + J^T mu,   J a = -J' v
-// with W all forces of the quasi-static system (linearize) and dampers, J the gradient of what joints hold, mu what that
-// costs, M and b of inertia.h. y holds the pose of each moving body (position, quaternion), then its twist, then what
-// loads have done and dampers have taken (J).
+// with W all forces of the quasi-static system (linearize) and dampers, J the gradient of what joints hold, mu what
+// that costs, M and b of inertia.h. y holds the pose of each moving body (position, quaternion), then its twist, then
+// what loads have done and dampers have taken (J).
 //
 // f is evaluated at the state on the constraints nearest to y, P(y): f = f(P(y)). Nothing pulls y back and nothing
 // drives it away, so an error of y across the constraints stays as small as the steps made it (their tolerance), adds
@@ -26,10 +26,10 @@ struct MotionPoint {
   VecX twist;       ///< 6 for each moving body
   VecX acceleration;
   std::vector<DamperMode> modes;  ///< of every ligament
-  double load_work = 0;   ///< J, done by loads since the start
-  double dissipated = 0;  ///< J, taken by dampers since the start
-  double residual = 0;    ///< of the constraints, lengths over the scale of length, and angles (rad)
-  double drift = 0;       ///< how far y lay from the constraints, the same
+  double load_work = 0;           ///< J, done by loads since the start
+  double dissipated = 0;          ///< J, taken by dampers since the start
+  double residual = 0;            ///< of the constraints, lengths over the scale of length, and angles (rad)
+  double drift = 0;               ///< how far y lay from the constraints, the same
 };
 
 class EquationsOfMotion {

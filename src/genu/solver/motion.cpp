@@ -13,12 +13,12 @@
 namespace genu {
 namespace {
 
-constexpr int kMostSwitches = 1000;         // without time going on by more than kStill of the duration
+constexpr int kMostSwitches = 1000;  // without time going on by more than kStill of the duration
 constexpr double kStill = 1e-9;
-constexpr long kLookAtStiffness = 500;      // steps: 2 evaluations each, and one look costs some 30
-constexpr double kStabilityBound = 0.6;     // step times decay: Adams of orders 4 to 8 are stable to 0.5 ... 1
-constexpr double kRounding = 1e-12;         // of the output interval: a row this near the end is the end
-constexpr double kLargestDrift = 1e-6;      // from the constraints: beyond, the integration begins anew on them
+constexpr long kLookAtStiffness = 500;   // steps: 2 evaluations each, and one look costs some 30
+constexpr double kStabilityBound = 0.6;  // step times decay: Adams of orders 4 to 8 are stable to 0.5 ... 1
+constexpr double kRounding = 1e-12;      // of the output interval: a row this near the end is the end
+constexpr double kLargestDrift = 1e-6;   // from the constraints: beyond, the integration begins anew on them
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

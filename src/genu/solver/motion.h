@@ -30,8 +30,8 @@ struct MotionResult {
   std::string why;  ///< where it is not
   OdeCounts counts;
   std::optional<double> stiff_from;  ///< s: where BDF took over from Adams
-  double worst_residual = 0;  ///< of the constraints in all points handed over: MotionPoint::residual
-  double worst_drift = 0;     ///< of the integrated numbers from the constraints, after any step
+  double worst_residual = 0;         ///< of the constraints in all points handed over: MotionPoint::residual
+  double worst_drift = 0;            ///< of the integrated numbers from the constraints, after any step
 };
 
 struct MotionObserver {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr long kMostSteps = 100'000'000;  // CVODE's own limit between two returns: one step each here
 
-constexpr double kDifference = 1e-7;      // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
-constexpr double kDamped = 0.1;           // of |lambda|: a root that decays as fast as this is damped
+constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
+constexpr double kDamped = 0.1;       // of |lambda|: a root that decays as fast as this is damped
 
 template <typename T, void (*Free)(T)>
 struct Deleter {
