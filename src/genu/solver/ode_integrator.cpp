@@ -15,6 +15,8 @@ namespace {
 
 constexpr long kMostSteps = 100'000'000;  // CVODE's own limit between two returns: one step each here
 
+constexpr double kStall = 1e-14;  // of the time: shorter steps are none
+constexpr int kMostStalled = 100;
 constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
 constexpr double kDamped = 0.1;       // of |lambda|: a root that decays as fast as this is damped
 
@@ -49,6 +51,7 @@ struct OdeIntegrator::Impl {
   std::vector<int> roots;
   OdeCounts before;  ///< of what was started earlier
   std::string failure;
+  int stalled = 0;  ///< steps in a row without time going on
 
   static int rate(realtype t, N_Vector y, N_Vector out, void* self) {
     return static_cast<Impl*>(self)->system.rate(t, view(y), view(out)) ? 0 : 1;
@@ -120,9 +123,15 @@ bool OdeIntegrator::start(double t, const VecX& y, double largest_step, OdeMetho
 
 OdeIntegrator::Step OdeIntegrator::step(double stop) {
   Impl& i = *impl_;
+  const double before = i.time;
   CVodeSetStopTime(i.memory.get(), stop);
   const int flag = CVode(i.memory.get(), stop, i.y.get(), &i.time, CV_ONE_STEP);
   i.now = view(i.y.get());
+  i.stalled = i.time > before + kStall * std::abs(before) ? 0 : i.stalled + 1;
+  if (flag >= 0 && i.stalled > kMostStalled) {
+    i.failure = "steps become too short to go on";
+    return Step::failed;
+  }
   if (flag == CV_ROOT_RETURN) {
     CVodeGetRootInfo(i.memory.get(), i.roots.data());
     return Step::root;
