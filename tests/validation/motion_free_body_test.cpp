@@ -136,5 +136,36 @@ slack_length = {}
   EXPECT_NEAR(s.events[2].target.time, caught + held - stretch(held) / rate(held), 1e-9);
 }
 
+TEST(MotionFreeBody, ATetherThatIsJustTautAtTheStart) {
+  // At rest where its law breaks, then pulled on: which side it is on shows only when it has moved.
+  constexpr double kMass = 0.5, kStiffness = 200, kForce = 6, kSlack = 0.5;
+  for (const double sign : {1.0, -1.0}) {
+    const Solution s = motion_of(
+        kGround +
+        free_body("ball", "mass = 0.5\ninertia = [0.001, 0.001, 0.001]", "{ x = 0.5 }\nreference = { x = 0.5 }") +
+        fmt::format(R"([ligament.tether]
+from = {{ body = "ground", point = [0, 0, 0] }}
+to = {{ body = "ball", point = [0, 0, 0] }}
+law = "linear"
+stiffness = {}
+slack_length = {}
+[load.pull]
+body = "ball"
+force = [{}, 0, 0]
+)",
+                    kStiffness * kSlack, kSlack, sign * kForce) +
+        dynamics(0.15, 0.01, 1e-10));
+    const double omega = std::sqrt(kStiffness / kMass);
+    double worst = 0;
+    for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+      const double t = s.poses.number(row, "time_s");
+      const double taut = kForce / kStiffness * (1 - std::cos(omega * t)), slack = -0.5 * kForce / kMass * t * t;
+      worst =
+          std::max(worst, std::abs(s.poses.number(row, "ball_in.x_mm") * 1e-3 - kSlack - (sign > 0 ? taut : slack)));
+    }
+    EXPECT_LT(worst, 1e-10) << "m, pulled " << (sign > 0 ? "taut" : "slack");
+  }
+}
+
 }  // namespace
 }  // namespace genu

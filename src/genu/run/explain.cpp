@@ -168,7 +168,7 @@ class Explanation {
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
     effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
-    effect("dynamics", scene_.dynamics ? 1 : 0, "inertia and dampers; motion over time in the place of steps");
+    if (scene_.dynamics) effect("dynamics", 1, "inertia and dampers; motion over time in the place of steps");
     if (!off_.empty()) line("off", joined(off_) + ": not named by the scene, costs nothing");
   }
 

@@ -130,6 +130,12 @@ bool check_motion_options(const Prepared& prepared, const RunOptions& options, D
   return !out.has_errors();
 }
 
+bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out) {
+  if (found.summary.poses_solved > 0) return false;
+  refuse(prepared, found.summary.verdict.front(), out);
+  return true;
+}
+
 bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out) {
   if (!prepared.scene.dynamics) return false;
   refuse(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);

@@ -15,6 +15,9 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options);
 /// Options that ask for what equilibria alone have are refused in `out`.
 bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
 
+/// Not one row, because the motion cannot begin (a body without inertia that nothing holds): said in `out`.
+bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out);
+
 /// What every command but `run` says of such a scene.
 bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out);
 

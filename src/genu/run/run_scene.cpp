@@ -289,6 +289,7 @@ int write_motion(const Prepared& prepared, const std::string& folder, const RunO
                  Solution* solution) {
   if (!check_motion_options(prepared, options, out)) return kExitRefused;
   Solution found = solve_motion(prepared, options);
+  if (refused_start(prepared, found, out)) return kExitRefused;
   int code = found.summary.exit_code;
   found.folder = folder_for(folder, options, found.summary);
   if (const std::string error = write_results(found.folder, prepared, found); !error.empty()) {
