@@ -38,7 +38,7 @@ TEST(MotionFreeBody, ATopKeepsEnergyAndMomentum) {
   const MotionResult result = follow_motion(p.model, plan_motion(*scene.dynamics),
                                             {[&](const MotionPoint& m) { points.push_back(m); }, {}, {}});
   ASSERT_TRUE(result.complete) << result.why;
-  Vec3 first_momentum, first_centre, first_speed;
+  Vec3 first_momentum = Vec3::Zero(), first_centre = Vec3::Zero(), first_speed = Vec3::Zero();
   double worst_momentum = 0, worst_energy = 0, worst_line = 0, first_energy = 0, least = 1;
   for (const MotionPoint& m : points) {
     const Mat3& R = m.state.poses[1].R;
