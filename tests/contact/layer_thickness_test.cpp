@@ -41,6 +41,23 @@ TEST(LayerThickness, LinearIsReproduced) {
   EXPECT_LT(gradient, 1e-12);
 }
 
+TEST(LayerThickness, BesideATriangleNothingIsMadeUp) {
+  const Mesh mesh = test::ball(0.02, 2e-3);
+  const auto field = sloping(mesh, 4e-3, Vec3(0.03, -0.05, 0.02));
+  for (std::size_t k = 0; k < mesh.triangles.size(); k += 7) {
+    const auto& t = mesh.triangles[k];
+    const auto [low, high] = std::minmax({field->at_vertex(t[0]), field->at_vertex(t[1]), field->at_vertex(t[2])});
+    for (const double far : {1e-3, 5e-3, 0.02})
+      for (const Vec3& d : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(-1, 2, 3)}) {
+        const double h = field->within(static_cast<int>(k), mesh.vertices[static_cast<std::size_t>(t[0])] + far * d);
+        EXPECT_GE(h, low);
+        EXPECT_LE(h, high);
+      }
+    EXPECT_NEAR(field->within(static_cast<int>(k), mesh.vertices[static_cast<std::size_t>(t[1])]),
+                field->at_vertex(t[1]), 1e-15);
+  }
+}
+
 /// A plate pressed d into a larger one, the thickness h0 + s x of either: F = M d W ln(h2 / h1) / s.
 TEST(LayerThickness, PlateOnAWedge) {
   constexpr double kHalf = 5e-3, kH0 = 3e-3, kSlope = 0.3, kDepth = 0.4e-3;

@@ -133,5 +133,27 @@ TEST(ContactField, ALayerLeansOnAFlawWhereItPressesAndNowhereElse) {
   }
 }
 
+TEST(ContactField, ALayerThatLiesDeeperThanItsRaysLookIsSeen) {
+  const std::string text = test::bone_on_ground("{ z = 20 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+                           test::surface("floor", "ground", "plane") +
+                           test::spring("s", "[0, 0, 0]", "[0, 0, -30]", 1, 20);
+  for (const std::string quadrature :
+       {"smooth\"", "triangles\"\ncast_from = \"ball\"", "triangles\"\ncast_from = \"floor\""})
+    for (const bool swapped : {false, true}) {
+      const test::SceneModel s =
+          test::scene_model(text + test::layer("soft", swapped ? "floor" : "ball", swapped ? "ball" : "floor",
+                                               "quadrature = \"" + quadrature));
+      ContactField field(s.model);
+      for (const double deep : {-5e-3, 0.0, 1e-3, 3e-3}) {  // the layer is 4 mm thick, and its rays look as deep
+        EXPECT_FALSE(field.buried(placed(s.model, 20e-3 - deep))) << quadrature << swapped << " " << deep;
+      }
+      for (const double deep : {8e-3, 20e-3, 45e-3, 120e-3}) {
+        const auto found = field.buried(placed(s.model, 20e-3 - deep));
+        ASSERT_TRUE(found) << quadrature << swapped << " " << deep;
+        EXPECT_NEAR(found->depth, deep, 1e-3) << quadrature << swapped;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace genu

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/contact/bone_thickness.h"
 #include "genu/geometry/mesh_writer.h"
 #include "run/scenes.h"
 #include "support/knee_scene.h"

@@ -217,10 +217,12 @@ increments = 1
 
 TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
   const test::TemporaryFolder folder;
-  const std::string scene =
-      folder.write("ball.toml", test::replaced(test::kBall, "model = \"rigid\"",
-                                               "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4") +
-                                    "[[step]]\nprescribe = { \"knee.flexion\" = [10, 5] }\nincrements = 3\n");
+  const auto soft = [&](const std::string& quadrature) {
+    const std::string layer = "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\nquadrature = ";
+    return folder.write("ball.toml", test::replaced(test::kBall, "model = \"rigid\"", layer + quadrature) +
+                                         "[[step]]\nprescribe = { \"knee.flexion\" = [10, 5] }\nincrements = 3\n");
+  };
+  std::string scene = soft("\"triangles\"\ncast_from = \"ball\"");
   const auto refused = [&](const SensitivityChoice& choice) {
     Diagnostics out;
     SensitivityResult r;
@@ -236,12 +238,13 @@ TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
     EXPECT_NE(why.find("a number of an elastic layer"), std::string::npos) << pattern << "\n" << why;
   }
   // What has derivatives has them: against runs of the edited scene.
+  scene = soft("\"smooth\"");
   Diagnostics out;
   SensitivityResult r;
   ASSERT_EQ(run_sensitivity(scene, {}, {{"knee.z"}, {"all"}}, {}, out, r), kExitOk) << test::messages(out);
   EXPECT_NE(r.text.find("not of the surfaces under elastic layers (medial)"), std::string::npos) << r.text;
   const auto stiffer = [&](double k) {
-    return test::table_of(test::replaced(read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
+    return test::table_of(test::replaced(test::read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
                                          "stiffness = " + std::to_string(k) + "\nreference_strain = 0.05"));
   };
   constexpr double kStep = 20;

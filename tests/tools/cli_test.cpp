@@ -71,7 +71,7 @@ TEST(Cli, WithoutMeshesThereAreNoErrorBars) {
   const std::string scene = folder.write("ball.toml", kBall);
   const Outcome run = genu("run " + scene + " --error-bars --out " + (folder / "out"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "no error bars: the scene has no mesh")) << run.out;
+  EXPECT_TRUE(contains(run.out, "no error bars: the scene fits no smooth surface")) << run.out;
 }
 
 TEST(Cli, PressureMapsAreNamedOrSaidToBeNone) {

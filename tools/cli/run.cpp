@@ -164,7 +164,7 @@ int run(const Arguments& arguments) {
     if (solution.error_bars)
       print_error_bars(solution);
     else if (error_bars)
-      fmt::print("no error bars: the scene has no mesh, so there is nothing to vary\n");
+      fmt::print("no error bars: the scene fits no smooth surface to a mesh, so there is nothing to vary\n");
     if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
     fmt::print("{}", to_text(solution.summary));
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "genu/contact/buried.h"
 #include "genu/contact/layer_quadrature.h"
 
 namespace genu {
@@ -35,7 +36,8 @@ class ElasticLayer {
     bool known = false;  ///< whether `last` belongs to the poses `a` and `b`, and to `level`
   };
 
-  explicit ElasticLayer(std::vector<Side> sides) : sides_(std::move(sides)) {}
+  explicit ElasticLayer(std::vector<Side> sides, std::shared_ptr<const Buried> buried = {})
+      : sides_(std::move(sides)), buried_(std::move(buried)) {}
 
   /// At the poses of both bodies in the world; results do not depend on `memory`. `level`: see LayerQuadrature.
   void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level = 0) const;
@@ -45,14 +47,18 @@ class ElasticLayer {
              const std::function<void(const LayerPoint&)>& visit, int level = 0) const;
 
   const std::vector<Side>& sides() const { return sides_; }
+  /// Null where nobody asks.
+  const Buried* buried() const { return buried_.get(); }
 
  private:
   std::vector<Side> sides_;
+  std::shared_ptr<const Buried> buried_;
 };
 
 /// Of all layers of a model, in its order.
 struct LayerMemories {
   std::vector<ElasticLayer::Memory> each;
+  std::vector<Buried::Memory> buried;
 };
 
 }  // namespace genu

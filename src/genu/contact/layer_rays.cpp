@@ -8,7 +8,7 @@
 namespace genu {
 namespace {
 
-constexpr int kTogether = 8;                                    // rays
+constexpr int kTogether = 16;                                   // rays
 constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
 constexpr std::size_t kCoarse = 3;                              // of them, for rays together
 constexpr double kLookAgain = 3;  // edges: what was near is taken to be so until it has moved that far

@@ -18,7 +18,8 @@ ThicknessField::ThicknessField(const Mesh& mesh, std::vector<double> at_vertices
     const Vec3 b = mesh.vertices[index(t[1])] - a, c = mesh.vertices[index(t[2])] - a, normal = b.cross(c);
     const double h = at_vertex(t[0]), to_b = at_vertex(t[1]) - h, to_c = at_vertex(t[2]) - h;
     const double size = normal.squaredNorm();
-    planes_.push_back({a, size > 0 ? Vec3((to_b * c.cross(normal) + to_c * normal.cross(b)) / size) : Vec3::Zero(), h});
+    const Vec3 gradient = size > 0 ? Vec3((to_b * c.cross(normal) + to_c * normal.cross(b)) / size) : Vec3::Zero();
+    planes_.push_back({a, gradient, h, h + std::min({0.0, to_b, to_c}), h + std::max({0.0, to_b, to_c})});
     if (!given) at_centroids_.push_back(h + (to_b + to_c) / 3);
   }
   if (at_vertices_.empty()) return;
@@ -31,6 +32,11 @@ double ThicknessField::at(int triangle, const Vec3& x) const {
   const Plane& plane = planes_[static_cast<std::size_t>(triangle)];
   // Rounding may put x a little outside of the triangle: never beyond what is known anywhere.
   return std::clamp(plane.h + plane.gradient.dot(x - plane.corner), least_, most_);
+}
+
+double ThicknessField::within(int triangle, const Vec3& x) const {
+  const Plane& plane = planes_[index(triangle)];
+  return std::clamp(plane.h + plane.gradient.dot(x - plane.corner), plane.low, plane.high);
 }
 
 }  // namespace genu

@@ -21,6 +21,8 @@ class ThicknessField {
   double at_centroid(int triangle) const { return at_centroids_[static_cast<std::size_t>(triangle)]; }
   /// At x, on the plane of the triangle, in the mesh's frame.
   double at(int triangle, const Vec3& x) const;
+  /// The same for an x that may lie beside the triangle: no more and no less than at its corners.
+  double within(int triangle, const Vec3& x) const;
   /// Its derivative by x: along the triangle.
   const Vec3& gradient(int triangle) const { return planes_[static_cast<std::size_t>(triangle)].gradient; }
 
@@ -30,7 +32,8 @@ class ThicknessField {
  private:
   struct Plane {
     Vec3 corner, gradient;
-    double h;  ///< at the corner
+    double h;          ///< at the corner
+    double low, high;  ///< at any of them
   };
   std::vector<double> at_vertices_, at_centroids_;
   std::vector<Plane> planes_;  // of each triangle

@@ -281,7 +281,7 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
       if (k == 0) target_thickness = depth.thickness;
     }
     if (d[0] > best.depth) {
-      const double own = thickness_.casting ? thickness_.casting->at(node.cell, here.p) : 0;
+      const double own = thickness_.casting ? thickness_.casting->within(node.cell, here.p) : 0;
       const double thick = thickness_.constant + own + target_thickness;
       best = {here.p, here.n, 0, 0, d[0], law_.at(d[0], thick).p, d[0] / thick, node.cell};
     }

@@ -11,6 +11,8 @@
 namespace genu {
 namespace {
 
+constexpr double kMostInWalls = 4e6;  // triangles
+
 int size_of(const Mesh& mesh) { return static_cast<int>(mesh.vertices.size()); }
 
 /// Layers of vertices behind those of the border: number of vertex `v` in layer k, 0 the sheet, `layers` the copy.
@@ -52,6 +54,15 @@ Mesh thicken(const Mesh& sheet, const Surface& surface, double thickness, double
   const std::vector<MeshEdge> edges = mesh_edges(sheet);
   const std::vector<std::vector<int>> loops = boundary_loops(sheet, edges);
   if (loops.empty()) return sheet;
+  std::size_t around = 0;
+  for (const auto& loop : loops) around += loop.size();
+  const double layers = std::max(1.0, std::round(thickness / edge));
+  if (const double walls = 2 * layers * static_cast<double>(around); walls > kMostInWalls) {
+    why = fmt::format(
+        "would have walls of {:.3g} million triangles, more than {:.3g}: make it thinner, or its edges longer",
+        1e-6 * walls, 1e-6 * kMostInWalls);
+    return {};
+  }
   Mesh out = sheet;
   for (const Vec3& v : sheet.vertices) {
     SurfacePoint s;
@@ -70,7 +81,7 @@ Mesh thicken(const Mesh& sheet, const Surface& surface, double thickness, double
   }
   const int n = size_of(sheet);
   for (const auto& t : sheet.triangles) out.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
-  Walls walls(out, n, std::max(1, static_cast<int>(std::lround(thickness / edge))));
+  Walls walls(out, n, static_cast<int>(layers));
   for (const std::vector<int>& loop : loops)
     for (std::size_t k = 0; k < loop.size(); ++k) walls.raise(loop[k], loop[(k + 1) % loop.size()]);
   return out;

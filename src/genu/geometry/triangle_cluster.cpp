@@ -31,6 +31,8 @@ void TriangleTree::gather_clusters() {
     Cluster& cluster = clusters_.emplace_back();
     cluster.first = node.first;
     cluster.count = node.last - node.first;
+    cluster.low = node.low;
+    cluster.high = node.high;
     cluster.centre = 0.5 * (node.low + node.high);
     for (auto* v : {&cluster.y, &cluster.z, &cluster.radius, &cluster.nx, &cluster.ny, &cluster.nz}) v->setZero();
     cluster.x.setConstant(kNowhere);
@@ -78,6 +80,7 @@ void TriangleTree::clusters_near(const Vec3& origin, const Vec3& direction, doub
     if (i == 0) {
       out.balls.emplace_back();
       out.balls.back().x.setConstant(kNowhere);
+      out.balls.back().cluster.fill(-1);
       for (auto* v : {&out.balls.back().y, &out.balls.back().z, &out.balls.back().reach}) v->setZero();
     }
     ClustersNear::Balls& balls = out.balls.back();
@@ -137,6 +140,7 @@ void TriangleTree::at_ray(const ClustersNear& clusters, const Vec3& origin, cons
                           double least, double most, TrianglesAtRay& out) const {
   using Balls = ClustersNear::Balls;
   const Asked ray{origin, direction, length, least};
+  const Slab slab(origin, direction, length);
   const Vec3 from = origin - clusters.centre;
   const Eigen::Array3f o = from.cast<float>(), d = direction.cast<float>();
   const double error = kSingle * (from.norm() + length + clusters.reach);
@@ -150,9 +154,12 @@ void TriangleTree::at_ray(const ClustersNear& clusters, const Vec3& origin, cons
     const Balls::Floats along = x * d[0] + y * d[1] + z * d[2], whole = x * x + y * y + z * z;
     const Balls::Floats t = along.max(0.0F).min(static_cast<float>(length));
     const Balls::Floats off = (whole - t * (2 * along - t) - kSquare * whole).max(0.0F).sqrt() - balls.reach;
-    for (int i = 0; i < Balls::kSize; ++i)
-      if (const int cluster = balls.cluster[static_cast<std::size_t>(i)]; off[i] <= free + error && cluster != first)
-        ask(cluster, ray, free, out);
+    for (int i = 0; i < Balls::kSize; ++i) {
+      const int cluster = balls.cluster[static_cast<std::size_t>(i)];
+      if (!(off[i] <= free + error) || cluster == first || cluster < 0) continue;
+      const Cluster& c = clusters_[static_cast<std::size_t>(cluster)];
+      if (slab.entry(c.low, c.high, free, length) != Slab::kOutside) ask(cluster, ray, free, out);
+    }
   }
   out.margin = free;
 }

@@ -25,8 +25,8 @@ struct ClustersNear {
   struct Balls {
     static constexpr int kSize = 8;
     using Floats = Eigen::Array<float, kSize, 1>;
-    Floats x, y, z, reach;  ///< m: middle, about `centre`; radius
-    std::array<int, kSize> cluster;
+    Floats x, y, z, reach;           ///< m: middle, about `centre`; radius
+    std::array<int, kSize> cluster;  ///< -1: a slot without one
   };
   Vec3 centre = Vec3::Zero();  ///< m
   double reach = 0;            ///< m: the farthest middle from it
@@ -95,6 +95,7 @@ class TriangleTree {
     using Floats = Eigen::Array<float, kSize, 1>;
     Vec3 centre = Vec3::Zero();          ///< m: the balls' middles are about it
     double reach = 0;                    ///< m: a ball about it holds the triangles
+    Vec3 low, high;                      ///< m: a box that holds them
     Floats x, y, z, radius, nx, ny, nz;  ///< m; unit
     int first = 0, count = 0;            ///< triangles, in the tree's order
   };

@@ -49,9 +49,18 @@ LayerLaw law_of(const LayerDef& def) {
 
 using Field = std::shared_ptr<const ThicknessField>;
 
+using Tree = std::shared_ptr<const TriangleTree>;
+
+std::shared_ptr<const Buried> buried_deeper(const Mesh& a, const Tree& tree_a, const Mesh& b, const Tree& tree_b,
+                                            const JointModel::Layer& between) {
+  return std::make_shared<const Buried>(Buried::Triangles{&a, tree_a}, Buried::Triangles{&b, tree_b},
+                                        between.search_depth);
+}
+
 void build_smooth(const LayerDef& def, Mesh a, Mesh b, const Field& on_a, const Field& on_b,
                   JointModel::Layer& between) {
   const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
+  const auto buried = buried_deeper(a, tree_a, b, tree_b, between);
   const auto cells_a = std::make_shared<const SmoothCells>(std::move(a), between.a);
   const auto cells_b = std::make_shared<const SmoothCells>(std::move(b), between.b);
   const LayerLaw law = law_of(def);
@@ -62,7 +71,8 @@ void build_smooth(const LayerDef& def, Mesh a, Mesh b, const Field& on_a, const 
   };
   between.layer = std::make_shared<const ElasticLayer>(
       std::vector<ElasticLayer::Side>{{true, 0.5, side(cells_a, between.b, tree_b, on_a, on_b)},
-                                      {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}});
+                                      {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}},
+      buried);
   between.tolerance = def.tolerance;
   between.most_level = SmoothLayer::kMaxLevel;
 }
@@ -87,11 +97,12 @@ bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std:
     return true;
   }
   const bool from_a = def.cast_from == def.pair.surface_a;
-  const auto target = std::make_shared<const TriangleTree>(from_a ? b : a);
+  const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
   const LayerThickness thickness{def.thickness, from_a ? on_a : on_b, from_a ? on_b : on_a};
-  between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{
-      {from_a, 1.0,
-       std::make_shared<TriangleLayer>(from_a ? a : b, target, between.search_depth, law_of(def), thickness)}});
+  const auto casting = std::make_shared<TriangleLayer>(from_a ? a : b, from_a ? tree_b : tree_a, between.search_depth,
+                                                       law_of(def), thickness);
+  between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{from_a, 1.0, casting}},
+                                                       buried_deeper(a, tree_a, b, tree_b, between));
   return true;
 }
 

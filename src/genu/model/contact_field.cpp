@@ -54,19 +54,42 @@ bool leans_on(const DoubtfulPlace& place, const std::vector<Vec3>& feet, const s
 
 ContactField::ContactField(const JointModel& model)
     : model_(&model), spacing_(choose_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
-  const Vec3 centre = joint_centre(model);
   pairs_.reserve(model.pairs.size());
   for (const auto& pair : model.pairs) {
-    Proximity::Options options;
-    options.spacing = spacing_;
-    options.reach = kReach * model.scales.length;
-    options.centre_a = model.reference_poses[at(pair.body_a)].inverse() * centre;
-    options.centre_b = model.reference_poses[at(pair.body_b)].inverse() * centre;
-    pairs_.emplace_back(*pair.a, *pair.b, options);
+    pairs_.push_back(proximity_of(pair));
     any_doubtful_ = any_doubtful_ || !pair.a->doubtful().empty() || !pair.b->doubtful().empty();
   }
+  layer_pairs_.resize(model.layers.size());
   for (const auto& layer : model.layers)
     any_doubtful_ = any_doubtful_ || !layer.a->doubtful().empty() || !layer.b->doubtful().empty();
+}
+
+template <typename Meeting>
+Proximity ContactField::proximity_of(const Meeting& surfaces) const {
+  const Vec3 centre = joint_centre(*model_);
+  Proximity::Options options;
+  options.spacing = spacing_;
+  options.reach = kReach * model_->scales.length;
+  options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
+  options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
+  return {*surfaces.a, *surfaces.b, options};
+}
+
+std::optional<ContactField::BuriedLayer> ContactField::buried(const State& state) {
+  for (int layer = 0; layer < static_cast<int>(model_->layers.size()); ++layer) {
+    const auto& l = model_->layers[at(layer)];
+    const Pose X_ab = state.poses[at(l.body_a)].inverse() * state.poses[at(l.body_b)];
+    layers_->buried.resize(model_->layers.size());
+    if (l.layer->buried() == nullptr || l.layer->buried()->deepest(X_ab, layers_->buried[at(layer)]) == 0) continue;
+    // Behind the back of an open sheet is not inside of it: the search for rigid contacts can tell.
+    auto& pair = layer_pairs_[at(layer)];
+    if (!pair) pair.emplace(proximity_of(l));
+    ProximityScan scan;
+    pair->scan(X_ab, window(), scan);
+    const double depth = -std::min(scan.smallest_sample_gap, scan.swallowed);
+    if (depth > l.search_depth) return BuriedLayer{layer, depth};
+  }
+  return std::nullopt;
 }
 
 Pose ContactField::relative(const State& state, int pair) const {

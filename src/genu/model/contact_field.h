@@ -50,6 +50,13 @@ class ContactField {
   const DoubtfulPlace* doubtful(const State& state, const std::vector<Candidate>& also = {});
   bool any_doubtful() const { return any_doubtful_; }
 
+  /// A layer whose surfaces overlap deeper (m) than its rays look, where it carries nothing: the first there is.
+  struct BuriedLayer {
+    int layer = 0;
+    double depth = 0;  ///< m
+  };
+  std::optional<BuriedLayer> buried(const State& state);
+
   /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
   double smallest_gap(const State& state, int pair);
 
@@ -74,6 +81,8 @@ class ContactField {
   Feet feet_of_pair(const State& state, const std::vector<Candidate>& also, int pair) const;
   Feet feet_of_layer(const State& state, int layer);
 
+  template <typename Meeting>
+  Proximity proximity_of(const Meeting& surfaces) const;
   Pose relative(const State& state, int pair) const;
 
   const JointModel* model_;
@@ -81,6 +90,7 @@ class ContactField {
   bool any_doubtful_ = false;
   std::vector<Proximity> pairs_;
   std::shared_ptr<LayerMemories> layers_;
+  std::vector<std::optional<Proximity>> layer_pairs_;  // made when one is asked
   ProximityScan scan_;
   std::vector<NearSample> near_;
 };

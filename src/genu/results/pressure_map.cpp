@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "genu/contact/elastic_layer.h"
+#include "genu/model/layer_report.h"
 
 namespace genu {
 namespace {

@@ -55,6 +55,7 @@ class Evaluator {
     const Unbalanced missing = unbalanced(model, state, point.target, memory_);
     state.layer_levels = missing.layer_levels;
     look_for_flaws(point);
+    look_for_buried(point);
     record.given = PoseRecord::Given{missing.wrenches, missing.forces && model.pairs.empty()};
     if (record.given->reactions) add_reactions(*missing.forces, point);
     return record;
@@ -70,6 +71,15 @@ class Evaluator {
     if (place == nullptr) return;
     point.report.status = PoseStatus::flawed_mesh;
     point.report.why = place->what;
+  }
+
+  void look_for_buried(PosePoint& point) {
+    const auto buried = field_.buried(point.pose.state);
+    if (!buried) return;
+    const auto& layer = prepared_.model.layers[at(buried->layer)];
+    point.report.status = PoseStatus::overlap;
+    point.report.why = fmt::format("{} by {:.3f} mm, search_depth {:.3g} mm", layer.name, kMillimetre * buried->depth,
+                                   kMillimetre * layer.search_depth);
   }
 
   void add_gaps(PoseRecord& record) {
@@ -117,6 +127,17 @@ std::string largest_missing(const JointModel& model, const std::vector<PoseRecor
   return fmt::format("largest force missing {:.4g} N, on {} in row {}", force, body->name, row);
 }
 
+/// "In 3 rows contact leans on a flaw of a mesh, first in row 7: ..."
+void say_status(const std::vector<PoseRecord>& records, PoseStatus status, const char* what,
+                std::vector<std::string>& out) {
+  const auto has = [&](const PoseRecord& r) { return r.point.report.status == status; };
+  const auto first = std::find_if(records.begin(), records.end(), has);
+  if (first == records.end()) return;
+  const auto count = std::count_if(records.begin(), records.end(), has);
+  out.push_back(fmt::format("In {} row{} {}, first in row {}: {}.", count, count == 1 ? "" : "s", what,
+                            first - records.begin() + 1, first->point.report.why));
+}
+
 void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunSummary& s) {
   s.verdict.push_back(
       fmt::format("{} pose{} evaluated, nothing solved: the residual columns say what is missing to "
@@ -124,12 +145,9 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                   records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
   if (s.smallest_gap < 0)
     s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -kMillimetre * s.smallest_gap));
-  const auto leans = [](const PoseRecord& r) { return r.point.report.status == PoseStatus::flawed_mesh; };
-  if (const auto flawed = std::find_if(records.begin(), records.end(), leans); flawed != records.end())
-    s.verdict.push_back(fmt::format("In {} row{} contact leans on a flaw of a mesh, first in row {}: {}.",
-                                    std::count_if(records.begin(), records.end(), leans),
-                                    std::count_if(flawed + 1, records.end(), leans) > 0 ? "s" : "",
-                                    flawed - records.begin() + 1, flawed->point.report.why));
+  say_status(records, PoseStatus::flawed_mesh, "contact leans on a flaw of a mesh", s.verdict);
+  say_status(records, PoseStatus::overlap,
+             "a layer's surfaces overlap deeper than its rays look, and carry nothing there", s.verdict);
   say_layer_doubts(p, records, s.verdict);
   for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)

@@ -46,13 +46,13 @@ std::string no_output(const Prepared& prepared, const std::vector<Output>& known
   std::vector<std::string> words;
   const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, {});
   for (const std::string& column : table.columns())
-    if (const std::string why = why_not_smooth(column); !why.empty() && names(pattern, column))
-      return "matches " + column + ", which " + why;
-  for (const std::string& column : table.columns())
     if (names(pattern, column) && layer_of(prepared.scene, column) != nullptr)
       return "matches " + column +
              ", a number of an elastic layer: none of them has an exact derivative here. Coordinates, ligaments and "
              "reactions of a scene with layers have";
+  for (const std::string& column : table.columns())
+    if (const std::string why = why_not_smooth(column); !why.empty() && names(pattern, column))
+      return "matches " + column + ", which " + why;
   for (const Output& o : known) words.insert(words.end(), {o.column, without_unit(o.column)});
   return "is no output of this scene" + did_you_mean(pattern, words) +
          " (outputs are the columns of results.csv, with or without the unit)";

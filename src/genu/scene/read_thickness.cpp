@@ -75,7 +75,10 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
   }
   const Item depth = section.find("search_depth");
   layer.search_depth = layer.measured ? 0 : layer.thickness;
-  if (depth) layer.search_depth = read_number(context, depth, length).value_or(0);
+  if (!depth) return;
+  layer.search_depth = read_number(context, depth, length).value_or(0);
+  constexpr double kDeepest = 1;  // m
+  if (layer.search_depth > kDeepest) refuse(context, depth, "must be at most 1 m");
 }
 
 void check_thickness_used(ReadContext& context) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "genu/contact/elastic_layer.h"
+
 namespace genu {
 namespace {
 
@@ -58,10 +60,28 @@ void ContactInspector::inspect(const State& state, Findings& out) {
   inspect_held(state, out);
   look_for_merged(state, out);
   look_everywhere(state, out);
+  if (!model_->layers.empty()) look_for_buried(state, out);
   if (field_->any_doubtful()) look_for_doubt(state, out);
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
   std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
                    [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
+}
+
+void ContactInspector::look_for_buried(const State& state, Findings& out) {
+  const auto buried = field_->buried(state);
+  if (!buried) return;
+  const auto& layer = model_->layers[at(buried->layer)];
+  // A soft layer may be pressed deeper than that somewhere and still carry what it is asked to: the run tells how deep.
+  // One that carries nothing is taken for free though it is not.
+  ElasticLayer::Memory memory;
+  LayerWrench pressed;
+  layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], memory, pressed,
+                        state.layer_level(at(buried->layer)));
+  if (pressed.load > 0) return;
+  out.deep_overlap = true;
+  out.worst = std::min(out.worst, -buried->depth / model_->scales.length);
+  out.where = fmt::format("{} by {:.3f} mm, deeper than its search_depth of {:.3g} mm", layer.name, 1e3 * buried->depth,
+                          1e3 * layer.search_depth);
 }
 
 void ContactInspector::look_for_doubt(const State& state, Findings& out) {

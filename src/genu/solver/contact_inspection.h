@@ -75,6 +75,7 @@ class ContactInspector {
   void look_for_merged(const State& state, Findings& out) const;
   void look_beside(const State& state, int contact, Findings& out);
   void look_everywhere(const State& state, Findings& out);
+  void look_for_buried(const State& state, Findings& out);
   void look_for_doubt(const State& state, Findings& out);
 
   const JointModel* model_;
