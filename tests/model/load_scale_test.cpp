@@ -74,6 +74,22 @@ TEST(LoadScale, SineBeginsAtItsStart) {
   }
 }
 
+TEST(LoadScale, TellsItsKinksInTime) {
+  ScaleDef sine;
+  sine.kind = ScaleDef::Kind::sine;
+  sine.amplitude = 2;
+  sine.frequency = 0.125;
+  sine.start = 1;
+  EXPECT_EQ(made(sine).kinks_in_time(), std::vector<double>{1});
+  EXPECT_NEAR(made(sine).period(), 8, 1e-14);
+  ScaleDef over = table({{0.5, 1}, {2, 3}, {3, 0}});
+  over.kind = ScaleDef::Kind::over_time;
+  EXPECT_EQ(made(over).kinks_in_time(), (std::vector<double>{0.5, 2, 3}));
+  EXPECT_EQ(made(over).period(), 0);
+  over.kind = ScaleDef::Kind::over_coordinate;
+  EXPECT_TRUE(made(over).kinks_in_time().empty());
+}
+
 TEST(LoadScale, RefusesWhatIsNoTable) {
   std::string why;
   EXPECT_FALSE(LoadScale::make(table({{0, 1}}), why).has_value());

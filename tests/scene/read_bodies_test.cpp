@@ -31,11 +31,11 @@ TEST(ReadBodies, NothingMoves) {
 }
 
 TEST(ReadBodies, Keys) {
-  expect_refused("[body.femur]\n", "[body.femur]\n@mass = 3.5\n", "body.femur.mass", "3.5", "not built yet");
+  expect_refused("[body.femur]\n", "[body.femur]\n@mass = 3.5\n", "body.femur.mass", "3.5", "has no effect");
   expect_refused("[body.femur]\n", "[body.femur]\n@centre_of_mass = [0, 0, 0]\n", "body.femur.centre_of_mass",
-                 "[0, 0, 0]", "not built yet");
+                 "[0, 0, 0]", "has no effect");
   expect_refused("[body.femur]\n", "[body.femur]\n@inertia = [1, 1, 1]\n", "body.femur.inertia", "[1, 1, 1]",
-                 "not built yet");
+                 "only in a scene with [dynamics]");
   expect_refused("fixed = true", "fixed = true\n@fixd = true", "body.tibia.fixd", "true",
                  "is no key of a body; did you mean \"fixed\"?");
 }
@@ -65,7 +65,7 @@ TEST(ReadBodies, GravityErrors) {
   refused("gravity = @[0, -9.81, 0]\n", "", "gravity", "[0, -9.81, 0]", "no body has a mass");
   refused(kGravity, "mass = @0\n", "body.femur.mass", "0", "must be > 0 kg");
   refused(kGravity, kMass + "centre_of_mass = @3\n", "body.femur.centre_of_mass", "3", "three numbers");
-  refused(kGravity, kMass + "@inertia = [1, 1, 1]\n", "body.femur.inertia", "[1, 1, 1]", "not built yet");
+  refused(kGravity, kMass + "@inertia = [1, 1, 1]\n", "body.femur.inertia", "[1, 1, 1]", "only in a scene with");
   refused(kGravity, kMass + "[body.patella]\nfixed = true\nmass = @1\n", "body.patella.mass", "1", "fixed body");
   refused(kGravity, kMass + "[body.patella]\nfixed = true\ncentre_of_mass = @[0, 0, 0]\n",
           "body.patella.centre_of_mass", "[0, 0, 0]", "there is no mass");

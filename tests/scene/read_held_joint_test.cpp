@@ -71,7 +71,8 @@ TEST(ReadHeldJoint, Errors) {
   expect_one_error(edited("[joint.hinge]", "[joint.@hinge]", edited("axis = [0, 3, 4]\n", "", kGoodScene + kHinge)),
                    "joint.hinge.axis", "", "is missing");
   expect_hinge_refused("stiffness = 0.5", "stiffness = @-1", "joint.hinge.stiffness", "-1", "must be >= 0 N m/deg");
-  expect_hinge_refused("stiffness = 0.5", "@damping = 0.5", "joint.hinge.damping", "0.5", "not built yet");
+  expect_hinge_refused("stiffness = 0.5", "@damping = 0.5", "joint.hinge.damping", "0.5",
+                       "only in a scene with [dynamics]");
   expect_hinge_refused("stiffness = 0.5", "@translations = []", "joint.hinge.translations", "[]",
                        "is no key of a revolute joint");
   expect_hinge_refused("{ angle = 10 }", "{ @angel = 10 }", "joint.hinge.reference.angel", "10",

@@ -44,7 +44,6 @@ TEST(Reader, HeaderErrors) {
 TEST(Reader, UnknownAndUnbuiltKeysAtTheTop) {
   expect_one_error(kGoodScene + "[@ligamnet]\n", "ligamnet", "a table", "did you mean \"ligament\"?");
   expect_one_error(kGoodScene + "[@friction]\n", "friction", "a table", "is no key of a scene");
-  expect_one_error(kGoodScene + "[@dynamics]\nduration = 3\n", "dynamics", "a table", "not built yet: dynamics");
 }
 
 TEST(Reader, TextThatIsNoScene) {
@@ -78,7 +77,7 @@ TEST(Reader, TenErrorsOfOneFileAtOnceInItsOrder) {
   EXPECT_FALSE(parse_scene(text, "s", out));
   const std::vector<std::string> expected = {
       "s:1:10: format = 3: must be 1",
-      "s:9:1: body.femur.mass = 3: not built yet",
+      "s:9:1: body.femur.mass = 3: has no effect",
       "s:15:28: joint.knee.rotations[2] = \"adduction q\": must be",
       "s:22:10: surface.ball.radius = -20: must be > 0 mm",
       "s:31:9: contact.medial.model = \"cartilege\": must be one of",

@@ -39,6 +39,7 @@ const std::map<std::string, std::vector<std::string>>& guarded_libraries() {
       {"assimp", {"assimp/"}},
       {"CGAL", {"CGAL/"}},
       {"toml++", {"toml++/", "toml.hpp", "toml.h"}},
+      {"SUNDIALS", {"cvode/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/", "sunnonlinsol/"}},
   };
   return libraries;
 }

@@ -54,8 +54,9 @@ std::vector<std::string> short_columns(const ResultTable& table) {
     return s.size() >= end.size() && s.compare(s.size() - end.size(), end.size(), end) == 0;
   };
   constexpr std::size_t kMost = 11;
-  const std::size_t status = table.column_index("status");
-  for (std::size_t c = status + 1; c < table.columns().size() && columns.size() < kMost; ++c) {
+  const bool motion = table.has_column("energy.balance_J");
+  const std::size_t first = motion ? table.column_index("time_s") : table.column_index("status") + 1;
+  for (std::size_t c = first; c < table.columns().size() && columns.size() < kMost; ++c) {
     const std::string& name = table.columns()[c];
     const bool coordinate = (ends_with(name, "_deg") || (ends_with(name, "_mm") && !ends_with(name, ".gap_mm") &&
                                                          !ends_with(name, ".length_mm"))) &&
@@ -66,13 +67,15 @@ std::vector<std::string> short_columns(const ResultTable& table) {
         ends_with(name, ".force_N") && !numbered && table.has_column(name.substr(0, name.size() - 8) + ".gap_mm");
     const bool region_force =
         ends_with(name, ".force_N") && table.has_column(name.substr(0, name.size() - 8) + ".points");
-    if (coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos)
+    if (name == "time_s" || coordinate || contact_force || region_force || name.find(".reaction_") != std::string::npos)
       columns.push_back(name);
   }
   for (const std::string& name : table.columns())
     if (ends_with(name, ".factor") && columns.size() < kMost + 2) columns.push_back(name);
-  columns.push_back("stability");
-  columns.push_back("status");
+  for (const std::string& name : table.columns())
+    if (motion && ends_with(name, ".force_N") && columns.size() < kMost) columns.push_back(name);
+  for (const char* name : {"energy.kinetic_J", "energy.balance_J", "stability", "status"})
+    if (table.has_column(name)) columns.push_back(name);
   return columns;
 }
 
@@ -152,7 +155,7 @@ int run(const Arguments& arguments) {
   const int code = run_scene(scene, folder, options, diagnostics, &solution);
   progress->finish();
   print(diagnostics, code == kExitFailed);
-  if (code == kExitRefused || solution.records.empty()) return code;
+  if (code == kExitRefused || solution.poses.rows() == 0) return code;
   if (!quiet) {
     constexpr std::size_t kRows = 11;
     fmt::print("{}\n\n{}\n", printable(solution.summary.title),

@@ -74,6 +74,7 @@ void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
   for (int i = 0; i < 6; ++i)
     if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
   if (joint.stiffness > 0) model.joint_springs.push_back({index, joint.stiffness});
+  if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
 }
 
 bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
@@ -141,6 +142,8 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
   JointModel model;
   for (const BodyDef& body : scene.bodies)
     model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, body.centre});
+  for (const BodyDef& body : scene.bodies)
+    if (scene.dynamics && !body.fixed) model.inertias.push_back({body.mass, body.centre_of_mass, body.inertia});
   std::vector<JointValues> reference;
   for (const JointDef& joint : scene.joints) {
     const JointCoordinates coordinates(joint, scene.bodies[at(joint.parent)].centre,
@@ -169,6 +172,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
     }
     model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
     for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
+    model.ligaments.back().damping = def.damping;
   }
   good = add_loads(scene, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {

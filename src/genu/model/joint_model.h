@@ -7,6 +7,7 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/surface.h"
+#include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
 #include "genu/model/ligament.h"
 #include "genu/model/load.h"
@@ -43,6 +44,11 @@ struct JointModel {
     int joint;
     double stiffness;  ///< N m / rad
   };
+  /// The moment -damping * rate of the angle, in motion.
+  struct JointDamper {
+    int joint;
+    double damping;  ///< N m s / rad
+  };
   struct LigamentBetween {
     struct Via {
       int body;
@@ -52,6 +58,7 @@ struct JointModel {
     int body_a, body_b;
     Ligament ligament;
     std::vector<Via> via = {};  ///< frictionless points on the way from A to B
+    double damping = 0;         ///< N s / m, in motion
   };
   struct Pair {
     std::string name;
@@ -83,6 +90,8 @@ struct JointModel {
   std::vector<Joint> joints;
   std::vector<Held> held;  ///< joint by joint
   std::vector<JointSpring> joint_springs;
+  std::vector<JointDamper> joint_dampers;  ///< this and inertias: in a scene with dynamics alone
+  std::vector<Inertia> inertias;           ///< of each moving body
   std::vector<CombinationDef> combinations;
   std::vector<LigamentBetween> ligaments;
   std::vector<Load> loads;

@@ -248,6 +248,17 @@ void linearize(const JointModel& model, const State& state, const Target& target
   place_own_origins(model, state, out.own_origins);
 }
 
+void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  const int n = 6 * model.moving_count;
+  const auto m = static_cast<Eigen::Index>(constraint_count(model, target));
+  out.wrench.setZero(n);
+  out.stiffness.setZero(n, n);
+  out.gradient.setZero(m, n);
+  out.constraint.setZero(m);
+  add_prescribed(model, state, target, out);
+  add_held(model, state, target, out);
+}
+
 JointPoint joint_point(const JointModel& model, const State& state, int index) {
   const auto& joint = model.joints[at(index)];
   return joint.coordinates.evaluate(state.poses[at(joint.parent)], state.poses[at(joint.child)],

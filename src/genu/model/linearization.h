@@ -56,6 +56,9 @@ LoadWrench load_wrench(const JointModel& model, const State& state, const Load& 
 /// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
+/// The constraints alone: `gradient` and `constraint` of `out`; wrench and stiffness hold what their multipliers exert.
+void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out);
+
 /// What a load's scale is at a state and a time (s); 1 for a load without a scale.
 LoadScale::Value load_scale(const Load& load, const State& state, double time);
 

@@ -12,6 +12,7 @@ std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) 
     scale.amplitude_ = def.amplitude;
     scale.angular_frequency_ = 2 * std::numbers::pi * def.frequency;
     scale.start_ = def.start;
+    scale.knots_ = {def.start};
     scale.largest_ = std::abs(def.amplitude);
     return scale;
   }
@@ -20,7 +21,10 @@ std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) 
   if (def.kind == ScaleDef::Kind::over_coordinate) scale.coordinate_ = def.coordinate;
   scale.first_ = def.table.front().first;
   scale.last_ = def.table.back().first;
-  for (const auto& [x, factor] : def.table) scale.largest_ = std::max(scale.largest_, std::abs(factor));
+  for (const auto& [x, factor] : def.table) {
+    scale.largest_ = std::max(scale.largest_, std::abs(factor));
+    scale.knots_.push_back(x);
+  }
   return scale;
 }
 

@@ -1,8 +1,10 @@
 // What multiplies a load besides its factor in a step: a curve over a joint coordinate or over time, or a sine in time.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "genu/model/monotone_table.h"
 #include "genu/scene/scene.h"
@@ -26,6 +28,12 @@ class LoadScale {
   /// may have a kink at its ends, where the slope is the outer one, 0; so has a sine at its start.
   Value evaluate(double x) const;
 
+  /// Times (s) where a derivative may jump; empty for a scale over a coordinate.
+  std::vector<double> kinks_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
+
+  /// Of a sine, s; else 0.
+  double period() const { return table_ ? 0 : 2 * std::numbers::pi / angular_frequency_; }
+
   /// The largest |factor|.
   double largest() const { return largest_; }
 
@@ -33,6 +41,7 @@ class LoadScale {
   std::optional<CoordinateRef> coordinate_;
   std::optional<MonotoneTable> table_;  ///< empty: a sine
   double first_ = 0, last_ = 0;         ///< x of the table's ends
+  std::vector<double> knots_;           ///< x of its points, or the sine's start
   double amplitude_ = 0, angular_frequency_ = 0, start_ = 0;
   double largest_ = 0;
 };

@@ -8,16 +8,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double stored(const JointModel& model, const State& state) {
-  double energy = 0;
-  for (const auto& l : model.ligaments) energy += l.ligament.law.evaluate(ligament_length(l, state.poses)).energy;
-  for (const auto& spring : model.joint_springs) {
-    const double angle = state.coordinates[at(spring.joint)][0];
-    energy += spring.stiffness * angle * angle / 2;
-  }
-  return energy;
-}
-
 /// Of a load that has a potential, at the factor 1: J up to a constant.
 double potential(const Load& load, const std::vector<Pose>& poses, double coordinate) {
   switch (load.kind) {
@@ -45,6 +35,16 @@ double since_reference(const JointModel& model, const State& state, const Load& 
 
 }  // namespace
 
+double stored_energy(const JointModel& model, const State& state) {
+  double energy = 0;
+  for (const auto& l : model.ligaments) energy += l.ligament.law.evaluate(ligament_length(l, state.poses)).energy;
+  for (const auto& spring : model.joint_springs) {
+    const double angle = state.coordinates[at(spring.joint)][0];
+    energy += spring.stiffness * angle * angle / 2;
+  }
+  return energy;
+}
+
 bool has_potential(const Load& load) {
   if (load.scale && load.scale->coordinate()) return false;
   if (load.kind == Load::Kind::dead) return load.moment.isZero(0);
@@ -53,7 +53,7 @@ bool has_potential(const Load& load) {
 
 std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target) {
   if (!model.layers.empty()) return std::nullopt;
-  double energy = stored(model, state);
+  double energy = stored_energy(model, state);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
     const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;

@@ -13,6 +13,9 @@ namespace genu {
 /// time has the one of the moment.
 bool has_potential(const Load& load);
 
+/// J, in ligaments and joint springs.
+double stored_energy(const JointModel& model, const State& state);
+
 /// J, at the load factors and the time of `target`; empty where a load that acts has no potential, and with elastic
 /// layers: their pressure acts along the normal of one surface, which no energy is the source of.
 std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target);

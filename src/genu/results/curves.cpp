@@ -50,6 +50,11 @@ class Curves {
     add("Reaction moment [N m]", reactions(true), true);
     add("Reaction force [N]", reactions(false), true);
     add("Load factor [1]", load_factors(), true);
+    if (scene_.dynamics) {
+      add_motion();
+      for (std::size_t k = 0; k < events.size(); ++k) add_event(events, k);
+      return std::move(chart_);
+    }
     add("Smallest stiffness eigenvalue [N mm]", {series("eigenvalue", "stability.min_eigenvalue_Nmm")}, true);
     const auto located = [](const PathEvent& e) { return e.kind == PathEvent::Kind::stability_changed; };
     chart_.panels.back().mark_zero_crossings = std::none_of(events.begin(), events.end(), located);
@@ -61,6 +66,7 @@ class Curves {
   std::string coordinate_column(const QuantityRef& c) const { return quantity_name(scene_, c) + "_" + unit(c); }
 
   void choose_x() {
+    if (scene_.dynamics) return over_time();
     for (const QuantityRef& c : prescribed_) {
       chart_.x = column(poses_, coordinate_column(c));
       if (!one_way(chart_.x)) continue;
@@ -70,15 +76,33 @@ class Curves {
     }
     if (choose_driven()) return;
     const auto in_time = [](const LoadDef& l) { return l.in_time(); };
-    if (std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time)) {
-      over_time_ = true;
-      chart_.x = column(poses_, "time_s");
-      chart_.x_title = "time [s]";
-      return;
-    }
+    if (std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time)) return over_time();
     chart_.x_title = "row of results.csv";
     chart_.x.resize(poses_.rows());
     for (std::size_t k = 0; k < chart_.x.size(); ++k) chart_.x[k] = static_cast<double>(k + 1);
+  }
+
+  void over_time() {
+    over_time_ = true;
+    chart_.x = column(poses_, "time_s");
+    chart_.x_title = "time [s]";
+  }
+
+  /// Moments on hinges and loads, and where the energy is.
+  void add_motion() {
+    std::vector<ChartSeries> moments, scales;
+    for (const JointDef& joint : scene_.joints)
+      for (const char* part : {"spring", "damper"})
+        if (poses_.has_column(joint.name + "." + part + "_Nm"))
+          moments.push_back(series(joint.name + " " + part, joint.name + "." + part + "_Nm"));
+    for (const LoadDef& load : scene_.loads)
+      if (load.scale) scales.push_back(series(load.name, load.name + ".scale"));
+    add("Joint moment [N m]", std::move(moments), true);
+    add("Load scale [1]", std::move(scales), true);
+    add("Energy [J]",
+        {series("kinetic", "energy.kinetic_J"), series("stored", "energy.stored_J"),
+         series("load work", "energy.load_work_J"), series("dissipated", "energy.dissipated_J")},
+        true);
   }
 
   /// Where loads alone drive the joint: the coordinate that changes most, if it goes one way.

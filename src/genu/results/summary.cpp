@@ -21,6 +21,24 @@ void add_solved(const RunSummary& s, ordered_json& j) {
                       {"smallest_gap_mm", number_or_null(1e3 * s.smallest_gap)}};
 }
 
+void add_motion(const RunSummary& s, ordered_json& j) {
+  const RunSummary::Motion& m = *s.motion;
+  j["rows"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}};
+  j["motion"] = {{"duration_s", m.duration},
+                 {"output_interval_s", m.output_interval},
+                 {"tolerance", m.tolerance},
+                 {"method", m.method},
+                 {"steps", m.steps},
+                 {"evaluations", m.evaluations},
+                 {"jacobians", m.jacobians},
+                 {"starts", m.starts},
+                 {"switches", m.switches},
+                 {"worst_constraint_residual", m.worst_residual},
+                 {"worst_drift_taken_out", m.worst_drift},
+                 {"worst_energy_error_J", number_or_null(m.worst_energy)},
+                 {"largest_energy_J", number_or_null(m.energy_scale)}};
+}
+
 void add_given(const RunSummary& s, ordered_json& j) {
   j["poses"] = {{"file", s.given->file},
                 {"given", s.poses_asked},
@@ -65,6 +83,8 @@ std::string to_json(const RunSummary& s) {
   j["scales"] = {{"length_mm", 1e3 * s.length_scale}, {"force_N", s.force_scale}};
   if (s.given)
     add_given(s, j);
+  else if (s.motion)
+    add_motion(s, j);
   else
     add_solved(s, j);
   for (const ContactLocation& c : s.locations)
@@ -91,11 +111,20 @@ std::string to_text(const RunSummary& s) {
   for (const auto& e : s.effects)
     line(&e == &s.effects.front() ? "effects" : "", fmt::format("{:<24}{:>4}   {}", e.name, e.count, e.unknowns));
   for (const auto& f : s.surfaces) line(&f == &s.surfaces.front() ? "surfaces" : "", f.name + ": " + f.text);
-  line("poses", fmt::format("{} of {} solved, {} of them stable; {} to {} contacts", s.poses_solved, s.poses_asked,
-                            s.poses_stable, s.fewest_contacts, s.most_contacts));
-  line("newton",
-       fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps, s.worst_residual));
-  if (std::isfinite(s.smallest_gap))
+  if (s.motion) {
+    const RunSummary::Motion& m = *s.motion;
+    line("motion",
+         fmt::format("{} of {} rows over {:g} s; {} steps, {} evaluations, {} Jacobians, {} starts", s.poses_solved,
+                     s.poses_asked, m.duration, m.steps, m.evaluations, m.jacobians, m.starts));
+    line("checks", fmt::format("constraints kept to {:.1e} of the length scale, energy to {:.1e} of {:.3g} J",
+                               m.worst_residual, m.worst_energy, m.energy_scale));
+  } else {
+    line("poses", fmt::format("{} of {} solved, {} of them stable; {} to {} contacts", s.poses_solved, s.poses_asked,
+                              s.poses_stable, s.fewest_contacts, s.most_contacts));
+    line("newton", fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps,
+                               s.worst_residual));
+  }
+  if (!s.motion && std::isfinite(s.smallest_gap))
     line("certificate",
          fmt::format("smallest gap anywhere {:.1e} mm, smallest contact force {}", 1e3 * s.smallest_gap,
                      std::isfinite(s.smallest_force) ? fmt::format("{:.3f} N", s.smallest_force) : "none"));

@@ -61,7 +61,17 @@ struct RunSummary {
     std::vector<std::string> ignored;  ///< columns that mean nothing here
     std::size_t left_out = 0;          ///< rows of an earlier run that hold no pose
   };
+  /// Of a motion over time, in the place of what a search for equilibria counts.
+  struct Motion {
+    double duration = 0, output_interval = 0, tolerance = 0;  ///< s, s, 1
+    std::string method;                                       ///< in words
+    long steps = 0, evaluations = 0, jacobians = 0, starts = 0;
+    double worst_residual = 0, worst_drift = 0;  ///< of constraints, MotionPoint
+    double worst_energy = 0, energy_scale = 0;   ///< J: error of the balance; largest energy or work
+    int switches = 0;                            ///< ligaments that became slack or taut or changed formula
+  };
   std::optional<GivenPoses> given;
+  std::optional<Motion> motion;
   std::string scene_file, title, version;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;

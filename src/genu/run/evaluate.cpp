@@ -14,6 +14,7 @@
 #include "genu/results/pressure_map.h"
 #include "genu/run/hertz_check.h"
 #include "genu/run/layer_verdict.h"
+#include "genu/run/run_motion.h"
 
 namespace genu {
 namespace {
@@ -236,7 +237,7 @@ int evaluate_scene(const std::string& path, const std::string& poses, const std:
                    const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation) {
   const auto prepared = prepare_run(path, folder, out, {poses});
   const auto file = read_pose_file(poses, out);
-  if (!prepared || !file) return kExitRefused;
+  if (!prepared || !file || refuse_motion(*prepared, "evaluate", out)) return kExitRefused;
   const auto columns = match_columns(prepared->scene, *file, options.columns, out);
   if (!columns) return kExitRefused;
   const auto given = read_given_poses(prepared->scene, *file, *columns, out);

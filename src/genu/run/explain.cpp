@@ -82,6 +82,7 @@ class Explanation {
     joints();
     effects();
     for (std::size_t i = 0; i < scene_.steps.size(); ++i) step(i);
+    if (scene_.dynamics) motion(*scene_.dynamics);
     return out_;
   }
 
@@ -167,6 +168,7 @@ class Explanation {
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
     effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
+    if (scene_.dynamics) effect("dynamics", 1, "inertia and dampers; motion over time in the place of steps");
     if (!off_.empty()) line("off", joined(off_) + ": not named by the scene, costs nothing");
   }
 
@@ -196,6 +198,19 @@ class Explanation {
     const auto in_time = [](const LoadDef& l) { return l.in_time(); };
     const bool tells = scene_.steps[i].duration != 1 || std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time);
     return tells ? fmt::format(", time {:g} to {:g} s", start, start + scene_.steps[i].duration) : std::string();
+  }
+
+  void motion(const DynamicsDef& d) {
+    std::size_t moving = 0, held = 0;
+    for (const BodyDef& body : scene_.bodies) moving += body.fixed ? 0 : 1;
+    for (const JointDef& joint : scene_.joints)
+      held += joint.type == JointDef::Type::free ? 0 : joint.type == JointDef::Type::fixed ? 6 : 5;
+    out_ += fmt::format("\nmotion: {:g} s, a row every {:g} s, tolerance {:g}\n", d.duration, d.output_interval,
+                        d.tolerance);
+    out_ += "        unknowns                                            equations\n";
+    row(6 * moving, "accelerations of the moving bodies", 6 * moving, "M a + b = forces + what joints exert");
+    row(held, "reactions of joints", held, "J a = -J' v: joints hold their coordinates");
+    out_ += fmt::format("    {:>4}  in all at each moment; {} freedoms\n", 6 * moving + held, 6 * moving - held);
   }
 
   void step(std::size_t i) {

@@ -11,6 +11,7 @@
 #include "genu/geometry/chart_choice.h"
 #include "genu/geometry/fit_zone.h"
 #include "genu/run/contact_zones.h"
+#include "genu/run/run_motion.h"
 #include "genu/run/scene_edit.h"
 
 namespace genu {
@@ -108,7 +109,7 @@ class SceneFitter {
 
 std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::string& folder, Diagnostics& out) {
   const auto prepared = prepare_run(request.file, folder, out);
-  if (!prepared) return std::nullopt;
+  if (!prepared || refuse_motion(*prepared, "fit", out)) return std::nullopt;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return std::nullopt;
   SceneFits result;

@@ -18,6 +18,7 @@
 #include "genu/run/hertz_check.h"
 #include "genu/run/layer_doubts.h"
 #include "genu/run/layer_verdict.h"
+#include "genu/run/run_motion.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
 
@@ -284,6 +285,21 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
 
 namespace {
 
+int write_motion(const Prepared& prepared, const std::string& folder, const RunOptions& options, Diagnostics& out,
+                 Solution* solution) {
+  if (!check_motion_options(prepared, options, out)) return kExitRefused;
+  Solution found = solve_motion(prepared, options);
+  if (refused_start(prepared, found, out)) return kExitRefused;
+  int code = found.summary.exit_code;
+  found.folder = folder_for(folder, options, found.summary);
+  if (const std::string error = write_results(found.folder, prepared, found); !error.empty()) {
+    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    code = kExitFailed;
+  }
+  if (solution != nullptr) *solution = std::move(found);
+  return code;
+}
+
 /// Not one pose, because contact leans on a flaw of a mesh from the start: the input is to blame.
 bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnostics& out) {
   if (found.summary.poses_solved > 0 || found.records.empty()) return false;
@@ -300,6 +316,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
               Solution* solution) {
   const auto prepared = prepare_run(path, folder, out);
   if (!prepared) return kExitRefused;
+  if (prepared->scene.dynamics) return write_motion(*prepared, folder, options, out, solution);
   const Timer timer;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;

@@ -10,6 +10,7 @@
 #include "genu/core/timer.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
+#include "genu/run/run_motion.h"
 #include "genu/scene/words.h"
 
 namespace genu {
@@ -311,7 +312,7 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
 int run_sensitivity(const std::string& path, const std::optional<std::string>& folder, const SensitivityChoice& choice,
                     const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
   const auto prepared = prepare_run(path, folder, out);
-  if (!prepared) return kExitRefused;
+  if (!prepared || refuse_motion(*prepared, "sensitivity", out)) return kExitRefused;
   const SensitivityRows asked = choose(*prepared, choice, kMostContacts, out);
   if (out.has_errors() || too_many(*prepared, asked, out)) return kExitRefused;
   ContactField field(prepared->model);

@@ -16,10 +16,17 @@ void check_kinds(ReadContext& context, Section& root) {
   }
 }
 
-/// `mass` and `centre_of_mass`, which only gravity asks for.
+constexpr const char* kNoUse = "has no effect: without `gravity` no body has a weight, without [dynamics] no inertia";
+
+void refuse_key(ReadContext& context, const Item& item, std::string rule) {
+  context.error(item.node->key_where, item.path, literal(*item.node), std::move(rule));
+}
+
+/// `mass` and `centre_of_mass` where only gravity asks for them.
 void read_weight(ReadContext& context, Section& section, bool gravity, BodyDef& body) {
   if (!gravity) {
-    section.not_built({"mass", "centre_of_mass"}, "inertia; and without `gravity` no body has a weight");
+    for (const char* key : {"mass", "centre_of_mass"})
+      if (const Item item = section.find(key)) refuse_key(context, item, kNoUse);
     return;
   }
   const Item mass = section.find("mass"), centre = section.find("centre_of_mass");
@@ -56,8 +63,13 @@ void read_bodies(ReadContext& context, Section& root) {
     const auto is_fixed = read_bool(context, fixed);
     body.fixed = is_fixed.value_or(false);
     understood = understood && (!fixed || is_fixed);
-    read_weight(context, section, static_cast<bool>(gravity), body);
-    section.not_built({"inertia"}, "inertia");
+    if (context.in_motion) {
+      read_inertia(context, section, body);
+    } else {
+      read_weight(context, section, static_cast<bool>(gravity), body);
+      if (const Item inertia = section.find("inertia"))
+        refuse_key(context, inertia, "has an effect only in a scene with [dynamics]");
+    }
     section.finish();
     context.scene.bodies.push_back(body);
   }

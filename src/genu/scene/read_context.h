@@ -25,6 +25,7 @@ struct ReadContext {
   std::vector<bool> combination_understood;  ///< with nothing wrong in it
   bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
+  bool in_motion = false;  ///< the scene has [dynamics]
 
   void error(SourceLocation where, std::string key, std::string found, std::string rule) {
     out.add({.file = file,

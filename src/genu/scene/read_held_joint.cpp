@@ -47,7 +47,7 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
   read_angle(context, section.find("reference"), "reference", joint.reference[0]);
   if (const Item start = section.find("start"))
     read_angle(context, start, "start", joint.start.emplace(joint.reference)[0]);
-  section.not_built({"damping"}, "damping of joints, which only dynamics has");
+  joint.damping = read_damping(context, section, "joints", 1 / context.scene.angle_unit, "N m s/" + context.angle_name);
   return true;
 }
 

@@ -175,7 +175,8 @@ void read_ligaments(ReadContext& context, Section& root) {
     const bool law_known = read_law(context, section, ligament);
     read_rest(context, section, ligament, law_known);
     section.not_built({"wrap"}, "ligaments that wrap");
-    section.not_built({"damping"}, "damping of ligaments");
+    ligament.damping =
+        read_damping(context, section, "ligaments", 1 / context.scene.length_unit, "N s/" + context.length_name);
     section.finish();
     context.scene.ligaments.push_back(ligament);
   }

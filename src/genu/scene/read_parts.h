@@ -14,9 +14,17 @@ void read_contacts(ReadContext& context, Section& root);
 void read_ligaments(ReadContext& context, Section& root);
 void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
+void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read
 
 /// What no single part can see: the tree of bodies, ligaments at the reference pose, names of result columns.
 void check_scene(ReadContext& context);
+
+/// `mass`, `centre_of_mass` and `inertia` of a body, in a scene with dynamics.
+void read_inertia(ReadContext& context, Section& section, BodyDef& body);
+
+/// `damping`, N s per `unit` (SI) of what it damps; only a scene with dynamics may have it.
+double read_damping(ReadContext& context, Section& section, const char* what, double unit,
+                    const std::string& unit_name);
 
 /// `origin`, `x_axis`, `z_axis` of a surface. Without x_axis, x is the body's x made orthogonal to z_axis; where z_axis
 /// lies along the body's x, the axes are the body's in cyclic order (x = the body's y).

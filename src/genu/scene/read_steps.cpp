@@ -143,8 +143,12 @@ std::vector<NamedItem> coordinate_items(const Item& table) {
 void read_steps(ReadContext& context, Section& root) {
   const Item all = root.find("step");
   if (!all) {
-    // A scene in time needs no steps; it is refused for its [dynamics] already.
-    if (!root.has("dynamics")) root.error("step", "is missing: a scene needs at least one [[step]]");
+    if (!context.in_motion) root.error("step", "is missing: a scene needs at least one [[step]], or [dynamics]");
+    return;
+  }
+  if (context.in_motion) {
+    context.error(all.node->key_where, all.path, {},
+                  "not built yet: steps in a scene with [dynamics]; loads change over time by their `scale`");
     return;
   }
   const bool tables = all.node->kind == TomlNode::Kind::array && !all.node->children.empty();

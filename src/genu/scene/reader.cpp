@@ -136,6 +136,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   scene.file = path;
   ReadContext context(path, found, scene);
   Section root(context, {&*document, ""}, "a scene");
+  context.in_motion = root.has("dynamics");
   read_header(context, root);
   read_bodies(context, root);
   read_joints(context, root);
@@ -145,7 +146,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_ligaments(context, root);
   read_loads(context, root);
   read_steps(context, root);
-  root.not_built({"dynamics"}, "dynamics");
+  read_dynamics(context, root);
   root.finish();
   check_scene(context);
   return finished(std::move(scene), found, out);

@@ -23,6 +23,7 @@ struct BodyDef {
   bool fixed = false;
   double mass = 0;                     ///< kg; 0 has no weight
   Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
+  Mat3 inertia = Mat3::Zero();         ///< kg m^2, about the centre of mass, axes of the body; only with dynamics
   /// m, in the body as the file has it: where the origin of all points of this scene stands (centre_bodies.h). 0 as
   /// read.
   Vec3 centre = Vec3::Zero();
@@ -61,6 +62,7 @@ struct JointDef {
   std::optional<std::array<double, 6>> start;  ///< the same: where the search for equilibrium begins, if not there
   Type type = Type::free;
   double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
+  double damping = 0;    ///< revolute: N m s / rad; only with dynamics
   std::optional<GroodSuntayDef> grood_suntay;
   SourceLocation where;
 
@@ -166,6 +168,7 @@ struct LigamentDef {
   std::vector<std::pair<double, double>> table;  ///< (strain, N)
   Rest rest = Rest::slack_length;
   double rest_value = 0;  ///< m, strain, or N
+  double damping = 0;     ///< N s / m along its whole length; only with dynamics
   SourceLocation where;
 };
 
@@ -249,6 +252,19 @@ struct StepDef {
   SourceLocation where;
 };
 
+/// Motion over time in the place of steps from one equilibrium to the next.
+struct DynamicsDef {
+  struct Rate {
+    CoordinateRef coordinate;
+    double value = 0;  ///< rad/s or m/s
+  };
+  double duration = 1;         ///< s
+  double output_interval = 1;  ///< s
+  double tolerance = 1e-9;     ///< of lengths over the joint's size, angles in rad, speeds the same a second
+  std::vector<Rate> start_rates;
+  SourceLocation where;
+};
+
 struct Scene {
   std::string file;
   std::string title;
@@ -263,7 +279,8 @@ struct Scene {
   std::vector<LayerDef> layers;
   std::vector<LigamentDef> ligaments;
   std::vector<LoadDef> loads;
-  std::vector<StepDef> steps;
+  std::vector<StepDef> steps;  ///< empty where there is dynamics
+  std::optional<DynamicsDef> dynamics;
 };
 
 /// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.

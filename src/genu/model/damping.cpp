@@ -1,0 +1,76 @@
+#include "genu/model/damping.h"
+
+#include "genu/model/ligament_pieces.h"
+#include "genu/model/linearization.h"
+#include "genu/model/twist.h"
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Adds -tension dL/dX.
+void add_pull(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, double tension,
+              VecX& wrench) {
+  TwoBodyWrench pull;
+  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
+    const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
+    if (a == b) return;  // its length is constant
+    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], tension, 0, pull);
+    if (a >= 0) wrench.segment<6>(6 * a) += pull.on_a;
+    if (b >= 0) wrench.segment<6>(6 * b) += pull.on_b;
+  });
+}
+
+}  // namespace
+
+bool pushes(const LigamentLaw& law) { return law.slack_until() < 0; }
+
+double damper_tension(const JointModel& model, const State& state, int ligament, DamperMode mode, double rate) {
+  switch (mode) {
+    case DamperMode::slack:
+      return 0;
+    case DamperMode::taut:
+      return model.ligaments[at(ligament)].damping * rate;
+    case DamperMode::relaxed:
+      return -show_ligament(model, state, ligament).force;
+  }
+  return 0;
+}
+
+std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist) {
+  std::vector<DamperMode> modes(model.ligaments.size(), DamperMode::taut);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const auto& l = model.ligaments[i];
+    if (l.damping == 0 || pushes(l.ligament.law)) continue;
+    const LigamentShown shown = show_ligament(model, state, static_cast<int>(i));
+    const double rate = ligament_length_rate(model, l, state.poses, twist);
+    if (shown.length <= l.ligament.law.slack_until())
+      modes[i] = DamperMode::slack;
+    else if (shown.force + l.damping * rate < 0)
+      modes[i] = DamperMode::relaxed;
+  }
+  return modes;
+}
+
+double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,
+                   VecX& wrench) {
+  double power = 0;
+  for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
+    const auto& l = model.ligaments[i];
+    if (l.damping == 0 || modes[i] == DamperMode::slack) continue;
+    const double rate = ligament_length_rate(model, l, state.poses, twist);
+    const double tension = damper_tension(model, state, static_cast<int>(i), modes[i], rate);
+    power += tension * rate;
+    add_pull(model, l, state, tension, wrench);
+  }
+  for (const auto& damper : model.joint_dampers) {
+    const JointPoint::Gradient gradient = joint_point(model, state, damper.joint).gradient(0);
+    const double rate = gradient.dot(twist_of_pair(model, damper.joint, twist));
+    power += damper.damping * rate * rate;
+    add_to_pair(model, damper.joint, Vec12(-damper.damping * rate * gradient.transpose()), wrench);
+  }
+  return power;
+}
+
+}  // namespace genu

@@ -1,0 +1,70 @@
+#include "genu/model/motion_rates.h"
+
+#include "genu/model/linearization.h"
+#include "genu/model/potential_energy.h"
+#include "genu/model/twist.h"
+
+namespace genu {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Vec6 twist_of(const JointModel& model, int body, const VecX& twist) {
+  const int moving = body < 0 ? -1 : model.bodies[at(body)].moving;
+  return moving < 0 ? Vec6(Vec6::Zero()) : Vec6(twist.segment<6>(6 * moving));
+}
+
+}  // namespace
+
+std::vector<JointValues> coordinate_rates(const JointModel& model, const State& state, const VecX& twist) {
+  std::vector<JointValues> rates(model.joints.size());
+  for (std::size_t j = 0; j < rates.size(); ++j) {
+    const JointPoint point = joint_point(model, state, static_cast<int>(j));
+    const Vec12 pair = twist_of_pair(model, static_cast<int>(j), twist);
+    for (int i = 0; i < 6; ++i) rates[j][at(i)] = point.gradient(i).dot(pair);
+  }
+  return rates;
+}
+
+VecX centripetal_rates(const JointModel& model, const State& state, const VecX& twist) {
+  VecX out(static_cast<Eigen::Index>(model.held.size()));
+  JointPoint point;
+  Vec12 pair;
+  int evaluated = -1;
+  Eigen::Index row = 0;
+  for (const auto& held : model.held) {
+    if (held.coordinate.joint != evaluated) {
+      point = joint_point(model, state, evaluated = held.coordinate.joint);
+      pair = twist_of_pair(model, evaluated, twist);
+    }
+    out[row++] = pair.dot(point.hessian(held.coordinate.index) * pair);
+  }
+  return out;
+}
+
+double load_power(const JointModel& model, const State& state, const Target& target, const VecX& twist) {
+  double power = 0;
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const Load& load = model.loads[i];
+    const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
+    if (factor == 0) continue;
+    const Vec12 wrench = load_wrench(model, state, load).wrench;
+    power += factor * (wrench.head<6>().dot(twist_of(model, load.body_a, twist)) +
+                       wrench.tail<6>().dot(twist_of(model, load.body_b, twist)));
+  }
+  return power;
+}
+
+MechanicalEnergy mechanical_energy(const JointModel& model, const State& state, const VecX& twist) {
+  MechanicalEnergy energy;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    if (const int k = model.bodies[i].moving; k >= 0)
+      energy.kinetic += kinetic_energy(model.inertias[at(k)], state.poses[i].R, twist.segment<6>(6 * k));
+  energy.stored = stored_energy(model, state);
+  for (const Load& weight : model.weights)
+    energy.gravity -= weight.force.dot(state.poses[at(weight.body_a)] * weight.p_A -
+                                       model.reference_poses[at(weight.body_a)] * weight.p_A);
+  return energy;
+}
+
+}  // namespace genu

@@ -1,0 +1,152 @@
+#include "genu/results/motion_table.h"
+
+#include <cmath>
+
+#include "genu/model/grood_suntay.h"
+#include "genu/model/ligament_pieces.h"
+#include "genu/model/motion_rates.h"
+#include "genu/results/columns.h"
+
+namespace genu {
+namespace {
+
+constexpr double kMillimetre = 1e3;
+constexpr double kDegree = 180 / M_PI;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double shown(int index, double value) { return value * (index < 3 ? kDegree : kMillimetre); }
+
+/// "j1.angle_velocity_deg_s", "knee.x_velocity_mm_s"
+std::string rate_column(const Scene& scene, const CoordinateRef& c) {
+  return coordinate_name(scene, c) + (c.index < 3 ? "_velocity_deg_s" : "_velocity_mm_s");
+}
+
+class MotionTable {
+ public:
+  MotionTable(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points)
+      : scene_(scene), model_(model) {
+    add_columns();
+    for (const MotionPoint& point : points) add_row(point, points.front());
+  }
+  ResultTable take() { return std::move(table_); }
+
+ private:
+  void add_columns() {
+    for (const char* name : {"step", "increment", "time_s", "status"}) table_.add_column(name);
+    for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
+      const JointDef& joint = scene_.joints[at(j)];
+      for (int i = 0; i < 6; ++i)
+        if (joint.leaves(i)) table_.add_column(coordinate_column(scene_, QuantityRef(j, i)));
+      for (int i = 0; i < 6; ++i)
+        if (joint.leaves(i)) table_.add_column(rate_column(scene_, {j, i}));
+      if (joint.stiffness > 0) table_.add_column(joint.name + ".spring_Nm");
+      if (joint.damping > 0) table_.add_column(joint.name + ".damper_Nm");
+      for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
+        table_.add_column(held_column(joint.name, i));
+      for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
+        table_.add_column(clinical_column(joint.name, i));
+    }
+    for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k)
+      table_.add_column(coordinate_column(scene_, combination(k)));
+    for (const auto& l : model_.ligaments)
+      for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
+        table_.add_column(l.name + "." + quantity);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.add_column(l.name + ".scale");
+    for (const char* name : {"energy.kinetic_J", "energy.stored_J", "energy.gravity_J", "energy.load_work_J",
+                             "energy.dissipated_J", "energy.balance_J", "residual"})
+      table_.add_column(name);
+  }
+
+  QuantityRef combination(int k) const { return {scene_.combinations[at(k)].terms.front().coordinate, k}; }
+
+  void add_row(const MotionPoint& point, const MotionPoint& first) {
+    table_.add_row();
+    table_.set("step", 1L);
+    table_.set("increment", static_cast<long>(table_.rows()) - 1);
+    table_.set("time_s", point.time);
+    table_.set("status", std::string("ok"));
+    set_joints(point);
+    set_ligaments(point);
+    for (const Load& l : model_.loads)
+      if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);
+    const MechanicalEnergy energy = mechanical_energy(model_, point.state, point.twist);
+    table_.set("energy.kinetic_J", energy.kinetic);
+    table_.set("energy.stored_J", energy.stored);
+    table_.set("energy.gravity_J", energy.gravity);
+    table_.set("energy.load_work_J", point.load_work);
+    table_.set("energy.dissipated_J", point.dissipated);
+    table_.set("energy.balance_J", energy_error(model_, first, point));
+    table_.set("residual", point.residual);
+  }
+
+  void set_joints(const MotionPoint& point) {
+    const auto rates = coordinate_rates(model_, point.state, point.twist);
+    for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
+      const JointDef& joint = scene_.joints[at(j)];
+      const JointValues& values = point.state.coordinates[at(j)];
+      for (int i = 0; i < 6; ++i) {
+        if (!joint.leaves(i)) continue;
+        table_.set(coordinate_column(scene_, QuantityRef(j, i)), shown(i, values[at(i)]));
+        table_.set(rate_column(scene_, {j, i}), shown(i, rates[at(j)][at(i)]));
+      }
+      if (joint.stiffness > 0) table_.set(joint.name + ".spring_Nm", -joint.stiffness * values[0]);
+      if (joint.damping > 0) table_.set(joint.name + ".damper_Nm", -joint.damping * rates[at(j)][0]);
+      if (joint.type != JointDef::Type::free) set_held(j, point.state);
+      if (joint.grood_suntay) set_clinical(joint, point.state);
+    }
+    for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
+      const QuantityRef quantity = combination(k);
+      table_.set(coordinate_column(scene_, quantity),
+                 shown(quantity.first.index, quantity_value(model_, point.state.coordinates, quantity)));
+    }
+  }
+
+  void set_held(int joint, const State& state) {
+    const Vec6 wrench = joint_reaction(model_, state, joint);
+    for (std::size_t i = 0; i < 6; ++i)
+      table_.set(held_column(model_.joints[at(joint)].name, i), wrench[static_cast<Eigen::Index>(i)]);
+  }
+
+  void set_clinical(const JointDef& joint, const State& state) {
+    const GroodSuntayDef& def = *joint.grood_suntay;
+    const auto m = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
+    if (!m) return;
+    const double values[] = {kDegree * m->flexion,     kDegree * m->adduction,    kDegree * m->external_rotation,
+                             kMillimetre * m->lateral, kMillimetre * m->anterior, kMillimetre * m->distraction};
+    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
+  }
+
+  void set_ligaments(const MotionPoint& point) {
+    for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
+      const auto& l = model_.ligaments[i];
+      const LigamentShown law = show_ligament(model_, point.state, static_cast<int>(i));
+      const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
+      const double damper = damper_tension(model_, point.state, static_cast<int>(i), point.modes[i], rate);
+      table_.set(l.name + ".length_mm", kMillimetre * law.length);
+      table_.set(l.name + ".strain", law.strain);
+      table_.set(l.name + ".velocity_mm_s", kMillimetre * rate);
+      table_.set(l.name + ".force_N", law.force + damper);
+    }
+  }
+
+  const Scene& scene_;
+  const JointModel& model_;
+  ResultTable table_;
+};
+
+}  // namespace
+
+ResultTable motion_table(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points) {
+  return MotionTable(scene, model, points).take();
+}
+
+double energy_error(const JointModel& model, const MotionPoint& first, const MotionPoint& point) {
+  const auto balance = [&](const MotionPoint& p) {
+    return mechanical_energy(model, p.state, p.twist).sum() + p.dissipated - p.load_work;
+  };
+  return balance(point) - balance(first);
+}
+
+}  // namespace genu

@@ -1,0 +1,145 @@
+#include "genu/run/run_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/core/timer.h"
+#include "genu/model/motion_rates.h"
+#include "genu/results/motion_table.h"
+
+namespace genu {
+namespace {
+
+void refuse(const Prepared& prepared, std::string rule, Diagnostics& out) {
+  const SourceLocation& where = prepared.scene.dynamics->where;
+  out.add({.file = prepared.scene.file,
+           .line = where.line,
+           .column = where.column,
+           .key = "dynamics",
+           .found = {},
+           .rule = std::move(rule)});
+}
+
+void note_effects(const Prepared& p, RunSummary& s) {
+  const auto add = [&](const char* name, std::size_t count, std::string unknowns) {
+    if (count > 0) s.effects.push_back({name, static_cast<int>(count), std::move(unknowns)});
+  };
+  const auto damped =
+      std::count_if(p.model.ligaments.begin(), p.model.ligaments.end(), [](const auto& l) { return l.damping > 0; });
+  const int bodies = p.model.moving_count;
+  add("dynamics", 1, fmt::format("{} numbers over time: pose, quaternion, twist; 2 energies", 13 * bodies));
+  add("moving bodies", p.model.inertias.size(), fmt::format("6 accelerations each: {}", 6 * bodies));
+  add("joint constraints", p.model.held.size(), "coordinates held, 1 multiplier each");
+  add("joint springs", p.model.joint_springs.size(), "no unknowns");
+  add("joint dampers", p.model.joint_dampers.size(), "no unknowns");
+  add("ligaments", p.model.ligaments.size(), "no unknowns");
+  add("ligament dampers", static_cast<std::size_t>(damped), "no unknowns");
+  add("loads", p.model.loads.size(), "no unknowns");
+  add("weights", p.model.weights.size(), "no unknowns");
+}
+
+void note_energy(const JointModel& model, const std::vector<MotionPoint>& points, RunSummary::Motion& m) {
+  for (const MotionPoint& p : points) {
+    const MechanicalEnergy e = mechanical_energy(model, p.state, p.twist);
+    m.worst_energy = std::max(m.worst_energy, std::abs(energy_error(model, points.front(), p)));
+    for (const double part : {e.kinetic, e.stored, e.gravity, p.load_work, p.dissipated})
+      m.energy_scale = std::max(m.energy_scale, std::abs(part));
+  }
+}
+
+std::vector<std::string> verdict(const MotionResult& result, const RunSummary& s) {
+  std::vector<std::string> out;
+  if (result.complete)
+    out.push_back(fmt::format("The motion is integrated to its end, {:g} s.", s.motion->duration));
+  else
+    out.push_back(fmt::format("{} of {} rows: {}.", s.poses_solved, s.poses_asked, result.why));
+  if (s.motion->switches > 0)
+    out.push_back(
+        fmt::format("{} times a ligament became slack or taut or changed formula: events.csv.", s.motion->switches));
+  return out;
+}
+
+}  // namespace
+
+MotionPlan plan_motion(const DynamicsDef& dynamics) {
+  MotionPlan plan;
+  plan.duration = dynamics.duration;
+  plan.output_interval = dynamics.output_interval;
+  plan.tolerance = dynamics.tolerance;
+  for (const DynamicsDef::Rate& rate : dynamics.start_rates) plan.start_rates.emplace_back(rate.coordinate, rate.value);
+  return plan;
+}
+
+Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
+  Solution out;
+  RunSummary& s = out.summary;
+  s.scene_file = prepared.scene.file;
+  s.title = prepared.scene.title;
+  s.version = GENU_VERSION;
+  s.length_scale = prepared.model.scales.length;
+  s.force_scale = prepared.model.scales.force;
+  s.seconds = prepared.seconds;
+  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
+  note_effects(prepared, s);
+
+  const Timer timer;
+  const MotionPlan plan = plan_motion(*prepared.scene.dynamics);
+  s.poses_asked = static_cast<int>(output_times(plan).size());
+  std::vector<MotionPoint> points;
+  MotionObserver observer;
+  observer.cancelled = options.cancelled;
+  observer.event = [&](PathEvent event) {
+    event.t = event.target.time / plan.duration;
+    event.target.load_factors.assign(prepared.model.loads.size(), 1.0);
+    event.rows_before = static_cast<int>(points.size());
+    out.events.push_back(std::move(event));
+  };
+  observer.point = [&](const MotionPoint& point) {
+    points.push_back(point);
+    if (options.progress) options.progress(static_cast<int>(points.size()), s.poses_asked);
+  };
+  const MotionResult result = follow_motion(prepared.model, plan, observer);
+  s.poses_solved = static_cast<int>(points.size());
+  s.motion = {plan.duration,
+              plan.output_interval,
+              plan.tolerance,
+              result.stiff_from ? fmt::format("Adams, from {:g} s on BDF: stiff", *result.stiff_from) : "Adams",
+              result.counts.steps,
+              result.counts.evaluations,
+              result.counts.jacobians,
+              result.counts.starts,
+              result.worst_residual,
+              result.worst_drift,
+              0,
+              0,
+              static_cast<int>(out.events.size())};
+  note_energy(prepared.model, points, *s.motion);
+  s.exit_code = result.complete ? kExitOk : kExitIncomplete;
+  s.verdict = verdict(result, s);
+  s.seconds.emplace_back("integrating", timer.seconds());
+  out.poses = motion_table(prepared.scene, prepared.model, points);
+  out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
+  return out;
+}
+
+bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
+  if (options.starts > 0) refuse(prepared, "a motion has one start: run it without --starts", out);
+  if (options.error_bars) refuse(prepared, "not built yet: error bars of a motion; run it without --error-bars", out);
+  return !out.has_errors();
+}
+
+bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out) {
+  if (found.summary.poses_solved > 0) return false;
+  refuse(prepared, found.summary.verdict.front(), out);
+  return true;
+}
+
+bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out) {
+  if (!prepared.scene.dynamics) return false;
+  refuse(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);
+  return true;
+}
+
+}  // namespace genu

@@ -1,0 +1,134 @@
+// [dynamics]: motion over time, and what it asks of bodies, joints and ligaments.
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace {
+
+constexpr double kMostRows = 1'000'000;
+constexpr double kFinestTolerance = 1e-12, kCoarsestTolerance = 1e-2;
+
+NumberRule plain(std::string unit_name) {
+  return {.unit = 1, .unit_name = std::move(unit_name), .above = {}, .at_least = {}};
+}
+
+/// [xx, yy, zz] or [xx, yy, zz, xy, xz, yz].
+std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
+  const bool all = item && item.node->kind == TomlNode::Kind::array && item.node->children.size() == 6;
+  if (!is_array(context, item, "[xx, yy, zz] or [xx, yy, zz, xy, xz, yz] in kg m^2", all ? 6 : 3)) return {};
+  double entry[6] = {};
+  bool good = true;
+  for (std::size_t k = 0; k < item.node->children.size(); ++k) {
+    const auto value = read_number(context, item.element(k), k < 3 ? non_negative(plain("kg m^2")) : plain("kg m^2"));
+    good = good && value;
+    entry[k] = value.value_or(0);
+  }
+  if (!good) return {};
+  Mat3 I;
+  I << entry[0], entry[3], entry[4], entry[3], entry[1], entry[5], entry[4], entry[5], entry[2];
+  return I;
+}
+
+/// What a matrix of inertia breaks that no distribution of mass could break; empty if nothing.
+std::string broken_rule(const Mat3& I) {
+  constexpr double kRounding = 1e-9;
+  const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(I, Eigen::EigenvaluesOnly).eigenvalues();
+  const double rounding = kRounding * principal[2];
+  if (principal[0] < -rounding)
+    return fmt::format("no body has it: the principal moments of inertia must be >= 0, here {:.4g}, {:.4g}, {:.4g}",
+                       principal[0], principal[1], principal[2]);
+  if (principal[2] > principal[0] + principal[1] + rounding)
+    return fmt::format(
+        "no body has it: each principal moment of inertia is at most the sum of the other two, here {:.4g} > {:.4g} + "
+        "{:.4g} kg m^2",
+        principal[2], principal[0], principal[1]);
+  return {};
+}
+
+void read_start_rates(ReadContext& context, const Item& item, DynamicsDef& dynamics) {
+  if (!is_table(context, item)) return;
+  for (const NamedItem& entry : coordinate_items(item)) {
+    const auto c = find_coordinate(context, entry.item.node->key_where, entry.item.path, entry.name);
+    const NumberRule rule = !c ? NumberRule{} : c->index < 3 ? angle_rule(context) : length_rule(context);
+    const auto value = read_number(context, entry.item, rule);
+    if (c && value) dynamics.start_rates.push_back({*c, *value});
+  }
+}
+
+/// What is known to the format, but not yet in motion.
+void refuse_not_built(ReadContext& context) {
+  const Scene& scene = context.scene;
+  for (const ContactDef& c : scene.contacts)
+    context.error(c.where, "contact." + c.name, {}, "not built yet: rigid contact in motion ([dynamics])");
+  for (const LayerDef& l : scene.layers)
+    context.error(l.pair.where, "contact." + l.pair.name, {}, "not built yet: cartilage in motion ([dynamics])");
+}
+
+void refuse_locked(ReadContext& context, const Item& item) {
+  for (const JointDef& joint : context.scene.joints)
+    if (joint.type != JointDef::Type::fixed) return;
+  if (context.scene.joints.empty() || !context.bodies_understood) return;
+  context.error(item.node->key_where, item.path, {}, "nothing can move: every joint is fixed");
+}
+
+}  // namespace
+
+void read_inertia(ReadContext& context, Section& section, BodyDef& body) {
+  const bool needed = !body.fixed;
+  const Item mass = needed ? section.require("mass") : section.find("mass");
+  const Item centre = section.find("centre_of_mass");
+  const Item inertia = needed ? section.require("inertia") : section.find("inertia");
+  body.mass = read_number(context, mass, positive(plain("kg"))).value_or(0);
+  body.centre_of_mass = read_vector(context, centre, length_rule(context)).value_or(Vec3::Zero());
+  if (const auto matrix = inertia ? read_matrix(context, inertia) : std::nullopt) {
+    body.inertia = *matrix;
+    if (const std::string rule = broken_rule(*matrix); !rule.empty()) refuse(context, inertia, rule);
+  }
+  for (const Item& item : {mass, centre, inertia})
+    if (item && body.fixed) refuse(context, item, "is of a fixed body, which nothing moves");
+}
+
+double read_damping(ReadContext& context, Section& section, const char* what, double unit,
+                    const std::string& unit_name) {
+  const Item item = section.find("damping");
+  if (!item) return 0;
+  if (!context.in_motion) {
+    context.error(item.node->key_where, item.path, literal(*item.node),
+                  fmt::format("damping of {} has an effect only in a scene with [dynamics]", what));
+    return 0;
+  }
+  const NumberRule rule{.unit = unit, .unit_name = unit_name, .above = {}, .at_least = 0};
+  return read_number(context, item, rule).value_or(0);
+}
+
+void read_dynamics(ReadContext& context, Section& root) {
+  const Item item = root.find("dynamics");
+  if (!is_table(context, item)) return;
+  Section section(context, item, "dynamics");
+  DynamicsDef dynamics;
+  dynamics.where = item.node->key_where;
+  const Item interval = section.require("output_interval"), tolerance = section.find("tolerance");
+  const auto duration = read_number(context, section.require("duration"), positive(plain("s")));
+  const auto every = read_number(context, interval, positive(plain("s")));
+  dynamics.duration = duration.value_or(1);
+  dynamics.output_interval = every.value_or(1);
+  if (duration && every && *every > *duration) refuse(context, interval, "must be at most the duration");
+  if (duration && every && *duration / *every > kMostRows)
+    refuse(context, interval, fmt::format("asks for more than {:g} rows", kMostRows));
+  const auto error = read_number(context, tolerance, positive(plain({})));
+  dynamics.tolerance = error.value_or(dynamics.tolerance);
+  if (error && (*error < kFinestTolerance || *error > kCoarsestTolerance))
+    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kFinestTolerance, kCoarsestTolerance));
+  read_start_rates(context, section.find("start_rates"), dynamics);
+  section.finish();
+  refuse_not_built(context);
+  refuse_locked(context, item);
+  context.scene.dynamics = dynamics;
+}
+
+}  // namespace genu

@@ -1,0 +1,40 @@
+// When the laws of ligaments and their dampers go over into another formula during a motion.
+#pragma once
+
+#include <vector>
+
+#include "genu/solver/equations_of_motion.h"
+#include "genu/solver/path.h"
+
+namespace genu {
+
+class MotionSwitches {
+ public:
+  explicit MotionSwitches(const JointModel& model);
+
+  /// How many functions of time change their sign where something switches.
+  int count() const { return static_cast<int>(watches_.size()); }
+
+  /// Those functions: lengths over the scale of length, tensions over the scale of force.
+  void values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const;
+
+  /// Puts every ligament where its length and speed belong.
+  void settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) const;
+
+  /// Switches what changed its sign (+1, -1, else 0: OdeIntegrator::roots) and names it.
+  std::vector<PathEvent> switch_over(const std::vector<int>& roots, const MotionPoint& point, State& pieces,
+                                     std::vector<DamperMode>& modes) const;
+
+  /// Whether a ligament lies, by more than rounding, where its piece or its mode does not belong.
+  bool astray(const MotionPoint& point, const State& pieces, const std::vector<DamperMode>& modes) const;
+
+ private:
+  struct Watch {
+    int ligament;
+    int law_break;  ///< of LigamentLaw::breaks(); -1: the tension of law and damper together
+  };
+  const JointModel& model_;
+  std::vector<Watch> watches_;
+};
+
+}  // namespace genu

@@ -1,0 +1,74 @@
+// Motions of scenes given as text.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "genu/run/run_motion.h"
+#include "genu/scene/centre_bodies.h"
+#include "genu/scene/reader.h"
+
+namespace genu::test {
+
+inline constexpr double kPerDegree = std::numbers::pi / 180;
+
+inline Prepared prepared_motion(const Scene& scene) {
+  Prepared p;
+  Diagnostics out;
+  p.scene = scene;
+  centre_bodies(p.scene);
+  auto model = build_model(p.scene, {}, out);
+  for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
+  if (model) p.model = std::move(*model);
+  return p;
+}
+
+inline Scene motion_scene(const std::string& text) {
+  Diagnostics out;
+  auto scene = parse_scene(text, "scene.toml", out);
+  for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
+  return scene.value_or(Scene{});
+}
+
+/// The motion of a scene, which must come to its end with every row on its constraints.
+inline Solution motion_of(const Scene& scene) {
+  if (!scene.dynamics) return {};
+  Solution s = solve_motion(prepared_motion(scene), {});
+  EXPECT_EQ(s.summary.exit_code, kExitOk) << (s.summary.verdict.empty() ? "" : s.summary.verdict.front());
+  EXPECT_LT(s.summary.motion->worst_residual, 1e-10) << "of the constraints, over the scale of length";
+  return s;
+}
+inline Solution motion_of(const std::string& text) { return motion_of(motion_scene(text)); }
+
+inline const std::string kGround = R"(format = 1
+units = { length = "m", angle = "rad" }
+[body.ground]
+fixed = true
+)";
+
+inline std::string dynamics(double duration, double interval, double tolerance, const std::string& rates = "") {
+  return fmt::format("[dynamics]\nduration = {}\noutput_interval = {}\ntolerance = {}\n", duration, interval,
+                     tolerance) +
+         (rates.empty() ? "" : "start_rates = { " + rates + " }\n");
+}
+
+/// The amplitude am(u, k) of Jacobi's elliptic functions, continuous in u, by Gauss' arithmetic-geometric mean
+/// (Abramowitz and Stegun 16.4).
+inline double amplitude(double u, double k) {
+  double a[16] = {1}, c[16] = {k}, b = std::sqrt(1 - k * k);
+  int n = 0;
+  for (; n < 15 && std::abs(c[n]) > 1e-17; ++n) {
+    a[n + 1] = (a[n] + b) / 2;
+    c[n + 1] = (a[n] - b) / 2;
+    b = std::sqrt(a[n] * b);
+  }
+  double phi = std::ldexp(a[n] * u, n);
+  for (; n > 0; --n) phi = (phi + std::asin(c[n] * std::sin(phi) / a[n])) / 2;
+  return phi;
+}
+
+}  // namespace genu::test
