@@ -12,6 +12,7 @@ function(genu_cgal_sources target)
   target_include_directories(${target}_cgal PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   target_compile_definitions(${target}_cgal PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>
                              GENU_WITH_CGAL CGAL_EIGEN3_ENABLED)
+  set_target_properties(${target}_cgal PROPERTIES UNITY_BUILD OFF) # each is large
   get_target_property(others ${target} SOURCES)
   list(REMOVE_ITEM others ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES SOURCES "${others}")

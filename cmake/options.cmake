@@ -9,6 +9,8 @@ target_compile_definitions(genu_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 # No fused or reordered floating point: the same input gives the same bytes.
 target_compile_options(genu_options INTERFACE -ffp-contract=off)
 if(GENU_SANITIZE)
-  target_compile_options(genu_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  # Left out of `undefined`: what the address sanitizer or the processor stops at anyway, a third of the time to build.
+  target_compile_options(genu_options INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
+                         -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(genu_options INTERFACE -fsanitize=address,undefined)
 endif()

@@ -15,6 +15,7 @@
 #include "genu/contact/far_distance.h"
 #include "genu/core/timer.h"
 #include "genu/geometry/analytic.h"
+#include "genu/geometry/facet_surface.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_topology.h"
 #include "support/data.h"
@@ -25,19 +26,6 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>>>;
-
-/// A mesh as a surface that knows nothing but its triangles.
-class Facets final : public Surface {
- public:
-  explicit Facets(Mesh mesh) : mesh_(std::move(mesh)) {}
-  bool project(const Vec3&, SurfacePoint&) const override { return false; }
-  std::optional<double> gap(const Vec3&) const override { return std::nullopt; }
-  Mesh triangles(double, const Vec3&, double) const override { return mesh_; }
-  bool is_global() const override { return false; }
-
- private:
-  Mesh mesh_;
-};
 
 /// CGAL's copy of a mesh; fewer faces where CGAL refuses some.
 SurfaceMesh to_cgal(const Mesh& mesh) {
@@ -73,7 +61,7 @@ void expect_same_distances(const char* name, const Mesh& mesh, int count) {
   ASSERT_EQ(twin.number_of_faces(), mesh.triangles.size());
   Tree tree(faces(twin).begin(), faces(twin).end(), twin);
   tree.accelerate_distance_queries();
-  const Facets facets(mesh);
+  const FacetSurface facets(mesh);
   const FarDistance far(facets);
   const std::vector<Vec3> points = points_around(mesh, count);
   std::vector<double> theirs, ours;
@@ -101,7 +89,7 @@ void expect_same_sides(const Mesh& mesh, int count) {
   const SurfaceMesh twin = to_cgal(mesh);
   ASSERT_TRUE(CGAL::is_closed(twin));
   const CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel> side(twin);
-  const Facets facets(mesh);
+  const FacetSurface facets(mesh);
   const FarDistance far(facets);
   int inside = 0, wrong = 0;
   for (const Vec3& x : points_around(mesh, count)) {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <Eigen/Dense>
 
 #include "contact/contact_pairs.h"
 #include "genu/contact/local_minimum.h"
+#include "genu/core/decompositions.h"
 #include "support/finite_difference.h"
 #include "support/transport.h"
 
@@ -21,8 +21,9 @@ using test::relative_error;
 using test::some_surfaces;
 using test::touching;
 
-constexpr double kForce = 137;  // N
-constexpr double kStep = 2e-5;  // m and rad of a finite difference: truncation (h / 5 mm)^4, rounding 1e-17 m / h
+constexpr double kContactForce = 137;  // N
+constexpr double kDifferenceStep =
+    2e-5;  // m and rad of a finite difference: truncation (h / 5 mm)^4, rounding 1e-17 m / h
 
 struct Contact {
   const Surface *A, *B;
@@ -42,7 +43,7 @@ struct Contact {
   }
   ContactBlock block() const {
     ContactBlock out;
-    evaluate_contact(X_Wa, X_Wb, geometry, kForce, out);
+    evaluate_contact(X_Wa, X_Wb, geometry, kContactForce, out);
     return out;
   }
 };
@@ -74,8 +75,8 @@ TEST(ContactEquations, ResidualsDerivatives) {
     const ContactBlock block = c.block();
     MatX exact(5, 16);
     exact << block.d_twist, block.d_surface;
-    const MatX difference =
-        test::jacobian([&](const VecX& x) { return VecX(c.moved(x).block().residual); }, VecX::Zero(16), kStep);
+    const MatX difference = test::jacobian([&](const VecX& x) { return VecX(c.moved(x).block().residual); },
+                                           VecX::Zero(16), kDifferenceStep);
     // Row by row: lengths and sines do not share a size.
     for (int row = 0; row < 5; ++row) {
       const double error = relative_error(exact.row(row), difference.row(row));
@@ -91,11 +92,12 @@ TEST(ContactEquations, WrenchesDerivatives) {
     const ContactBlock block = c.block();
     MatX exact(12, 16);
     exact << block.wrench_d_twist, block.wrench_d_surface;
-    const MatX difference = test::jacobian([&](const VecX& x) { return VecX(kForce * c.moved(x).block().direction); },
-                                           VecX::Zero(16), kStep);
+    const MatX difference =
+        test::jacobian([&](const VecX& x) { return VecX(kContactForce * c.moved(x).block().direction); },
+                       VecX::Zero(16), kDifferenceStep);
     for (const int part : {0, 3, 6, 9}) {  // forces and moments by themselves
       const double scale =
-          std::max(exact.middleRows<3>(part).cwiseAbs().maxCoeff(), kForce * (part % 6 == 0 ? 1 : 0.01));
+          std::max(exact.middleRows<3>(part).cwiseAbs().maxCoeff(), kContactForce * (part % 6 == 0 ? 1 : 0.01));
       const double error = (exact - difference).middleRows<3>(part).cwiseAbs().maxCoeff() / scale;
       ASSERT_LT(error, 1e-8) << what << ", rows from " << part;
     }
@@ -157,8 +159,8 @@ void for_minimal_contacts(Check check) {
                   {},
                   {random_point(*a.surface, random), random_point(*b.surface, random)}};
         c.X_Wb = c.X_Wa * touching(c.geometry.a, c.geometry.b, 0.7);
-        const Eigen::SelfAdjointEigenSolver<Mat2> eigen(relative_curvature(c.X_Wa, c.X_Wb, c.geometry));
-        if (eigen.eigenvalues()[0] > 10) check(c, a.name + " on " + b.name);
+        if (symmetric_eigenvalues(relative_curvature(c.X_Wa, c.X_Wb, c.geometry))[0] > 10)
+          check(c, a.name + " on " + b.name);
       }
 }
 
@@ -209,15 +211,13 @@ Mat2 curvature_at(const Surface& a, const Vec3& at_a, const Surface& b, const Ve
   return relative_curvature({}, turned * X_ab, contact);
 }
 
-Vec2 eigenvalues(const Mat2& m) { return Eigen::SelfAdjointEigenSolver<Mat2>(m).eigenvalues(); }
-
 TEST(ContactEquations, RelativeCurvatureInClosedForm) {
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false),
              socket = make_sphere({}, 0.025, true);
   const auto torus = make_torus({}, 0.015, 0.005, false), cylinder = make_cylinder({}, 0.01, false);
   const auto expect = [](const Mat2& m, double low, double high) {
-    EXPECT_NEAR(eigenvalues(m)[0], low, 1e-11);
-    EXPECT_NEAR(eigenvalues(m)[1], high, 1e-11);
+    EXPECT_NEAR(symmetric_eigenvalues(m)[0], low, 1e-11);
+    EXPECT_NEAR(symmetric_eigenvalues(m)[1], high, 1e-11);
   };
   const Vec3 x = Vec3::UnitX();
   expect(curvature_at(*sphere, x, *plane, Vec3::Zero(), 0.3), 50, 50);
@@ -228,7 +228,7 @@ TEST(ContactEquations, RelativeCurvatureInClosedForm) {
   expect(curvature_at(*cylinder, x, *plane, Vec3::Zero(), 0.3), 0, 100);
   // Two cylinders crossing at the angle t: k (1 +- cos t). `touching` lays the tangents of one along the other's.
   for (const double t : {0.4, 1.0, 1.5}) {
-    const Vec2 k = eigenvalues(curvature_at(*cylinder, x, *cylinder, x, t));
+    const Vec2 k = symmetric_eigenvalues(curvature_at(*cylinder, x, *cylinder, x, t));
     EXPECT_NEAR(k.sum(), 200, 1e-11);
     EXPECT_NEAR(std::min(std::abs(k[0] - 100 * (1 - std::cos(t))), std::abs(k[0] - 100 * (1 - std::sin(t)))), 0, 1e-9);
   }

@@ -4,29 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
+#include "genu/geometry/facet_surface.h"
 #include "support/brute_force.h"
 
 namespace genu {
 namespace {
 
-/// A mesh as a surface that knows nothing but its triangles.
-class Facets final : public Surface {
- public:
-  explicit Facets(Mesh mesh) : mesh_(std::move(mesh)) {}
-  bool project(const Vec3&, SurfacePoint&) const override { return false; }
-  std::optional<double> gap(const Vec3&) const override { return std::nullopt; }
-  Mesh triangles(double, const Vec3&, double) const override { return mesh_; }
-  bool is_global() const override { return false; }
-  const Mesh& mesh() const { return mesh_; }
-
- private:
-  Mesh mesh_;
-};
-
-Facets facets_of(const Surface& surface, double edge) { return Facets(surface.triangles(edge, Vec3::Zero(), 0.03)); }
+FacetSurface facets_of(const Surface& surface, double edge) {
+  return FacetSurface(surface.triangles(edge, Vec3::Zero(), 0.03));
+}
 
 /// A flat square sheet of half side `half` (m), outward +z.
-Facets sheet(double half, int cells) {
+FacetSurface flat_facets(double half, int cells) {
   Mesh mesh;
   for (int j = 0; j <= cells; ++j)
     for (int i = 0; i <= cells; ++i)
@@ -38,19 +27,20 @@ Facets sheet(double half, int cells) {
       mesh.triangles.push_back({v, v + 1, v + row});
       mesh.triangles.push_back({v + 1, v + row + 1, v + row});
     }
-  return Facets(mesh);
+  return FacetSurface(mesh);
 }
 
 /// Distance, sign and direction at random points within `reach` (m) of the origin.
-void expect_brute_force(const Facets& facets, double reach, int points) {
+void expect_brute_force(const FacetSurface& facets, double reach, int points) {
   const FarDistance far(facets);
+  const Mesh mesh = facets.triangles(0, Vec3::Zero(), 0);
   std::mt19937 random(6);
   double worst = 0;
   int inside = 0;
   for (int i = 0; i < points; ++i) {
     const Vec3 x = test::random_vector(random, reach);
-    const Vec3 foot = test::nearest_on_mesh(facets.mesh(), x);
-    const double winding = test::winding_number(facets.mesh(), x);
+    const Vec3 foot = test::nearest_on_mesh(mesh, x);
+    const double winding = test::winding_number(mesh, x);
     ASSERT_LT(std::abs(winding - std::round(winding)), 1e-9);
     const double exact = (winding > 0.5 ? -1 : 1) * (x - foot).norm();
     inside += exact < 0 ? 1 : 0;
@@ -61,7 +51,7 @@ void expect_brute_force(const Facets& facets, double reach, int points) {
     EXPECT_NEAR(found.direction.norm(), 1, 1e-12);
     // Where two feet are equally near, either direction is right: walking along it changes the distance by as much.
     const Vec3 on = x - found.distance * found.direction;
-    EXPECT_LT((test::nearest_on_mesh(facets.mesh(), on) - on).norm(), 1e-8);
+    EXPECT_LT((test::nearest_on_mesh(mesh, on) - on).norm(), 1e-8);
   }
   EXPECT_GT(inside, points / 50);
   EXPECT_LT(inside, points - points / 50);
@@ -75,8 +65,8 @@ TEST(FarDistance, ClosedTorusMesh) {
 }
 
 TEST(FarDistance, TurnedInsideOutTheSignTurns) {
-  const Facets out = facets_of(*make_torus({}, 0.015, 0.005, false), 2.5e-3);
-  const Facets in = facets_of(*make_torus({}, 0.015, 0.005, true), 2.5e-3);
+  const FacetSurface out = facets_of(*make_torus({}, 0.015, 0.005, false), 2.5e-3);
+  const FacetSurface in = facets_of(*make_torus({}, 0.015, 0.005, true), 2.5e-3);
   const FarDistance far_out(out), far_in(in);
   std::mt19937 random(9);
   for (int i = 0; i < 200; ++i) {
@@ -88,7 +78,7 @@ TEST(FarDistance, TurnedInsideOutTheSignTurns) {
 TEST(FarDistance, FineSphereMeshApproachesTheSphere) {
   const auto sphere = make_sphere({}, 0.02, false);
   const double edge = 1e-3;
-  const Facets mesh = facets_of(*sphere, edge);
+  const FacetSurface mesh = facets_of(*sphere, edge);
   const FarDistance far(mesh);
   std::mt19937 random(12);
   for (int i = 0; i < 300; ++i) {
@@ -99,8 +89,9 @@ TEST(FarDistance, FineSphereMeshApproachesTheSphere) {
 
 TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
   const double half = 0.01;
-  const Facets mesh = sheet(half, 6);
-  const FarDistance far(mesh);
+  const FacetSurface facets = flat_facets(half, 6);
+  const Mesh mesh = facets.triangles(0, Vec3::Zero(), 0);
+  const FarDistance far(facets);
   std::mt19937 random(1);
   int beyond = 0;
   for (int i = 0; i < 500; ++i) {
@@ -108,7 +99,7 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
     const FarDistance::Nearest found = far.nearest(x);
     const bool over = std::abs(x.x()) < half && std::abs(x.y()) < half;
     EXPECT_EQ(found.beyond_edge, !over) << x.transpose();
-    const double unsigned_distance = (x - test::nearest_on_mesh(mesh.mesh(), x)).norm();
+    const double unsigned_distance = (x - test::nearest_on_mesh(mesh, x)).norm();
     EXPECT_NEAR(found.distance, over ? x.z() : unsigned_distance, 1e-8) << x.transpose();
     EXPECT_TRUE(!over || (found.direction - Vec3::UnitZ()).norm() < 1e-6) << x.transpose();
     beyond += over ? 0 : 1;
@@ -118,7 +109,7 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
 }
 
 /// The side of random points, told by the mesh without what makes it hard.
-void expect_side_of(const Facets& facets, const Surface& exact, double reach) {
+void expect_side_of(const FacetSurface& facets, const Surface& exact, double reach) {
   const FarDistance far(facets);
   std::mt19937 random(3);
   int inside = 0;
@@ -138,7 +129,7 @@ TEST(FarDistance, AHoleDoesNotLetTheInsideOut) {
   std::erase_if(mesh.triangles, [&](const auto& t) {
     return (mesh.vertices[static_cast<std::size_t>(t[0])] - Vec3(0.02, 0, 0)).norm() < 3e-3;
   });
-  expect_side_of(Facets(mesh), *torus, 0.025);
+  expect_side_of(FacetSurface(mesh), *torus, 0.025);
 }
 
 TEST(FarDistance, APieceInsideAnotherDoesNotLetTheInsideOut) {
@@ -148,7 +139,7 @@ TEST(FarDistance, APieceInsideAnotherDoesNotLetTheInsideOut) {
   const int first = static_cast<int>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
   for (const auto& [i, j, k] : more.triangles) mesh.triangles.push_back({i + first, j + first, k + first});
-  expect_side_of(Facets(mesh), *ball, 0.03);
+  expect_side_of(FacetSurface(mesh), *ball, 0.03);
 }
 
 TEST(FarDistance, TrianglesWithoutAreaSayNothing) {
@@ -163,7 +154,7 @@ TEST(FarDistance, TrianglesWithoutAreaSayNothing) {
     mesh.triangles.push_back({c[0], middle, c[1]});
     mesh.triangles.push_back({c[0], c[1], c[1]});
   }
-  expect_side_of(Facets(mesh), *ball, 0.03);
+  expect_side_of(FacetSurface(mesh), *ball, 0.03);
 }
 
 TEST(FarDistance, SurfacesThatKnowTheirDistanceAnswerThemselves) {

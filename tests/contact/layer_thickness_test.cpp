@@ -7,10 +7,8 @@
 #include "contact/layer_shapes.h"
 #include "support/layers.h"
 
-namespace genu {
+namespace genu::layer_tests {
 namespace {
-
-using namespace layer_tests;
 
 /// h0 + slope . x at every vertex: what the field must give back everywhere.
 std::shared_ptr<const ThicknessField> sloping(const Mesh& mesh, double h0, const Vec3& slope) {
@@ -181,4 +179,4 @@ TEST(LayerThickness, MemoryChangesNothing) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::layer_tests

@@ -14,7 +14,7 @@ namespace {
 using test::random_pose;
 using test::some_surfaces;
 
-constexpr double kStep = 1e-3;  // m
+constexpr double kLongestStep = 1e-3;  // m
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), {x, y, z}}; }
 
@@ -22,7 +22,7 @@ TEST(LocalMinimum, SphereOverPlane) {
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
   for (const double height : {0.03, 0.02, 0.005}) {
     const auto d = descend_gap(*plane, *sphere, {exp_rotation({1, 2, 3}), {0.1, -0.2, height}}, {0.01, 0.01, 0.01},
-                               {.max_step = kStep});
+                               {.max_step = kLongestStep});
     ASSERT_TRUE(d && d->settled);
     EXPECT_NEAR(d->minimum.gap, height - 0.02, 1e-15);
     EXPECT_NEAR((d->minimum.contact.a.p - Vec3(0.1, -0.2, 0)).norm(), 0, 1e-12);
@@ -33,8 +33,8 @@ TEST(LocalMinimum, TorusOverPlane) {
   const auto plane = make_plane({}, false), torus = make_torus({}, 0.015, 0.005, false);
   // Its axis tilted from the plane's normal by b: the lowest point is R sin b + r below the centre.
   for (const double b : {0.2, 0.9, 1.5707963}) {
-    const auto d =
-        descend_gap(*plane, *torus, {exp_rotation({b, 0, 0}), {0, 0, 0.03}}, {0.003, -0.02, 0}, {.max_step = kStep});
+    const auto d = descend_gap(*plane, *torus, {exp_rotation({b, 0, 0}), {0, 0, 0.03}}, {0.003, -0.02, 0},
+                               {.max_step = kLongestStep});
     ASSERT_TRUE(d && d->settled) << b;
     EXPECT_NEAR(d->minimum.gap, 0.03 - 0.015 * std::sin(b) - 0.005, 1e-15) << b;
   }
@@ -44,10 +44,11 @@ TEST(LocalMinimum, SphereAgainstSphereAndInSocket) {
   const auto ball = make_sphere({}, 0.01, false), other = make_sphere({}, 0.02, false),
              cup = make_sphere({}, 0.02, true);
   const Vec3 centre(0.001, 0.004, 0.002);
-  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, {.max_step = kStep});
+  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, {.max_step = kLongestStep});
   ASSERT_TRUE(apart && apart->settled);
   EXPECT_NEAR(apart->minimum.gap, Vec3(0.02, 0.03, 0.01).norm() - 0.03, 1e-15);
-  const auto inside = descend_gap(*cup, *ball, {exp_rotation({0.3, 1, 2}), centre}, {0, 0, 0.01}, {.max_step = kStep});
+  const auto inside =
+      descend_gap(*cup, *ball, {exp_rotation({0.3, 1, 2}), centre}, {0, 0, 0.01}, {.max_step = kLongestStep});
   ASSERT_TRUE(inside && inside->settled);
   EXPECT_NEAR(inside->minimum.gap, 0.02 - 0.01 - centre.norm(), 1e-15);
 }
@@ -78,7 +79,7 @@ TEST(LocalMinimum, NeverRaisesTheGap) {
         X_ab.p += 2e-3 * on_a.n;
         const SurfacePoint start = test::random_point(*b.surface, random);
         const auto before = a.surface->gap(X_ab * start.p);
-        const auto d = descend_gap(*a.surface, *b.surface, X_ab, start.p, {.max_step = kStep});
+        const auto d = descend_gap(*a.surface, *b.surface, X_ab, start.p, {.max_step = kLongestStep});
         if (!before || !d) continue;
         ++started;
         settled += d->settled ? 1 : 0;
@@ -96,7 +97,7 @@ TEST(LocalMinimum, FallsOffTheEndOfAnUnboundedSlope) {
   // A tilted plane over a plane has no minimum: the descent must not claim one.
   const auto plane = make_plane({}, false), over = make_plane({}, true);
   const auto d =
-      descend_gap(*plane, *over, {exp_rotation({0.1, 0, 0}), {0, 0, 0.01}}, Vec3::Zero(), {.max_step = kStep});
+      descend_gap(*plane, *over, {exp_rotation({0.1, 0, 0}), {0, 0, 0.01}}, Vec3::Zero(), {.max_step = kLongestStep});
   EXPECT_TRUE(!d || !d->settled);
 }
 
@@ -129,7 +130,7 @@ TEST(LocalMinimum, NothingLiesLowerOnAGrid) {
     double lowest = std::numeric_limits<double>::infinity(), refined = lowest;
     for (const Vec3& p : grid.points) lowest = std::min(lowest, torus->gap(X_ab * p).value_or(lowest));
     for (const Vec3& p : coarse_samples.points)
-      if (const auto d = descend_gap(*torus, *ellipsoid, X_ab, p, {.max_step = kStep}))
+      if (const auto d = descend_gap(*torus, *ellipsoid, X_ab, p, {.max_step = kLongestStep}))
         refined = std::min(refined, d->minimum.gap);
     EXPECT_LE(refined, lowest + 1e-15) << i;
     const double sagitta = fine * fine / 2 * (1 / 0.005 + 0.025 / (0.012 * 0.012));

@@ -5,10 +5,8 @@
 #include "contact/layer_shapes.h"
 #include "genu/core/pose.h"
 
-namespace genu {
+namespace genu::layer_tests {
 namespace {
-
-using namespace layer_tests;
 
 constexpr double kThickness = 5e-3, kDelta = 1e-3;
 
@@ -136,6 +134,27 @@ TEST(SmoothLayer, MemoryChangesNothing) {
   }
 }
 
+TEST(SmoothLayer, LeavesOffWhenCancelledAndLeavesNoTrace) {
+  const Pressed pressed = press(sphere(25e-3).surface, 2e-3);
+  ElasticLayer::Memory cold;
+  LayerWrench whole, out;
+  int asked = 0;
+  cold.cancelled = [&] { return ++asked < 0; };
+  pressed.layer->evaluate({}, pressed_in(kDelta), cold, whole, 1);
+  EXPECT_GT(asked, 20) << "in the middle of a sum";
+  for (const int after : {0, 1, asked / 2, asked - 1}) {
+    ElasticLayer::Memory memory;
+    int left = after;
+    memory.cancelled = [&] { return left-- <= 0; };
+    pressed.layer->evaluate({}, pressed_in(kDelta), memory, out, 1);
+    EXPECT_FALSE(out.wrench.allFinite()) << after;
+    memory.cancelled = {};
+    pressed.layer->evaluate({}, pressed_in(kDelta), memory, out, 1);
+    EXPECT_EQ(out.wrench, whole.wrench) << after;
+    EXPECT_EQ(out.stiffness, whole.stiffness) << after;
+  }
+}
+
 TEST(SmoothLayer, NothingOutOfContact) {
   const Pressed pressed = press(sphere(25e-3).surface, 2e-3);
   ElasticLayer::Memory memory;
@@ -175,4 +194,4 @@ TEST(SmoothLayer, VisitedPointsSumToTheWrench) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::layer_tests

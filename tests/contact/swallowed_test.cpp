@@ -7,11 +7,12 @@
 #include "genu/contact/proximity.h"
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/patch.h"
+#include "support/layers.h"
 
 namespace genu {
 namespace {
 
-const Proximity::Options kOptions{};
+const Proximity::Options kDefaultOptions{};
 
 std::unique_ptr<BlendSurface> blend(Mesh mesh) {
   Diagnostics out;
@@ -32,31 +33,15 @@ Mesh cap(Mesh mesh, double z) {
   return mesh;
 }
 
-/// A flat sheet of half side `half` (m) at z = 0, outward +z.
-Mesh sheet(double half, int cells) {
-  Mesh mesh;
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 0; i <= cells; ++i)
-      mesh.vertices.emplace_back(half * (2.0 * i / cells - 1), half * (2.0 * j / cells - 1), 0);
-  const int row = cells + 1;
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i) {
-      const int v = j * row + i;
-      mesh.triangles.push_back({v, v + 1, v + row + 1});
-      mesh.triangles.push_back({v, v + row + 1, v + row});
-    }
-  return mesh;
-}
-
 /// The smallest gap as the solver sees it, whichever of the two is named first.
 void expect_overlap(const Surface& a, const Surface& b, const Pose& X_ab, double at_least, const char* what) {
-  Proximity ab(a, b, kOptions), ba(b, a, kOptions);
+  Proximity ab(a, b, kDefaultOptions), ba(b, a, kDefaultOptions);
   EXPECT_LT(ab.smallest_sample_gap(X_ab), -at_least) << what;
   EXPECT_LT(ba.smallest_sample_gap(X_ab.inverse()), -at_least) << what << ", named the other way";
 }
 
 void expect_free(const Surface& a, const Surface& b, const Pose& X_ab, const char* what) {
-  Proximity ab(a, b, kOptions), ba(b, a, kOptions);
+  Proximity ab(a, b, kDefaultOptions), ba(b, a, kDefaultOptions);
   EXPECT_GE(ab.smallest_sample_gap(X_ab), 0) << what;
   EXPECT_GE(ba.smallest_sample_gap(X_ab.inverse()), 0) << what << ", named the other way";
 }
@@ -87,7 +72,7 @@ TEST(Swallowed, ABallInItsSocketIsNot) {
 }
 
 TEST(Swallowed, OpenSheetsHaveTheirInsideBehindThem) {
-  const auto plateau = blend(sheet(0.02, 20)), condyle = blend(cap(ball_mesh(0.015), -0.003));
+  const auto plateau = blend(test::sheet(0.02, 20)), condyle = blend(cap(ball_mesh(0.015), -0.003));
   const auto patch =
       make_patch(make_plane({}, false), {}, {{{{{-0.02, 0.02}}, {{-0.02, 0.02}}, {}}}, {}}, {true, true, false});
   for (const double depth : {0.004, 0.011, 0.02, 0.03}) {
@@ -104,9 +89,9 @@ TEST(Swallowed, OpenSheetsHaveTheirInsideBehindThem) {
 
 TEST(Swallowed, RemembersNothingWrong) {
   const auto large = blend(ball_mesh(0.03)), small = blend(ball_mesh(0.01));
-  Proximity kept(*small, *large, kOptions);
+  Proximity kept(*small, *large, kDefaultOptions);
   for (const double apart : {0.06, 0.05, 0.041, 0.02, 0.0, 0.02, 0.041, 0.03, 0.07, 0.001}) {
-    Proximity fresh(*small, *large, kOptions);
+    Proximity fresh(*small, *large, kDefaultOptions);
     const Pose X{Mat3::Identity(), {apart, 0, 0}};
     const double then = kept.smallest_sample_gap(X), now = fresh.smallest_sample_gap(X);
     EXPECT_EQ(then < 0, now < 0) << apart;

@@ -10,10 +10,10 @@ namespace genu {
 namespace {
 
 const LayerLaw kLinear{LayerLaw::Kind::linear, 38e6}, kLogarithmic{LayerLaw::Kind::logarithmic, 38e6};
-constexpr double kThickness = 6e-3, kSearch = 5e-3;
+constexpr double kLayerThickness = 6e-3, kSearch = 5e-3;
 
 TriangleLayer layer(const Mesh& casting, const Mesh& target, const LayerLaw& law = kLinear) {
-  return TriangleLayer(casting, std::make_shared<TriangleTree>(target), kSearch, law, {kThickness, {}, {}});
+  return TriangleLayer(casting, std::make_shared<TriangleTree>(target), kSearch, law, {kLayerThickness, {}, {}});
 }
 
 TEST(TriangleLayer, IsTheSumOverAllTriangles) {
@@ -26,7 +26,7 @@ TEST(TriangleLayer, IsTheSumOverAllTriangles) {
       LayerSum sum;
       LayerQuadrature::Memory memory;
       layer(c, t, law).add(X_TC, memory, sum);
-      const Vec6 expected = test::wrench_by_all(c, t, X_TC, kSearch, law, kThickness);
+      const Vec6 expected = test::wrench_by_all(c, t, X_TC, kSearch, law, kLayerThickness);
       EXPECT_GT(expected.head<3>().norm(), 100);
       EXPECT_LT((sum.wrench - expected).norm(), 1e-11 * expected.norm());
     }
@@ -35,7 +35,7 @@ TEST(TriangleLayer, IsTheSumOverAllTriangles) {
 /// A ball pressed d into a sheet that casts: K times the volume of the cap, pi d^2 (R - d/3), as a disc of
 /// pi (2 R d - d^2).
 TEST(TriangleLayer, BallOnASheet) {
-  const double R = 0.02, d = 0.5e-3, K = kLinear.confined_modulus / kThickness;
+  const double R = 0.02, d = 0.5e-3, K = kLinear.confined_modulus / kLayerThickness;
   double last = 0;
   for (const int n : {20, 40, 80}) {
     const TriangleLayer sum_over = layer(test::sheet(8e-3, n), test::ball(R, 16e-3 / n));

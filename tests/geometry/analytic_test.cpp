@@ -7,8 +7,8 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <Eigen/Dense>
 
+#include "genu/core/decompositions.h"
 #include "support/finite_difference.h"
 
 namespace genu {
@@ -17,7 +17,7 @@ namespace {
 using Make = std::function<std::unique_ptr<Surface>(const Pose&, bool)>;
 
 // A surface, its placement, and how to draw points near it in its own frame.
-struct Case {
+struct FormulaShape {
   std::string name;
   Make make;
   double length;  ///< smallest radius of curvature, about: the scale of steps, m
@@ -28,9 +28,9 @@ const std::vector<PolynomialTerm> kPlateau{{0, 0, 2e-3}, {1, 0, 0.1}, {0, 1, -0.
 const std::vector<PolynomialTerm> kCondyle{{0, 0, 0.02}, {1, 0, 1e-3}, {2, 0, -8e-4}, {0, 1, 0.1},
                                            {0, 2, -9},   {1, 1, 0.03}, {3, 0, 2e-4}};
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const FormulaShape& c, std::ostream* out) { *out << c.name; }
 
-std::vector<Case> cases() {
+std::vector<FormulaShape> formula_shapes() {
   return {
       {"plane", [](const Pose& X, bool inside) { return make_plane(X, inside); }, 0.02},
       {"sphere", [](const Pose& X, bool inside) { return make_sphere(X, 0.02, inside); }, 0.02},
@@ -47,7 +47,7 @@ std::vector<Case> cases() {
   };
 }
 
-class Random {
+class RandomPoses {
  public:
   double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   Vec3 vector(double size) { return Vec3(in(-size, size), in(-size, size), in(-size, size)); }
@@ -58,8 +58,8 @@ class Random {
 };
 
 // Points of a surface: random points of a box round it, projected, away from the cut of the cylindrical chart.
-std::vector<SurfacePoint> random_points(const Case& c, const Surface& surface, const Pose& X, Random& random,
-                                        int count) {
+std::vector<SurfacePoint> random_points(const FormulaShape& c, const Surface& surface, const Pose& X,
+                                        RandomPoses& random, int count) {
   std::vector<SurfacePoint> points;
   while (static_cast<int>(points.size()) < count) {
     const Vec3 x = random.vector(0.03);
@@ -71,9 +71,9 @@ std::vector<SurfacePoint> random_points(const Case& c, const Surface& surface, c
   return points;
 }
 
-class Analytic : public ::testing::TestWithParam<Case> {
+class Analytic : public ::testing::TestWithParam<FormulaShape> {
  protected:
-  Random random_;
+  RandomPoses random_;
 };
 
 TEST_P(Analytic, FrameIsOrthonormalRightHandedAndShapeOperatorSymmetric) {
@@ -181,7 +181,8 @@ TEST_P(Analytic, NoTriangleVertexIsNearerThanTheFootPoint) {
   EXPECT_LT(worst, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Analytic, ::testing::ValuesIn(cases()), [](const auto& c) { return c.param.name; });
+INSTANTIATE_TEST_SUITE_P(Shapes, Analytic, ::testing::ValuesIn(formula_shapes()),
+                         [](const auto& c) { return c.param.name; });
 
 SurfacePoint at(const Surface& surface, const Vec3& x) {
   SurfacePoint s;
@@ -192,7 +193,7 @@ SurfacePoint at(const Surface& surface, const Vec3& x) {
 TEST(AnalyticClosedForms, CurvaturesAreTheTextbookOnes) {
   EXPECT_NEAR((at(*make_sphere({}, 2, false), {1, 2, 3}).S + 0.5 * Mat2::Identity()).norm(), 0, 1e-15);
   const auto torus = make_torus({}, 15, 5, false);
-  const auto curvatures = [](const SurfacePoint& s) { return Eigen::SelfAdjointEigenSolver<Mat2>(s.S).eigenvalues(); };
+  const auto curvatures = [](const SurfacePoint& s) { return symmetric_eigenvalues(s.S); };
   EXPECT_NEAR((curvatures(at(*torus, {21, 0, 0})) - Vec2(-1 / 5.0, -1 / 20.0)).norm(), 0, 1e-15);
   EXPECT_NEAR((curvatures(at(*torus, {0, 9, 0})) - Vec2(-1 / 5.0, 1 / 10.0)).norm(), 0, 1e-15);  // inner equator
   EXPECT_NEAR((curvatures(at(*torus, {0, 15, 6})) - Vec2(-1 / 5.0, 0)).norm(), 0, 1e-15);
@@ -204,7 +205,7 @@ TEST(AnalyticClosedForms, CurvaturesAreTheTextbookOnes) {
 }
 
 TEST(AnalyticClosedForms, ConstantPolynomialsAreAPlaneAndACylinder) {
-  Random random;
+  RandomPoses random;
   const Pose X = random.pose();
   const auto plane = make_plane(X, false), flat = make_polynomial(X, {{0, 0, 0.0}}, false);
   const auto cylinder = make_cylinder(X, 0.02, true), round = make_cylindrical_polynomial(X, {{0, 0, 0.02}}, true);
@@ -219,7 +220,7 @@ TEST(AnalyticClosedForms, ConstantPolynomialsAreAPlaneAndACylinder) {
 }
 
 TEST(AnalyticClosedForms, EllipsoidOfEqualRadiiIsASphere) {
-  Random random;
+  RandomPoses random;
   const auto sphere = make_sphere({}, 0.02, false), ellipsoid = make_ellipsoid({}, Vec3::Constant(0.02), false);
   double worst = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -234,7 +235,7 @@ TEST(AnalyticEllipsoid, FootIsTheNearestPointEverywhereEvenOnTheFlatSet) {
   const Vec3 radii(0.03, 0.02, 0.004);
   const auto ellipsoid = make_ellipsoid({}, radii, false);
   const Mesh mesh = ellipsoid->triangles(5e-4, Vec3::Zero(), 1);
-  Random random;
+  RandomPoses random;
   for (int k = 0; k < 200; ++k) {
     Vec3 x = random.vector(0.03);
     if (k % 2 == 0) x.z() = k % 4 == 0 ? 0 : 1e-12;
@@ -258,7 +259,8 @@ TEST(AnalyticRefusals, PointsWithoutOneClosestPoint) {
   EXPECT_FALSE(torus->project({0, 3, 0}, s));
   EXPECT_NEAR(*torus->gap({0, 3, 0}), -1, 1e-15);
   const double nan = std::nan("");
-  for (const Case& c : cases()) EXPECT_FALSE(c.make({}, false)->project({nan, 0.01, 0.01}, s)) << c.name;
+  for (const FormulaShape& c : formula_shapes())
+    EXPECT_FALSE(c.make({}, false)->project({nan, 0.01, 0.01}, s)) << c.name;
 }
 
 TEST(AnalyticRefusals, ArgumentsThatMakeNoSurface) {

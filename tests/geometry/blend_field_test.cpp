@@ -6,10 +6,8 @@
 #include "geometry/blend_torus.h"
 #include "support/finite_difference.h"
 
-namespace genu {
+namespace genu::test {
 namespace {
-
-using namespace test;  // NOLINT: meshes and shapes made for these tests
 
 struct Errors {
   double position = 0, normal = 0, curvature = 0;
@@ -132,4 +130,4 @@ TEST(BlendField, CurvatureIsContinuousAlongAPath) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::test

@@ -65,7 +65,7 @@ TEST(BlendNodes, LinksAreAllPairsWithinReach) {
   }
 }
 
-std::vector<int> sheets_of(const Mesh& mesh, double spacing) {
+std::vector<int> sheet_of_each_node(const Mesh& mesh, double spacing) {
   const auto seeds = sample_nodes(mesh, vertex_graph(mesh), spacing);
   std::vector<Vec3> positions, normals;
   std::vector<int> components;
@@ -79,13 +79,13 @@ std::vector<int> sheets_of(const Mesh& mesh, double spacing) {
 }
 
 TEST(BlendNodes, AClosedRoundShapeIsOneSheetAndALensHasTwoFaces) {
-  EXPECT_EQ(std::ranges::max(sheets_of(test::noisy_sphere(1, 4, 0), 0.15)), 0);
-  EXPECT_EQ(std::ranges::max(sheets_of(test::jittered_torus(3, 1, 0.15), 0.2)), 0);
+  EXPECT_EQ(std::ranges::max(sheet_of_each_node(test::noisy_sphere(1, 4, 0), 0.15)), 0);
+  EXPECT_EQ(std::ranges::max(sheet_of_each_node(test::jittered_torus(3, 1, 0.15), 0.2)), 0);
   Mesh lens = test::noisy_sphere(1, 5, 0);
   for (Vec3& v : lens.vertices) v.z() *= 0.08;
   const VertexGraph graph = vertex_graph(lens);
   const auto seeds = sample_nodes(lens, graph, 0.1);
-  const auto sheets = sheets_of(lens, 0.1);
+  const auto sheets = sheet_of_each_node(lens, 0.1);
   int above = -1, below = -1;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (seeds[i].position.head<2>().norm() > 0.7) continue;  // the rim belongs to either

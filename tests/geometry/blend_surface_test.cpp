@@ -10,10 +10,8 @@
 #include "geometry/blend_torus.h"
 #include "support/finite_difference.h"
 
-namespace genu {
+namespace genu::test {
 namespace {
-
-using namespace test;  // NOLINT: meshes and shapes made for these tests
 
 TEST(BlendSurface, ProjectsOntoItselfAndFollowsTangentSteps) {
   const auto surface = build(jittered_torus(kMajor, kMinor, 1e-3), fitted(3e-3));
@@ -190,4 +188,4 @@ TEST(BlendSurface, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::test

@@ -17,6 +17,7 @@
 #include "genu/geometry/mesh_topology.h"
 #include "geometry/blend_meshes.h"
 #include "geometry/blend_torus.h"
+#include "geometry/quantile.h"
 #include "support/data.h"
 
 namespace genu {
@@ -109,11 +110,6 @@ Differences compare(const BlendSurface& surface, double radius, int degree, std:
 
 double worst(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 /// Worst differences on the torus with fit radius 3 edges; edge (m).
 Differences torus_differences(double edge, int degree) {
   const auto surface =
@@ -157,10 +153,10 @@ void print_quantiles(const char* name, const Differences& d, double size) {
   std::printf(
       "  %s, %zu vertices: median, 95 %%, worst: normals %.1e %.1e %.1e, shape operators %.3f %.3f %.3f, "
       "principal curvatures %.3f %.3f %.3f of it; the jet from itself narrowed: median %.3f\n",
-      name, d.size.size(), quantile(d.normal, 0.5), quantile(d.normal, 0.95), worst(d.normal),
-      quantile(d.curvature, 0.5) / size, quantile(d.curvature, 0.95) / size, worst(d.curvature) / size,
-      quantile(d.principal, 0.5) / size, quantile(d.principal, 0.95) / size, worst(d.principal) / size,
-      quantile(d.narrower, 0.5) / size);
+      name, d.size.size(), test::quantile(d.normal, 0.5), test::quantile(d.normal, 0.95), worst(d.normal),
+      test::quantile(d.curvature, 0.5) / size, test::quantile(d.curvature, 0.95) / size, worst(d.curvature) / size,
+      test::quantile(d.principal, 0.5) / size, test::quantile(d.principal, 0.95) / size, worst(d.principal) / size,
+      test::quantile(d.narrower, 0.5) / size);
 }
 
 // A measured surface has shape and noise at every scale, so a fit's curvature depends on the radius it looks at. The
@@ -181,14 +177,14 @@ TEST(JetTwinOnAFemur, DiffersByLessThanTheNoise) {
   const Differences same = compare(*surface, facts.fit_radius, facts.degree, 200);
   const Differences matched = compare(*surface, kMatched * facts.fit_radius, facts.degree, 200);
   ASSERT_GE(same.size.size(), 100u);
-  const double size = quantile(same.size, 0.5);
+  const double size = test::quantile(same.size, 0.5);
   std::printf("degree %d, fit radius %.2f mm, median curvature %.0f 1/m\n", facts.degree, 1e3 * facts.fit_radius, size);
   print_quantiles("same radius", same, size);
   print_quantiles("jet of 0.6 radii", matched, size);
-  EXPECT_LT(quantile(same.normal, 0.5), 0.01);
-  EXPECT_LT(quantile(same.curvature, 0.5), 0.25 * size);
-  EXPECT_LT(quantile(matched.curvature, 0.95), 0.25 * size);
-  EXPECT_LT(quantile(matched.curvature, 0.5), quantile(matched.narrower, 0.5));
+  EXPECT_LT(test::quantile(same.normal, 0.5), 0.01);
+  EXPECT_LT(test::quantile(same.curvature, 0.5), 0.25 * size);
+  EXPECT_LT(test::quantile(matched.curvature, 0.95), 0.25 * size);
+  EXPECT_LT(test::quantile(matched.curvature, 0.5), test::quantile(matched.narrower, 0.5));
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace {
 
 const SurfaceChart kChart{false, test::some_frame()};
 
-Mesh sheet() { return chart_mesh(kChart, {-0.02, 0.01, -0.012, 0.008}, {{2, 0, 3}}, false, 0.5e-3); }
+Mesh parabolic_sheet() { return chart_mesh(kChart, {-0.02, 0.01, -0.012, 0.008}, {{2, 0, 3}}, false, 0.5e-3); }
 
 TEST(CoveredBox, ARectangleIsItself) {
-  const auto found = covered_box(sheet(), kChart, std::nullopt, std::nullopt);
+  const auto found = covered_box(parabolic_sheet(), kChart, std::nullopt, std::nullopt);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->box.u0, -0.02, 1e-15);
   EXPECT_NEAR(found->box.u1, 0.01, 1e-15);
@@ -23,7 +23,7 @@ TEST(CoveredBox, ARectangleIsItself) {
 }
 
 TEST(CoveredBox, KeepsOffABiteUnlessItHasTo) {
-  const Mesh bitten = part_of(sheet(), [](const Vec3& p, const Vec3&) {
+  const Mesh bitten = part_of(parabolic_sheet(), [](const Vec3& p, const Vec3&) {
     const ChartPoint c = kChart.coordinates(p);
     return !(c.u > 0.002 && c.v > 0.001);  // a corner is missing
   });
@@ -43,7 +43,7 @@ TEST(CoveredBox, KeepsOffABiteUnlessItHasTo) {
 
 TEST(CoveredBox, NothingHasNone) {
   EXPECT_FALSE(covered_box({}, kChart, std::nullopt, std::nullopt));
-  EXPECT_FALSE(covered_box(sheet(), kChart, ChartBox{1, 2, 1, 2}, std::nullopt));
+  EXPECT_FALSE(covered_box(parabolic_sheet(), kChart, ChartBox{1, 2, 1, 2}, std::nullopt));
 }
 
 }  // namespace

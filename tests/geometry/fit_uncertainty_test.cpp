@@ -8,12 +8,10 @@
 #include "genu/geometry/noise_field.h"
 #include "geometry/blend_torus.h"
 
-namespace genu {
+namespace genu::test {
 namespace {
 
-using namespace test;  // NOLINT: meshes and shapes made for these tests
-
-struct Case {
+struct FittedMesh {
   const char* name;
   Mesh mesh;
   double radius;     ///< m
@@ -21,7 +19,7 @@ struct Case {
 };
 
 /// Rms differences of the blend of a perturbed mesh from the blend of the mesh itself, at the latter's nodes.
-FitUncertainty scatter(const Case& c, int degree, const MeshNoise& noise, int seeds) {
+FitUncertainty scatter(const FittedMesh& c, int degree, const MeshNoise& noise, int seeds) {
   const auto exact = build(c.mesh, fitted(c.radius, degree));
   Vec3 sum = Vec3::Zero();
   double count = 0;
@@ -42,7 +40,7 @@ FitUncertainty scatter(const Case& c, int degree, const MeshNoise& noise, int se
   return {rms[0], rms[1], rms[2]};
 }
 
-std::vector<Case> cases() {
+std::vector<FittedMesh> fitted_meshes() {
   return {{"flat", jittered_patch(20e-3, 1e-3, [](double, double) { return 0.0; }), 4e-3, 4e-3},
           {"bowl", jittered_patch(20e-3, 1e-3, [](double x, double y) { return 12.5 * (x * x + y * y); }), 5e-3, 5e-3},
           {"torus", jittered_torus(30e-3, 12e-3, 1.5e-3), 5e-3, 0}};
@@ -51,7 +49,7 @@ std::vector<Case> cases() {
 TEST(FitUncertainty, AgreesWithTheScatterOfPerturbedMeshes) {
   constexpr double kFactor = 1.4;
   double worst = 1;
-  for (const Case& c : cases()) {
+  for (const FittedMesh& c : fitted_meshes()) {
     for (int degree : {2, 3, 4}) {
       for (double length : {0.0, 1e-3, 2e-3, 4e-3}) {
         const MeshNoise noise{5e-6, length};
@@ -73,7 +71,7 @@ TEST(FitUncertainty, AgreesWithTheScatterOfPerturbedMeshes) {
 }
 
 TEST(FitUncertainty, FollowsFromOneNoisyMeshToAFactorOfTwo) {
-  for (const Case& c : cases()) {
+  for (const FittedMesh& c : fitted_meshes()) {
     for (double length : {0.0, 1e-3, 2e-3, 4e-3}) {
       const MeshNoise noise{20e-6, length};
       const Mesh noisy = perturbed(c.mesh, noise, 11);
@@ -109,4 +107,4 @@ TEST(FitUncertainty, FollowsItsLaws) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::test

@@ -7,12 +7,12 @@
 namespace genu {
 namespace {
 
-Mesh sheet() {
+Mesh flat_sheet() {
   return grid_mesh({8, false}, {6, false}, [](double s, double t) { return Vec3(0.08 * s, 0.06 * t, 0); });
 }
 
 TEST(MeshCheck, ASoundSheet) {
-  const MeshReport r = check_mesh(sheet());
+  const MeshReport r = check_mesh(flat_sheet());
   EXPECT_EQ(r.vertices, 63u);
   EXPECT_EQ(r.triangles, 96u);
   EXPECT_EQ(r.components, 1);
@@ -26,7 +26,7 @@ TEST(MeshCheck, ASoundSheet) {
 }
 
 TEST(MeshCheck, AFlippedPatch) {
-  Mesh mesh = sheet();
+  Mesh mesh = flat_sheet();
   for (std::size_t t = 10; t < 25; ++t) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
   const MeshReport r = check_mesh(mesh);
   EXPECT_EQ(r.flipped, 15u);
@@ -34,7 +34,7 @@ TEST(MeshCheck, AFlippedPatch) {
 }
 
 TEST(MeshCheck, AFinOnASheet) {
-  Mesh mesh = sheet();
+  Mesh mesh = flat_sheet();
   mesh.vertices.emplace_back(0.045, 0.03, 0.01);
   const auto t = mesh.triangles[50];
   mesh.triangles.push_back({t[0], t[1], static_cast<int>(mesh.vertices.size()) - 1});
@@ -44,7 +44,7 @@ TEST(MeshCheck, AFinOnASheet) {
 }
 
 TEST(MeshCheck, ASheetTornIntoTriangles) {
-  const Mesh whole = sheet();
+  const Mesh whole = flat_sheet();
   Mesh torn;
   for (const auto& t : whole.triangles) {
     const int first = static_cast<int>(torn.vertices.size());

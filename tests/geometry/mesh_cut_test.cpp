@@ -31,7 +31,7 @@ Mesh cut_along(const Mesh& mesh, const Vec3& normal, double offset) {
   });
 }
 
-double area(const Mesh& mesh) {
+double signed_area(const Mesh& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles) {
     const auto v = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])]; };
@@ -43,10 +43,10 @@ double area(const Mesh& mesh) {
 TEST(CutMesh, KeepsTheAreaOnOneSideWhateverTheTriangles) {
   for (const int n : {1, 3, 10}) {
     const Mesh whole = square(n);
-    EXPECT_NEAR(area(cut_along(whole, {1, 0, 0}, 0.37)), 0.63, 1e-14) << n;
-    EXPECT_NEAR(area(cut_along(whole, {1, 1, 0}, 1.5)), 0.125, 1e-14) << n;
-    EXPECT_NEAR(area(cut_along(cut_along(whole, {1, 0, 0}, 0.37), {-1, 0, 0}, -0.6)), 0.23, 1e-14) << n;
-    EXPECT_NEAR(area(cut_along(whole, {1, 0, 0}, -1)), 1, 1e-14) << n;
+    EXPECT_NEAR(signed_area(cut_along(whole, {1, 0, 0}, 0.37)), 0.63, 1e-14) << n;
+    EXPECT_NEAR(signed_area(cut_along(whole, {1, 1, 0}, 1.5)), 0.125, 1e-14) << n;
+    EXPECT_NEAR(signed_area(cut_along(cut_along(whole, {1, 0, 0}, 0.37), {-1, 0, 0}, -0.6)), 0.23, 1e-14) << n;
+    EXPECT_NEAR(signed_area(cut_along(whole, {1, 0, 0}, -1)), 1, 1e-14) << n;
     EXPECT_TRUE(cut_along(whole, {1, 0, 0}, 2).triangles.empty()) << n;
     EXPECT_TRUE(cut_along(whole, {1, 0, 0}, 2).vertices.empty()) << n;
   }

@@ -2,6 +2,7 @@
 #include "genu/geometry/mesh_examination.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,22 @@ TEST(MeshExamination, OfACleanMeshIsGood) {
     EXPECT_EQ(f.verdict, Verdict::good) << f.question << " " << f.number << " " << f.why;
     EXPECT_FALSE(f.number.empty());
   }
+}
+
+TEST(MeshExamination, SizesHaveDigitsHoweverSmallTheMesh) {
+  Mesh small = kTorus;
+  for (Vec3& v : small.vertices) v *= 1e-4;
+  const MeshExamination e = examined(small), large = examined(kTorus);
+  for (const char* question : {"edges 5/50/95 %", "thickness 5/50/95 %"}) {
+    double a[3], b[3];
+    ASSERT_EQ(std::sscanf(finding(e, question).number.c_str(), "%lf / %lf / %lf mm", &a[0], &a[1], &a[2]), 3);
+    ASSERT_EQ(std::sscanf(finding(large, question).number.c_str(), "%lf / %lf / %lf mm", &b[0], &b[1], &b[2]), 3);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k] / b[k], 1e-4, 1e-6) << finding(e, question).number;
+  }
+  double small_fit = 0, large_fit = 0;
+  ASSERT_EQ(std::sscanf(finding(e, "noise").why.c_str(), "fit radius %lf mm", &small_fit), 1);
+  ASSERT_EQ(std::sscanf(finding(large, "noise").why.c_str(), "fit radius %lf mm", &large_fit), 1);
+  EXPECT_NEAR(small_fit / large_fit, 1e-4, 1e-6);
 }
 
 TEST(MeshExamination, EachDirtHasItsLine) {

@@ -15,10 +15,10 @@ namespace {
 using test::Dirt;
 using Kind = Flaw::Kind;
 
-const Vec3 kPlace(20e-3, 0, 0);
+const Vec3 kDirtyPlace(20e-3, 0, 0);
 
-Mesh torus() { return test::jittered_torus(15e-3, 5e-3, 0.8e-3); }
-Mesh sheet() {
+Mesh irregular_torus() { return test::jittered_torus(15e-3, 5e-3, 0.8e-3); }
+Mesh shallow_bowl() {
   return test::jittered_patch(0.015, 1e-3, [](double x, double y) { return 5 * (x * x + y * y); });
 }
 
@@ -28,7 +28,7 @@ std::size_t count(const std::vector<Flaw>& flaws, Kind kind) {
 }
 
 TEST(MeshFlaws, NoneInCleanMeshes) {
-  for (const Mesh& clean : {torus(), sheet(), test::noisy_sphere(10e-3, 3, 0.05e-3), Mesh{}}) {
+  for (const Mesh& clean : {irregular_torus(), shallow_bowl(), test::noisy_sphere(10e-3, 3, 0.05e-3), Mesh{}}) {
     Mesh mesh = clean;
     EXPECT_TRUE(cut_out_flaws(mesh).empty());
     EXPECT_EQ(mesh.triangles, clean.triangles);
@@ -44,11 +44,11 @@ TEST(MeshFlaws, DirtIsFoundWhereItIsAndNowhereElse) {
                                          {Dirt::stray, Kind::stray_piece},
                                          {Dirt::spike, Kind::spike}};
   for (const auto& [dirt, kind] : cases) {
-    Mesh mesh = test::dirtied(torus(), dirt, kPlace, 2e-3);
+    Mesh mesh = test::dirtied(irregular_torus(), dirt, kDirtyPlace, 2e-3);
     const std::vector<Flaw> flaws = cut_out_flaws(mesh);
     EXPECT_GE(count(flaws, kind), 1u) << test::name_of(dirt);
     for (const Flaw& f : flaws) {
-      EXPECT_LT((f.centre - kPlace).norm(), 3e-3) << test::name_of(dirt) << ": " << describe(f, 1e-3);
+      EXPECT_LT((f.centre - kDirtyPlace).norm(), 3e-3) << test::name_of(dirt) << ": " << describe(f, 1e-3);
       EXPECT_LT(f.radius, 4e-3) << test::name_of(dirt);
       EXPECT_FALSE(f.points.empty());
     }
@@ -56,20 +56,20 @@ TEST(MeshFlaws, DirtIsFoundWhereItIsAndNowhereElse) {
     const MeshReport report = check_mesh(mesh);
     EXPECT_EQ(report.non_manifold_edges, 0u) << test::name_of(dirt);
     EXPECT_EQ(report.components, 1) << test::name_of(dirt);
-    EXPECT_GT(report.triangles, torus().triangles.size() * 9 / 10) << test::name_of(dirt);
+    EXPECT_GT(report.triangles, irregular_torus().triangles.size() * 9 / 10) << test::name_of(dirt);
     EXPECT_TRUE(cut_out_flaws(mesh).size() <= 1) << "once cut out, holes alone are left";
   }
   for (const Dirt harmless : {Dirt::slivers, Dirt::flipped}) {
-    Mesh mesh = test::dirtied(torus(), harmless, kPlace, 2e-3);
+    Mesh mesh = test::dirtied(irregular_torus(), harmless, kDirtyPlace, 2e-3);
     make_winding_consistent(mesh, mesh_edges(mesh));
     EXPECT_TRUE(cut_out_flaws(mesh).empty()) << test::name_of(harmless);
   }
 }
 
 TEST(MeshFlaws, BordersAreNoHoles) {
-  Mesh open = sheet();
+  Mesh open = shallow_bowl();
   EXPECT_TRUE(cut_out_flaws(open).empty());
-  Mesh holed = test::dirtied(sheet(), Dirt::hole, Vec3::Zero(), 2e-3);
+  Mesh holed = test::dirtied(shallow_bowl(), Dirt::hole, Vec3::Zero(), 2e-3);
   const std::vector<Flaw> flaws = cut_out_flaws(holed);
   ASSERT_EQ(flaws.size(), 1u);
   EXPECT_EQ(flaws[0].kind, Kind::hole);

@@ -13,7 +13,7 @@
 namespace genu {
 namespace {
 
-struct Shape {
+struct ShapedMesh {
   std::string name;
   double edge;  ///< m
   Mesh mesh;
@@ -30,7 +30,7 @@ Mesh bowl(double edge) {
   return test::jittered_patch(25e-3, edge, [](double x, double y) { return 12.5 * (x * x + y * y) + 60 * x * y * y; });
 }
 
-std::vector<Shape> shapes() {
+std::vector<ShapedMesh> shaped_meshes() {
   return {{"bowl", 0.5e-3, bowl(0.5e-3)},
           {"bowl", 1e-3, bowl(1e-3)},
           {"bowl", 2e-3, bowl(2e-3)},
@@ -43,17 +43,17 @@ std::vector<Shape> shapes() {
 MeshNoise seen(const Mesh& mesh) { return estimate_noise(mesh, vertex_graph(mesh)); }
 
 TEST(MeshNoise, ExactShapesHaveNone) {
-  std::vector<Shape> all = shapes();
+  std::vector<ShapedMesh> all = shaped_meshes();
   // A tube of radius 5 mm: at the last edge each patch goes half round it.
   for (double edge : {0.25e-3, 0.5e-3, 1e-3, 2e-3})
     all.push_back({"torus of 15 and 5 mm", edge, test::jittered_torus(15e-3, 5e-3, edge)});
-  for (const Shape& shape : all)
+  for (const ShapedMesh& shape : all)
     EXPECT_EQ(seen(shape.mesh).rms, 0) << shape.name << ", edge " << 1e3 * shape.edge << " mm";
   EXPECT_EQ(seen({}).rms, 0);
 }
 
 /// Whether the noise stands out of these shapes: the wider it is correlated the more it looks like shape.
-bool stands_out(const Shape& shape, const MeshNoise& noise) {
+bool stands_out(const ShapedMesh& shape, const MeshNoise& noise) {
   const bool coarse_torus = shape.name[0] == 't' && shape.edge > 1.5e-3;
   if (noise.correlation_length > 4e-3) return noise.rms > 50e-6;
   if (noise.correlation_length > 1e-3 && coarse_torus) return noise.rms > 50e-6;
@@ -64,7 +64,7 @@ bool stands_out(const Shape& shape, const MeshNoise& noise) {
 TEST(MeshNoise, KnownNoiseIsFoundToAFactorOfTwo) {
   double worst = 1, worst_length = 1;
   int cases = 0;
-  for (const Shape& shape : shapes()) {
+  for (const ShapedMesh& shape : shaped_meshes()) {
     for (const MeshNoise& noise :
          {MeshNoise{0.5e-6, 0}, MeshNoise{10e-6, 0}, MeshNoise{10e-6, 1e-3}, MeshNoise{10e-6, 2e-3},
           MeshNoise{10e-6, 4e-3}, MeshNoise{100e-6, 0}, MeshNoise{100e-6, 1e-3}, MeshNoise{100e-6, 2e-3},

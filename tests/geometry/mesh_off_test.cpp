@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-std::string read(const std::string& text, Mesh& mesh) {
+std::string read_off_text(const std::string& text, Mesh& mesh) {
   const test::TemporaryFolder folder;
   return read_off(folder.write("a.off", text), mesh);
 }
@@ -20,11 +20,11 @@ TEST(MeshOff, ReadsCommentsColoursNormalsAndPolygons) {
   const std::size_t triangles[] = {2, 2, 1, 1};
   for (std::size_t k = 0; k < 4; ++k) {
     Mesh mesh;
-    EXPECT_EQ(read(texts[k], mesh), "") << texts[k];
+    EXPECT_EQ(read_off_text(texts[k], mesh), "") << texts[k];
     EXPECT_EQ(mesh.triangles.size(), triangles[k]) << texts[k];
   }
   Mesh mesh;
-  read(texts[0], mesh);
+  read_off_text(texts[0], mesh);
   EXPECT_EQ(mesh.triangles[0], (std::array{0, 1, 2}));
   EXPECT_EQ(mesh.triangles[1], (std::array{0, 2, 3}));
   EXPECT_EQ(mesh.vertices[2], Vec3(1, 1, 0));
@@ -43,7 +43,7 @@ TEST(MeshOff, SaysWhatIsWrongAndWhere) {
                                                      {"", "truncated"}};
   for (const auto& [text, said] : bad) {
     Mesh mesh;
-    EXPECT_NE(read(text, mesh).find(said), std::string::npos) << text << ": " << read(text, mesh);
+    EXPECT_NE(read_off_text(text, mesh).find(said), std::string::npos) << text << ": " << read_off_text(text, mesh);
   }
 }
 

@@ -7,9 +7,12 @@
 
 #include "genu/geometry/mesh_formats.h"
 #include "support/temporary_folder.h"
+#include "support/text.h"
 
 namespace genu {
 namespace {
+
+using test::with_first;
 
 const std::string kHead =
     "element vertex 4\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\n"
@@ -38,12 +41,7 @@ std::string binary(bool big) {
   return out;
 }
 
-std::string broken(std::string text, const std::string& piece, const std::string& by) {
-  EXPECT_NE(text.find(piece), std::string::npos) << piece;
-  return text.replace(text.find(piece), piece.size(), by);
-}
-
-std::string read(const std::string& text, Mesh& mesh) {
+std::string read_ply_text(const std::string& text, Mesh& mesh) {
   const test::TemporaryFolder folder;
   return read_ply(folder.write("a.ply", text), mesh);
 }
@@ -53,7 +51,7 @@ TEST(MeshPly, EveryEncodingGivesTheSameDoubles) {
   for (const char c : kAscii) crlf += c == '\n' ? "\r\n" : std::string(1, c);
   for (const std::string& text : {kAscii, crlf, binary(false), binary(true)}) {
     Mesh mesh;
-    ASSERT_EQ(read(text, mesh), "");
+    ASSERT_EQ(read_ply_text(text, mesh), "");
     ASSERT_EQ(mesh.vertices.size(), 4u);
     EXPECT_EQ(mesh.vertices[1].x(), 0.1) << "not rounded to float32";
     const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}};
@@ -63,9 +61,9 @@ TEST(MeshPly, EveryEncodingGivesTheSameDoubles) {
 
 TEST(MeshPly, StripsTurnEveryOtherTriangle) {
   Mesh mesh;
-  ASSERT_EQ(read(broken(broken(kAscii, "element face 2", "element tristrips 1"), "3 0 1 2\n4 0 1 2 3\n",
-                        "8 0 1 2 3 -1 0 1 3\n"),
-                 mesh),
+  ASSERT_EQ(read_ply_text(with_first(with_first(kAscii, "element face 2", "element tristrips 1"),
+                                     "3 0 1 2\n4 0 1 2 3\n", "8 0 1 2 3 -1 0 1 3\n"),
+                          mesh),
             "");
   const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {1, 3, 2}, {0, 1, 3}};
   EXPECT_EQ(mesh.triangles, triangles);
@@ -74,32 +72,32 @@ TEST(MeshPly, StripsTurnEveryOtherTriangle) {
 TEST(MeshPly, NamesThePlaceOfWhatIsWrong) {
   const auto says = [](const std::string& text, const std::string& part) {
     Mesh mesh;
-    const std::string problem = read(text, mesh);
+    const std::string problem = read_ply_text(text, mesh);
     EXPECT_NE(problem.find(part), std::string::npos) << problem;
   };
-  says(broken(kAscii, "property double z\n", ""), "without the property \"z\"");
-  says(broken(kAscii, "vertex_indices", "colours"), "without a list \"vertex_indices\"");
-  says(broken(kAscii, "element vertex 4", "element vertex -4"), "has \"-4\" in line 4 where a count");
-  says(broken(kAscii, "element vertex 4", "element vertex 18446744073709551621"), "in line 4 where a count");
-  says(broken(kAscii, "ascii", "middle"), "has \"middle\" in line 2");
-  says(broken(kAscii, "uchar int", "float int"), "in line 10");
-  says(broken(kAscii, "0.1 0 0 2", "0.1 O 0 2"), "has \"O\" in line 13");
-  says(broken(kAscii, "0.1 0 0 2", "0.1 0 0"), "too few numbers in line 13");
-  says(broken(kAscii, "0.1 0 0 2", "0.1 0 0 2 5"), "has \"5\" in line 13");
-  says(broken(kAscii, "0.1 0 0 2", "1e300 0 0 2"), "coordinate (finite, at most 1e9) in line 13");
-  says(broken(kAscii, "3 0 1 2\n", "3 0 1 4\n"), "does not have in line 16");
-  says(broken(kAscii, "3 0 1 2\n", "3 0 1 -1\n"), "does not have in line 16");
-  says(broken(kAscii, "3 0 1 2\n", "3 0 1 1.5\n"), "does not have in line 16");
-  says(broken(kAscii, "3 0 1 2\n", "2 0 1\n"), "fewer than three corners in line 16");
-  says(broken(kAscii, "3 0 1 2\n", "-3 0 1 2\n"), "fewer than no entries in line 16");
+  says(with_first(kAscii, "property double z\n", ""), "without the property \"z\"");
+  says(with_first(kAscii, "vertex_indices", "colours"), "without a list \"vertex_indices\"");
+  says(with_first(kAscii, "element vertex 4", "element vertex -4"), "has \"-4\" in line 4 where a count");
+  says(with_first(kAscii, "element vertex 4", "element vertex 18446744073709551621"), "in line 4 where a count");
+  says(with_first(kAscii, "ascii", "middle"), "has \"middle\" in line 2");
+  says(with_first(kAscii, "uchar int", "float int"), "in line 10");
+  says(with_first(kAscii, "0.1 0 0 2", "0.1 O 0 2"), "has \"O\" in line 13");
+  says(with_first(kAscii, "0.1 0 0 2", "0.1 0 0"), "too few numbers in line 13");
+  says(with_first(kAscii, "0.1 0 0 2", "0.1 0 0 2 5"), "has \"5\" in line 13");
+  says(with_first(kAscii, "0.1 0 0 2", "1e300 0 0 2"), "coordinate (finite, at most 1e9) in line 13");
+  says(with_first(kAscii, "3 0 1 2\n", "3 0 1 4\n"), "does not have in line 16");
+  says(with_first(kAscii, "3 0 1 2\n", "3 0 1 -1\n"), "does not have in line 16");
+  says(with_first(kAscii, "3 0 1 2\n", "3 0 1 1.5\n"), "does not have in line 16");
+  says(with_first(kAscii, "3 0 1 2\n", "2 0 1\n"), "fewer than three corners in line 16");
+  says(with_first(kAscii, "3 0 1 2\n", "-3 0 1 2\n"), "fewer than no entries in line 16");
   says(kAscii + "3 0 1 2\n", "more lines than");
   // A list that promises two thousand million entries asks for no memory.
-  says(broken(broken(kAscii, "uchar red", "list int int red"), "0 0 0 1\n", "0 0 0 2000000000 1\n"),
+  says(with_first(with_first(kAscii, "uchar red", "list int int red"), "0 0 0 1\n", "0 0 0 2000000000 1\n"),
        "too few numbers in line 12");
   const std::string bytes = binary(true);
   for (std::size_t size = 1; size < bytes.size(); ++size) {
     Mesh mesh;
-    EXPECT_NE(read(bytes.substr(0, size), mesh), "") << size;
+    EXPECT_NE(read_ply_text(bytes.substr(0, size), mesh), "") << size;
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 const std::string kFacet =
     "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
 
-std::string read(const std::string& text, Mesh& mesh) {
+std::string read_stl_text(const std::string& text, Mesh& mesh) {
   const test::TemporaryFolder folder;
   return read_stl(folder.write("a.stl", text), mesh);
 }
@@ -27,11 +27,11 @@ TEST(MeshStl, ReadsWhatExportersWrite) {
   const std::size_t counts[] = {1, 1, 2, 1};
   for (std::size_t k = 0; k < 4; ++k) {
     Mesh mesh;
-    EXPECT_EQ(read(texts[k], mesh), "") << texts[k];
+    EXPECT_EQ(read_stl_text(texts[k], mesh), "") << texts[k];
     EXPECT_EQ(mesh.triangles.size(), counts[k]) << texts[k];
   }
   Mesh mesh;
-  read(texts[3], mesh);
+  read_stl_text(texts[3], mesh);
   EXPECT_EQ(mesh.vertices[0], Vec3(-1e-3, 2, 0.5));
 }
 
@@ -53,7 +53,7 @@ TEST(MeshStl, GarbageIsNamedWithItsLine) {
     std::string text = "solid\n" + kFacet + kFacet + "endsolid\n";
     text.replace(text.rfind(piece), piece.size(), replacement);
     Mesh mesh;
-    const std::string problem = read(text, mesh);
+    const std::string problem = read_stl_text(text, mesh);
     EXPECT_NE(problem.find("in line 1"), std::string::npos) << replacement << ": " << problem;
   }
 }
@@ -79,7 +79,7 @@ TEST(MeshStl, EveryTruncationIsRefused) {
   const std::string text = "solid\n" + kFacet + kFacet + "endsolid";
   for (std::size_t size = 1; size < text.size(); ++size) {
     Mesh mesh;
-    EXPECT_NE(read(text.substr(0, size), mesh), "") << size;
+    EXPECT_NE(read_stl_text(text.substr(0, size), mesh), "") << size;
   }
 }
 

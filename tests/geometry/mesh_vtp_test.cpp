@@ -51,14 +51,14 @@ Arrays ascii() {
           element("Int64", "offsets", "ascii", whole(kOffsets))};
 }
 
-std::string read(const std::string& text, Mesh& mesh) {
+std::string read_vtp_text(const std::string& text, Mesh& mesh) {
   const test::TemporaryFolder folder;
   return read_vtp(folder.write("a.vtp", text), mesh);
 }
 
 void expect_square(const std::string& text, const std::string& what) {
   Mesh mesh;
-  ASSERT_EQ(read(text, mesh), "") << what;
+  ASSERT_EQ(read_vtp_text(text, mesh), "") << what;
   ASSERT_EQ(mesh.vertices.size(), 4u) << what;
   EXPECT_EQ(mesh.vertices[3], Vec3(0, 1, 0.5)) << what;
   ASSERT_EQ(mesh.triangles.size(), 2u) << what;
@@ -104,7 +104,7 @@ TEST(MeshVtp, StripsAndPolygonsAndPieces) {
             element("Int64", "connectivity", "ascii", "0 1 2 3"), element("Int64", "offsets", "ascii", "4")},
            {}, "NumberOfPoints=\"4\" NumberOfPolys=\"1\"");
   Mesh polygon;
-  ASSERT_EQ(read(text, polygon), "");
+  ASSERT_EQ(read_vtp_text(text, polygon), "");
   EXPECT_EQ(polygon.triangles.size(), 2u);
   std::string strip =
       file("",
@@ -114,7 +114,7 @@ TEST(MeshVtp, StripsAndPolygonsAndPieces) {
   for (std::size_t at = strip.find("Polys>"); at != std::string::npos; at = strip.find("Polys>", at + 1))
     strip.replace(at, 6, "Strips>");
   Mesh strips;
-  ASSERT_EQ(read(strip, strips), "");
+  ASSERT_EQ(read_vtp_text(strip, strips), "");
   ASSERT_EQ(strips.triangles.size(), 2u);
   EXPECT_EQ(strips.triangles[0], (std::array{0, 1, 3}));
   EXPECT_EQ(strips.triangles[1], (std::array{1, 2, 3}));  // turned, so that both are wound alike
@@ -123,7 +123,7 @@ TEST(MeshVtp, StripsAndPolygonsAndPieces) {
 TEST(MeshVtp, SaysWhatItCannotRead) {
   const auto says = [](const std::string& text, const std::string& part) {
     Mesh mesh;
-    const std::string problem = read(text, mesh);
+    const std::string problem = read_vtp_text(text, mesh);
     EXPECT_NE(problem.find(part), std::string::npos) << problem;
   };
   says("", "does not start");
@@ -144,20 +144,20 @@ TEST(MeshVtp, EveryTruncationIsRefused) {
   const std::size_t end = text.find("</VTKFile");
   for (std::size_t size = 1; size < end; size += 3) {
     Mesh mesh;
-    EXPECT_NE(read(text.substr(0, size), mesh), "") << size;
+    EXPECT_NE(read_vtp_text(text.substr(0, size), mesh), "") << size;
   }
 }
 
 TEST(MeshVtp, ArraysOfOtherShapeOrTypeAreNamed) {
   const auto says = [](const Arrays& arrays, const std::string& part) {
     Mesh mesh;
-    const std::string problem = read(file("", arrays), mesh);
+    const std::string problem = read_vtp_text(file("", arrays), mesh);
     EXPECT_NE(problem.find(part), std::string::npos) << problem;
   };
   Arrays good = ascii();
   good.points = element("Float32", "Points", "ascii", numbers(kPoints), "NumberOfComponents=\"3\"");
   Mesh mesh;
-  EXPECT_EQ(read(file("", good), mesh), "");
+  EXPECT_EQ(read_vtp_text(file("", good), mesh), "");
   for (const char* count : {"2", "0", "-3", "x"}) {
     Arrays bad = ascii();
     bad.points =

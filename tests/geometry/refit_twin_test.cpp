@@ -10,12 +10,11 @@
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_topology.h"
 #include "geometry/blend_torus.h"
+#include "geometry/quantile.h"
 #include "support/data.h"
 
-namespace genu {
+namespace genu::test {
 namespace {
-
-using namespace test;  // NOLINT: meshes and shapes made for these tests
 
 struct Difference {
   double position = 0, normal = 0, curvature = 0;  ///< m, rad, 1/m
@@ -38,11 +37,6 @@ std::optional<Difference> difference(const BlendSurface& blend, const VertexGrap
   const Height h = fit.height(0, 0);
   const Vec3 n = (fit.axes * Vec3(-h.hu, -h.hv, 1)).normalized();
   return Difference{std::abs(h.h), (n - point.n).norm(), (fit.curvature(point.p) - tensor(point)).norm()};
-}
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 class RefitTwin : public ::testing::TestWithParam<int> {};
@@ -114,4 +108,4 @@ TEST(RefitTwinOnAFemur, DiffersByLessThanTheNoise) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::test

@@ -128,6 +128,15 @@ TEST(SurfaceFit, AMovedMeshGivesTheSameShapeMoved) {
   }
 }
 
+TEST(SurfaceFit, VerticesOnThePatchsEdgesCountWhereverTheMeshLies) {
+  for (const Mesh& mesh : {plateau(0.7e-3), condyle(0.7e-3)})
+    for (const double far : {0.0, 1e-3, 0.1, 100.0}) {
+      Mesh moved = mesh;
+      for (Vec3& v : moved.vertices) v += Vec3(far, 0, 0);
+      EXPECT_EQ(fitted(moved).residual.count, static_cast<int>(mesh.vertices.size())) << far;
+    }
+}
+
 TEST(SurfaceFit, NoiseIsAveragedOut) {
   Mesh noisy = plateau(0.7e-3);
   const SurfaceFit clean = fitted(noisy);

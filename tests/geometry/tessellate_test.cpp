@@ -26,17 +26,17 @@ double volume(const Mesh& mesh, const Vec3& origin) {
   return sum;
 }
 
-struct Shape {
+struct CutShape {
   std::string name;
   std::unique_ptr<Surface> (*make)(bool inside);
   double volume;          ///< m^3, of closed shapes; 0 for open ones
   double smallest_angle;  ///< deg, of the meshes below
 };
 
-void PrintTo(const Shape& s, std::ostream* out) { *out << s.name; }
+void PrintTo(const CutShape& s, std::ostream* out) { *out << s.name; }
 
-std::vector<Shape> shapes() {
-  constexpr double pi = std::numbers::pi;
+std::vector<CutShape> cut_shapes() {
+  using std::numbers::pi;
   return {
       {"sphere", [](bool i) { return make_sphere(kPlace, 0.02, i); }, 4 * pi / 3 * 8e-6, 35},
       {"ellipsoid",
@@ -70,7 +70,7 @@ std::vector<Shape> shapes() {
   };
 }
 
-class Tessellation : public ::testing::TestWithParam<Shape> {};
+class Tessellation : public ::testing::TestWithParam<CutShape> {};
 
 TEST_P(Tessellation, LiesOnTheSurfaceIsSoundAndFacesOutward) {
   for (const double edge : {4e-3, 1e-3}) {
@@ -113,7 +113,7 @@ TEST_P(Tessellation, IsTheSameEveryTime) {
   EXPECT_TRUE(a.vertices == b.vertices);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Tessellation, ::testing::ValuesIn(shapes()),
+INSTANTIATE_TEST_SUITE_P(Shapes, Tessellation, ::testing::ValuesIn(cut_shapes()),
                          [](const auto& s) { return s.param.name; });
 
 TEST(TessellationGrading, EdgesShrinkWhereTheSurfaceBends) {

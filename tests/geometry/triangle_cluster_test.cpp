@@ -21,7 +21,7 @@ struct MovingRay {
   }
 };
 
-class Random {
+class RandomPoints {
  public:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   Vec3 in_ball(double radius) {
@@ -49,7 +49,7 @@ std::vector<Mesh> meshes() {
 
 TEST(TriangleCluster, WhatIsListedIsAllThatAMovedRayMeets) {
   constexpr double kLength = 6e-3, kLeast = 1e-4, kMost = 1e-3, kMargin = 1.01 * kMost;
-  Random random;
+  RandomPoints random;
   int listed = 0, free = 0, hits = 0, many = 0;
   for (const Mesh& mesh : meshes()) {
     const TriangleTree tree(mesh);

@@ -17,10 +17,10 @@ Vec3 random_point(std::mt19937& random, double reach) {
   return {in(random), in(random), in(random)};
 }
 
-Mesh torus() { return make_torus({}, 0.015, 0.005, false)->triangles(1e-3, Vec3::Zero(), 1); }
+Mesh regular_torus() { return make_torus({}, 0.015, 0.005, false)->triangles(1e-3, Vec3::Zero(), 1); }
 
 TEST(WindingNumber, FastIsExact) {
-  Mesh mesh = torus();
+  Mesh mesh = regular_torus();
   std::mt19937 random(1);
   double worst = 0;
   for (const double kept : {1.0, 0.6}) {
@@ -37,7 +37,7 @@ TEST(WindingNumber, FastIsExact) {
 
 TEST(WindingNumber, TellsInsideOfAMeshWithAHole) {
   const auto exact = make_torus({}, 0.015, 0.005, false);
-  Mesh mesh = torus();
+  Mesh mesh = regular_torus();
   std::erase_if(mesh.triangles, [&](const auto& t) {
     return (mesh.vertices[static_cast<std::size_t>(t[0])] - Vec3(0.02, 0, 0)).norm() < 3e-3;
   });

@@ -56,6 +56,16 @@ TEST(ContactField, SmallestGapIsFoundAtAnyDistance) {
     EXPECT_NEAR(field.smallest_gap(placed(s.model, z), 0), z - 0.02, 1e-13) << z;
 }
 
+TEST(ContactField, IsClearUpToItsGap) {
+  const auto s = two_balls();
+  ContactField field(s.model);
+  for (const double gap : {1e-4, 3e-3, 0.1}) {
+    EXPECT_TRUE(field.is_clear(placed(s.model, 0.02 + gap), 0, 0.99 * gap)) << gap;
+    EXPECT_FALSE(field.is_clear(placed(s.model, 0.02 + gap), 0, 1.01 * gap + 5e-5)) << "but for what samples miss";
+  }
+  EXPECT_FALSE(field.is_clear(placed(s.model, 0.01), 0, 0));
+}
+
 TEST(ContactField, FollowsAContactOverItsSurface) {
   const auto s = two_balls();
   ContactField field(s.model);

@@ -14,8 +14,6 @@
 namespace genu {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// x to the right of the body, y forward, z up in both bones.
 GroodSuntayDef upright(bool right) {
   GroodSuntayDef def;
@@ -52,7 +50,7 @@ TEST(GroodSuntay, TranslationsAreProjections) {
   EXPECT_LT((numbers(*grood_suntay(upright(false), Pose{}, {Mat3::Identity(), p})) - expected).norm(), 1e-17);
   // Flexed by a right angle, the tibia points backward: what lies below the femur is neither drawer nor distraction of
   // the same name.
-  const auto flexed = grood_suntay(upright(true), Pose{}, turned(Vec3::UnitX(), -kPi / 2, p));
+  const auto flexed = grood_suntay(upright(true), Pose{}, turned(Vec3::UnitX(), -std::numbers::pi / 2, p));
   EXPECT_NEAR(flexed->distraction, -0.02, 1e-16);
   EXPECT_NEAR(flexed->anterior, 0.03, 1e-16);
 }
@@ -129,8 +127,8 @@ TEST(GroodSuntay, RatesAreDerivatives) {
     // Flexion and rotation jump by a turn at 180 deg.
     Vec6 one = moved(h) - moved(-h), two = moved(2 * h) - moved(-2 * h);
     for (const Eigen::Index k : {0, 2}) {
-      one[k] = std::remainder(one[k], 2 * kPi);
-      two[k] = std::remainder(two[k], 2 * kPi);
+      one[k] = std::remainder(one[k], 2 * std::numbers::pi);
+      two[k] = std::remainder(two[k], 2 * std::numbers::pi);
     }
     const Vec6 truth = (8 * one - two) / (12 * h);
     worst = std::max(worst, (exact - truth).norm() / exact.norm());

@@ -17,8 +17,6 @@ namespace {
 
 using test::random_pose;
 
-constexpr double kPi = std::numbers::pi;
-
 JointDef joint_about(const Vec3& a1, const Vec3& a2, const Vec3& a3) {
   JointDef joint;
   joint.rotations[0].axis = a1;
@@ -112,7 +110,7 @@ TEST(JointCoordinates, GimbalPoseIsFoundAndNothingIsNaN) {
   for (const JointDef& joint : all_joints()) {
     const JointCoordinates coordinates(joint);
     const bool euler = std::abs(joint.rotations[0].axis.dot(joint.rotations[2].axis)) > 0.5;
-    for (double middle : {0.0, kPi / 2, kPi, -kPi / 2}) {
+    for (double middle : {0.0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2}) {
       JointValues q = random_values(generator, 1);
       q[1] = middle;
       const JointValues near = q;
@@ -152,7 +150,7 @@ TEST(JointCoordinates, ExtractionStaysExactCloseToTheGimbalPose) {
     const bool euler = std::abs(joint.rotations[0].axis.dot(joint.rotations[2].axis)) > 0.5;
     for (double off : {1e-3, 1e-7, 1e-10, 1e-13, 1e-14, 1e-15, 1e-17}) {
       JointValues q = random_values(generator, 1);
-      q[1] = (euler ? 0 : kPi / 2) + off;
+      q[1] = (euler ? 0 : std::numbers::pi / 2) + off;
       const Pose X = coordinates.pose_from(q);
       worst = std::max(worst, (coordinates.pose_from(coordinates.coordinates(X, {})).R - X.R).norm());
     }

@@ -227,7 +227,7 @@ TEST(Linearization, IsExactWithALigamentHeldAtItsJump) {
 }
 
 /// A bone on a hinge with a spring, a plate fixed to it, and a rod free against the plate.
-const char* const kChain = R"(format = 1
+const char* const kJointsAndCombinations = R"(format = 1
 units = { length = "mm", angle = "deg" }
 [body.ground]
 fixed = true
@@ -268,10 +268,10 @@ slack_length = 20
 prescribe = { coupled = [10, 60], "rod.a" = 4, apart = 3 }
 )";
 
-TEST(Linearization, IsExactWithJointsAndCombinations) { expect_exact(std::string(kChain) + kLoads); }
+TEST(Linearization, IsExactWithJointsAndCombinations) { expect_exact(std::string(kJointsAndCombinations) + kLoads); }
 
 TEST(Linearization, IsExactWithLoadsOnAndOverHinges) {
-  std::string text = kChain;
+  std::string text = kJointsAndCombinations;
   text.insert(text.find("[body.ground]"), "gravity = [1, 3, -9.81]\n");
   text.replace(text.find("[body.plate]"), 12, "[body.plate]\nmass = 4\ncentre_of_mass = [4, 5, 90]");
   expect_exact(text + R"([load.muscle]
@@ -287,7 +287,7 @@ scale = { over = "hinge.angle", table = [[-90, 1], [90, 3]] }
 }
 
 TEST(Linearization, ConstraintsAreSatisfiedAtTheReference) {
-  const test::SceneModel s = test::scene_model(kChain);
+  const test::SceneModel s = test::scene_model(kJointsAndCombinations);
   State state = reference_state(s.model);
   Target target = test::target_of(s.scene);
   for (auto& p : target.prescribed) p.value = quantity_value(s.model, state.coordinates, p.coordinate);

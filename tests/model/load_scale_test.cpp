@@ -18,14 +18,14 @@ LoadScale made(const ScaleDef& def) {
   return *scale;
 }
 
-ScaleDef table(std::vector<std::pair<double, double>> points) {
+ScaleDef table_over(std::vector<std::pair<double, double>> points) {
   ScaleDef def;
   def.table = std::move(points);
   return def;
 }
 
 TEST(LoadScale, TwoPointsAreALineThatHoldsItsEnds) {
-  const LoadScale scale = made(table({{0.2, -1}, {0.7, 4}}));
+  const LoadScale scale = made(table_over({{0.2, -1}, {0.7, 4}}));
   EXPECT_FALSE(scale.coordinate().has_value());
   EXPECT_NEAR(scale.evaluate(0.3).factor, 0, 1e-15);
   EXPECT_NEAR(scale.evaluate(0.3).slope, 10, 1e-13);
@@ -37,7 +37,7 @@ TEST(LoadScale, TwoPointsAreALineThatHoldsItsEnds) {
 
 TEST(LoadScale, ManyPointsAreMetAndNeverOvershot) {
   const std::vector<std::pair<double, double>> points = {{0, 0}, {1, 0}, {2, 3}, {2.5, 3}, {4, -7}};
-  ScaleDef def = table(points);
+  ScaleDef def = table_over(points);
   def.kind = ScaleDef::Kind::over_coordinate;
   def.coordinate = {2, 4};
   const LoadScale scale = made(def);
@@ -82,7 +82,7 @@ TEST(LoadScale, TellsItsKinksInTime) {
   sine.start = 1;
   EXPECT_EQ(made(sine).kinks_in_time(), std::vector<double>{1});
   EXPECT_NEAR(made(sine).period(), 8, 1e-14);
-  ScaleDef over = table({{0.5, 1}, {2, 3}, {3, 0}});
+  ScaleDef over = table_over({{0.5, 1}, {2, 3}, {3, 0}});
   over.kind = ScaleDef::Kind::over_time;
   EXPECT_EQ(made(over).kinks_in_time(), (std::vector<double>{0.5, 2, 3}));
   EXPECT_EQ(made(over).period(), 0);
@@ -92,10 +92,61 @@ TEST(LoadScale, TellsItsKinksInTime) {
 
 TEST(LoadScale, RefusesWhatIsNoTable) {
   std::string why;
-  EXPECT_FALSE(LoadScale::make(table({{0, 1}}), why).has_value());
+  EXPECT_FALSE(LoadScale::make(table_over({{0, 1}}), why).has_value());
   EXPECT_NE(why.find("two points"), std::string::npos) << why;
-  EXPECT_FALSE(LoadScale::make(table({{0, 1}, {0, 2}}), why).has_value());
+  EXPECT_FALSE(LoadScale::make(table_over({{0, 1}, {0, 2}}), why).has_value());
   EXPECT_NE(why.find("increase"), std::string::npos) << why;
+}
+
+/// Slope and curvature against difference quotients, away from kinks.
+void expect_derivatives(const LoadScale& scale, const std::vector<double>& places) {
+  for (const double x : places) {
+    const auto factor = [&](double d) { return scale.evaluate(x + d).factor; };
+    EXPECT_NEAR(scale.evaluate(x).slope, test::derivative(factor, 1e-3), 1e-7) << x;
+    EXPECT_NEAR(scale.evaluate(x).curvature, test::second_derivative(factor, 1e-3), 1e-4) << x;
+  }
+}
+
+TEST(LoadScale, SlopesAndCurvatures) {
+  ScaleDef sine;
+  sine.kind = ScaleDef::Kind::sine;
+  sine.amplitude = 2;
+  sine.frequency = 0.7;
+  sine.start = 1;
+  sine.offset = 5;
+  expect_derivatives(made(sine), {0.5, 1.2, 1.9, 3});
+  EXPECT_EQ(made(sine).evaluate(0.5).factor, 5) << "before its start it is where it swings about";
+  EXPECT_EQ(made(sine).largest(), 7);
+  expect_derivatives(made(table_over({{0, 0}, {1, 0.3}, {2, 3}, {4, -7}})), {-1, 0.4, 1.5, 3, 5});
+  ScaleDef step;
+  step.kind = ScaleDef::Kind::step;
+  step.from = -1;
+  step.to = 3;
+  step.start = 0.5;
+  step.rise = 2;
+  expect_derivatives(made(step), {0.2, 0.7, 1.5, 2.2, 2.7});
+}
+
+TEST(LoadScale, AStepIsSmoothAndEndsWhereItShould) {
+  ScaleDef def;
+  def.kind = ScaleDef::Kind::step;
+  def.from = 1;
+  def.to = 5;
+  def.start = 2;
+  def.rise = 0.5;
+  const LoadScale step = made(def);
+  EXPECT_EQ(step.evaluate(1.999).factor, 1);
+  EXPECT_NEAR(step.evaluate(2.25).factor, 3, 1e-15) << "half way";
+  EXPECT_EQ(step.evaluate(2.5).factor, 5);
+  for (const double end : {2.0, 2.5})
+    for (const double beside : {-1e-6, 1e-6}) {
+      EXPECT_NEAR(step.evaluate(end + beside).slope, 0, 1e-8);
+      EXPECT_NEAR(step.evaluate(end + beside).curvature, 0, 1e-2) << "of up to 92";
+    }
+  EXPECT_EQ(step.kinks_in_time(), (std::vector<double>{2, 2.5}));
+  def.rise = 0;
+  EXPECT_EQ(made(def).evaluate(2 - 1e-12).factor, 1);
+  EXPECT_EQ(made(def).evaluate(2).factor, 5);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace genu {
 namespace {
 
-constexpr double kH = 1e-4;
+constexpr double kTimeStep = 1e-4;
 
 const std::string kChain = R"(format = 1
 units = { length = "mm", angle = "rad" }
@@ -89,17 +89,18 @@ struct Moving {
 TEST(MotionRates, OfCoordinatesAndOfWhatJointsHold) {
   const Moving m;
   const auto rates = coordinate_rates(m.model, m.state, m.twist);
-  const State before = m.after(-kH), after = m.after(kH);
+  const State before = m.after(-kTimeStep), after = m.after(kTimeStep);
   double worst = 0;
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < 6; ++i)
-      worst = std::max(worst, std::abs((after.coordinates[j][i] - before.coordinates[j][i]) / (2 * kH) - rates[j][i]));
+      worst = std::max(worst,
+                       std::abs((after.coordinates[j][i] - before.coordinates[j][i]) / (2 * kTimeStep) - rates[j][i]));
   EXPECT_LT(worst, 1e-6);
   Linearization ahead, behind;
   linearize_constraints(m.model, after, m.target, ahead);
   linearize_constraints(m.model, before, m.target, behind);
-  const VecX numeric = (ahead.gradient - behind.gradient) * m.twist / (2 * kH);
-  const VecX exact = centripetal_rates(m.model, m.state, m.twist);
+  const VecX numeric = (ahead.gradient - behind.gradient) * m.twist / (2 * kTimeStep);
+  const VecX exact = centripetal_rates(m.model, m.state, {}, m.twist);
   ASSERT_EQ(exact.size(), 5);
   EXPECT_LT((numeric - exact).norm(), 1e-6 * exact.norm()) << exact.transpose();
 }
@@ -122,7 +123,7 @@ TEST(MotionRates, EnergiesChangeByThePowerOfTheForces) {
     const MechanicalEnergy e = mechanical_energy(m.model, m.after(t), m.twist);
     return e.stored + e.gravity;
   };
-  const double lost = -(potential(kH) - potential(-kH)) / (2 * kH);
+  const double lost = -(potential(kTimeStep) - potential(-kTimeStep)) / (2 * kTimeStep);
   const double power = load_power(m.model, m.state, m.target, m.twist);
   EXPECT_NEAR(at.wrench.dot(m.twist), lost + power, 1e-6 * std::abs(lost));
   EXPECT_GT(std::abs(power), 0.1);
@@ -138,7 +139,7 @@ TEST(MotionRates, DampersTakeWhatTheirWrenchesDo) {
     const Vec3 via = s.poses[1] * Vec3(0, 0.03, 0.01);
     return (via - Vec3(0.05, 0, 0)).norm() + (s.poses[2] * Vec3(0.005, -0.05, 0.02) - via).norm();
   };
-  const double rate = (length(kH) - length(-kH)) / (2 * kH);
+  const double rate = (length(kTimeStep) - length(-kTimeStep)) / (2 * kTimeStep);
   const double turn = coordinate_rates(m.model, m.state, m.twist)[1][0];
   EXPECT_NEAR(power, 300 * rate * rate + 0.4 * turn * turn, 1e-6 * power);
 }

@@ -77,5 +77,36 @@ TEST(PlanSteps, TimeGoesOnFromStepToStep) {
   EXPECT_EQ(plans[2].target(0.5).time, 3.25);
 }
 
+TEST(ReactionWords, AreOfMoreThanWhatSolvingAndSummingLeave) {
+  StepPlan plan;
+  plan.prescribed.push_back({{CoordinateRef{0, 0}}, 0, 1});
+  plan.prescribed.push_back({{CoordinateRef{0, 3}}, 0, 1e-3});
+  JointModel rigid;
+  rigid.scales.force = 200;
+  rigid.scales.length = 0.05;
+  JointModel layered = rigid;
+  layered.layers.push_back({"soft", 0, 1, nullptr, nullptr, nullptr});
+  layered.layers[0].tolerance = 1e-3;
+  State state;
+  const auto words = [&](const JointModel& model, int driven, double reaction, double rate = -1) {
+    state.multipliers = {reaction, reaction};
+    return reaction_words(model, plan, driven, rate, state);
+  };
+  EXPECT_EQ(words(rigid, 0, 0.57), "largest 0.57 Nm");
+  EXPECT_EQ(words(rigid, 1, -3, 1), "smallest -3 N");
+  // 1e-8 of 200 N, of 10 N m; a thousandth of them where that is how well the layer is summed.
+  EXPECT_EQ(words(rigid, 1, 1.9e-6), "");
+  EXPECT_NE(words(rigid, 1, 2.1e-6), "");
+  EXPECT_EQ(words(rigid, 0, -0.9e-7), "");
+  EXPECT_NE(words(rigid, 0, -1.1e-7), "");
+  EXPECT_EQ(words(layered, 1, -0.19), "");
+  EXPECT_NE(words(layered, 1, -0.21), "");
+  EXPECT_EQ(words(layered, 0, 0.009), "");
+  EXPECT_NE(words(layered, 0, 0.011), "");
+  layered.layers[0].tolerance = 0;  // between triangles
+  EXPECT_EQ(words(layered, 0, -1e-5), "");
+  EXPECT_NE(words(layered, 0, -1e-2), "");
+}
+
 }  // namespace
 }  // namespace genu

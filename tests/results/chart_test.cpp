@@ -6,14 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/text.h"
+
 namespace genu {
 namespace {
-
-int count(const std::string& text, const std::string& piece) {
-  int n = 0;
-  for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; at += piece.size()) ++n;
-  return n;
-}
 
 TEST(Chart, TicksAreRoundAndCoverTheRange) {
   std::mt19937 generator(3);
@@ -47,10 +43,10 @@ TEST(Chart, NeverWritesWhatIsNoNumberAndEscapesWords) {
   chart.panels.push_back({"empty", {}, true, true});
   chart.events.push_back({ChartEvent::Kind::other, nan, nan, "nowhere"});
   const std::string svg = to_svg(chart);
-  EXPECT_EQ(count(svg, "nan"), 0) << svg;
-  EXPECT_EQ(count(svg, "inf"), 0) << svg;
-  EXPECT_EQ(count(svg, "a&lt;b &amp; &quot;c&quot;<"), 1);
-  EXPECT_EQ(count(svg, "<circle"), 2);  // two values alone between gaps
+  EXPECT_EQ(test::occurrences(svg, "nan"), 0) << svg;
+  EXPECT_EQ(test::occurrences(svg, "inf"), 0) << svg;
+  EXPECT_EQ(test::occurrences(svg, "a&lt;b &amp; &quot;c&quot;<"), 1);
+  EXPECT_EQ(test::occurrences(svg, "<circle"), 2);  // two values alone between gaps
   EXPECT_EQ(svg, to_svg(chart));
 }
 
@@ -61,10 +57,10 @@ TEST(Chart, MarksEventsInEveryPanelAndWhereTheFirstLineCrossesZero) {
   chart.events.push_back({ChartEvent::Kind::gained, 0.5, 0.5, "gained"});
   chart.events.push_back({ChartEvent::Kind::window, 1, 1.5, "stepped over"});
   const std::string svg = to_svg(chart);
-  EXPECT_EQ(count(svg, "class=\"crossing\""), 1);
-  EXPECT_EQ(count(svg, ">0 at 1.5<"), 1);
-  EXPECT_EQ(count(svg, "class=\"event\""), 2);
-  EXPECT_EQ(count(svg, "class=\"window\""), 3);  // two panels and the list below
+  EXPECT_EQ(test::occurrences(svg, "class=\"crossing\""), 1);
+  EXPECT_EQ(test::occurrences(svg, ">0 at 1.5<"), 1);
+  EXPECT_EQ(test::occurrences(svg, "class=\"event\""), 2);
+  EXPECT_EQ(test::occurrences(svg, "class=\"window\""), 3);  // two panels and the list below
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/text.h"
+
 namespace genu {
 namespace {
 
@@ -16,19 +18,13 @@ CoverageMap map() {
   return m;
 }
 
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
-  return n;
-}
-
 TEST(CoveragePicture, DrawsCellsPatchAndContacts) {
   const std::string svg = coverage_svg({map(), map(), map()});
   EXPECT_EQ(svg, coverage_svg({map(), map(), map()}));
-  EXPECT_EQ(count(svg, "class=\"p\""), 3u);
-  EXPECT_EQ(count(svg, "<circle"), 3u);
-  EXPECT_EQ(count(svg, "#cccccc"), 15u);  // no distance: off the patch
-  EXPECT_EQ(count(svg, "femur &lt;1&gt;"), 3u);
+  EXPECT_EQ(test::occurrences(svg, "class=\"p\""), 3);
+  EXPECT_EQ(test::occurrences(svg, "<circle"), 3);
+  EXPECT_EQ(test::occurrences(svg, "#cccccc"), 15);  // no distance: off the patch
+  EXPECT_EQ(test::occurrences(svg, "femur &lt;1&gt;"), 3);
   EXPECT_NE(svg.find("mesh 0.1 mm below"), std::string::npos);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_NE(coverage_svg({}).find("</svg>"), std::string::npos);

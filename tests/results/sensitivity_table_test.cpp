@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +101,30 @@ TEST(SensitivityTable, DrawsTheMostImportantParameters) {
   EXPECT_EQ(chart.panels[0].series[0].name, "strong");
   EXPECT_EQ(chart.panels[0].series[0].y[1], 8);
   EXPECT_TRUE(std::isnan(chart.panels[0].series[0].y[2]));
+}
+
+TEST(SensitivityTable, ColumnsStandUnderEachOther) {
+  Sample s;
+  s.rows.parameters[0].name = "a_parameter_with_a_long_name";
+  s.rows.parameters[0].change_text = "0.0123456789 mm";
+  s.rows.derivatives[0] = -1234.56;
+  const std::string text = ranking_text(s.rows, s.scene, s.steps, s.poses, 9);
+  std::istringstream lines(text);
+  std::map<std::size_t, int> rms, at;
+  int ranked = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("(rms ") == std::string::npos) {
+      EXPECT_LE(rms.size(), 1u) << text;
+      EXPECT_LE(at.size(), 1u) << text;
+      rms.clear();
+      at.clear();
+      continue;
+    }
+    ++rms[line.find("(rms ")];
+    ++at[line.find("at j.z_mm")];
+    ++ranked;
+  }
+  EXPECT_GE(ranked, 4) << text;
 }
 
 }  // namespace

@@ -17,9 +17,10 @@ using test::read_file;
 
 /// The ball on its plate with a layer between them and a load over time.
 std::string soft_ball() {
-  return test::replaced(test::kBall, "model = \"rigid\"",
-                        "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\nquadrature = \"triangles\"\n"
-                        "cast_from = \"ball\"\nregions = { front = \"y > 0\" }") +
+  return test::with_first(
+             test::kBall, "model = \"rigid\"",
+             "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\nquadrature = \"triangles\"\n"
+             "cast_from = \"ball\"\nregions = { front = \"y > 0\" }") +
          "[load.push]\nbody = \"femur\"\nforce = [0, 1, -30]\nscale = { over = \"time\", table = [[0, 1], [1, 2]] }\n" +
          "[[step]]\nprescribe = { \"knee.flexion\" = [10, 5], \"knee.x\" = 0.1 }\nload = { push = [1, 0.5] "
          "}\nincrements = 3\n";
@@ -177,8 +178,8 @@ TEST(Evaluate, StopsWhereItIsInterruptedAndKeepsTheRest) {
 
 TEST(Evaluate, SumsASmoothLayerAsFinelyAsARunDoes) {
   const test::TemporaryFolder folder;
-  const std::string fine = test::replaced(
-      test::replaced(soft_ball(), "quadrature = \"triangles\"", "quadrature = \"smooth\"\ntolerance = 1e-6"),
+  const std::string fine = test::with_first(
+      test::with_first(soft_ball(), "quadrature = \"triangles\"", "quadrature = \"smooth\"\ntolerance = 1e-6"),
       "cast_from = \"ball\"\n", "");
   const Twice t = run_and_evaluate(folder.write("ball.toml", fine));
   for (std::size_t row = 0; row < t.solved.poses.rows(); ++row) {

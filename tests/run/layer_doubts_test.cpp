@@ -121,6 +121,72 @@ TEST(LayerDoubts, BallInASocketAndOnAPlane) {
   EXPECT_EQ(doubts(test::surface("floor", "ground", "sphere", "radius = 21"), -1.5e-3), 1u);
 }
 
+std::vector<PoseRecord> records_at(const Prepared& p, const std::vector<double>& heights) {
+  std::vector<PoseRecord> records;
+  for (const double z : heights) {
+    records.emplace_back();
+    records.back().point.pose.state = lifted(p, z);
+  }
+  records.emplace_back();  // a pose that was not solved
+  return records;
+}
+
+/// A ball of 20 mm, 1 mm deep in what is under it: pressed 6.3 mm wide.
+TEST(LayerDoubts, ContactAtTheRimOfAPatch) {
+  const std::string ball = test::bone_on_ground("{ z = 0 }") + test::surface("ball", "bone", "sphere", "radius = 20");
+  for (const std::string quadrature :
+       {"", "quadrature = \"triangles\"\ncast_from = \"ball\"", "quadrature = \"triangles\"\ncast_from = \"floor\""})
+    for (const std::string last : {"0", "9"}) {
+      const test::TemporaryFolder folder;
+      Diagnostics out;
+      const std::string floor = "patch = { x = [-30, " + last + "], y = [-30, 30] }";
+      const auto p =
+          prepare(folder.write("scene.toml", ball + test::surface("floor", "ground", "plane", floor) +
+                                                 test::layer("foot", "ball", "floor", quadrature) + test::step("")),
+                  out);
+      ASSERT_TRUE(p) << test::messages(out);
+      const auto said = footing_doubts(*p, records_at(*p, {19e-3, 21e-3, 19.2e-3}));
+      EXPECT_EQ(said.size(), last == "0" ? 1u : 0u) << quadrature << (said.empty() ? "" : said[0]);
+      if (said.empty()) continue;
+      EXPECT_NE(said[0].find("Part of the contact area of foot lies at the rim of the patch of surface floor in rows 1 "
+                             "and 3"),
+                std::string::npos)
+          << said[0];
+    }
+}
+
+/// Cartilage with bone under its left half alone, pressed by a ball in the middle of either half.
+TEST(LayerDoubts, ContactOnThicknessThatWasFilledIn) {
+  const test::TemporaryFolder folder;
+  Mesh bone = test::sheet(20e-3, 20);
+  for (Vec3& v : bone.vertices) v = Vec3(v[0] - 20e-3, v[1], -2e-3);
+  EXPECT_EQ(write_ply(test::sheet(20e-3, 40), folder / "cartilage.ply", 1e-3, ""), "");
+  EXPECT_EQ(write_ply(bone, folder / "bone.ply", 1e-3, ""), "");
+  for (const std::string quadrature :
+       {"", "quadrature = \"triangles\"\ncast_from = \"ball\"", "quadrature = \"triangles\"\ncast_from = \"floor\""}) {
+    const std::string layer = test::replaced(test::layer("foot", "ball", "floor", quadrature), "thickness = 4\n", "");
+    Diagnostics out;
+    const auto p = prepare(
+        folder.write("scene.toml", test::bone_on_ground() +
+                                       test::surface("ball", "bone", "sphere", "radius = 20\nthickness = 0") +
+                                       test::surface("floor", "ground", "mesh",
+                                                     "file = \"cartilage.ply\"\nunits = \"mm\"\nthickness = { bone = "
+                                                     "\"bone.ply\", units = \"mm\" }") +
+                                       layer + test::step("")),
+        out);
+    ASSERT_TRUE(p) << test::messages(out);
+    auto records = records_at(*p, {19.8e-3, 19.8e-3});
+    records[0].point.pose.state.poses[1].p.x() = -10e-3;
+    EXPECT_TRUE(footing_doubts(*p, {records[0]}).empty());
+    records[1].point.pose.state.poses[1].p.x() = 10e-3;
+    const auto said = footing_doubts(*p, records);
+    ASSERT_EQ(said.size(), 1u) << quadrature;
+    EXPECT_NE(said[0].find("The contact of foot presses on cartilage whose thickness was filled in"), std::string::npos)
+        << said[0];
+    EXPECT_NE(said[0].find("in row 2: it carries"), std::string::npos) << said[0];
+  }
+}
+
 TEST(LayerDoubts, MeasuredKneesAreSilent) {
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl");
   for (const std::string name : {"scene-cartilage.toml", "scene-published-poses.toml"}) {

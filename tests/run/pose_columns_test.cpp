@@ -140,7 +140,7 @@ TEST(PoseColumns, NamesOfOpenSim) {
     EXPECT_TRUE(opensim_coordinates(scene, none).empty()) << none;
 }
 
-struct Wrong {
+struct WrongColumns {
   Table table;
   PoseColumnOptions options;
   const char* said;
@@ -148,7 +148,7 @@ struct Wrong {
 
 TEST(PoseColumns, RefusesWithAWayOut) {
   const Table good = Table().with(kKnee, kKneeRow);
-  const Wrong cases[] = {
+  const WrongColumns cases[] = {
       {Table(), {}, "p.csv:1:1: no column gives \"knee_r.flexion\", \"knee_r.adduction\""},
       {Table(), {}, "or say --columns \"knee_r.flexion=COLUMN[rad]\"; the columns here: \"j.a\""},
       {Table(good).with("/x/knee_flex_r", "1"), {}, "and /x/knee_flex_r may both be it: say which by --columns"},
@@ -163,7 +163,7 @@ TEST(PoseColumns, RefusesWithAWayOut) {
       {good, {"time=j.x,time=j.y", ""}, "is given twice"},
       {good, {"", "inch"}, "--units = \"inch\": must be"},
   };
-  for (const Wrong& wrong : cases) {
+  for (const WrongColumns& wrong : cases) {
     const Result r = match(wrong.table, wrong.options);
     EXPECT_FALSE(r.columns) << wrong.said;
     EXPECT_NE(r.said.find(wrong.said), std::string::npos) << "wanted " << wrong.said << "\nsaid " << r.said;

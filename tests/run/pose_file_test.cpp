@@ -63,12 +63,12 @@ TEST(PoseFile, StorageOfOpenSim) {
   EXPECT_EQ(read("endheader\na\n1\n", "x.sto").file->in_degrees, std::nullopt);
 }
 
-struct Wrong {
+struct WrongFile {
   const char *path, *text, *said;
 };
 
 TEST(PoseFile, RefusesWithThePlace) {
-  const Wrong cases[] = {
+  const WrongFile cases[] = {
       {"p.csv", "", "p.csv: is empty"},
       {"p.csv", " \r\n\n", "p.csv: is empty"},
       {"p.csv", "a,b\n", "p.csv: holds no pose"},
@@ -79,12 +79,18 @@ TEST(PoseFile, RefusesWithThePlace) {
       {"p.csv", "a,\"b\n1,2\n", "p.csv:1:1: has a quote that is not closed"},
       {"p.sto", "inDegrees=maybe\nendheader\na\n1\n", "p.sto:1:11: inDegrees = maybe: must be yes or no"},
       {"p.sto", "DataType=Vec3\nendheader\na\n1\n", "p.sto:1:10: DataType = vec3"},
-      {"p.sto", "nRows=3\nendheader\na\n1\n2\n", "promises 3 rows (nRows) and holds 2"},
+      {"p.sto", "nRows=3\nendheader\na\n1\n2\n", "p.sto:1:7: nRows = 3: the file holds 2 rows"},
+      {"p.sto", "nRows=2\nnColumns=3\nendheader\na b\n1 2\n3 4\n",
+       "p.sto:2:10: nColumns = 3: the file holds 2 columns"},
+      {"p.sto", "nRows=7\nnColumns=3\nendheader\na b\n1 2\n", "p.sto:1:7: nRows = 7: the file holds 1 rows"},
+      {"p.sto", "nRows=7\nnColumns=3\nendheader\na b\n1 2\n", "p.sto:2:10: nColumns = 3"},
+      {"p.sto", "nRows=two\nendheader\na\n1\n", "p.sto:1:7: nRows = two: must be a whole number"},
+      {"p.sto", "nColumns=-1\nendheader\na\n1\n", "p.sto:1:10: nColumns = -1: must be a whole number"},
       {"p.sto", "endheader\na b\n1\t\t\n", "p.sto:3:1: has 1 cells where there are 2 columns"},
       {"p.sto", "a b\n1 2\n", "p.sto:1:1: a storage file has a line \"endheader\""},
       {"p.sto", "endheader\n", "holds no row of column names"},
   };
-  for (const Wrong& wrong : cases) {
+  for (const WrongFile& wrong : cases) {
     const Read r = read(wrong.text, wrong.path);
     EXPECT_FALSE(r.file) << wrong.text;
     EXPECT_NE(r.said.find(wrong.said), std::string::npos) << wrong.text << "\nsaid " << r.said;

@@ -6,12 +6,13 @@
 #include "genu/geometry/analytic.h"
 #include "genu/geometry/stl_writer.h"
 #include "run/scenes.h"
+#include "support/scene_model.h"
 
 namespace genu {
 namespace {
 
 /// A scene with one meshed surface; `more` are further keys of it.
-std::string scene_text(const std::string& more) {
+std::string scene_of_lump(const std::string& more) {
   return "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.ground]\nfixed = true\n[body.bone]\n"
          "[joint.j]\ntype = \"free\"\nparent = \"ground\"\nchild = \"bone\"\nrotations = [\"a x\", \"b y\", \"c z\"]\n"
          "translations = [\"x\", \"y\", \"z\"]\n[surface.lump]\nbody = \"bone\"\nshape = \"mesh\"\n"
@@ -30,9 +31,9 @@ TEST(Prepare, PutsAMeshWhereItsAxesSayAndTurnsItInsideOut) {
   write_lump(folder, radii, 1.5e-3);
   for (const bool inside : {false, true}) {
     Diagnostics out;
-    const auto p = prepare(folder.write("scene.toml", scene_text("origin = [1, 2, 3]\nx_axis = [0, 1, 0]\n"
-                                                                 "z_axis = [1, 0, 0]\ninside = " +
-                                                                 std::string(inside ? "true\n" : "false\n"))),
+    const auto p = prepare(folder.write("scene.toml", scene_of_lump("origin = [1, 2, 3]\nx_axis = [0, 1, 0]\n"
+                                                                    "z_axis = [1, 0, 0]\ninside = " +
+                                                                    std::string(inside ? "true\n" : "false\n"))),
                            out);
     ASSERT_TRUE(p.has_value()) << test::messages(out);
     // x of the mesh is the body's y, its z the body's x, and so its y the body's z.
@@ -51,7 +52,7 @@ TEST(Prepare, ErrorsOfAMeshFileStandWhereTheSceneNamesIt) {
   const test::TemporaryFolder folder;
   Diagnostics out;
   folder.write("lump.stl", "solid cut short");
-  EXPECT_FALSE(prepare(folder.write("scene.toml", scene_text("")), out).has_value());
+  EXPECT_FALSE(prepare(folder.write("scene.toml", scene_of_lump("")), out).has_value());
   ASSERT_EQ(out.items().size(), 1u) << test::messages(out);
   const Diagnostic& d = out.items()[0];
   EXPECT_EQ(d.file, folder / "scene.toml");
@@ -65,7 +66,7 @@ TEST(Prepare, ARadiusThatTheMeshIsTooCoarseForIsFoundAtItsKey) {
   const test::TemporaryFolder folder;
   write_lump(folder, Vec3(0.02, 0.014, 0.01), 1.5e-3);
   Diagnostics out;
-  EXPECT_FALSE(prepare(folder.write("scene.toml", scene_text("degree = 3\n  fit_radius = 0.2\n")), out).has_value());
+  EXPECT_FALSE(prepare(folder.write("scene.toml", scene_of_lump("degree = 3\n  fit_radius = 0.2\n")), out).has_value());
   ASSERT_EQ(out.items().size(), 1u) << test::messages(out);
   EXPECT_EQ(out.items()[0].key, "surface.lump.fit_radius");
   EXPECT_EQ(out.items()[0].line, 18);
@@ -76,12 +77,59 @@ TEST(Prepare, KeepsWarningsOfAMeshThatCanBeUsed) {
   const test::TemporaryFolder folder;
   write_lump(folder, Vec3(1e-3, 9e-4, 8e-4), 1e-4);  // 3 mm across: small for a knee, not refused
   Diagnostics out;
-  const auto p = prepare(folder.write("scene.toml", scene_text("")), out);
+  const auto p = prepare(folder.write("scene.toml", scene_of_lump("")), out);
   ASSERT_TRUE(p.has_value()) << test::messages(out);
   ASSERT_EQ(out.items().size(), 1u) << test::messages(out);
   EXPECT_EQ(out.items()[0].severity, Diagnostic::Severity::warning);
   EXPECT_EQ(out.items()[0].line, 15);
   ASSERT_TRUE(p->notes.at(0).mesh.has_value());
+}
+
+TEST(Prepare, TwoPlanesNeedALayerAndAnEnd) {
+  const std::string bounded = "patch = { x = [-10, 10], y = [-8, 8] }", strip = "patch = { x = [-10, 10] }";
+  const auto refusals = [](const std::string& upper, const std::string& lower, bool rigid) {
+    const test::TemporaryFolder folder;
+    Diagnostics out;
+    prepare(folder.write("scene.toml",
+                         test::bone_on_ground() + test::surface("upper", "bone", "plane", "inside = true\n" + upper) +
+                             test::surface("lower", "ground", "plane", lower) +
+                             (rigid ? test::contact("c", "upper", "lower") : test::layer("c", "upper", "lower")) +
+                             test::step("")),
+            out);
+    return test::messages(out);
+  };
+  EXPECT_NE(refusals(bounded, "", true).find("contact.c.surfaces: two planes never touch at a point"),
+            std::string::npos);
+  for (const auto& [upper, lower] : {std::pair{std::string(), std::string()}, {strip, ""}, {strip, strip}}) {
+    const std::string said = refusals(upper, lower, false);
+    EXPECT_NE(said.find("contact.c.surfaces: two planes without end"), std::string::npos) << said;
+  }
+  for (const auto& [upper, lower] : {std::pair{bounded, std::string()}, {std::string(), bounded}, {bounded, bounded}})
+    EXPECT_EQ(refusals(upper, lower, false), "");
+}
+
+/// A plate of 20 x 16 mm on a layer sinks evenly: F = A K d / h, and stands straight.
+TEST(Prepare, APlateOnALayerStandsAsFarIn) {
+  constexpr double kArea = 20e-3 * 16e-3, kForce = 100, kThickness = 4e-3, kConfined = 5e6 * 0.6 / (1.4 * 0.2);
+  for (const std::string quadrature : {"", "quadrature = \"triangles\"\ncast_from = \"upper\""}) {
+    const test::TemporaryFolder folder;
+    Diagnostics out;
+    Solution solution;
+    const std::string scene = folder.write(
+        "scene.toml",
+        test::bone_on_ground("{ z = -0.05 }") +
+            test::surface("upper", "bone", "plane", "inside = true\npatch = { x = [-10.3, 9.7], y = [-8.2, 7.8] }") +
+            test::surface("lower", "ground", "plane", "patch = { x = [-40, 40], y = [-40, 40] }") +
+            test::layer("c", "upper", "lower", quadrature) +
+            test::load("press", "force = [0, 0, -100]\npoint = [-0.3, -0.2, 0]") +
+            test::step("prescribe = { \"j.c\" = 0, \"j.x\" = 0, \"j.y\" = 0 }\nincrements = 1"));
+    ASSERT_EQ(run_scene(scene, folder / "out", {}, out, &solution), kExitOk)
+        << test::messages(out) << (solution.summary.verdict.empty() ? "" : solution.summary.verdict.back());
+    const double depth = kForce * kThickness / (kArea * kConfined);
+    const Pose& plate = solution.records.back().point.pose.state.poses[1];
+    EXPECT_NEAR(-plate.p.z() / depth, 1, quadrature.empty() ? 1e-2 : 1e-6) << quadrature;
+    EXPECT_LT((plate.R - Mat3::Identity()).norm(), 1e-3) << quadrature;
+  }
 }
 
 }  // namespace

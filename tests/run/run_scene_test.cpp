@@ -69,7 +69,7 @@ TEST(RunScene, ColumnsAreThoseOfTheSceneReference) {
 }
 
 /// A meshed ball in a meshed bowl, rolled by 4 deg while a spring and a load press it down.
-std::string meshed_scene(const test::TemporaryFolder& folder) {
+std::string ball_in_bowl_scene(const test::TemporaryFolder& folder) {
   const auto mesh = [&](const std::string& name, double radius) {
     const Mesh ball = make_ellipsoid({}, {radius, 1.1 * radius, 0.95 * radius}, false)->triangles(1.5e-3, {}, 0.1);
     EXPECT_EQ(write_stl(ball, folder / (name + ".stl"), 1e-3, name), "");
@@ -89,7 +89,7 @@ std::string meshed_scene(const test::TemporaryFolder& folder) {
 
 TEST(RunScene, WritesTheSameBytesWhateverTheNumberOfThreads) {
   const test::TemporaryFolder folder;
-  const std::string scene = meshed_scene(folder);
+  const std::string scene = ball_in_bowl_scene(folder);
   std::string csv[2];
   for (const std::size_t threads : {1, 2}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

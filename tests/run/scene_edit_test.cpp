@@ -44,5 +44,20 @@ TEST(SceneEdit, BonesAreToldFromTheNewFolder) {
   EXPECT_NE(edited.find("bone = \"../../femur_lateral.ply\""), std::string::npos) << edited;
 }
 
+TEST(SceneEdit, SolidsOfBodiesAreToldFromTheNewFolder) {
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  std::string text = test::text_of(test::meshed_scene(folder));
+  text.insert(text.find("format = 1") + 10, "\ngravity = [0, -9.81, 0]");
+  text.insert(text.find("[body.femur]") + 12,
+              "\nsolid = { file = \"femur_lateral.ply\", units = \"mm\", density = 1200 }");
+  const std::string file = folder.write("heavy.toml", text);
+  const auto scene = read_scene(file, out);
+  ASSERT_TRUE(scene) << to_string(out.items().front());
+  const std::string edited = with_fitted_surfaces(file, *scene, {}, {}, folder / "new/out", out);
+  EXPECT_FALSE(out.has_errors());
+  EXPECT_NE(edited.find("solid = { file = \"../../femur_lateral.ply\""), std::string::npos) << edited;
+}
+
 }  // namespace
 }  // namespace genu

@@ -36,6 +36,14 @@ inline Solution solved(const Scene& scene) {
   return solve(p, field, {});
 }
 
+/// Solves a scene that has to be good, from its text.
+inline Solution solution_of(const std::string& text) {
+  Diagnostics out;
+  const auto scene = parse_scene(text, "scene.toml", out);
+  EXPECT_TRUE(scene.has_value()) << messages(out);
+  return scene ? solved(*scene) : Solution{};
+}
+
 /// The poses of a scene that has to be solved throughout, from its text.
 inline ResultTable table_of(const std::string& text) {
   Diagnostics out;

@@ -219,7 +219,7 @@ TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
   const test::TemporaryFolder folder;
   const auto soft = [&](const std::string& quadrature) {
     const std::string layer = "model = \"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\nquadrature = ";
-    return folder.write("ball.toml", test::replaced(test::kBall, "model = \"rigid\"", layer + quadrature) +
+    return folder.write("ball.toml", test::with_first(test::kBall, "model = \"rigid\"", layer + quadrature) +
                                          "[[step]]\nprescribe = { \"knee.flexion\" = [10, 5] }\nincrements = 3\n");
   };
   std::string scene = soft("\"triangles\"\ncast_from = \"ball\"");
@@ -244,8 +244,8 @@ TEST(RunSensitivity, RefusesWhatAnElasticLayerHasNoDerivativeOf) {
   ASSERT_EQ(run_sensitivity(scene, {}, {{"knee.z"}, {"all"}}, {}, out, r), kExitOk) << test::messages(out);
   EXPECT_NE(r.text.find("not of the surfaces under elastic layers (medial)"), std::string::npos) << r.text;
   const auto stiffer = [&](double k) {
-    return test::table_of(test::replaced(test::read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
-                                         "stiffness = " + std::to_string(k) + "\nreference_strain = 0.05"));
+    return test::table_of(test::with_first(test::read_file(scene), "stiffness = 20000\nreference_strain = 0.05",
+                                           "stiffness = " + std::to_string(k) + "\nreference_strain = 0.05"));
   };
   constexpr double kStep = 20;
   const ResultTable above = stiffer(20000 + kStep), below = stiffer(20000 - kStep);

@@ -90,5 +90,27 @@ TEST_F(Verdict, EventsAreTold) {
   expect_said("closes on itself");
 }
 
+TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
+  PoseRecord record;
+  record.point.step = 1;
+  record.point.target = target;
+  record.point.report.status = PoseStatus::no_equilibrium;
+  records = {record};
+  expect_said("Start nearer to where the joint balances");
+  summary.bearable_loads = 0.1;
+  EXPECT_EQ(said().find("Start nearer"), std::string::npos) << said();
+  expect_said("Under 0.1 of its loads the joint balances here");
+  summary.bearable_loads = 0;
+  records.insert(records.begin(), PoseRecord{});
+  records[0].point.report.status = PoseStatus::ok;
+  expect_said("Try smaller increments");
+  prepared.scene.layers.emplace_back();
+  expect_said("Try smaller increments");
+  prepared.steps[0].factors = {{0.5, 1}};
+  expect_said("Its layers may carry no more than this");
+  prepared.steps[0].factors = {{1, 0.5}};
+  expect_said("Try smaller increments");
+}
+
 }  // namespace
 }  // namespace genu

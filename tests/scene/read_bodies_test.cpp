@@ -40,8 +40,6 @@ TEST(ReadBodies, Keys) {
                  "is no key of a body; did you mean \"fixed\"?");
 }
 
-const std::string kGravity = "gravity = [0, -9.81, 0]\n";
-
 TEST(ReadBodies, GravityGivesThemWeight) {
   const std::string heavy = edited("[body.femur]\n", "[body.femur]\nmass = 3.5\ncentre_of_mass = [1, 2, 300]\n");
   const Scene scene = good(edited("[body.tibia]", kGravity + "[body.tibia]", heavy));

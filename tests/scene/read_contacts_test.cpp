@@ -154,5 +154,24 @@ TEST(ReadContacts, LayerRefused) {
   refused(smooth, "tolerance = @0.5", "tolerance", "0.5", "must be <= 0.1");
 }
 
+TEST(ReadContacts, ABadQuadratureHidesNothing) {
+  const auto messages = [](const std::string& keys) {
+    Diagnostics out;
+    const std::string layer = edited("quadrature = \"triangles\"\ncast_from = \"floor\"", keys, kLayer);
+    EXPECT_FALSE(parse_scene(edited("model = \"rigid\"", layer), "scene.toml", out));
+    std::string text;
+    for (const Diagnostic& d : out.items()) text += to_string(d) + "\n";
+    return text;
+  };
+  const std::string text = messages("quadrature = \"gauss\"\ntolerance = 7\ncast_from = \"flour\"");
+  EXPECT_NE(text.find("quadrature = \"gauss\""), std::string::npos) << text;
+  EXPECT_NE(text.find("tolerance = 7: must be <= 0.1"), std::string::npos) << text;
+  EXPECT_NE(text.find("cast_from = \"flour\": unknown surface"), std::string::npos) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+  // What is right by itself is none, whichever quadrature was meant.
+  const std::string one = messages("quadrature = 3\ntolerance = 1e-3\ncast_from = \"floor\"");
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1) << one;
+}
+
 }  // namespace
 }  // namespace genu::scene_test

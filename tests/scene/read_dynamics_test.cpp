@@ -41,8 +41,8 @@ Scene read(const std::string& text) {
   return scene.value_or(Scene{});
 }
 
-void refused(const std::string& piece, const std::string& by, const std::string& key, const std::string& found,
-             const std::string& rule) {
+void expect_dynamics_refused(const std::string& piece, const std::string& by, const std::string& key,
+                             const std::string& found, const std::string& rule) {
   SCOPED_TRACE(by);
   expect_one_error(edited(piece, by, kSwing), key, found, rule);
 }
@@ -66,37 +66,86 @@ TEST(ReadDynamics, AllOfItInSiUnits) {
 }
 
 TEST(ReadDynamics, Errors) {
-  refused("[body.link]\nmass = 2\n", "[body.@link]\n", "body.link.mass", "", "is missing");
-  refused("duration = 2", "duration = @0", "dynamics.duration", "0", "must be > 0 s");
-  refused("output_interval = 0.5", "output_interval = @-1", "dynamics.output_interval", "-1", "must be > 0 s");
-  refused("output_interval = 0.5", "output_interval = @3", "dynamics.output_interval", "3", "at most the duration");
-  refused("output_interval = 0.5", "output_interval = @1e-9", "dynamics.output_interval", "1e-09", "rows");
-  refused("tolerance = 1e-6", "tolerance = @0", "dynamics.tolerance", "0", "must be > 0");
-  refused("tolerance = 1e-6", "tolerance = @1e-20", "dynamics.tolerance", "1e-20", "must be from 1e-12 to 0.01");
-  refused("tolerance = 1e-6", "@tolerence = 1e-6", "dynamics.tolerence", "1e-06", "did you mean \"tolerance\"?");
-  refused("{ \"h.angle\" = 90 }", "{ @\"h.angel\" = 90 }", "dynamics.start_rates.h.angel", "", "h.angle");
-  refused("on = \"h.angle\"", "on = @\"k.angle\"", "load.drive.on", "\"k.angle\"", "unknown coordinate");
-  refused("damping = 0.25", "damping = @-1", "joint.h.damping", "-1", "must be >= 0 N m s/deg");
-  refused("damping = 3", "damping = @-3", "ligament.cord.damping", "-3", "must be >= 0 N s/mm");
+  expect_dynamics_refused("[body.link]\nmass = 2\n", "[body.@link]\n", "body.link.mass", "", "is missing");
+  expect_dynamics_refused("duration = 2", "duration = @0", "dynamics.duration", "0", "must be > 0 s");
+  expect_dynamics_refused("output_interval = 0.5", "output_interval = @-1", "dynamics.output_interval", "-1",
+                          "must be > 0 s");
+  expect_dynamics_refused("output_interval = 0.5", "output_interval = @3", "dynamics.output_interval", "3",
+                          "at most the duration");
+  expect_dynamics_refused("output_interval = 0.5", "output_interval = @1e-9", "dynamics.output_interval", "1e-09",
+                          "rows");
+  expect_dynamics_refused("tolerance = 1e-6", "tolerance = @0", "dynamics.tolerance", "0", "must be > 0");
+  expect_dynamics_refused("tolerance = 1e-6", "tolerance = @1e-20", "dynamics.tolerance", "1e-20",
+                          "must be from 1e-12 to 0.01");
+  expect_dynamics_refused("tolerance = 1e-6", "@tolerence = 1e-6", "dynamics.tolerence", "1e-06",
+                          "did you mean \"tolerance\"?");
+  expect_dynamics_refused("{ \"h.angle\" = 90 }", "{ @\"h.angel\" = 90 }", "dynamics.start_rates.h.angel", "",
+                          "h.angle");
+  expect_dynamics_refused("on = \"h.angle\"", "on = @\"k.angle\"", "load.drive.on", "\"k.angle\"",
+                          "unknown coordinate");
+  expect_dynamics_refused("damping = 0.25", "damping = @-1", "joint.h.damping", "-1", "must be >= 0 N m s/deg");
+  expect_dynamics_refused("damping = 3", "damping = @-3", "ligament.cord.damping", "-3", "must be >= 0 N s/mm");
 }
 
 TEST(ReadDynamics, InertiasThatNoBodyHas) {
   const std::string good = "[0.03, 0.02, 0.04, 0.001, 0.002, -0.003]";
-  refused(good, "@[0.01, 0.01, 0.03]", "body.link.inertia", "[0.01, 0.01, 0.03]", "at most the sum of the other two");
-  refused(good, "@[1, 1, 1, 2, 0, 0]", "body.link.inertia", "[1, 1, 1, 2, 0, 0]", "must be >= 0");
-  refused(good, "[0.03, @-0.02, 0.04]", "body.link.inertia[2]", "-0.02", "must be >= 0 kg m^2");
-  refused(good, "@[0.03, 0.02]", "body.link.inertia", "[0.03, 0.02]", "[xx, yy, zz]");
+  expect_dynamics_refused(good, "@[0.01, 0.01, 0.03]", "body.link.inertia", "[0.01, 0.01, 0.03]",
+                          "at most the sum of the other two");
+  expect_dynamics_refused(good, "@[1, 1, 1, 2, 0, 0]", "body.link.inertia", "[1, 1, 1, 2, 0, 0]", "must be >= 0");
+  expect_dynamics_refused(good, "[0.03, @-0.02, 0.04]", "body.link.inertia[2]", "-0.02", "must be >= 0 kg m^2");
+  expect_dynamics_refused(good, "@[0.03, 0.02]", "body.link.inertia", "[0.03, 0.02]", "[xx, yy, zz]");
   EXPECT_EQ(read(edited(good, "[0.1, 0, 0.1]", kSwing)).bodies[1].inertia(1, 1), 0) << "a thin rod";
 }
 
-TEST(ReadDynamics, NotBuiltYet) {
-  expect_one_error(kSwing + "[[@step]]\nincrements = 1\n", "step", "", "not built yet: steps in a scene with");
-  const std::string contact =
-      "[surface.a]\nbody = \"link\"\nshape = \"sphere\"\nradius = 9\n[surface.b]\nbody = "
-      "\"ground\"\nshape = \"plane\"\n[contact.@c]\nsurfaces = [\"a\", \"b\"]\nmodel = ";
-  expect_one_error(kSwing + contact + "\"rigid\"\n", "contact.c", "", "not built yet: rigid contact in motion");
-  expect_one_error(kSwing + contact + "\"cartilage\"\nmodulus = 5\npoisson = 0.4\nthickness = 4\n", "contact.c", "",
-                   "not built yet: cartilage in motion");
+TEST(ReadDynamics, HasNoSteps) {
+  expect_one_error(kSwing + "[[@step]]\nincrements = 1\n", "step", "", "a scene with [dynamics] has no steps");
+}
+
+std::string prescribing(const std::string& entries) {
+  return edited("start_rates = { \"h.angle\" = 90 }", entries, kSwing);
+}
+
+TEST(ReadDynamics, PrescribedCourses) {
+  const std::string sine = "{ sine = { amplitude = 10, frequency = 2, start = 0.5, offset = 20 } }";
+  for (const std::string& entry : {"prescribe = { \"h.angle\" = " + sine + " }", "prescribe.h.angle = " + sine}) {
+    const Scene scene = read(prescribing(entry));
+    ASSERT_EQ(scene.dynamics->prescribe.size(), 1u) << entry;
+    const DynamicsDef::Drive& drive = scene.dynamics->prescribe[0];
+    EXPECT_EQ(drive.quantity, QuantityRef(0, 0));
+    EXPECT_EQ(drive.course.kind, ScaleDef::Kind::sine);
+    EXPECT_NEAR(drive.course.amplitude, 10 * M_PI / 180, 1e-16);
+    EXPECT_NEAR(drive.course.offset, 20 * M_PI / 180, 1e-16);
+    EXPECT_EQ(drive.course.frequency, 2) << "Hz";
+  }
+  const auto course = [](const std::string& text) {
+    return read(prescribing("prescribe = { \"h.angle\" = " + text + " }")).dynamics->prescribe[0].course;
+  };
+  const ScaleDef step = course("{ step = { to = 90, start = 1, rise = 0.25 } }");
+  EXPECT_EQ(step.kind, ScaleDef::Kind::step);
+  EXPECT_EQ(step.from, 0);
+  EXPECT_NEAR(step.to, M_PI / 2, 1e-15);
+  EXPECT_EQ(step.rise, 0.25) << "s";
+  EXPECT_NEAR(course("{ table = [[0, 0], [1, 180]] }").table[1].second, M_PI, 1e-15);
+  EXPECT_NEAR(course("45").table[0].second, M_PI / 4, 1e-15);
+  EXPECT_FALSE(read(kSwing).dynamics->from_equilibrium);
+  EXPECT_TRUE(read(prescribing("start = \"equilibrium\"")).dynamics->from_equilibrium);
+}
+
+TEST(ReadDynamics, PrescribedErrors) {
+  const auto wrong = [](const std::string& entry, const std::string& key, const std::string& found,
+                        const std::string& rule) {
+    SCOPED_TRACE(entry);
+    expect_one_error(prescribing(entry), "dynamics." + key, found, rule);
+  };
+  wrong("prescribe = { @\"h.angel\" = 3 }", "prescribe.h.angel", "", "it holds all coordinates but \"h.angle\"");
+  wrong("prescribe = { \"h.angle\" = @\"fast\" }", "prescribe.h.angle", "\"fast\"", "must be a table");
+  wrong("prescribe = { @\"h.angle\" = {} }", "prescribe.h.angle", "", "give `table`, `sine` or `step`");
+  wrong("prescribe = { \"h.angle\" = { step = { to = 90, rise = @0 } } }", "prescribe.h.angle.step.rise", "0",
+        "must be > 0 s");
+  wrong("prescribe = { \"h.angle\" = { table = @[[0, 1]] } }", "prescribe.h.angle.table", "[[0, 1]]", "at least two");
+  wrong("start_rates = { \"h.angle\" = 3 }\nprescribe = { @\"h.angle\" = 3 }", "prescribe.h.angle", "",
+        "is prescribed and has a rate");
+  wrong("start = @\"rest\"", "start", "\"rest\"", "\"given\"");
 }
 
 TEST(ReadDynamics, NothingThatCanMove) {

@@ -1,11 +1,8 @@
+#include "genu/core/units.h"
 #include "scene/scene_text.h"
-
-#include <numbers>
 
 namespace genu::scene_test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const std::string kHinge = R"([body.patella]
 [joint.hinge]
@@ -38,8 +35,8 @@ TEST(ReadHeldJoint, RevoluteInSi) {
   EXPECT_EQ(joint.type, JointDef::Type::revolute);
   EXPECT_EQ(joint.rotations[0].name, "angle");
   EXPECT_LT((joint.rotations[0].axis - Vec3(0, 0.6, 0.8)).norm(), 1e-16);
-  EXPECT_DOUBLE_EQ(joint.stiffness, 0.5 / kDegree);
-  EXPECT_DOUBLE_EQ(joint.reference[0], 10 * kDegree);
+  EXPECT_DOUBLE_EQ(joint.stiffness, 0.5 / units::kDegree);
+  EXPECT_DOUBLE_EQ(joint.reference[0], 10 * units::kDegree);
   EXPECT_EQ(joint.reference[1], 0);
   EXPECT_DOUBLE_EQ(joint.reference[4], -2e-3);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(joint.leaves(i), i == 0) << i;

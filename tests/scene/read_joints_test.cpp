@@ -1,11 +1,9 @@
+#include "genu/core/units.h"
 #include "scene/scene_text.h"
-
-#include <numbers>
 
 namespace genu::scene_test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const std::string kRotations = R"(rotations = ["flexion -z", "adduction x", "rotation y"])";
 const std::string kTranslations = R"(translations = ["x", "y", "z"])";
 
@@ -21,7 +19,7 @@ TEST(ReadJoints, ValuesInSi) {
   EXPECT_EQ(joint.rotations[1].axis, Vec3(1, 0, 0));
   EXPECT_EQ(joint.rotations[2].axis, Vec3(0, 1, 0));
   EXPECT_EQ(joint.translations[2], "z");
-  EXPECT_DOUBLE_EQ(joint.reference[0], 30 * kDegree);
+  EXPECT_DOUBLE_EQ(joint.reference[0], 30 * units::kDegree);
   EXPECT_EQ(joint.reference[1], 0);
   EXPECT_DOUBLE_EQ(joint.reference[4], 2.5e-3);
   EXPECT_EQ(joint.where.line, 10);

@@ -5,7 +5,6 @@
 namespace genu::scene_test {
 namespace {
 
-const std::string kBall = "shape = \"sphere\"\nradius = 20\n";
 const std::string kTube = "shape = \"polynomial\"\nchart = \"cylindrical\"\nterms = [[0, 0, 20], [1, 0, 1]]\n";
 
 void expect_patch_refused(const std::string& shape, const std::string& patch, const std::string& key,

@@ -4,17 +4,8 @@
 namespace genu::scene_test {
 namespace {
 
-const std::string kBall = "shape = \"sphere\"\nradius = 20\n";
-
-SurfaceDef surface(const std::string& keys) { return good(edited(kBall, keys)).surfaces.at(0); }
-
-void expect_surface_refused(const std::string& keys, const std::string& key, const std::string& found,
-                            const std::string& rule) {
-  expect_refused(kBall, keys, "surface.ball" + (key.empty() ? "" : "." + key), found, rule);
-}
-
 TEST(ReadPlacement, OnlyDirectionsCount) {
-  const auto axes = [](const std::string& keys) { return surface(kBall + keys).placement.R; };
+  const auto axes = [](const std::string& keys) { return ball_with(kBall + keys).placement.R; };
   Mat3 torus_axes;  // columns: x = body y, y = body z, z = body x
   torus_axes << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   EXPECT_TRUE(axes("x_axis = [0, 1, 0]\nz_axis = [1, 0, 0]\n").isApprox(torus_axes, 1e-15));

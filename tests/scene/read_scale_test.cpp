@@ -13,7 +13,8 @@ ScaleDef scale_of(const std::string& scale) {
   return read.value_or(ScaleDef{});
 }
 
-void refused(const std::string& scale, const std::string& key, const std::string& found, const std::string& rule) {
+void expect_scale_refused(const std::string& scale, const std::string& key, const std::string& found,
+                          const std::string& rule) {
   SCOPED_TRACE(scale);
   expect_one_error(scaled(scale), "load.push.scale" + key, found, rule);
 }
@@ -48,21 +49,24 @@ TEST(ReadScale, EveryKindOfLoadMayHaveOne) {
 }
 
 TEST(ReadScale, TableErrors) {
-  refused("@3", "", "3", "must be a table");
+  expect_scale_refused("@3", "", "3", "must be a table");
   expect_one_error(edited("frame = \"body\"", "@scale = {}"), "load.push.scale", "",
                    "give `over` and `table`, or `sine`");
   expect_one_error(edited("frame = \"body\"", "@scale = { over = \"time\" }"), "load.push.scale.table", "",
                    "is missing");
   expect_one_error(edited("frame = \"body\"", "@scale = { table = [[0, 1], [1, 2]] }"), "load.push.scale.over", "",
                    "is missing");
-  refused("{ over = @\"knee.flexon\", table = [[0, 1], [1, 2]] }", ".over", "\"knee.flexon\"",
-          "did you mean \"knee.flexion\"?");
-  refused("{ over = \"time\", table = @[[0, 1]] }", ".table", "[[0, 1]]", "at least two points [x, factor]");
-  refused("{ over = \"time\", table = [[0, 1], @3] }", ".table[2]", "3", "a point [x, factor]");
-  refused("{ over = \"knee.x\", table = [[0, 1], [@0, 2]] }", ".table[2][1]", "0", "must increase");
-  refused("{ over = \"knee.x\", table = [[0, 1], [1, @nan]] }", ".table[2][2]", "nan", "finite");
-  refused("{ over = \"knee.x\", table = [[@\"a\", 1], [1, 2], [2, 3]] }", ".table[1][1]", "\"a\"", "in mm");
-  refused("{ over = \"time\", table = [[0, 1], [1, 2]], @hold = true }", ".hold", "true", "is no key of the scale");
+  expect_scale_refused("{ over = @\"knee.flexon\", table = [[0, 1], [1, 2]] }", ".over", "\"knee.flexon\"",
+                       "did you mean \"knee.flexion\"?");
+  expect_scale_refused("{ over = \"time\", table = @[[0, 1]] }", ".table", "[[0, 1]]",
+                       "at least two points [x, factor]");
+  expect_scale_refused("{ over = \"time\", table = [[0, 1], @3] }", ".table[2]", "3", "a point [x, factor]");
+  expect_scale_refused("{ over = \"knee.x\", table = [[0, 1], [@0, 2]] }", ".table[2][1]", "0", "must increase");
+  expect_scale_refused("{ over = \"knee.x\", table = [[0, 1], [1, @nan]] }", ".table[2][2]", "nan", "finite");
+  expect_scale_refused("{ over = \"knee.x\", table = [[@\"a\", 1], [1, 2], [2, 3]] }", ".table[1][1]", "\"a\"",
+                       "in mm");
+  expect_scale_refused("{ over = \"time\", table = [[0, 1], [1, 2]], @hold = true }", ".hold", "true",
+                       "is no key of the scale");
 }
 
 TEST(ReadScale, SineErrors) {
@@ -70,12 +74,13 @@ TEST(ReadScale, SineErrors) {
                    "load.push.scale.sine.frequency", "", "is missing");
   expect_one_error(edited("frame = \"body\"", "scale = { @sine = { frequency = 1 } }"),
                    "load.push.scale.sine.amplitude", "", "is missing");
-  refused("{ sine = @1 }", ".sine", "1", "must be a table");
-  refused("{ sine = { amplitude = 1, frequency = @0 } }", ".sine.frequency", "0", "must be > 0 Hz");
-  refused("{ sine = { amplitude = 1, frequency = 1, start = @\"0\" } }", ".sine.start", "\"0\"", "in s");
-  refused("{ sine = { amplitude = 1, frequency = 1, @phase = 0 } }", ".sine.phase", "0", "is no key of a sine");
-  refused("{ sine = { amplitude = 1, frequency = 1 }, @over = \"time\" }", ".over", "\"time\"",
-          "is no key of a scale with a sine");
+  expect_scale_refused("{ sine = @1 }", ".sine", "1", "must be a table");
+  expect_scale_refused("{ sine = { amplitude = 1, frequency = @0 } }", ".sine.frequency", "0", "must be > 0 Hz");
+  expect_scale_refused("{ sine = { amplitude = 1, frequency = 1, start = @\"0\" } }", ".sine.start", "\"0\"", "in s");
+  expect_scale_refused("{ sine = { amplitude = 1, frequency = 1, @phase = 0 } }", ".sine.phase", "0",
+                       "is no key of a sine");
+  expect_scale_refused("{ sine = { amplitude = 1, frequency = 1 }, @over = \"time\" }", ".over", "\"time\"",
+                       "is no key of a scale with a sine");
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ terms = { knee.flexion = 3, knee.rotation = -6 }
   };
   good(text("sum = 0, difference = 0"));
   good(text("\"knee.flexion\" = 0, difference = 0"));
-  const std::string rule = "follows from what this step prescribes before it";
+  const std::string rule = "follows from what is prescribed before it";
   expect_one_error(text("\"knee.flexion\" = 0, \"knee.rotation\" = 0, @sum = 0"), "step[1].prescribe.sum", "", rule);
   expect_one_error(text("sum = 0, difference = 0, knee.@flexion = 0"), "step[1].prescribe.knee.flexion", "", rule);
   expect_one_error(text("sum = 0, @summ = 0"), "step[1].prescribe.summ", "", "did you mean \"sum\"?");

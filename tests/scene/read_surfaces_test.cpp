@@ -9,32 +9,23 @@
 namespace genu::scene_test {
 namespace {
 
-const std::string kBall = "shape = \"sphere\"\nradius = 20\n";
-
-SurfaceDef surface(const std::string& keys) { return good(edited(kBall, keys)).surfaces.at(0); }
-
-void expect_surface_refused(const std::string& keys, const std::string& key, const std::string& found,
-                            const std::string& rule) {
-  expect_refused(kBall, keys, "surface.ball" + (key.empty() ? "" : "." + key), found, rule);
-}
-
 TEST(ReadSurfaces, Shapes) {
-  const SurfaceDef sphere = surface(kBall);
+  const SurfaceDef sphere = ball_with(kBall);
   EXPECT_EQ(sphere.shape, SurfaceDef::Shape::sphere);
   EXPECT_EQ(sphere.body, 1);
   EXPECT_DOUBLE_EQ(sphere.radius, 0.02);
   EXPECT_TRUE(sphere.placement.p.isApprox(Vec3(1e-3, 2e-3, 3e-3), 1e-15));
   EXPECT_EQ(sphere.placement.R, Mat3::Identity());
   EXPECT_FALSE(sphere.inside);
-  EXPECT_EQ(surface("shape = \"plane\"\n").shape, SurfaceDef::Shape::plane);
-  const SurfaceDef cylinder = surface("shape = \"cylinder\"\nradius = 7.5\ninside = true\n");
+  EXPECT_EQ(ball_with("shape = \"plane\"\n").shape, SurfaceDef::Shape::plane);
+  const SurfaceDef cylinder = ball_with("shape = \"cylinder\"\nradius = 7.5\ninside = true\n");
   EXPECT_EQ(cylinder.shape, SurfaceDef::Shape::cylinder);
   EXPECT_DOUBLE_EQ(cylinder.radius, 0.0075);
   EXPECT_TRUE(cylinder.inside);
-  const SurfaceDef ellipsoid = surface("shape = \"ellipsoid\"\nradii = [1, 2.0, 3]\n");
+  const SurfaceDef ellipsoid = ball_with("shape = \"ellipsoid\"\nradii = [1, 2.0, 3]\n");
   EXPECT_EQ(ellipsoid.shape, SurfaceDef::Shape::ellipsoid);
   EXPECT_TRUE(ellipsoid.radii.isApprox(Vec3(1e-3, 2e-3, 3e-3), 1e-15));
-  const SurfaceDef torus = surface("shape = \"torus\"\nmajor_radius = 15\nminor_radius = 5\n");
+  const SurfaceDef torus = ball_with("shape = \"torus\"\nmajor_radius = 15\nminor_radius = 5\n");
   EXPECT_EQ(torus.shape, SurfaceDef::Shape::torus);
   EXPECT_DOUBLE_EQ(torus.major_radius, 0.015);
   EXPECT_DOUBLE_EQ(torus.minor_radius, 0.005);
@@ -49,11 +40,11 @@ TEST(ReadSurfaces, PolynomialCoefficientsMeanTheSameHeightInSi) {
     return sum;
   };
   const auto in_file_units = [&](double u, double v) { return 1.5 + 0.2 * u - 0.01 * u * u * v + 4e-4 * v * v * v; };
-  const SurfaceDef cartesian = surface("shape = \"polynomial\"\n" + terms);
+  const SurfaceDef cartesian = ball_with("shape = \"polynomial\"\n" + terms);
   EXPECT_EQ(cartesian.shape, SurfaceDef::Shape::polynomial);
   EXPECT_NEAR(value(cartesian, 1e-3 * x, 1e-3 * y), 1e-3 * in_file_units(x, y), 1e-17);
-  EXPECT_EQ(surface("shape = \"polynomial\"\nchart = \"cartesian\"\n" + terms).shape, SurfaceDef::Shape::polynomial);
-  const SurfaceDef cylindrical = surface("shape = \"polynomial\"\nchart = \"cylindrical\"\n" + terms);
+  EXPECT_EQ(ball_with("shape = \"polynomial\"\nchart = \"cartesian\"\n" + terms).shape, SurfaceDef::Shape::polynomial);
+  const SurfaceDef cylindrical = ball_with("shape = \"polynomial\"\nchart = \"cylindrical\"\n" + terms);
   EXPECT_EQ(cylindrical.shape, SurfaceDef::Shape::cylindrical_polynomial);
   EXPECT_NEAR(value(cylindrical, theta, 1e-3 * y), 1e-3 * in_file_units(theta, y), 1e-17);
 }
@@ -125,8 +116,8 @@ TEST_F(MeshSurface, FileIsRelativeToTheScene) {
 
 TEST_F(MeshSurface, UnitsOfTheFileAreItsOwn) {
   const std::string file = (folder_ / "geometry" / "a.stl").string();
-  EXPECT_EQ(surface("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").file_unit, 1e-3);
-  EXPECT_FALSE(surface("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").degree.has_value());
+  EXPECT_EQ(ball_with("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").file_unit, 1e-3);
+  EXPECT_FALSE(ball_with("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").degree.has_value());
 }
 
 TEST_F(MeshSurface, Errors) {

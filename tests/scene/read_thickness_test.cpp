@@ -5,11 +5,12 @@ namespace genu::scene_test {
 namespace {
 
 const std::string kRigid = "model = \"rigid\"";
-const std::string kLayer = "model = \"cartilage\"\nmodulus = 10\npoisson = 0.45";
-const std::string kBall = "radius = 20\n", kFloor = "shape = \"plane\"\n";
+const std::string kLayerWithoutThickness = "model = \"cartilage\"\nmodulus = 10\npoisson = 0.45";
+const std::string kRadius = "radius = 20\n", kFloor = "shape = \"plane\"\n";
 
 std::string scene(const std::string& ball, const std::string& floor, const std::string& contact) {
-  return edited(kBall, kBall + ball, edited(kFloor, kFloor + floor, edited(kRigid, kLayer + contact)));
+  return edited(kRadius, kRadius + ball,
+                edited(kFloor, kFloor + floor, edited(kRigid, kLayerWithoutThickness + contact)));
 }
 
 TEST(ReadThickness, SumOfBothSurfaces) {
@@ -55,7 +56,7 @@ TEST(ReadThickness, Refused) {
   expect_one_error(scene("thickness = @-1\n", "thickness = 1\n", ""), ball, "-1", "must be >= 0 mm");
   expect_one_error(scene("thickness = { bone = @\"no.stl\", units = \"m\" }\n", "thickness = 1\n", ""), ball + ".bone",
                    "\"no.stl\"", "no such file");
-  expect_one_error(edited(kBall, kBall + "thickness = @2\n"), ball, "", "no contact with model = \"cartilage\"");
+  expect_one_error(edited(kRadius, kRadius + "thickness = @2\n"), ball, "", "no contact with model = \"cartilage\"");
 }
 
 TEST(ReadThickness, KeysOfABone) {

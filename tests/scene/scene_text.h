@@ -62,6 +62,8 @@ load = { push = [0, 1] }
 increments = 70
 )";
 
+inline const std::string kGravity = "gravity = [0, -9.81, 0]\n";
+
 inline std::string all_messages(const Diagnostics& diagnostics) {
   std::string s;
   for (const Diagnostic& d : diagnostics.items()) s += to_string(d) + "\n";
@@ -126,6 +128,17 @@ inline Scene good(const std::string& text) {
   EXPECT_TRUE(scene.has_value()) << all_messages(out);
   EXPECT_TRUE(out.items().empty()) << all_messages(out);
   return scene.value_or(Scene{});
+}
+
+/// The keys of the good scene's surface `ball`.
+inline const std::string kBall = "shape = \"sphere\"\nradius = 20\n";
+
+/// The surface `ball` with other keys.
+inline SurfaceDef ball_with(const std::string& keys) { return good(edited(kBall, keys)).surfaces.at(0); }
+
+inline void expect_surface_refused(const std::string& keys, const std::string& key, const std::string& found,
+                                   const std::string& rule) {
+  expect_refused(kBall, keys, "surface.ball" + (key.empty() ? "" : "." + key), found, rule);
 }
 
 }  // namespace genu::scene_test

@@ -26,16 +26,13 @@ double truss_load(double z) {
   return 2 * 50e3 * z * (kRest / length - 1);
 }
 
-std::string truss(const std::string& step) {
-  return test::bone_on_ground("{ z = 12 }") +
-         test::ligament("l", "[0, 0, 0]", "[-40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
-         test::ligament("r", "[0, 0, 0]", "[40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
-         test::load("w", "force = [0, 0, -1]") +
-         test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\ncontrol = \"arc_length\"\n" + step);
+std::string truss_by_arc_length(const std::string& step) {
+  return test::truss(
+      test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\ncontrol = \"arc_length\"\n" + step));
 }
 
 TEST(ArcWalker, FollowsTheTrussPastBothLimitLoads) {
-  const Walk w = walk(truss("load = { w = [0, 25] }\nincrements = 25"));
+  const Walk w = walk(truss_by_arc_length("load = { w = [0, 25] }\nincrements = 25"));
   ASSERT_TRUE(w.result.complete) << w.story();
   const double critical = std::cbrt(kRest * kHalfSpan * kHalfSpan);
   const double z = std::sqrt(critical * critical - kHalfSpan * kHalfSpan), load = truss_load(z);

@@ -10,13 +10,13 @@ namespace genu {
 namespace {
 
 /// The ball of held_ball with its centre at `z` mm, held to the floor or not.
-struct Bench {
+struct InspectedBall {
   test::SceneModel scene;
   ContactField field;
   ContactInspector inspector;
   State state;
 
-  explicit Bench(double z)
+  explicit InspectedBall(double z)
       : scene(test::scene_model(test::held_ball("", z))),
         field(scene.model),
         inspector(scene.model, field),
@@ -33,7 +33,7 @@ struct Bench {
 };
 
 TEST(ContactInspection, NothingIsWrongWithABallThatStands) {
-  Bench bench(20);
+  InspectedBall bench(20);
   bench.hold(50);
   const Findings f = bench.findings();
   EXPECT_TRUE(f.none()) << f.where;
@@ -46,7 +46,7 @@ TEST(ContactInspection, NothingIsWrongWithABallThatStands) {
 }
 
 TEST(ContactInspection, FindsAnOverlapThatIsNotHeld) {
-  Bench bench(19.9);
+  InspectedBall bench(19.9);
   const Findings f = bench.findings();
   EXPECT_FALSE(f.none());
   ASSERT_EQ(f.overlapping.size(), 1u);
@@ -56,7 +56,7 @@ TEST(ContactInspection, FindsAnOverlapThatIsNotHeld) {
 }
 
 TEST(ContactInspection, FindsAContactThatPullsButNotRounding) {
-  Bench bench(20);
+  InspectedBall bench(20);
   bench.hold(-0.5);
   EXPECT_EQ(bench.findings().pulling, std::vector<int>{0});
   EXPECT_FALSE(bench.findings().none());
@@ -65,7 +65,7 @@ TEST(ContactInspection, FindsAContactThatPullsButNotRounding) {
 }
 
 TEST(ContactInspection, ToleranceOfGapsGrowsWithTheDistanceFromTheOrigin) {
-  Bench here(20), there(20);
+  InspectedBall here(20), there(20);
   there.scene.model.reference_poses[1].p.x() = 1e3;
   const ContactInspector far(there.scene.model, there.field);
   EXPECT_LT(here.inspector.gap_tolerance(), 1e-14);
@@ -74,7 +74,7 @@ TEST(ContactInspection, ToleranceOfGapsGrowsWithTheDistanceFromTheOrigin) {
 }
 
 TEST(ContactInspection, HeldMeansNearOnBothSurfacesOfTheSamePair) {
-  Bench bench(20);
+  InspectedBall bench(20);
   bench.hold(1);
   Candidate same{0, {bench.state.contacts[0].geometry, 0}};
   EXPECT_TRUE(bench.inspector.held(bench.state, same));

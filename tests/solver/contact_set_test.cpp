@@ -18,13 +18,13 @@ using test::kNoTurn;
 using test::step;
 
 /// A ball held to a floor, with the load that lifts it as the only thing to choose.
-struct Bench {
+struct LiftedBall {
   test::SceneModel scene;
   ContactField field;
   ContactSetSolver solver;
   Balanced pose;
 
-  explicit Bench(double z = 20)
+  explicit LiftedBall(double z = 20)
       : scene(test::scene_model(held_ball(step("prescribe = { " + kNoTurn + " }"), z))),
         field(scene.model),
         solver(scene.model, field, {}) {
@@ -39,7 +39,7 @@ struct Bench {
 };
 
 TEST(ContactSet, AddsTheContactThatOverlaps) {
-  Bench bench(19.5);
+  LiftedBall bench(19.5);
   const PoseReport report = bench.solver.settle(bench.pose, bench.lifted(0));
   ASSERT_EQ(report.status, PoseStatus::ok) << report.why;
   ASSERT_EQ(bench.pose.state.contacts.size(), 1u);
@@ -52,7 +52,7 @@ TEST(ContactSet, AddsTheContactThatOverlaps) {
 }
 
 TEST(ContactSet, DropsTheContactThatPullsAndKeepsItsNumber) {
-  Bench bench(19.5);
+  LiftedBall bench(19.5);
   ASSERT_EQ(bench.solver.settle(bench.pose, bench.lifted(0)).status, PoseStatus::ok);
   const double load = kLiftOff + 0.5;
   ASSERT_EQ(bench.solver.settle(bench.pose, bench.lifted(load)).status, PoseStatus::ok);
@@ -70,7 +70,7 @@ TEST(ContactSet, DropsTheContactThatPullsAndKeepsItsNumber) {
 }
 
 TEST(ContactSet, HeldContactsAreJudgedNotChanged) {
-  Bench bench(19.5);
+  LiftedBall bench(19.5);
   ASSERT_EQ(bench.solver.settle(bench.pose, bench.lifted(0)).status, PoseStatus::ok);
   Findings findings;
   const PoseReport report = bench.solver.solve_held(bench.pose, bench.lifted(100), findings);
@@ -83,7 +83,7 @@ TEST(ContactSet, HeldContactsAreJudgedNotChanged) {
 }
 
 TEST(ContactSet, FailureLeavesThePoseAsItWas) {
-  Bench bench(19.5);
+  LiftedBall bench(19.5);
   ASSERT_EQ(bench.solver.settle(bench.pose, bench.lifted(0)).status, PoseStatus::ok);
   const Balanced before = bench.pose;
   Target impossible = bench.lifted(0);
@@ -96,7 +96,7 @@ TEST(ContactSet, FailureLeavesThePoseAsItWas) {
 }
 
 TEST(ContactSet, LeavesRoomForOneFreedom) {
-  Bench bench;
+  LiftedBall bench;
   EXPECT_EQ(bench.solver.contact_limit(bench.lifted(0)), 2);  // three angles and two contacts make five
   Target more = bench.lifted(0);
   for (int i = 3; i < 6; ++i) more.prescribed.push_back({{0, i}, 0});
@@ -105,7 +105,7 @@ TEST(ContactSet, LeavesRoomForOneFreedom) {
 
 TEST(ContactSet, ColdStartsMeet) {
   for (const double z : {15.0, 18.0, 20.0, 20.04, 21.0, 30.0}) {
-    Bench bench(z);
+    LiftedBall bench(z);
     const PoseReport report = bench.solver.settle_cold(bench.pose, bench.lifted(30));
     ASSERT_EQ(report.status, PoseStatus::ok) << z << ": " << report.why;
     ASSERT_EQ(bench.pose.state.contacts.size(), 1u) << z;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -110,17 +112,9 @@ TEST(Path, TooManyContactsAreNamedOverconstrained) {
 constexpr double kSnapLoad =
     19.899833915489113;  // N: limit of a truss of 40 mm half span, 12 mm rise, two springs of 50 N/mm
 
-std::string truss(const std::string& steps) {
-  const double rest = std::sqrt(40.0 * 40 + 12 * 12);
-  return test::bone_on_ground("{ z = 12 }") +
-         test::ligament("l", "[0, 0, 0]", "[-40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
-         test::ligament("r", "[0, 0, 0]", "[40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
-         test::load("w", "force = [0, 0, -1]") + "# rest length " + std::to_string(rest) + " mm\n" + steps;
-}
-
 TEST(Path, TrussTurnsBackAtItsLimitLoad) {
-  const Walk w = walk(truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn +
-                                       " }\nload = { w = [0, 25] }\nincrements = 25")));
+  const Walk w = walk(test::truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn +
+                                             " }\nload = { w = [0, 25] }\nincrements = 25")));
   EXPECT_FALSE(w.result.complete);
   const auto back = w.of(Kind::turns_back);
   ASSERT_EQ(back.size(), 1u) << w.story();
@@ -141,8 +135,8 @@ TEST(Path, TrussTurnsBackAtItsLimitLoad) {
 
 TEST(Path, TrussSnapsThroughUnderPrescribedHeight) {
   // The height prescribed instead, the whole path is there; the multiplier is the load.
-  const Walk w = walk(truss(test::step("prescribe = { \"j.y\" = 0, \"j.z\" = [12, -12], " + kNoTurn +
-                                       " }\nload = { w = 0 }\nincrements = 24")));
+  const Walk w = walk(test::truss(test::step("prescribe = { \"j.y\" = 0, \"j.z\" = [12, -12], " + kNoTurn +
+                                             " }\nload = { w = 0 }\nincrements = 24")));
   ASSERT_TRUE(w.result.complete) << w.story();
   double largest = 0;
   for (const PosePoint& p : w.points) {
@@ -156,7 +150,7 @@ TEST(Path, TrussSnapsThroughUnderPrescribedHeight) {
 TEST(Path, StartsWhereTheSceneSaysWithTheSameLigaments) {
   // The truss begins below its supports: the slack lengths are those of the reference, the pose is the inverted one.
   std::string text =
-      truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\nload = { w = [0, 10] }"));
+      test::truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\nload = { w = [0, 10] }"));
   text.replace(text.find("reference = { z = 12 }"), 22, "reference = { z = 12 }\nstart = { z = -11 }");
   const Walk w = walk(text);
   ASSERT_TRUE(w.result.complete) << w.story();
@@ -269,6 +263,54 @@ TEST(Path, StopsWhenCancelled) {
   const PathResult result = follow_path(s.model, field, plan_steps(s.scene), {}, observer);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(poses, 5);
+}
+
+/// A ball on a smooth layer, rolled and pressed.
+std::string soft_ball(const std::string& control) {
+  return test::bone_on_ground("{ z = 19.5 }") + test::surface("ball", "bone", "sphere", "radius = 20") +
+         test::surface("floor", "ground", "plane") + test::layer("foot", "ball", "floor") +
+         test::spring("rope", "[0, 0, -10]", "[0, 0, -10]", 5, 10) + test::load("press", "force = [0, 0, -1]") +
+         test::step("prescribe = { \"j.a\" = 0, \"j.b\" = [0, 0.3], \"j.c\" = 0, \"j.x\" = 0, \"j.y\" = 0 }\n" +
+                    control + "load = { press = [20, 200] }\nincrements = 3");
+}
+
+TEST(Path, StopsInTheMiddleOfAPoseAndTellsNothingOfIt) {
+  for (const std::string control : {"", "control = \"arc_length\"\n"}) {
+    const auto s = test::scene_model(soft_ball(control));
+    const auto stopped_after = [&](int most, int& asked) {
+      Walk out;
+      ContactField field(s.model);
+      PathObserver observer;
+      observer.pose = [&](const PosePoint& p) { out.points.push_back(p); };
+      observer.event = [&](const PathEvent& e) { out.events.push_back(e); };
+      observer.cancelled = [&, most] { return ++asked > most; };
+      out.result = follow_path(s.model, field, plan_steps(s.scene), {}, observer);
+      return out;
+    };
+    int all = 0;
+    const Walk whole = stopped_after(std::numeric_limits<int>::max(), all);
+    ASSERT_TRUE(whole.result.complete) << whole.story();
+    ASSERT_EQ(whole.points.size(), 4u);
+    ASSERT_GT(all, 1000) << "not between rows alone";
+    std::set<std::size_t> rows;
+    for (int k = 0; k < 14; ++k) {
+      int asked = 0;
+      const int most = k < 3 ? k : static_cast<int>(static_cast<long>(all) * (k - 1) / 13);
+      const Walk part = stopped_after(most, asked);
+      EXPECT_FALSE(part.result.complete);
+      EXPECT_LT(asked - most, 2000) << "goes on for long";
+      ASSERT_LT(part.points.size(), 4u);
+      rows.insert(part.points.size());
+      for (std::size_t i = 0; i < part.points.size(); ++i) {
+        EXPECT_TRUE(part.points[i].solved()) << part.story();
+        EXPECT_EQ(part.points[i].pose.state.poses[1], whole.points[i].pose.state.poses[1]) << k;
+      }
+      ASSERT_LE(part.events.size(), whole.events.size()) << part.story();
+      for (std::size_t i = 0; i < part.events.size(); ++i)
+        EXPECT_EQ(part.events[i].kind, whole.events[i].kind) << part.story();
+    }
+    EXPECT_GE(rows.size(), 3u);
+  }
 }
 
 }  // namespace

@@ -85,6 +85,15 @@ inline SolvedKnee solved_knee(double flexion, const std::string& more = "") {
   return out;
 }
 
+/// Von Mises' truss: the bone's origin between supports 40 mm to either side of it and 12 mm below, on springs of
+/// 50 N/mm that rest there; the load `w` pushes it down.
+inline std::string truss(const std::string& steps) {
+  return bone_on_ground("{ z = 12 }") +
+         ligament("l", "[0, 0, 0]", "[-40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+         ligament("r", "[0, 0, 0]", "[40, 0, 0]", "law = \"spring\"\nstiffness = 50\nreference_force = 0") +
+         load("w", "force = [0, 0, -1]") + steps;
+}
+
 /// A ball of 20 mm over a floor, turned by nothing, its centre at `z` (mm): held to the floor by a quadratic spring of
 /// 5000 N and slack length 18 mm, which is 20 mm long when the ball stands on the floor. It lifts off under kLiftOff.
 inline constexpr double kLiftOff = 5000 * (2.0 / 18) * (2.0 / 18);  // N

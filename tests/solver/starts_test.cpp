@@ -22,12 +22,12 @@ using test::spring;
 using test::step;
 using test::surface;
 
-constexpr double kHalf = 0.1, kRise = 0.02, kStiffness = 5e3;  // m, m, N/m
+constexpr double kAnchorDistance = 0.1, kEndOffset = 0.02, kSpringStiffness = 5e3;  // m, m, N/m
 
 /// Two springs (5 N/mm) from the bone's origin to (-100, 0, height) and (100, 0, height) mm, at rest where their ends
 /// lie 20 mm off the line between the anchors.
-std::string truss(double y, double z) {
-  const double slack = 1e3 * std::hypot(kHalf, kRise);
+std::string two_springs(double y, double z) {
+  const double slack = 1e3 * std::hypot(kAnchorDistance, kEndOffset);
   const auto anchor = [&](int x) {
     return "[" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + "]";
   };
@@ -46,10 +46,10 @@ StartSearch search(const test::SceneModel& s, int count) {
 
 /// Both shallow states, with the energy 0, and between them the flat one, which pushes the springs together.
 void expect_double_well(const test::SceneModel& s, const StartSearch& found, std::size_t coordinate) {
-  const double slack = std::hypot(kHalf, kRise), squeezed = slack - kHalf;
-  const double flat_energy = kStiffness * squeezed * squeezed;
+  const double slack = std::hypot(kAnchorDistance, kEndOffset), squeezed = slack - kAnchorDistance;
+  const double flat_energy = kSpringStiffness * squeezed * squeezed;
   // Second derivatives of 2 k/2 (l - l0)^2, l = sqrt(100^2 + h^2) mm: at h = 0 and at h = +-20 mm.
-  const double flat_curvature = -2 * kStiffness * squeezed / kHalf;
+  const double flat_curvature = -2 * kSpringStiffness * squeezed / kAnchorDistance;
   ASSERT_EQ(found.equilibria.size(), 3u);
   int stable = 0, unstable = 0;
   std::size_t starts = found.failed.size();
@@ -65,7 +65,7 @@ void expect_double_well(const test::SceneModel& s, const StartSearch& found, std
     } else {
       ++stable;
       EXPECT_EQ(e.stability.verdict, Stability::Verdict::stable);
-      EXPECT_NEAR(std::abs(h), kRise, 1e-12);
+      EXPECT_NEAR(std::abs(h), kEndOffset, 1e-12);
       EXPECT_NEAR(*e.energy / flat_energy, 0, 1e-12);
     }
   }
@@ -76,7 +76,7 @@ void expect_double_well(const test::SceneModel& s, const StartSearch& found, std
 }
 
 TEST(Starts, AShallowTrussHasTwoStableStatesAndAFlatOne) {
-  const auto s = scene_model(bone_on_ground("{ z = 1 }") + truss(0, 0) +
+  const auto s = scene_model(bone_on_ground("{ z = 1 }") + two_springs(0, 0) +
                              step("prescribe = { " + kNoTurn + ", \"j.x\" = 0, \"j.y\" = 0 }"));
   const StartSearch found = search(s, 16);
   expect_double_well(s, found, 5);
@@ -84,7 +84,7 @@ TEST(Starts, AShallowTrussHasTwoStableStatesAndAFlatOne) {
 }
 
 TEST(Starts, ABallOnAFloorBetweenTwoWells) {
-  const auto s = scene_model(bone_on_ground("{ y = 1, z = 20 }") + truss(0, 20) +
+  const auto s = scene_model(bone_on_ground("{ y = 1, z = 20 }") + two_springs(0, 20) +
                              surface("ball", "bone", "sphere", "radius = 20") + surface("floor", "ground", "plane") +
                              contact("foot", "ball", "floor") + test::load("weight", "force = [0, 0, -30]") +
                              step("prescribe = { " + kNoTurn + ", \"j.x\" = 0 }"));

@@ -24,6 +24,12 @@ inline void edit(Scene& scene, const Parameter& p, double delta) {
     case Kind::stiffness:
       scene.ligaments[o].stiffness += delta;
       break;
+    case Kind::damping:
+      scene.ligaments[o].damping += delta;
+      break;
+    case Kind::joint_damping:
+      scene.joints[o].damping += delta;
+      break;
     case Kind::toe_stiffness:
       scene.ligaments[o].toe_stiffness += delta;
       break;

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 
 #include "support/temporary_folder.h"
+#include "support/text.h"
 
 namespace genu::test {
 
@@ -63,13 +64,6 @@ reference_strain = 0.05
 prescribe = { "knee.flexion" = [0, 10] }
 increments = 5
 )";
-
-/// `text` with the first `piece` replaced.
-inline std::string replaced(const std::string& text, const std::string& piece, const std::string& replacement) {
-  const std::size_t at = text.find(piece);
-  EXPECT_NE(at, std::string::npos) << "no " << piece;
-  return at == std::string::npos ? text : text.substr(0, at) + replacement + text.substr(at + piece.size());
-}
 
 struct Outcome {
   int exit_code = -1;  ///< -1: ended by a signal

@@ -9,8 +9,6 @@
 namespace genu::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
-
 const std::string kStorage =
     "Coordinates\nversion=1\nnRows=2\nnColumns=8\ninDegrees=yes\nendheader\n"
     "time\t/jointset/knee_r/knee_flex_r/value\t/jointset/knee_r/knee_flex_r/speed\tknee_add_r\tknee_rot_r\tknee_tx_r\t"
@@ -51,7 +49,7 @@ TEST(CliEvaluate, RefusesAndLeavesTheEarlierResult) {
     EXPECT_EQ(read_file(folder / "out/results.csv"), before);
   };
   refused(ask + (folder / "none.csv"), "none.csv: there is no such file");
-  refused(ask + folder.write("bad.mot", replaced(kStorage, "0.019", "0.0l9")), "bad.mot:9:");
+  refused(ask + folder.write("bad.mot", with_first(kStorage, "0.019", "0.0l9")), "bad.mot:9:");
   refused(ask + folder.write("few.csv", "knee.flexion\n1\n"), "no column gives \"knee.adduction\"");
   refused(ask + poses + " --columns 'knee.flexoin=time'", "did you mean \"knee.flexion\"?");
   refused(ask + poses + " --units inch", "--units");

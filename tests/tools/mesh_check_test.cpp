@@ -16,8 +16,6 @@
 namespace genu::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
-
 Mesh torus() { return make_torus({}, 0.015, 0.005, false)->triangles(1e-3, Vec3::Zero(), 1); }
 
 std::string written(const TemporaryFolder& folder, const std::string& name, const Mesh& mesh, double unit = 1e-3) {

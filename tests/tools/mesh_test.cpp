@@ -111,5 +111,39 @@ TEST(MeshCommand, RefusesWithExitCode2) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+/// The bones in meshes/leskovar2019 are what their file makes, and nothing is wrong with them.
+TEST(MeshCommand, MakesTheCommittedBones) {
+  test::TemporaryFolder folder;
+  const std::string knee = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/", log = folder / "log";
+  ASSERT_EQ(run(knee + "bones.toml --edge 3.2 --out " + (folder / "out"), log), 0) << test::read_file(log);
+  for (const char* bone : {"femur.stl", "tibia.stl", "patella.stl"}) {
+    const std::string bytes = test::read_file(folder / (std::string("out/") + bone));
+    EXPECT_TRUE(bytes == test::read_file(knee + bone)) << bone << " is another; run the command in bones.toml again";
+    EXPECT_LT(bytes.size(), 300'000u) << bone;
+    const int status = std::system((std::string(GENU_PROGRAM) + " mesh-check " + knee + bone + " > " + log).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 0) << test::read_file(log);
+    EXPECT_NE(test::read_file(log).find("  volume "), std::string::npos) << "closed";
+  }
+}
+
+TEST(MeshCommand, SolidsCanBeNamedAndAreRefusedWithTheirPlace) {
+  test::TemporaryFolder folder;
+  const std::string log = folder / "log";
+  const std::string head = "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n";
+  const std::string ball = "parts = [{ shape = \"sphere\", radius = 20 }]\n";
+  const std::string two = folder.write("two.toml", head + "[solid.a]\n" + ball + "[solid.b]\n" + ball);
+  ASSERT_EQ(run(two + " b --edge 4 --format ply --out " + (folder / "out"), log), 0) << test::read_file(log);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/b.ply"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/a.ply"));
+  EXPECT_EQ(run(two + " c --edge 4 --out " + (folder / "out"), log), 2);
+  EXPECT_NE(test::read_file(log).find("there is no surface \"c\"; known: a b"), std::string::npos);
+  EXPECT_EQ(run(two + " --edge 0.2 --out " + (folder / "fine"), log), 2);
+  EXPECT_NE(test::read_file(log).find("two.toml:3:8: solid.a: would have about"), std::string::npos)
+      << test::read_file(log);
+  EXPECT_FALSE(std::filesystem::exists(folder / "fine"));
+  EXPECT_EQ(run(folder.write("none.toml", head) + " --edge 1 --out " + (folder / "out"), log), 2);
+  EXPECT_NE(test::read_file(log).find("has no surface with a formula and no solid"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace genu

@@ -2,35 +2,34 @@
 //
 // GENU_ACCURACY_TABLE=FILE writes the tables there as well (tools/accuracy-table).
 #include <array>
-#include <cstdlib>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "accuracy_table.h"
 #include "blend_shapes.h"
 #include "genu/geometry/blend_surface.h"
 
 namespace genu {
 namespace {
 
-using test::Flaw;
 using test::KnownShape;
+using test::MeshFault;
 
 constexpr double kShortOfOrder = 0.3;
 constexpr double kFitRadius = 3.2;  // edges
 
-struct Errors {
+struct BlendErrors {
   double position = 0, normal = 0, curvature = 0;  ///< m, rad, 1/m, rms
 };
 
 /// Where the blend is looked at, in parameters of the shape.
 enum class Region { inside, along_the_edge };
 
-Errors measure(const KnownShape& shape, const BlendSurface& surface, double fit_radius, Region region) {
+BlendErrors measure(const KnownShape& shape, const BlendSurface& surface, double fit_radius, Region region) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> draw(0, 1);
-  Errors sum;
+  BlendErrors sum;
   int count = 0;
   while (count < 2000) {
     const Vec3 x = shape.map(draw(random), draw(random));
@@ -59,7 +58,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 /// One line of a table: the errors on the finest mesh and the orders over all edges.
-std::string study(const std::string& name, const KnownShape& shape, int degree, Flaw flaw, Region region) {
+std::string study(const std::string& name, const KnownShape& shape, int degree, MeshFault fault, Region region) {
   const std::vector<double> edges{1.4e-3, 1e-3, 0.7e-3, 0.5e-3};
   std::vector<double> position, normal, curvature;
   for (double edge : edges) {
@@ -67,10 +66,11 @@ std::string study(const std::string& name, const KnownShape& shape, int degree, 
     options.fit_radius = kFitRadius * edge;
     options.degree = degree;
     Diagnostics diagnostics;
-    const auto surface = BlendSurface::build(test::irregular_mesh(shape, edge, flaw), options, shape.name, diagnostics);
+    const auto surface =
+        BlendSurface::build(test::irregular_mesh(shape, edge, fault), options, shape.name, diagnostics);
     EXPECT_TRUE(surface && diagnostics.items().empty()) << name;
     if (!surface) return {};
-    const Errors e = measure(shape, *surface, *options.fit_radius, region);
+    const BlendErrors e = measure(shape, *surface, *options.fit_radius, region);
     position.push_back(e.position);
     normal.push_back(e.normal);
     curvature.push_back(e.curvature);
@@ -84,15 +84,9 @@ std::string study(const std::string& name, const KnownShape& shape, int degree, 
                      1e3 * position.back(), normal.back(), curvature.back(), order[0], order[1], order[2]);
 }
 
-void write_down(const std::string& title, const std::string& rows) {
-  const std::string text =
-      "## " + title +
-      "\n\n| mesh | degree | position mm | normal rad | curvature 1/m | order: position | normal | curvature |\n"
-      "|---|---:|---:|---:|---:|---:|---:|---:|\n" +
-      rows + "\n";
-  fmt::print("{}", text);
-  if (const char* file = std::getenv("GENU_ACCURACY_TABLE")) std::ofstream(file, std::ios::app) << text;
-}
+const std::string kTableHead =
+    "| mesh | degree | position mm | normal rad | curvature 1/m | order: position | normal | curvature |\n"
+    "|---|---:|---:|---:|---:|---:|---:|---:|\n";
 
 KnownShape bowl() {
   return test::height_shape("bowl", 12e-3, {{{2, 0}, 20}, {{0, 2}, 30}, {{2, 1}, 400}, {{4, 0}, 2e4}, {{1, 4}, 1e6}});
@@ -106,22 +100,23 @@ TEST(BlendConvergence, OfShapes) {
   std::string rows;
   for (const KnownShape& shape :
        {test::torus_shape(15e-3, 7e-3), test::ellipsoid_shape({18e-3, 14e-3, 10e-3}), saddle(), bowl()}) {
-    for (int degree : {2, 3, 4}) rows += study(shape.name, shape, degree, Flaw::none, Region::inside);
+    for (int degree : {2, 3, 4}) rows += study(shape.name, shape, degree, MeshFault::none, Region::inside);
   }
-  write_down("The blend of irregular meshes: shaken vertices, diagonals drawn by lot", rows);
+  test::write_down("The blend of irregular meshes: shaken vertices, diagonals drawn by lot", kTableHead + rows);
 }
 
 TEST(BlendConvergence, OfBadMeshes) {
   const KnownShape shape = bowl();
   std::string rows;
-  for (int degree : {2, 3, 4}) rows += study("bowl with slivers 40:1", shape, degree, Flaw::slivers, Region::inside);
   for (int degree : {2, 3, 4})
-    rows += study("bowl with holes of 1.5 edges", shape, degree, Flaw::holes, Region::inside);
+    rows += study("bowl with slivers 40:1", shape, degree, MeshFault::slivers, Region::inside);
   for (int degree : {2, 3, 4})
-    rows += study("bowl, within a fit radius of its edge", shape, degree, Flaw::none, Region::along_the_edge);
+    rows += study("bowl with holes of 1.5 edges", shape, degree, MeshFault::holes, Region::inside);
   for (int degree : {2, 3, 4})
-    rows += study("bowl 2 mm thin, two faces", shape, degree, Flaw::two_faces, Region::inside);
-  write_down("The blend of bad meshes", rows);
+    rows += study("bowl, within a fit radius of its edge", shape, degree, MeshFault::none, Region::along_the_edge);
+  for (int degree : {2, 3, 4})
+    rows += study("bowl 2 mm thin, two faces", shape, degree, MeshFault::two_faces, Region::inside);
+  test::write_down("The blend of bad meshes", kTableHead + rows);
 }
 
 }  // namespace

@@ -100,11 +100,11 @@ inline KnownShape height_shape(std::string name, double half,
 }
 
 /// What is wrong with a mesh beside vertices that are shaken along the surface and diagonals drawn by lot.
-enum class Flaw { none, slivers, holes, two_faces };
+enum class MeshFault { none, slivers, holes, two_faces };
 
 /// A mesh of edges of about `edge` (m). Slivers: every fourth column stands a fortieth of an edge beside the last one.
 /// Holes: one cell in 150 is missing, with half of another. Two faces: another sheet 2 mm behind, facing the other way.
-inline Mesh irregular_mesh(const KnownShape& shape, double edge, Flaw flaw = Flaw::none, unsigned seed = 1) {
+inline Mesh irregular_mesh(const KnownShape& shape, double edge, MeshFault fault = MeshFault::none, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shake(-0.25, 0.25), lot(0, 1);
   const int nu = 4 * static_cast<int>(std::round(shape.width / edge / 4)),
@@ -117,7 +117,7 @@ inline Mesh irregular_mesh(const KnownShape& shape, double edge, Flaw flaw = Fla
       const bool inner_u = shape.closed || (i > 0 && i < nu), inner_v = shape.closed || (j > 0 && j < nv);
       double u = i + (inner_u ? shake(random) : 0);
       const double v = j + (inner_v ? shake(random) : 0);
-      if (flaw == Flaw::slivers && inner_u && i % 4 == 2) u = last + 1.0 / 40;
+      if (fault == MeshFault::slivers && inner_u && i % 4 == 2) u = last + 1.0 / 40;
       last = u;
       mesh.vertices.push_back(shape.map(u / nu, v / nv));
     }
@@ -126,13 +126,13 @@ inline Mesh irregular_mesh(const KnownShape& shape, double edge, Flaw flaw = Fla
     for (int i = 0; i < nu; ++i) {
       const int up = (j + 1) % rows * columns, a = j * columns + i, b = j * columns + (i + 1) % columns, c = up + i,
                 d = up + (i + 1) % columns;
-      const bool hole = flaw == Flaw::holes && lot(random) < 1.0 / 150;
+      const bool hole = fault == MeshFault::holes && lot(random) < 1.0 / 150;
       const bool straight = lot(random) < 0.5;
       if (!hole) mesh.triangles.push_back(straight ? std::array{a, b, d} : std::array{a, b, c});
       if (!hole || lot(random) < 0.5) mesh.triangles.push_back(straight ? std::array{a, d, c} : std::array{b, d, c});
     }
   }
-  if (flaw != Flaw::two_faces) return mesh;
+  if (fault != MeshFault::two_faces) return mesh;
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   for (std::size_t v = 0; v < vertices; ++v)
     mesh.vertices.push_back(mesh.vertices[v] - 2e-3 * shape.normal(mesh.vertices[v]));

@@ -2,13 +2,13 @@
 // bodies, the unit of length; and what they must mean: angles that act along their axes, in any sequence.
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "genu/core/units.h"
 #include "genu/model/potential_energy.h"
 #include "run/scenes.h"
 #include "solver/solved.h"
@@ -16,10 +16,6 @@
 
 namespace genu {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Dortmans' right knee flexed to 70 deg, x lateral, y anterior, z proximal, with its clinical description.
 Scene right_knee() {
@@ -115,7 +111,7 @@ Vec3 moved_back(const Scene& moved, const ResultTable& t, std::size_t row, const
   Mat3 R = Mat3::Identity();
   Vec3 p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double angle = kDegree * t.number(row, fmt::format("knee.{}_deg", joint.rotations[i].name));
+    const double angle = units::kDegree * t.number(row, fmt::format("knee.{}_deg", joint.rotations[i].name));
     R = R * exp_rotation(angle * joint.rotations[i].axis);
     p[static_cast<Eigen::Index>(i)] = 1e-3 * t.number(row, fmt::format("knee.{}_mm", joint.translations[i]));
   }

@@ -13,7 +13,7 @@
 namespace genu {
 namespace {
 
-constexpr double kRadius = 5, kDegree = M_PI / 180;  // mm
+constexpr double kFootRadius = 5;  // mm
 const std::array<Vec3, 5> kFeet = {Vec3(30, 0, 0), Vec3(-20, 25, 0), Vec3(-20, -25, 0), Vec3(25, -35, 15),
                                    Vec3(-25, -35, 12)};
 struct Spring {
@@ -25,7 +25,7 @@ const std::array<Spring, 7> kSprings = {
     Spring{{-30, -20, 10}, {-60, -60, -35}, 3, 55}, Spring{{30, -20, 10}, {50, -70, -25}, 4, 50},
     Spring{{0, 0, 20}, {10, -60, 20}, 6, 40},       Spring{{0, 30, 0}, {40, 30, 10}, 2, 30},
     Spring{{0, 0, 0}, {5, 10, -80}, 3, 70}};
-const Vec3 kForce(4, -30, -60), kPoint(3, -5, 12);
+const Vec3 kPressForce(4, -30, -60), kPoint(3, -5, 12);
 /// What is prescribed first, second, ..., so that it is free of what the feet hold.
 const std::array<const char*, 5> kPrescribed = {"\"j.x\" = [0, 3]", "\"j.c\" = [0, 2]", "\"j.y\" = [0, 1]",
                                                 "\"j.a\" = [0, 1]", "\"j.b\" = [0, -1]"};
@@ -66,13 +66,13 @@ x_axis = [1, 0, 0]
     text += fmt::format(
         "[surface.ball{0}]\nbody = \"bone\"\nshape = \"sphere\"\nradius = {1}\norigin = {2}\n"
         "[contact.foot{0}]\nsurfaces = [\"ball{0}\", \"{3}\"]\nmodel = \"rigid\"\n",
-        i, kRadius, point(kFeet[static_cast<std::size_t>(i)]), i < 3 ? "floor" : "wall");
+        i, kFootRadius, point(kFeet[static_cast<std::size_t>(i)]), i < 3 ? "floor" : "wall");
   for (std::size_t i = 0; i < kSprings.size(); ++i)
     text += fmt::format(
         "[ligament.s{}]\nfrom = {{ body = \"bone\", point = {} }}\nto = {{ body = \"ground\", point = {} }}\n"
         "law = \"spring\"\nstiffness = {}\nslack_length = {}\n",
         i, point(kSprings[i].body), point(kSprings[i].ground), kSprings[i].stiffness, kSprings[i].slack);
-  text += fmt::format("[load.press]\nbody = \"bone\"\nforce = {}\npoint = {}\n", point(kForce), point(kPoint));
+  text += fmt::format("[load.press]\nbody = \"bone\"\nforce = {}\npoint = {}\n", point(kPressForce), point(kPoint));
   return text + steps;
 }
 
@@ -88,10 +88,10 @@ std::array<double, 6> generalised_forces(const State& state) {
     const Vec3 at = X.p + X.R * (1e-3 * s.body), arm = 1e-3 * s.ground - at;
     add(1e3 * s.stiffness * (arm.norm() - 1e-3 * s.slack) * arm.normalized(), at);
   }
-  add(kForce, X.p + X.R * (1e-3 * kPoint));
+  add(kPressForce, X.p + X.R * (1e-3 * kPoint));
   for (const ActiveContact& c : state.contacts) {
     const Vec3 normal = c.pair < 3 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
-    add(c.force * normal, X.p + X.R * (1e-3 * kFeet[static_cast<std::size_t>(c.pair)]) - 1e-3 * kRadius * normal);
+    add(c.force * normal, X.p + X.R * (1e-3 * kFeet[static_cast<std::size_t>(c.pair)]) - 1e-3 * kFootRadius * normal);
   }
   const double a = state.coordinates[0][0];
   const Vec3 first(1, 0, 0), second(0, std::cos(a), std::sin(a)), third = X.R.col(2);
@@ -108,23 +108,16 @@ std::pair<double, double> faults(const PosePoint& p, int m) {
   for (int i = 0; i < 6; ++i) balance = std::max(balance, std::abs(q[static_cast<std::size_t>(i)]) * (i < 3 ? 100 : 1));
   for (const ActiveContact& c : state.contacts) {
     const Vec3 centre = 1e3 * (state.poses[1] * (1e-3 * kFeet[static_cast<std::size_t>(c.pair)]));
-    gap = std::max(gap, std::abs((c.pair < 3 ? centre.z() : centre.y() + 40) - kRadius));
+    gap = std::max(gap, std::abs((c.pair < 3 ? centre.z() : centre.y() + 40) - kFootRadius));
   }
   return {balance, gap};
-}
-
-Solution solution_of(const std::string& text) {
-  Diagnostics out;
-  const auto read = parse_scene(text, "scene.toml", out);
-  EXPECT_TRUE(read.has_value()) << test::messages(out);
-  return read ? test::solved(*read) : Solution{};
 }
 
 class Counts : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(Counts, BalanceByIndependentSums) {
   const auto [m, n] = GetParam();
-  const Solution s = solution_of(scene(n, "[[step]]\n" + prescribe(m) + "increments = 3\n"));
+  const Solution s = test::solution_of(scene(n, "[[step]]\n" + prescribe(m) + "increments = 3\n"));
   ASSERT_EQ(s.summary.exit_code, kExitOk);
   ASSERT_EQ(s.records.size(), 4u);
   double balance = 0, gap = 0;
@@ -157,7 +150,7 @@ TEST(CountsChange, FromStepToStep) {
   // and the feet come down as they find the floor.
   std::string steps;
   for (int m = 5; m >= 0; --m) steps += "[[step]]\n" + prescribe(std::min(m, 2)) + "increments = 2\n";
-  const Solution s = solution_of(scene(3, steps));
+  const Solution s = test::solution_of(scene(3, steps));
   ASSERT_EQ(s.summary.exit_code, kExitOk);
   for (const PoseRecord& r : s.records)
     EXPECT_LT(faults(r.point, static_cast<int>(r.point.target.prescribed.size())).first, 1e-8) << r.point.step;

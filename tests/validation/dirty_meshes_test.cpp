@@ -23,7 +23,7 @@ namespace {
 
 using test::Dirt;
 
-struct Solved {
+struct SceneRun {
   int code = -1;
   ResultTable poses;
   std::string said;
@@ -50,8 +50,8 @@ class DirtyMeshes : public ::testing::Test {
     return test::data_path(std::string("lenhart2015/ACLC01-R-") + kBones[k] + "-cart-medium.stl");
   }
 
-  Solved solve(const std::string& text) {
-    Solved out;
+  SceneRun solve(const std::string& text) {
+    SceneRun out;
     Diagnostics diagnostics;
     Solution solution;
     out.code = run_scene(folder_.write("scene.toml", text), folder_ / "out", {}, diagnostics, &solution);
@@ -61,7 +61,7 @@ class DirtyMeshes : public ::testing::Test {
     return out;
   }
 
-  Solved solve_with(std::size_t k, const Mesh& mesh) {
+  SceneRun solve_with(std::size_t k, const Mesh& mesh) {
     const std::string path = folder_ / (std::string(kBones[k]) + "-dirty.stl");
     EXPECT_EQ(write_stl(mesh, path, 1, "dirty"), "");
     return solve(test::replaced(text_, file(k), path));
@@ -122,7 +122,7 @@ class DirtyMeshes : public ::testing::Test {
   test::TemporaryFolder folder_;
   std::string text_;
   Mesh mesh_[2];
-  Solved clean_;
+  SceneRun clean_;
   std::vector<Vec3> contacts_[2],
       near_[2];  // m, frame of the file: where the bones touch; where they nearly do as well
 };
@@ -145,7 +145,7 @@ TEST_F(DirtyMeshes, FarFromContactItDoesNotMatterAndIsTold) {
   for (std::size_t k = 0; k < 2; ++k)  // the tibia's plateaus may be too small
     for (const Vec3& place : far_places(k))
       for (const Dirt dirt : kAll) {
-        const Solved solved = solve_with(k, test::dirtied(mesh_[k], dirt, place, kRadius));
+        const SceneRun solved = solve_with(k, test::dirtied(mesh_[k], dirt, place, kRadius));
         const std::string what = fmt::format("{} {} at ({:.4f}, {:.4f}, {:.4f}) m", kBones[k], test::name_of(dirt),
                                              place.x(), place.y(), place.z());
         ++tried;
@@ -181,7 +181,7 @@ TEST_F(DirtyMeshes, UnderContactNoPoseIsSoldAsGood) {
   for (std::size_t k = 0; k < 2; ++k)
     for (const Dirt dirt : kAll) {
       const Vec3 place = contacts_[k].front();
-      const Solved solved = solve_with(k, test::dirtied(mesh_[k], dirt, place, kRadius));
+      const SceneRun solved = solve_with(k, test::dirtied(mesh_[k], dirt, place, kRadius));
       const std::string what = std::string(kBones[k]) + " " + test::name_of(dirt);
       fmt::print("{:<16} under: exit {}, {} rows\n{}", what, solved.code, solved.poses.rows(), solved.said);
       if (test::is_serious(dirt)) {
@@ -202,7 +202,7 @@ TEST_F(DirtyMeshes, OneFileInMillimetresAndOneInMetresAreOneKnee) {
   const std::size_t unit = text.find("units = \"m\"", text.find(path));
   ASSERT_NE(unit, std::string::npos);
   text.replace(unit, 11, "units = \"mm\"");
-  const Solved mixed = solve(text);
+  const SceneRun mixed = solve(text);
   EXPECT_EQ(mixed.code, kExitOk) << mixed.said;
   EXPECT_LT(test::worst_difference(mixed.poses, clean_.poses, "knee.rotation_deg"), 1e-2);
   EXPECT_LT(test::worst_difference(mixed.poses, clean_.poses, "knee.y_mm"), 1e-4);
@@ -227,7 +227,7 @@ TEST_F(DirtyMeshes, OnTheWayTheRowsBeforeItAreKept) {
   ASSERT_TRUE(place);
   const std::string path = folder_ / "femur-dirty.stl";
   EXPECT_EQ(write_stl(test::dirtied(mesh_[0], Dirt::hole, *place, kRadius), path, 1, "dirty"), "");
-  const Solved solved = solve(test::replaced(swap(text_), file(0), path));
+  const SceneRun solved = solve(test::replaced(swap(text_), file(0), path));
   EXPECT_EQ(solved.code, kExitIncomplete) << solved.said;
   EXPECT_TRUE(names_place(solved.said, *place, 2 * kRadius)) << solved.said;
   std::size_t good = 0;

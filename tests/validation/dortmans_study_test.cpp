@@ -13,12 +13,12 @@
 namespace genu::studies {
 namespace {
 
-const std::string kFolder = GENU_SOURCE_DIR "/meshes/dortmans1984";
+const std::string kDortmansFolder = GENU_SOURCE_DIR "/meshes/dortmans1984";
 
 const std::vector<DortmansReading>& readings() {
   static const std::vector<DortmansReading> solved = [] {
     Diagnostics out;
-    return solve_dortmans(kFolder, out);
+    return solve_dortmans(kDortmansFolder, out);
   }();
   return solved;
 }
@@ -89,7 +89,8 @@ TEST(DortmansStudy, ContactsRollFirstAndSlideMoreAndMore) {
 
 TEST(DortmansStudy, BeyondSeventyDegreesTheMomentFalls) {
   Diagnostics out;
-  auto driven = read_scene(kFolder + "/scene-moment.toml", out), flexed = read_scene(kFolder + "/scene.toml", out);
+  auto driven = read_scene(kDortmansFolder + "/scene-moment.toml", out),
+       flexed = read_scene(kDortmansFolder + "/scene.toml", out);
   ASSERT_TRUE(driven && flexed) << test::messages(out);
   flexed->steps[0].prescribe[0].to = 200 * M_PI / 180;
   flexed->steps[0].increments = 200;
@@ -127,7 +128,7 @@ TEST(DortmansStudy, BeyondSeventyDegreesTheMomentFalls) {
 }
 
 TEST(DortmansStudy, TheTablesInTheFolderAreThoseOfThisBuild) {
-  test::expect_same_files(kFolder, dortmans_files(readings()));
+  test::expect_same_files(kDortmansFolder, dortmans_files(readings()));
 }
 
 }  // namespace

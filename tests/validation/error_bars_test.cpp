@@ -19,8 +19,8 @@ namespace {
 
 #define GENU_NEEDS_LENHART() GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl")
 
-const std::vector<std::string> kColumns = {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm",
-                                           "knee.y_mm",          "knee.z_mm",         "tibiofemoral.force_N"};
+const std::vector<std::string> kPoseColumns = {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm",
+                                               "knee.y_mm",          "knee.z_mm",         "tibiofemoral.force_N"};
 
 struct TimedRun {
   Solution solution;
@@ -32,11 +32,19 @@ TimedRun run(const std::string& text, bool error_bars) {
   const std::string scene = folder.write("scene.toml", text);
   RunOptions options;
   options.error_bars = error_bars;
+  int told = 0, asked = 0;
+  options.varied_progress = [&](int done, int all) {
+    EXPECT_GT(done, told);
+    told = done;
+    asked = all;
+  };
   Diagnostics out;
   TimedRun result;
   const Timer timer;
   EXPECT_EQ(run_scene(scene, folder / "out", options, out, &result.solution), kExitOk);
   result.seconds = timer.seconds();
+  EXPECT_EQ(told, asked);
+  EXPECT_EQ(asked > 0, error_bars);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   return result;
 }
@@ -54,7 +62,7 @@ std::string with_fits(const std::string& text, int degree, double femur_mm, doub
 double covered(const Solution& with_bars, const Solution& other, const std::string& what) {
   double least = 1;
   const ResultTable& bars = with_bars.error_bars->bars;
-  for (const std::string& column : kColumns) {
+  for (const std::string& column : kPoseColumns) {
     int within = 0;
     double squares = 0, bar_squares = 0;
     for (std::size_t row = 0; row < bars.rows(); ++row) {

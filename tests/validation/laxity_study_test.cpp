@@ -13,12 +13,12 @@
 namespace genu::studies {
 namespace {
 
-const std::string kFolder = GENU_SOURCE_DIR "/meshes/wismans1980";
+const std::string kWismansFolder = GENU_SOURCE_DIR "/meshes/wismans1980";
 
 const LaxityStudy& study() {
   static const LaxityStudy solved = [] {
     Diagnostics out;
-    return solve_laxity(kFolder + "/scene.toml", out).value_or(LaxityStudy{});
+    return solve_laxity(kWismansFolder + "/scene.toml", out).value_or(LaxityStudy{});
   }();
   return solved;
 }
@@ -72,7 +72,9 @@ TEST(LaxityStudy, TheDrawerStiffensAndHasNoHysteresis) {
   fmt::print("  stiffness at 90 N / at 0 N: {:.2f} to {:.2f}; hysteresis {:.1e} mm\n", least, most, hysteresis);
 }
 
-TEST(LaxityStudy, TheTablesInTheFolderAreThoseOfThisBuild) { test::expect_same_files(kFolder, laxity_files(study())); }
+TEST(LaxityStudy, TheTablesInTheFolderAreThoseOfThisBuild) {
+  test::expect_same_files(kWismansFolder, laxity_files(study()));
+}
 
 // ---- balance by an independent sum: from the table of results and the scene's numbers alone ----------------------
 
@@ -132,7 +134,7 @@ Balance balance_at(const SolvedScene& solved, std::size_t row) {
 
 TEST(LaxityStudy, EveryPoseBalancesByAnIndependentSum) {
   Diagnostics out;
-  const auto solved = solve_scene(kFolder + "/scene.toml", out);
+  const auto solved = solve_scene(kWismansFolder + "/scene.toml", out);
   ASSERT_TRUE(solved);
   const ResultTable& t = solved->solution.poses;
   ASSERT_EQ(t.rows(), 357u);

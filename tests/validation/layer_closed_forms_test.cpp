@@ -7,21 +7,19 @@
 #include "contact/layer_shapes.h"
 #include "genu/core/pose.h"
 
-namespace genu {
+namespace genu::layer_tests {
 namespace {
-
-using namespace layer_tests;
 
 constexpr double kThickness = 5e-3, kDelta = 1e-3, kReach = 15e-3;
 const LayerLaw kLaw{LayerLaw::Kind::linear, 1e7};
 
-struct Errors {
+struct LayerErrors {
   double force, area, peak;
 };
 
 /// Worst of several places of the bowl over the triangles.
-Errors worst(const ElasticLayer& layer, const Carried& truth) {
-  Errors out{0, 0, 0};
+LayerErrors worst(const ElasticLayer& layer, const Carried& truth) {
+  LayerErrors out{0, 0, 0};
   for (int k = 0; k < 5; ++k) {
     const Pose X{exp_rotation(Vec3(0, 0, 0.3 * k)), Vec3(0.23e-3 * k, 0.31e-3 * k, -kDelta)};
     const Carried found = carried(layer, {}, X);
@@ -35,7 +33,7 @@ Errors worst(const ElasticLayer& layer, const Carried& truth) {
 TEST(LayerClosedForms, SmoothSurfacesAgainstTriangles) {
   const double K = kLaw.confined_modulus / kThickness;
   std::printf("| shape | triangles | summed over | force | area | largest pressure |\n|---|---|---|---|---|---|\n");
-  const auto print = [](const Bowl& bowl, const Pressed& p, const char* over, const Errors& e) {
+  const auto print = [](const Bowl& bowl, const Pressed& p, const char* over, const LayerErrors& e) {
     std::printf("| %s | %d | %s | %.3f %% | %.3f %% | %.3f %% |\n", bowl.name.c_str(), p.triangles, over, 100 * e.force,
                 100 * e.area, 100 * e.peak);
   };
@@ -43,11 +41,11 @@ TEST(LayerClosedForms, SmoothSurfacesAgainstTriangles) {
     for (const double edge : {2.5e-3, bowl.name == "sphere" ? 1.25e-3 : 1.6e-3}) {
       const auto mesh = as_mesh(bowl, edge);
       const Pressed fine = smooth(mesh, edge, kReach, kLaw, kThickness, kThickness);
-      const Errors smooth_error = worst(*fine.layer, exact(bowl, kDelta, K));
+      const LayerErrors smooth_error = worst(*fine.layer, exact(bowl, kDelta, K));
       print(bowl, fine, "smooth surfaces", smooth_error);
       for (const bool from_bowl : {false, true}) {
         const Pressed flat = triangles(mesh, edge, kReach, kLaw, kThickness, kThickness, from_bowl);
-        const Errors error = worst(*flat.layer, exact(bowl, kDelta, K, from_bowl ? 1 : 0));
+        const LayerErrors error = worst(*flat.layer, exact(bowl, kDelta, K, from_bowl ? 1 : 0));
         print(bowl, flat, from_bowl ? "its triangles" : "the plane's triangles", error);
         EXPECT_LT(smooth_error.force, error.force) << bowl.name;
         EXPECT_LT(smooth_error.area, error.area) << bowl.name;
@@ -61,9 +59,9 @@ TEST(LayerClosedForms, SmoothSurfacesAgainstTriangles) {
 }
 
 /// Root mean square over places of the bowl, so that a lucky one tells nothing.
-Errors typical(const ElasticLayer& layer, const Carried& truth) {
+LayerErrors typical(const ElasticLayer& layer, const Carried& truth) {
   constexpr int kPlaces = 12;
-  Errors out{0, 0, 0};
+  LayerErrors out{0, 0, 0};
   for (int k = 0; k < kPlaces; ++k) {
     const Pose X{exp_rotation(Vec3(0, 0, 0.5 * k)), Vec3(0.23e-3 * k, 0.31e-3 * k, -kDelta)};
     const Carried found = carried(layer, {}, X);
@@ -75,9 +73,9 @@ Errors typical(const ElasticLayer& layer, const Carried& truth) {
 }
 
 struct Refined {
-  Errors coarse, fine;
+  LayerErrors coarse, fine;
   double finer;  ///< edges of the coarse triangles over those of the fine ones
-  Errors order() const {
+  LayerErrors order() const {
     const double step = std::log(finer);
     return {std::log(coarse.force / fine.force) / step, std::log(coarse.area / fine.area) / step,
             std::log(coarse.peak / fine.peak) / step};
@@ -149,4 +147,4 @@ TEST(LayerClosedForms, ParaboloidsOfWinkler) {
 }
 
 }  // namespace
-}  // namespace genu
+}  // namespace genu::layer_tests

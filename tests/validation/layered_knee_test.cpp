@@ -1,6 +1,8 @@
 // A measured knee on a layer of cartilage: every pose balances, its forces are those of a plain sum over all rays, and
 // where the equilibrium ends the joint goes on in the next one.
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +91,29 @@ TEST(LayeredKnee, SoftAndStiffAndEveryResolution) {
       const Solution solution = solve_text(layered(resolution, 90, 90, "100", modulus));
       EXPECT_EQ(solution.summary.poses_solved, 91) << resolution << " " << modulus << " MPa";
     }
+}
+
+/// Where few triangles carry, the equilibrium ends between kinks of the sum: the joint snaps and goes on whatever steps
+/// lead there, and tells of nothing that it leaps over.
+TEST(LayeredKnee, SnapsTheSameOnSteps) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart-wicked-coarse.stl");
+  std::vector<double> rotations;
+  for (const int increments : {30, 45, 90, 180}) {
+    const Solution solution = solve_text(layered("-wicked-coarse", 90, increments, "100", "1"));
+    EXPECT_EQ(solution.summary.poses_solved, increments + 1);
+    for (const PathEvent& e : solution.events) {
+      ASSERT_FALSE(e.coordinates.empty());
+      EXPECT_LT(std::abs(e.coordinates[0][2]), 0.5) << e.what;
+    }
+    const auto snapped = std::count_if(solution.events.begin(), solution.events.end(),
+                                       [](const PathEvent& e) { return e.kind == PathEvent::Kind::snapped; });
+    EXPECT_EQ(snapped, 2) << increments;
+    for (std::size_t row = 0; row < solution.poses.rows(); ++row)
+      if (std::abs(solution.poses.number(row, "knee.flexion_deg") - 36) < 1e-6)
+        rotations.push_back(solution.poses.number(row, "knee.rotation_deg"));
+  }
+  ASSERT_EQ(rotations.size(), 4u);
+  for (const double rotation : rotations) EXPECT_NEAR(rotation, rotations[0], 1e-8);
 }
 
 /// But for the heaviest load on the softest layer, which dislocates the knee at 47 deg: it says so.

@@ -1,22 +1,21 @@
 // Loads and weights on chains of revolute joints, against closed forms.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/core/units.h"
 #include "genu/scene/reader.h"
+#include "motion_scene.h"
 #include "run/scenes.h"
 
 namespace genu {
 namespace {
 
+using test::kG;
 using test::table_of;
 using test::word;
-
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kG = 9.81;
 
 /// Two links that hang from the ground on hinges about x: 3 kg 160 mm below the first hinge, the second hinge 300 mm
 /// below it, 2 kg 200 mm below that.
@@ -64,8 +63,8 @@ increments = 6
     // The moment bends the lower link up and, as its reaction on the upper one, that one back.
     const double moment = 3 * 1.2 * static_cast<double>(row) / 6;
     const double direction = std::asin(moment / kLower), first = std::asin(-moment / kUpper);
-    worst = std::max(worst, std::abs(t.number(row, "h1.angle_deg") * kDegree - first));
-    worst = std::max(worst, std::abs(t.number(row, "h2.angle_deg") * kDegree - (direction - first)));
+    worst = std::max(worst, std::abs(t.number(row, "h1.angle_deg") * units::kDegree - first));
+    worst = std::max(worst, std::abs(t.number(row, "h2.angle_deg") * units::kDegree - (direction - first)));
     EXPECT_EQ(word(t, row, "stability"), "stable");
     EXPECT_NEAR(t.number(row, "h1.reaction.force_z_N"), 5 * kG, 1e-9);
     EXPECT_NEAR(t.number(row, "h1.reaction.force_y_N"), 0, 1e-9);
@@ -97,7 +96,7 @@ scale = { over = "h1.angle", table = [[-2, -2], [2, 2]] }
   for (const char* column : {"h1.angle_deg", "h2.angle_deg", "h2.reaction.force_y_N", "h1.reaction.moment_y_Nm"})
     EXPECT_LT(test::worst_difference(spring, load, column), 1e-8) << column;
   EXPECT_LT(test::worst_difference(spring, load, "stability.min_eigenvalue_Nmm"), 1e-6);
-  EXPECT_NEAR(load.number(3, "spring.scale"), load.number(3, "h1.angle_deg") * kDegree, 1e-12);
+  EXPECT_NEAR(load.number(3, "spring.scale"), load.number(3, "h1.angle_deg") * units::kDegree, 1e-12);
   EXPECT_GT(load.number(3, "h1.angle_deg"), 15);
 }
 

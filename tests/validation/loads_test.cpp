@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/core/units.h"
 #include "run/scenes.h"
 #include "support/scene_model.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 using test::table_of;
 using test::word;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A pendulum of 2 kg, 300 mm below its hinge, which turns about x alone.
 constexpr double kTorque = 2 * 9.81 * 0.3;  // N m: m g l
@@ -34,7 +33,7 @@ TEST(Loads, APendulumUnderGravityHeldByAMoment) {
   ASSERT_EQ(t.rows(), 9u);
   for (std::size_t row = 0; row < t.rows(); ++row) {
     const double sine = 4 * 1.2 * static_cast<double>(row) / 8 / kTorque;
-    EXPECT_NEAR(t.number(row, "j.a_deg") * kDegree, std::asin(sine), 1e-10) << row;
+    EXPECT_NEAR(t.number(row, "j.a_deg") * units::kDegree, std::asin(sine), 1e-10) << row;
     EXPECT_NEAR(t.number(row, "stability.min_eigenvalue_Nmm"), 1e3 * kTorque * std::sqrt(1 - sine * sine), 1e-6) << row;
     EXPECT_NEAR(t.number(row, "j.z.reaction_N"), 2 * 9.81, 1e-9);
     EXPECT_NEAR(t.number(row, "j.y.reaction_N"), 0, 1e-9);
@@ -54,7 +53,7 @@ TEST(Loads, ASineInTimeSwingsThePendulumFromStepToStep) {
     const double drive = time < 1 ? 0 : 1.5 * std::sin(2 * std::numbers::pi * 0.125 * (time - 1));
     EXPECT_NEAR(t.number(row, "time_s"), time, 1e-12);
     EXPECT_NEAR(t.number(row, "drive.scale"), drive, 1e-12) << time;
-    EXPECT_NEAR(t.number(row, "j.a_deg") * kDegree, std::asin(2 * drive / kTorque), 1e-10) << time;
+    EXPECT_NEAR(t.number(row, "j.a_deg") * units::kDegree, std::asin(2 * drive / kTorque), 1e-10) << time;
   }
 }
 
@@ -96,7 +95,7 @@ TEST(Loads, AMomentScaledOverItsAngleIsASpring) {
                                    "[[step]]\nprescribe = { \"j.b\" = 0, \"j.c\" = 0, \"j.x\" = 0, \"j.y\" = 0, "
                                    "\"j.z\" = 0 }\n");
     ASSERT_GE(t.rows(), 1u);
-    EXPECT_NEAR(t.number(0, "j.a_deg") * kDegree, 0.4, 1e-11);
+    EXPECT_NEAR(t.number(0, "j.a_deg") * units::kDegree, 0.4, 1e-11);
     EXPECT_NEAR(t.number(0, "stability.min_eigenvalue_Nmm"), sign * 1e3 * 3 * 2 / 0.8, 1e-7);
     EXPECT_EQ(word(t, 0, "stability"), sign > 0 ? "stable" : "unstable");
     EXPECT_NEAR(t.number(0, "turn.scale"), 0, 1e-11);
@@ -157,7 +156,7 @@ TEST(Loads, OverFlexionIsTheSameAsFactorsAtThatFlexion) {
 /// points of the ligaments and the load's force in the world: tori on planes push up.
 Vec6 left_over(const Scene& scene, const ResultTable& t, std::size_t row, const Vec3& load_force) {
   std::array<double, 6> q;
-  for (std::size_t i = 0; i < 6; ++i) q[i] = t.number(row, kCoordinates[i]) * (i < 3 ? kDegree : 1e-3);
+  for (std::size_t i = 0; i < 6; ++i) q[i] = t.number(row, kCoordinates[i]) * (i < 3 ? units::kDegree : 1e-3);
   const Eigen::AngleAxisd flexion(q[0], Vec3::UnitX()), adduction(q[1], Vec3::UnitY()), rotation(q[2], Vec3::UnitZ());
   const Mat3 R = (flexion * adduction * rotation).toRotationMatrix();
   const Vec3 p(q[3], q[4], q[5]);
@@ -198,7 +197,7 @@ TEST(Loads, AForceFixedInTheWorldOrInTheFemurIsAnotherKnee) {
     ASSERT_EQ(word(b, row, "status"), "ok");
     Mat3 R = Mat3::Identity();
     for (Eigen::Index i = 0; i < 3; ++i)
-      R = R * Eigen::AngleAxisd(b.number(row, kCoordinates[static_cast<std::size_t>(i)]) * kDegree,
+      R = R * Eigen::AngleAxisd(b.number(row, kCoordinates[static_cast<std::size_t>(i)]) * units::kDegree,
                                 Mat3::Identity().col(i));
     const Vec6 dead = left_over(world, a, row, force), follower = left_over(body, b, row, R * force);
     EXPECT_LT(dead.head<3>().norm(), 1e-8) << row;

@@ -11,7 +11,7 @@
 namespace genu {
 namespace {
 
-std::string bone(const std::string& name) {
+std::string down_to_bone(const std::string& name) {
   return "\nthickness = { bone = \"" + test::data_path("lenhart2015/lenhart2015-R-" + name + "-subchondral-bone.stl") +
          "\", units = \"m\" }";
 }
@@ -20,7 +20,7 @@ std::string measured(const std::string& quadrature, double to, int increments) {
   std::string text = test::lenhart_scene("-coarse", 0, to, increments);
   for (const std::string name : {"femur", "tibia"}) {
     const std::string file = "ACLC01-R-" + name + "-cart-coarse.stl\"\nunits = \"m\"";
-    text = test::replaced(text, file, file + bone(name));
+    text = test::replaced(text, file, file + down_to_bone(name));
   }
   return test::replaced(text, "model = \"rigid\"", "model = \"cartilage\"\nmodulus = 5\npoisson = 0.45\n" + quadrature);
 }

@@ -1,14 +1,13 @@
 // A knee made of meshes approaches the same knee in closed form with the order that its surfaces promise.
 //
 // GENU_ACCURACY_TABLE=FILE writes the tables there as well (tools/accuracy-table).
-#include <cstdlib>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "accuracy_table.h"
 #include "mesh_study.h"
 
 namespace genu {
@@ -55,16 +54,10 @@ const MeshStudy& knee() {
   return study;
 }
 
-void write_down(const std::string& title, const std::string& table) {
-  const std::string text = "## " + title + "\n\n" + table + "\n";
-  fmt::print("{}", text);
-  if (const char* file = std::getenv("GENU_ACCURACY_TABLE")) std::ofstream(file, std::ios::app) << text;
-}
-
 void expect_order(const std::string& title, const MeshStudyOptions& options) {
   ASSERT_TRUE(knee().good());
   const Study study = run(knee(), options);
-  write_down(title, to_table(study));
+  test::write_down(title, to_table(study));
   for (const MeshStudyRow& r : study.rows) EXPECT_EQ(r.failure, "") << "edge " << 1e3 * r.edge << " mm";
   EXPECT_GE(study.position, kOrder);
 }

@@ -3,36 +3,31 @@
 #include <sstream>
 
 #include "motion_scene.h"
+#include "support/text.h"
 
 namespace genu {
 namespace {
 
 using test::motion_of;
 using test::motion_scene;
+using test::with_first;
 
-std::string knee_text() {
+std::string leskovar_text() {
   std::ifstream file(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene.toml");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
 }
 
-std::string replaced(std::string text, const std::string& piece, const std::string& by) {
-  const std::size_t at = text.find(piece);
-  EXPECT_NE(at, std::string::npos) << piece;
-  return at == std::string::npos ? text : text.replace(at, piece.size(), by);
-}
-
 std::string without_tendon() {
-  std::string text = knee_text();
+  std::string text = leskovar_text();
   const std::size_t from = text.find("[ligament."), to = text.find("[load.drive]");
   return text.erase(from, to - from);
 }
 
 /// The tibia about j1 alone: I q'' + c q' + k q = A sin(w (t - 1)) for t > 1, in deg and N m.
 double closed_form(double t) {
-  constexpr double kPerDegree = std::numbers::pi / 180;
-  const double I = (0.0536 + 3.49 * 0.178 * 0.178) * kPerDegree, c = 0.001, k = 0.5535, A = 28.8;
+  const double I = (0.0536 + 3.49 * 0.178 * 0.178) * test::kPerDegree, c = 0.001, k = 0.5535, A = 28.8;
   const double w = 2 * std::numbers::pi * 0.125, s = t - 1;
   if (s <= 0) return 0;
   const double stiff = k - I * w * w, det = stiff * stiff + c * c * w * w;
@@ -44,7 +39,7 @@ double closed_form(double t) {
 }
 
 TEST(MotionKnee, WithoutItsTendonIsADrivenOscillator) {
-  const Solution s = motion_of(replaced(without_tendon(), "tolerance = 1e-9", "tolerance = 1e-11"));
+  const Solution s = motion_of(with_first(without_tendon(), "tolerance = 1e-9", "tolerance = 1e-11"));
   ASSERT_EQ(s.poses.rows(), 1701u);
   double worst = 0, most = 0;
   for (std::size_t row = 0; row < s.poses.rows(); ++row) {
@@ -58,11 +53,11 @@ TEST(MotionKnee, WithoutItsTendonIsADrivenOscillator) {
 }
 
 TEST(MotionKnee, StaysWithinItsTolerance) {
-  const std::string text = replaced(knee_text(), "duration = 17", "duration = 5");
-  const Solution fine = motion_of(replaced(text, "tolerance = 1e-9", "tolerance = 1e-11"));
+  const std::string text = with_first(leskovar_text(), "duration = 17", "duration = 5");
+  const Solution fine = motion_of(with_first(text, "tolerance = 1e-9", "tolerance = 1e-11"));
   double last = 1;
   for (const char* tolerance : {"1e-5", "1e-7", "1e-9"}) {
-    const Solution s = motion_of(replaced(text, "tolerance = 1e-9", std::string("tolerance = ") + tolerance));
+    const Solution s = motion_of(with_first(text, "tolerance = 1e-9", std::string("tolerance = ") + tolerance));
     ASSERT_EQ(s.poses.rows(), fine.poses.rows());
     double worst = 0;
     for (std::size_t row = 0; row < s.poses.rows(); ++row)
@@ -75,7 +70,7 @@ TEST(MotionKnee, StaysWithinItsTolerance) {
 }
 
 TEST(MotionKnee, KeepsItsEnergy) {
-  const Solution s = motion_of(knee_text());
+  const Solution s = motion_of(leskovar_text());
   EXPECT_LT(s.summary.motion->worst_energy, 1e-8 * s.summary.motion->energy_scale);
   EXPECT_LT(s.summary.motion->steps, 50'000);
   // The tendon is as stretched as its ends say, and pulls accordingly.
@@ -116,7 +111,7 @@ double worst_of_angles(const ResultTable& a, const ResultTable& b) {
 }
 
 std::string short_knee() {
-  std::string text = replaced(knee_text(), "duration = 17", "duration = 4");
+  std::string text = with_first(leskovar_text(), "duration = 17", "duration = 4");
   return text.insert(text.find("[body.femur]"), "gravity = [0, -9.81, 0]\n");
 }
 
@@ -129,7 +124,7 @@ TEST(MotionKnee, IsTheSameWhereverItStands) {
 
 TEST(MotionKnee, IsTheSameInMillimetresAndRadians) {
   std::string text = short_knee();
-  const auto by = [&](const std::string& piece, const std::string& other) { text = replaced(text, piece, other); };
+  const auto by = [&](const std::string& piece, const std::string& other) { text = with_first(text, piece, other); };
   by("length = \"m\", angle = \"deg\"", "length = \"mm\", angle = \"rad\"");
   by("[0, -0.178, 0]", "[0, -178, 0]");
   by("[0.042, -0.012, 0]", "[42, -12, 0]");
@@ -146,9 +141,29 @@ TEST(MotionKnee, IsTheSameInMillimetresAndRadians) {
 
 TEST(MotionKnee, AStiffDamperIsNoBurden) {
   // 2e4 N s/m on 60 g: a decay in some microseconds.
-  const Solution s =
-      motion_of(replaced(replaced(knee_text(), "duration = 17", "duration = 3"), "damping = 50 ", "damping = 2e4 "));
+  const Solution s = motion_of(
+      with_first(with_first(leskovar_text(), "duration = 17", "duration = 3"), "damping = 50 ", "damping = 2e4 "));
   EXPECT_LT(s.summary.motion->steps, 20'000);
+  EXPECT_LT(s.summary.motion->worst_energy, 1e-6 * s.summary.motion->energy_scale);
+}
+
+/// Held by contact and ligaments in the place of hinges: the leg extends, nothing lets go, and forces balance at the
+/// end.
+TEST(MotionKnee, ExtendsWithoutItsJoints) {
+  std::ifstream file(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene-without-joints.toml");
+  std::stringstream text;
+  text << file.rdbuf();
+  const Solution s = motion_of(text.str());
+  const std::size_t last = s.poses.rows() - 1;
+  EXPECT_NEAR(s.poses.number(0, "knee.flexion_deg"), 66.5, 0.5);
+  EXPECT_LT(s.poses.number(last, "knee.flexion_deg"), 35);
+  for (std::size_t row = 0; row <= last; ++row) {
+    for (const char* contact : {"medial", "lateral", "patellofemoral"}) {
+      EXPECT_GT(s.poses.number(row, fmt::format("{}.force_N", contact)), 50) << row;
+      EXPECT_LT(std::abs(s.poses.number(row, fmt::format("{}.gap_mm", contact))), 1e-8) << row;
+    }
+    EXPECT_GT(s.poses.number(row, "knee.flexion_deg"), 20) << row;
+  }
   EXPECT_LT(s.summary.motion->worst_energy, 1e-6 * s.summary.motion->energy_scale);
 }
 

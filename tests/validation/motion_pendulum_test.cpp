@@ -7,12 +7,14 @@ namespace genu {
 namespace {
 
 using test::dynamics;
+using test::kG;
 using test::kGround;
 using test::kPerDegree;
 using test::motion_of;
 
-constexpr double kMass = 2, kArm = 0.4, kInertia = 0.05, kG = 9.81;  // the hinge does not go through the centre of mass
-const double kOmega = std::sqrt(kMass * kG * kArm / (kInertia + kMass * kArm * kArm));
+constexpr double kLinkMass = 2, kLinkArm = 0.4,
+                 kLinkInertia = 0.05;  // the hinge does not go through the centre of mass
+const double kOmega = std::sqrt(kLinkMass * kG * kLinkArm / (kLinkInertia + kLinkMass * kLinkArm * kLinkArm));
 
 std::string pendulum(double start, const std::string& dynamics_text) {
   return kGround +
@@ -28,7 +30,7 @@ origin = [0.1, -0.2, 0.05]
 axis = [0, 0, 1]
 start = {{ angle = {} }}
 )",
-                     kMass, -kArm, kInertia, start) +
+                     kLinkMass, -kLinkArm, kLinkInertia, start) +
          dynamics_text;
 }
 std::string with_gravity(std::string text) {
@@ -56,9 +58,9 @@ TEST(MotionPendulum, SwingsAsTheEllipticFunctionsSay) {
   EXPECT_NEAR(s.poses.number(20, "h.angle_deg") * kPerDegree, -kStart, 1e-9) << "after half of one";
   EXPECT_LT(s.summary.motion->worst_energy, 1e-9 * s.summary.motion->energy_scale);
   // At rest on its highest point the hinge carries what is left of the weight.
-  const double fall = kOmega * kOmega * std::sin(kStart) * kArm;  // of the centre of mass, across the arm
-  EXPECT_NEAR(s.poses.number(0, "h.reaction.force_x_N"), -kMass * fall * std::cos(kStart), 1e-9);
-  EXPECT_NEAR(s.poses.number(0, "h.reaction.force_y_N"), kMass * (kG - fall * std::sin(kStart)), 1e-9);
+  const double fall = kOmega * kOmega * std::sin(kStart) * kLinkArm;  // of the centre of mass, across the arm
+  EXPECT_NEAR(s.poses.number(0, "h.reaction.force_x_N"), -kLinkMass * fall * std::cos(kStart), 1e-9);
+  EXPECT_NEAR(s.poses.number(0, "h.reaction.force_y_N"), kLinkMass * (kG - fall * std::sin(kStart)), 1e-9);
 }
 
 TEST(MotionPendulum, TurnsOverAndOver) {
@@ -88,7 +90,7 @@ TEST(MotionPendulum, ADampedTorsionSpring) {
   std::string text = pendulum(kStart, dynamics(6, 0.05, 1e-11));
   text.insert(text.find("[dynamics]"), fmt::format("stiffness = {}\ndamping = {}\n", kStiffness, kDamping));
   const Solution s = motion_of(text);
-  const double inertia = kInertia + kMass * kArm * kArm, delta = kDamping / (2 * inertia);
+  const double inertia = kLinkInertia + kLinkMass * kLinkArm * kLinkArm, delta = kDamping / (2 * inertia);
   const double omega = std::sqrt(kStiffness / inertia - delta * delta);
   double worst = 0, worst_rate = 0;
   for (std::size_t row = 0; row < s.poses.rows(); ++row) {

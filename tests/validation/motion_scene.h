@@ -8,12 +8,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/run/prepare.h"
 #include "genu/run/run_motion.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 
 namespace genu::test {
 
+inline constexpr double kG = 9.81;  // m/s^2
 inline constexpr double kPerDegree = std::numbers::pi / 180;
 
 inline Prepared prepared_motion(const Scene& scene) {
@@ -21,7 +23,8 @@ inline Prepared prepared_motion(const Scene& scene) {
   Diagnostics out;
   p.scene = scene;
   centre_bodies(p.scene);
-  auto model = build_model(p.scene, {}, out);
+  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
+  auto model = build_model(p.scene, p.surfaces, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   if (model) p.model = std::move(*model);
   return p;

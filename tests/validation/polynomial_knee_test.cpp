@@ -12,6 +12,7 @@
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/stl_writer.h"
 #include "genu/run/fit_scene.h"
+#include "knee_run.h"
 #include "mesh_study.h"
 #include "support/knee_scene.h"
 #include "support/ssm_scene.h"
@@ -20,14 +21,11 @@
 namespace genu {
 namespace {
 
+using test::KneeRun;
+
 const std::string kKnee = std::string(GENU_SOURCE_DIR) + "/meshes/lenhart_polynomial/";
 
 #define GENU_NEEDS_MEASURED_KNEE() GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl")
-
-struct KneeRun {
-  std::optional<Prepared> prepared;
-  Solution solution;
-};
 
 KneeRun run_file(const std::string& path) {
   KneeRun run;

@@ -98,7 +98,7 @@ class PublishedPoses : public testing::Test {
 };
 
 /// The largest difference, and what the digits of the published number explain of it.
-struct Worst {
+struct WorstDifference {
   double difference = 0, beyond_digits = 0;
   void add(double found, double published, double digit) {
     const double d = std::abs(found - published);
@@ -109,7 +109,7 @@ struct Worst {
 
 /// Contact of one pair, here against there; half of the last digit of what is published there.
 struct ContactDifference {
-  Worst area, depth, force;
+  WorstDifference area, depth, force;
   void add(const ResultTable& here, const test::PublishedTable& there, const std::string& name, std::size_t row) {
     area.add(1e-6 * here.number(row, name + ".area_mm2"), there.at(row, name + "_contact_area_m2"), kDigit);
     depth.add(1e-3 * here.number(row, name + ".max_depth_mm"), there.at(row, name + "_max_prox_m"), kDigit);
@@ -167,7 +167,7 @@ TEST_F(PublishedPoses, LigamentsAreThoseOfOpenSimJamWhereTheyDoNotWrap) {
   GENU_NEEDS_PUBLISHED_POSES();
   const test::PublishedTable published("lenhart_passive_flexion_ligaments.csv");
   const ResultTable here = evaluate_file(poses_file(), femur_file()).poses;
-  Worst length, force;
+  WorstDifference length, force;
   const std::vector<std::string> ligaments = test::ligaments_that_never_wrap();
   int taut = 0;
   for (const std::string& name : ligaments)

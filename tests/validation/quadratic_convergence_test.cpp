@@ -18,13 +18,13 @@ namespace {
 // tolerance of 1e-12 from some 1e-11, whose square is nothing.
 constexpr double kCurvature = 2e3, kRounding = 1e-12;
 
-struct Worst {
+struct WorstRatio {
   int examined = 0;
   double ratio = 0;  ///< (r' - rounding) / r^2
 };
 
-Worst examine(const Solution& solution) {
-  Worst worst;
+WorstRatio examine(const Solution& solution) {
+  WorstRatio worst;
   for (const PoseRecord& r : solution.records) {
     const NewtonReport& newton = r.point.report.newton;
     EXPECT_TRUE(r.point.solved()) << r.point.increment;
@@ -38,7 +38,7 @@ Worst examine(const Solution& solution) {
 }
 
 void expect_quadratic(const std::string& name, const Scene& scene, int at_least) {
-  const Worst worst = examine(test::solved(scene));
+  const WorstRatio worst = examine(test::solved(scene));
   std::printf("%-24s %3d poses, largest r' / r^2 %.2g\n", name.c_str(), worst.examined, worst.ratio);
   EXPECT_GE(worst.examined, at_least) << name;
   EXPECT_LT(worst.ratio, kCurvature) << name;

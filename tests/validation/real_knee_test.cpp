@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/run/run_scene.h"
+#include "knee_run.h"
 #include "support/knee_scene.h"
 #include "support/ssm_scene.h"
 #include "support/temporary_folder.h"
@@ -17,15 +18,12 @@
 namespace genu {
 namespace {
 
+using test::KneeRun;
+
 #define GENU_NEEDS_KNEES()                                \
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl"); \
   GENU_NEEDS_DATA("lenhart2015/lenhart_ligaments.json");  \
   GENU_NEEDS_DATA("ssm/mean_ligaments.json")
-
-struct KneeRun {
-  std::optional<Prepared> prepared;
-  Solution solution;
-};
 
 KneeRun run_text(const std::string& text) {
   const test::TemporaryFolder folder;

@@ -23,7 +23,7 @@ using test::Json;
 using test::number;
 using test::numbers;
 
-constexpr double kTolerance = 1e-9;  // of max(1, |value|) in mm, deg, N, N mm
+constexpr double kReferenceTolerance = 1e-9;  // of max(1, |value|) in mm, deg, N, N mm
 
 std::filesystem::path cases_folder() { return test::data_path("../reference/cases"); }
 
@@ -39,9 +39,9 @@ std::vector<std::string> case_files() {
 }
 
 /// A case as solved: what was asked for and what came out.
-class Solved {
+class SolvedCase {
  public:
-  Solved(const Json& scene, const std::string& steps) : scene_(scene) {
+  SolvedCase(const Json& scene, const std::string& steps) : scene_(scene) {
     const std::string file = folder_.write("scene.toml", CaseScene(scene).text(steps));
     Diagnostics problems;
     prepared_ = prepare(file, problems);
@@ -96,7 +96,7 @@ class Solved {
 
 class ReferenceCase : public testing::TestWithParam<std::string> {
  protected:
-  void compare(const std::string& what, double found, const Json& expected, double tolerance = kTolerance) {
+  void compare(const std::string& what, double found, const Json& expected, double tolerance = kReferenceTolerance) {
     const double value = number(expected);
     const double error = std::abs(found - value) / std::max(1.0, std::abs(value));
     EXPECT_LE(error, tolerance) << what << ": " << fmt::format("{:.17g} for {:.17g}", found, value);
@@ -110,7 +110,7 @@ class ReferenceCase : public testing::TestWithParam<std::string> {
               expected[i]);
   }
 
-  void compare_pose(const Solved& solved, const Json& expected) {
+  void compare_pose(const SolvedCase& solved, const Json& expected) {
     constexpr const char* kColumns[] = {"j.tx_mm",       "j.ty_mm",         "j.tz_mm",
                                         "j.flexion_deg", "j.adduction_deg", "j.rotation_deg"};
     for (std::size_t i = 0; i < 6; ++i)
@@ -118,7 +118,7 @@ class ReferenceCase : public testing::TestWithParam<std::string> {
   }
 
   /// Multipliers are forces (N) and moments (N mm) that the constraints exert on the moving body, in their order.
-  void compare_multipliers(const Solved& solved, const Json& constraints, const Json& expected) {
+  void compare_multipliers(const SolvedCase& solved, const Json& constraints, const Json& expected) {
     for (std::size_t m = 0; m < expected.size(); ++m) {
       const std::string coordinate = constraints.at(m).at("coord").get<std::string>();
       const bool angle = coordinate[0] != 't';
@@ -127,7 +127,7 @@ class ReferenceCase : public testing::TestWithParam<std::string> {
     }
   }
 
-  void compare_contacts(const Solved& solved, const Json& expected) {
+  void compare_contacts(const SolvedCase& solved, const Json& expected) {
     const auto contacts = solved.contacts(expected);
     EXPECT_FALSE(contacts.contains("more than expected"));
     std::set<std::string> active;
@@ -153,7 +153,7 @@ class ReferenceCase : public testing::TestWithParam<std::string> {
     }
   }
 
-  void compare_springs(const Solved& solved, const Json& expected) {
+  void compare_springs(const SolvedCase& solved, const Json& expected) {
     for (const auto& [key, quantity] : {std::pair{"spring_lengths", ".length_mm"}, {"spring_forces", ".force_N"}}) {
       if (!expected.contains(key)) continue;
       for (const auto& [name, value] : expected.at(key).items())
@@ -221,7 +221,7 @@ void ReferenceCase::solve_one_pose(const Json& json) {
                                            "point_fixed", "point_moving",   "surface_coordinates", "multipliers",
                                            "active"};
   for (const auto& [key, value] : expected.items()) EXPECT_TRUE(known.contains(key)) << key << " is not compared";
-  const Solved solved(scene, "[[step]]\n" + CaseScene(scene).prescribed());
+  const SolvedCase solved(scene, "[[step]]\n" + CaseScene(scene).prescribed());
   ASSERT_TRUE(solved.good());
   ASSERT_EQ(solved.solution().summary.exit_code, kExitOk) << solved.last().report.why;
   if (expected.contains("pose")) compare_pose(solved, expected.at("pose"));
@@ -245,7 +245,7 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
     steps += head + text.scaled_loads(from, number(point.at("P")));
     from = number(point.at("P"));
   }
-  const Solved branch(scene, steps);
+  const SolvedCase branch(scene, steps);
   ASSERT_TRUE(branch.good());
   ASSERT_EQ(branch.solution().summary.exit_code, kExitOk);
   for (std::size_t i = 0; i < expected.at("branch").size(); ++i)
@@ -257,7 +257,7 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
   for (const int increments : {1, 5, 7, 12, 100}) {
     SCOPED_TRACE(fmt::format("{} increments", increments));
     const double target = 1.2 * critical;
-    const Solved beyond(scene, head + text.scaled_loads(0, target) + fmt::format("increments = {}\n", increments));
+    const SolvedCase beyond(scene, head + text.scaled_loads(0, target) + fmt::format("increments = {}\n", increments));
     ASSERT_TRUE(beyond.good());
     EXPECT_EQ(beyond.solution().summary.exit_code, kExitIncomplete);
     const auto& events = beyond.solution().events;
@@ -277,7 +277,7 @@ void ReferenceCase::follow_to_limit_point(const Json& json) {
   for (const int k : {3, 2, 1})
     steps += head + text.scaled_loads((1 - (k + 1) * (k + 1) * kFirst * kFirst) * critical,
                                       (1 - k * k * kFirst * kFirst) * critical);
-  const Solved near(scene, steps);
+  const SolvedCase near(scene, steps);
   ASSERT_EQ(near.solution().summary.exit_code, kExitOk);
   ASSERT_EQ(near.table().rows(), 5u);
   const auto z = [&](std::size_t k) { return near.table().number(5 - k, "j.tz_mm"); };

@@ -16,7 +16,7 @@
 
 namespace genu::test {
 
-constexpr double kTolerance = 1e-6;
+constexpr double kDerivativeTolerance = 1e-6;
 
 inline Prepared prepared(const std::string& text) {
   Prepared p;
@@ -106,7 +106,7 @@ inline void compare(const std::string& name, const std::string& text, const std:
   std::printf("%s: %zu outputs, %zu parameters, %zu derivatives (%zu not 0): worst error %.2g (%s)\n", name.c_str(),
               r.rows.outputs.size(), r.rows.parameters.size(), worst.compared, worst.not_zero, worst.error,
               worst.where.c_str());
-  EXPECT_LT(worst.error, kTolerance) << worst.where;
+  EXPECT_LT(worst.error, kDerivativeTolerance) << worst.where;
   EXPECT_GT(worst.not_zero, worst.compared / 4);
 }
 

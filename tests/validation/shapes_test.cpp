@@ -98,11 +98,11 @@ std::string scene_text(const std::string& of_fixed, const std::string& of_moving
 
 const std::string kHeld = "[[step]]\nprescribe = { \"j.a\" = 0, \"j.b\" = 0, \"j.c\" = 0 }\n";
 
-struct Errors {
+struct BalanceErrors {
   double position = 0, force = 0;  ///< mm, N
 };
 
-void solve_and_compare(const ShapeCase& c, bool inside, bool shape_moves, Errors& worst) {
+void solve_and_compare(const ShapeCase& c, bool inside, bool shape_moves, BalanceErrors& worst) {
   SCOPED_TRACE(c.keys + (inside ? "inside" : "outside") + (shape_moves ? ", the shape moves" : ", the ball moves"));
   const Vec3 origin(3, -2, 5), z_axis(0.2, -0.3, 1), x_axis(1, 0.4, 0);
   Mat3 R;
@@ -130,7 +130,7 @@ void solve_and_compare(const ShapeCase& c, bool inside, bool shape_moves, Errors
 }
 
 TEST(Shapes, ABallRestsWhereItShouldOnEveryShapeOutsideAndInside) {
-  Errors worst;
+  BalanceErrors worst;
   for (const ShapeCase& c : shapes()) {
     // A polynomial without a patch and an ellipsoid take seconds to cut into samples.
     const bool endless = c.keys.find("terms") != std::string::npos && c.keys.find("patch") == std::string::npos;
@@ -152,13 +152,6 @@ const std::string kPair = "[\"one\", \"two\"]", kSwapped = "[\"two\", \"one\"]";
 auto over_edge(const Solution& solution) {
   return std::find_if(solution.events.begin(), solution.events.end(),
                       [](const PathEvent& e) { return e.kind == PathEvent::Kind::over_edge; });
-}
-
-Solution solution_of(const std::string& text) {
-  Diagnostics out;
-  const auto scene = parse_scene(text, "scene.toml", out);
-  EXPECT_TRUE(scene.has_value()) << messages(out);
-  return scene ? solved(*scene) : Solution{};
 }
 
 TEST(PatchEdges, AContactThatRunsOffEndsThePathAtTheEdgeAndKeepsThePoses) {

@@ -22,7 +22,7 @@ std::string self_intersections(const Surface& surface) {
   return count ? fmt::format("{}", *count) : "not checked (not a manifold)";
 }
 
-void describe(const SurfaceNote& note, const Surface& surface) {
+void describe_surface(const SurfaceNote& note, const Surface& surface) {
   fmt::print("  {}: {}\n", note.name, note.text);
   if (!note.mesh) return;
   const MeshReport& m = *note.mesh;
@@ -45,7 +45,9 @@ int check(const std::string& scene) {
   if (good) {
     ContactField field(prepared->model);
     good = check_start(*prepared, field, diagnostics);
-    for (std::size_t i = 0; i < prepared->notes.size(); ++i) describe(prepared->notes[i], *prepared->surfaces[i]);
+    for (const auto& body : prepared->bodies) fmt::print("  {}\n", to_text(body));
+    for (std::size_t i = 0; i < prepared->notes.size(); ++i)
+      describe_surface(prepared->notes[i], *prepared->surfaces[i]);
   }
   print(diagnostics);
   if (good) fmt::print("{}: no errors\n", scene);

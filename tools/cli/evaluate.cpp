@@ -18,7 +18,7 @@
 namespace genu::cli {
 namespace {
 
-struct Arguments {
+struct EvaluateArguments {
   std::string scene, poses, folder;
   PoseColumnOptions columns;
   bool pressure_maps = false, quiet = false;
@@ -45,7 +45,7 @@ void print_columns(const RunSummary::GivenPoses& given) {
 }
 
 /// The rotations, then what contact is like.
-std::vector<std::string> short_columns(const ResultTable& table) {
+std::vector<std::string> columns_of_evaluation(const ResultTable& table) {
   constexpr std::size_t kMost = 10;
   std::vector<std::string> columns;
   const auto ends_with = [](const std::string& s, const std::string& end) {
@@ -62,7 +62,7 @@ std::vector<std::string> short_columns(const ResultTable& table) {
   return columns;
 }
 
-int evaluate(const Arguments& arguments) {
+int evaluate(const EvaluateArguments& arguments) {
   EvaluateOptions options;
   options.columns = arguments.columns;
   options.pressure_maps = arguments.pressure_maps;
@@ -75,7 +75,7 @@ int evaluate(const Arguments& arguments) {
   constexpr std::size_t kRows = 11;
   print_columns(*found.summary.given);
   fmt::print("\n{}\n\n{}\n", printable(found.summary.title),
-             to_text(found.poses, short_columns(found.poses), 4, kRows));
+             to_text(found.poses, columns_of_evaluation(found.poses), 4, kRows));
   for (const std::string& sentence : found.summary.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
   if (arguments.pressure_maps && found.pressure_files.empty())
@@ -89,7 +89,7 @@ int evaluate(const Arguments& arguments) {
 }  // namespace
 
 void add_evaluate(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand(
       "evaluate",
       "Contacts, ligaments and what is missing to balance at given poses, nothing solved:\n"

@@ -18,6 +18,7 @@
 
 #include "commands.h"
 #include "genu/core/atomic_output.h"
+#include "genu/core/units.h"
 #include "genu/run/fit_mesh.h"
 #include "genu/run/fit_scene.h"
 #include "genu/scene/reader.h"
@@ -25,8 +26,6 @@
 
 namespace genu::cli {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
 
 struct FitOptions {
   std::string mesh, scene, folder, unit, chart, facing, name, body, like;
@@ -126,7 +125,7 @@ int fit_one(const FitOptions& options) {
   Diagnostics problems;
   FitMeshRequest request;
   request.file = options.mesh;
-  if (!options.unit.empty()) request.file_unit = options.unit == "m" ? 1.0 : kMillimetre;
+  if (!options.unit.empty()) request.file_unit = options.unit == "m" ? 1.0 : units::kMillimetre;
   request.name = options.name;
   request.body = options.body;
   request.regions = options.regions;
@@ -162,7 +161,7 @@ int fit_all(const FitOptions& options) {
   Diagnostics problems;
   FitSceneRequest request;
   request.file = options.scene;
-  request.margin = options.margin * kMillimetre;
+  request.margin = options.margin * units::kMillimetre;
   if (options.degree > 0) request.degree = options.degree;
   std::optional<SceneFits> found;
   found = fit_scene(request, options.folder, problems);
@@ -174,6 +173,7 @@ int fit_all(const FitOptions& options) {
   const int code = written(write_folder(options.folder, files), options);
   if (code != kExitOk) return code;
 
+  constexpr double kPrescribed = 1e-9;  // deg, mm: rounding of what is the same in both
   // The proof of the fit is the joint's motion.
   const std::string scene = options.folder + "/scene.toml";
   const auto prepared = prepare(scene, problems);
@@ -185,7 +185,7 @@ int fit_all(const FitOptions& options) {
   fmt::print("poses solved: {} of {} with polynomials, {} of {} with meshes; largest differences:\n", with.poses_solved,
              with.poses_asked, without.poses_solved, without.poses_asked);
   for (const auto& [name, worst] : pose_differences(prepared->scene, found->solution.poses, fitted.poses))
-    fmt::print("  {:<24}{:.3g}\n", name, worst);
+    if (worst > kPrescribed) fmt::print("  {:<24}{:.3g}\n", name, worst);
   for (const std::string& sentence : with.verdict)
     if (with.exit_code != kExitOk) fmt::print("{}\n", sentence);
   return with.exit_code;

@@ -1,7 +1,8 @@
 // genu mesh knee.toml --edge 1 --out meshes
-//   1. read the scene, or the surfaces.toml that `genu fit` writes
-//   2. cut each surface that has a formula (or only those named) into triangles; with --thickness close open ones
-//   3. write DIR/<surface>.stl, .ply or .obj, in the frame of the surface's body
+//   1. read the scene, the surfaces.toml that `genu fit` writes, or a file of solids
+//   2. cut each surface that has a formula and each solid (or only those named) into triangles; with --thickness close
+//      open ones
+//   3. write DIR/<surface>.stl, .ply or .obj, in the frame of the surface's body or of the solid
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,15 +20,16 @@
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/mesh_check.h"
 #include "genu/geometry/mesh_writer.h"
+#include "genu/geometry/solid_mesh.h"
 #include "genu/geometry/tessellate.h"
 #include "genu/geometry/thicken.h"
+#include "genu/run/build_solid.h"
 #include "genu/run/build_surface.h"
 #include "genu/scene/reader.h"
 
 namespace genu::cli {
 namespace {
 
-constexpr int kOk = 0, kFailed = 1, kRefused = 2;
 constexpr double kReach = 0.05;                     // m
 constexpr double kSmallest = 1e-6, kLargest = 1e6;  // of lengths, in the unit of the command
 const std::string kTitle = "genu mesh: ";           // of every file, by which it is known again
@@ -38,27 +40,78 @@ struct MeshOptions {
   double edge = 0, reach = 0, thickness = 0;  ///< in `unit`
 };
 
-// The surfaces to mesh; says in `out` which names cannot be.
-std::vector<const SurfaceDef*> choose(const Scene& scene, const MeshOptions& options, Diagnostics& out) {
-  std::vector<const SurfaceDef*> chosen;
+/// What a surface or a solid becomes.
+struct Meshed {
+  std::string name;
+  Mesh mesh;
+};
+
+bool asked_for(const std::string& name, const MeshOptions& options) {
+  const auto& names = options.surfaces;
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Says in `out` which names cannot be meshed.
+void check_names(const Scene& scene, const MeshOptions& options, Diagnostics& out) {
   std::string known = "known:";
   for (const SurfaceDef& s : scene.surfaces) known += " " + s.name;
+  for (const SolidDef& s : scene.solids) known += " " + s.name;
+  const auto named = [](const std::string& name) { return [&name](const auto& def) { return def.name == name; }; };
   for (const std::string& name : options.surfaces) {
-    const auto found =
-        std::find_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const SurfaceDef& s) { return s.name == name; });
-    if (found == scene.surfaces.end())
+    const auto surface = std::find_if(scene.surfaces.begin(), scene.surfaces.end(), named(name));
+    const bool solid = std::any_of(scene.solids.begin(), scene.solids.end(), named(name));
+    if (surface != scene.surfaces.end() && solid)
+      out.error(scene.file, "\"" + name + "\" is both a surface and a solid: give one of them another name");
+    else if (surface == scene.surfaces.end() && !solid)
       out.error(scene.file, "there is no surface \"" + name + "\"; " + known);
-    else if (found->shape == SurfaceDef::Shape::mesh)
+    else if (!solid && surface->shape == SurfaceDef::Shape::mesh)
       out.error(scene.file, "surface \"" + name + "\" is a mesh already");
-    else
-      chosen.push_back(&*found);
   }
-  if (!options.surfaces.empty()) return chosen;
-  for (const SurfaceDef& s : scene.surfaces) {
-    if (s.shape != SurfaceDef::Shape::mesh) chosen.push_back(&s);
+  const bool formula = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                   [](const SurfaceDef& s) { return s.shape != SurfaceDef::Shape::mesh; });
+  if (!formula && scene.solids.empty()) out.error(scene.file, "has no surface with a formula and no solid");
+}
+
+/// Empty, with what is wrong in `out`, where not all of them can be meshed.
+std::vector<Meshed> mesh_surfaces(const Scene& scene, const MeshOptions& options, double unit, Diagnostics& out) {
+  std::vector<const SurfaceDef*> chosen;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  for (const SurfaceDef& def : scene.surfaces) {
+    if (def.shape == SurfaceDef::Shape::mesh || !asked_for(def.name, options)) continue;
+    chosen.push_back(&def);
+    surfaces.push_back(within_patch(make_analytic_surface(def), def));
+    if (!surfaces.back())
+      out.error(scene.file, "surface \"" + def.name + "\" has sizes or a patch that make no surface");
   }
-  if (chosen.empty()) out.error(scene.file, "has no surface with a formula");
-  return chosen;
+  std::vector<Meshed> meshes;
+  if (out.has_errors()) return meshes;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const double reach = options.reach > 0 ? options.reach * unit : kReach;
+    Mesh mesh = surfaces[k]->triangles(options.edge * unit, chosen[k]->placement.p, reach);
+    if (options.thickness > 0) {
+      std::string why;
+      mesh = thicken(mesh, *surfaces[k], options.thickness * unit, options.edge * unit, why);
+      if (!why.empty()) out.error(scene.file, "surface \"" + chosen[k]->name + "\" " + why);
+    }
+    meshes.push_back({chosen[k]->name, std::move(mesh)});
+  }
+  return meshes;
+}
+
+void mesh_solids(const Scene& scene, const MeshOptions& options, double unit, std::vector<Meshed>& meshes,
+                 Diagnostics& out) {
+  for (const SolidDef& def : scene.solids) {
+    if (!asked_for(def.name, options)) continue;
+    std::string why;
+    meshes.push_back({def.name, solid_mesh(make_solid(def), options.edge * unit, why)});
+    if (!why.empty())
+      out.add({.file = scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "solid." + def.name,
+               .found = {},
+               .rule = why});
+  }
 }
 
 int refuse(const Diagnostics& problems) {
@@ -73,7 +126,7 @@ void refuse_foreign(const std::string& path, Diagnostics& out) {
   out.error(path, "is there already and was not written by genu mesh: it will not be replaced; choose another folder");
 }
 
-void describe(const std::string& path, const Mesh& mesh, double wanted, const MeshOptions& options, double unit) {
+void describe_file(const std::string& path, const Mesh& mesh, double wanted, const MeshOptions& options, double unit) {
   const MeshReport report = check_mesh(mesh);
   fmt::print("{}: {} vertices, {} triangles, edges {:.3g} .. {:.3g} .. {:.3g} {}, smallest angle {:.1f} deg\n", path,
              report.vertices, report.triangles, report.edge_length[0] / unit, report.edge_length[2] / unit,
@@ -90,28 +143,14 @@ int mesh_scene(const MeshOptions& options) {
   Diagnostics problems;
   const std::optional<Scene> scene = read_surface_file(options.scene, problems);
   if (!scene) return refuse(problems);
-  const std::vector<const SurfaceDef*> chosen = choose(*scene, options, problems);
-  std::vector<std::shared_ptr<const Surface>> surfaces;
-  for (const SurfaceDef* def : chosen) {
-    surfaces.push_back(within_patch(make_analytic_surface(*def), *def));
-    if (!surfaces.back())
-      problems.error(scene->file, "surface \"" + def->name + "\" has sizes or a patch that make no surface");
-  }
+  check_names(*scene, options, problems);
   if (problems.has_errors()) return refuse(problems);
-  std::vector<Mesh> meshes;
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const double reach = options.reach > 0 ? options.reach * unit : kReach;
-    meshes.push_back(surfaces[k]->triangles(options.edge * unit, chosen[k]->placement.p, reach));
-    if (options.thickness > 0) {
-      std::string why;
-      meshes[k] = thicken(meshes[k], *surfaces[k], options.thickness * unit, options.edge * unit, why);
-      if (!why.empty()) problems.error(scene->file, "surface \"" + chosen[k]->name + "\" " + why);
-    }
-  }
+  std::vector<Meshed> meshes = mesh_surfaces(*scene, options, unit, problems);
+  mesh_solids(*scene, options, unit, meshes, problems);
   if (problems.has_errors()) return refuse(problems);
 
-  const auto path_of = [&](const SurfaceDef& s) { return options.folder + "/" + s.name + "." + options.format; };
-  for (const SurfaceDef* def : chosen) refuse_foreign(path_of(*def), problems);
+  const auto path_of = [&](const Meshed& m) { return options.folder + "/" + m.name + "." + options.format; };
+  for (const Meshed& m : meshes) refuse_foreign(path_of(m), problems);
   if (options.folder.empty()) problems.error("--out", "names no folder");
   if (problems.has_errors()) return refuse(problems);
   std::error_code failure;
@@ -120,14 +159,14 @@ int mesh_scene(const MeshOptions& options) {
     fmt::print(stderr, "{}: cannot be made a folder: {}\n", options.folder, failure.message());
     return kFailed;
   }
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const std::string path = path_of(*chosen[k]);
-    const std::string title = fmt::format("{}{}, edge {} {}", kTitle, chosen[k]->name, options.edge, options.unit);
-    if (const std::string error = write_mesh(meshes[k], path, unit, title); !error.empty()) {
+  for (const Meshed& m : meshes) {
+    const std::string path = path_of(m);
+    const std::string title = fmt::format("{}{}, edge {} {}", kTitle, m.name, options.edge, options.unit);
+    if (const std::string error = write_mesh(m.mesh, path, unit, title); !error.empty()) {
       fmt::print(stderr, "{}\n", error);
       return kFailed;
     }
-    describe(path, meshes[k], options.edge * unit, options, unit);
+    describe_file(path, m.mesh, options.edge * unit, options, unit);
   }
   return kOk;
 }
@@ -136,10 +175,12 @@ int mesh_scene(const MeshOptions& options) {
 
 void add_mesh(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command =
-      app.add_subcommand("mesh", "Cut a scene's surfaces into triangles and write them as STL, PLY or OBJ");
-  command->add_option("SCENE", options->scene, "scene file, or the surfaces.toml of genu fit")->required();
-  command->add_option("SURFACE", options->surfaces, "surfaces to mesh; all that have a formula where none is named");
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Cut a scene's surfaces, or solids of shapes, into triangles and write them as STL, PLY or OBJ");
+  command->add_option("SCENE", options->scene, "scene file, the surfaces.toml of genu fit, or a file of solids")
+      ->required();
+  command->add_option("SURFACE", options->surfaces,
+                      "surfaces and solids to mesh; all that have a formula where none is named");
   command
       ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
       ->check(number_within(kSmallest, kLargest))

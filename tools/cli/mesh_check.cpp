@@ -23,8 +23,6 @@
 namespace genu::cli {
 namespace {
 
-constexpr int kOk = 0, kFailed = 1, kRefused = 2, kFlawed = 3;
-
 struct CheckOptions {
   std::vector<std::string> files;
   std::string unit, repaired;
@@ -47,7 +45,7 @@ std::string why_not_there(const std::string& from, const std::string& to) {
   return {};
 }
 
-int refuse(const Diagnostics& problems) {
+int refuse_with_errors(const Diagnostics& problems) {
   for (const Diagnostic& d : problems.items())
     if (d.severity == Diagnostic::Severity::error) fmt::print(stderr, "{}\n", to_string(d));
   return kRefused;
@@ -58,10 +56,10 @@ int check_written(const std::string& file, double unit) {
   Diagnostics problems;
   MeshFileFacts facts;
   const std::optional<Mesh> mesh = read_mesh(file, unit, problems, &facts);
-  if (!mesh) return refuse(problems);
+  if (!mesh) return refuse_with_errors(problems);
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
-  return examination.bad() ? kFlawed : kOk;
+  return examination.bad() ? kNotAllOk : kOk;
 }
 
 int repair(const std::string& from, Mesh mesh, double unit, const std::string& to) {
@@ -94,13 +92,13 @@ int check_file(const std::string& file, const CheckOptions& options) {
   double unit = options.unit == "m" ? 1.0 : 1e-3;
   std::optional<Mesh> mesh = options.unit.empty() ? read_mesh_of_some_unit(file, unit, problems, &facts)
                                                   : read_mesh(file, unit, problems, &facts);
-  if (!mesh) return refuse(problems);
+  if (!mesh) return refuse_with_errors(problems);
   fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), timer.seconds(), unit == 1 ? "m" : "mm",
              options.unit.empty() ? " (guessed from the size)" : "");
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
   if (options.repairs) return repair(file, std::move(*mesh), unit, options.repaired);
-  return examination.bad() ? kFlawed : kOk;
+  return examination.bad() ? kNotAllOk : kOk;
 }
 
 int check_files(const CheckOptions& options) {
@@ -112,7 +110,7 @@ int check_files(const CheckOptions& options) {
   int worst = kOk;
   for (const std::string& file : options.files) {
     const int code = check_file(file, options);
-    const auto rank = [](int c) { return c == kRefused ? 3 : c == kFailed ? 2 : c == kFlawed ? 1 : 0; };
+    const auto rank = [](int c) { return c == kRefused ? 3 : c == kFailed ? 2 : c == kNotAllOk ? 1 : 0; };
     if (rank(code) > rank(worst)) worst = code;
   }
   return worst;

@@ -28,12 +28,13 @@ namespace {
 /// A line that is rewritten in a terminal, or a new one every few seconds elsewhere; nothing in the first second.
 class Progress {
  public:
-  void operator()(int done, int asked) {
+  void operator()(int done, int asked, const char* what) {
     const double now = timer_.seconds();
     const bool terminal = isatty(STDERR_FILENO) != 0;
     if (now < 1 || now - last_ < (terminal ? 0.1 : 5.0)) return;
     last_ = now;
-    fmt::print(stderr, "{}{:>6} of {} poses, {:.0f} s{}", terminal ? "\r" : "", done, asked, now, terminal ? "" : "\n");
+    fmt::print(stderr, "{}{:>6} of {} {}, {:.0f} s{}", terminal ? "\r" : "", done, asked, what, now,
+               terminal ? "" : "\n");
     std::fflush(stderr);
     open_ = terminal;
   }
@@ -48,7 +49,7 @@ class Progress {
 };
 
 /// The columns a reader looks at first: the joint's coordinates, the force of every pair and region, stability.
-std::vector<std::string> short_columns(const ResultTable& table) {
+std::vector<std::string> columns_of_run(const ResultTable& table) {
   std::vector<std::string> columns;
   const auto ends_with = [](const std::string& s, const std::string& end) {
     return s.size() >= end.size() && s.compare(s.size() - end.size(), end.size(), end) == 0;
@@ -117,7 +118,7 @@ std::string place_of(const Solution& solution, std::size_t row) {
 
 /// The error bars of the columns shown, the largest and what causes it.
 void print_error_bars(const Solution& solution) {
-  const std::vector<std::string> shown = short_columns(solution.poses);
+  const std::vector<std::string> shown = columns_of_run(solution.poses);
   ResultTable table;
   for (const char* column : {"error bar of", "median", "largest", "at", "mostly"}) table.add_column(column);
   for (const ErrorBars::Largest& l : solution.error_bars->largest) {
@@ -133,14 +134,14 @@ void print_error_bars(const Solution& solution) {
   if (table.rows() > 0) fmt::print("{}\n", to_text(table, table.columns(), 4, table.rows()));
 }
 
-struct Arguments {
+struct RunArguments {
   std::string scene, folder;
   int starts = 0;
   double spread = 20;
   bool error_bars = false, pressure_maps = false, quiet = false;
 };
 
-int run(const Arguments& arguments) {
+int run_scene_file(const RunArguments& arguments) {
   const auto& [scene, folder, starts, spread, error_bars, pressure_maps, quiet] = arguments;
   RunOptions options;
   options.starts = starts;
@@ -148,18 +149,22 @@ int run(const Arguments& arguments) {
   options.pressure_maps = pressure_maps;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
-  if (!quiet) options.progress = [progress](int done, int asked) { (*progress)(done, asked); };
+  if (!quiet) {
+    options.progress = [progress](int done, int asked) { (*progress)(done, asked, "poses"); };
+    options.varied_progress = [progress](int done, int asked) { (*progress)(done, asked, "poses for error bars"); };
+  }
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Solution solution;
   const int code = run_scene(scene, folder, options, diagnostics, &solution);
   progress->finish();
   print(diagnostics, code == kExitFailed);
-  if (code == kExitRefused || solution.poses.rows() == 0) return code;
+  const bool any = solution.poses.rows() > 0;  // none where it was interrupted in the first pose
+  if (code == kExitRefused || (code == kExitFailed && !any)) return code;
   if (!quiet) {
     constexpr std::size_t kRows = 11;
-    fmt::print("{}\n\n{}\n", printable(solution.summary.title),
-               to_text(solution.poses, short_columns(solution.poses), 4, kRows));
+    fmt::print("{}\n\n", printable(solution.summary.title));
+    if (any) fmt::print("{}\n", to_text(solution.poses, columns_of_run(solution.poses), 4, kRows));
     if (solution.starts) print_starts(*solution.starts, spread);
     if (solution.error_bars)
       print_error_bars(solution);
@@ -178,7 +183,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
@@ -202,7 +207,7 @@ void add_run(CLI::App& app, int& exit_code) {
                     "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
                     "pressures_CONTACT.csv");
   command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -20,13 +20,13 @@ namespace {
 
 constexpr int kMostPrinted = 1'000'000;
 
-struct Arguments {
+struct SensitivityArguments {
   std::string scene;
   std::optional<std::string> folder;
   SensitivityChoice choice;
 };
 
-int differentiate(const Arguments& arguments) {
+int differentiate(const SensitivityArguments& arguments) {
   Diagnostics diagnostics;
   SensitivityResult result;
   RunOptions options;
@@ -46,7 +46,7 @@ int differentiate(const Arguments& arguments) {
 }  // namespace
 
 void add_sensitivity(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SensitivityArguments>();
   CLI::App* command = app.add_subcommand(
       "sensitivity",
       "Exact derivatives of outputs to parameters along the path:\n"

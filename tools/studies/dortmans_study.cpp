@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/units.h"
 #include "genu/results/chart.h"
 
 namespace genu::studies {
 namespace {
 
-constexpr double kMillimetre = 1e3;
 constexpr std::size_t kEvery = 10;  // rows, of a degree each, in the tables
 
 struct Source {
@@ -55,7 +55,7 @@ ContactShift shift_of(const SolvedScene& scene, const std::string& pair) {
 }
 
 std::vector<double> millimetres(std::vector<double> values) {
-  for (double& v : values) v *= kMillimetre;
+  for (double& v : values) v *= to::kMillimetre;
   return values;
 }
 
@@ -91,7 +91,8 @@ std::string table_of(const DortmansReading& r) {
                        r.anterior_strain[row], r.posterior_strain[row]);
     for (const ContactShift& s : r.shifts) {
       const std::string share = row == 0 ? "" : fmt::format("{:.0f} %", 100 * sliding_share(s, row - kEvery, row));
-      out += fmt::format(" {:.2f} | {:.2f} | {} |", kMillimetre * s.femur[row], kMillimetre * s.tibia[row], share);
+      out +=
+          fmt::format(" {:.2f} | {:.2f} | {} |", to::kMillimetre * s.femur[row], to::kMillimetre * s.tibia[row], share);
     }
     out += "\n";
   }

@@ -16,8 +16,6 @@ constexpr double kSameForce = 1e-9;  // N
 constexpr std::size_t kSteps = 4;    // of one drawer test
 constexpr const char* kLoad = "drawer";
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The columns of results.csv that a drawer test reads.
 struct Columns {
   std::vector<double> flexion, y, rotation, medial, lateral;

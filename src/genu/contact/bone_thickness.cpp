@@ -7,17 +7,15 @@
 namespace genu {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 /// Area vectors of the triangles round each vertex, as directions; zero where there is none.
-std::vector<Vec3> vertex_normals(const Mesh& mesh) {
+std::vector<Vec3> area_weighted_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const auto& t : mesh.triangles) {
-    const Vec3& a = mesh.vertices[index(t[0])];
-    const Vec3 area = (mesh.vertices[index(t[1])] - a).cross(mesh.vertices[index(t[2])] - a);
-    for (const int v : t) normals[index(v)] += area;
+    const Vec3& a = mesh.vertices[at(t[0])];
+    const Vec3 area = (mesh.vertices[at(t[1])] - a).cross(mesh.vertices[at(t[2])] - a);
+    for (const int v : t) normals[at(v)] += area;
   }
   for (Vec3& n : normals) n = n.norm() > 0 ? Vec3(n.normalized()) : Vec3::Zero();
   return normals;
@@ -61,8 +59,8 @@ void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& re
   std::vector<std::vector<int>> neighbours(h.size());
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      neighbours[index(t[k])].push_back(t[(k + 1) % 3]);
-      neighbours[index(t[k])].push_back(t[(k + 2) % 3]);
+      neighbours[at(t[k])].push_back(t[(k + 1) % 3]);
+      neighbours[at(t[k])].push_back(t[(k + 2) % 3]);
     }
   std::vector<double> away(h.size(), kUnknown);
   std::vector<int> ring;
@@ -72,23 +70,22 @@ void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& re
     std::vector<int> next;
     std::vector<double> found;
     for (const int v : ring)
-      for (const int w : neighbours[index(v)])
-        if (h[index(w)] == kUnknown) next.push_back(w);
+      for (const int w : neighbours[at(v)])
+        if (h[at(w)] == kUnknown) next.push_back(w);
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     for (const int w : next) {
       double total = 0;
       int count = 0;
-      for (const int v : neighbours[index(w)]) {
-        if (h[index(v)] == kUnknown) continue;
-        total += h[index(v)];
+      for (const int v : neighbours[at(w)]) {
+        if (h[at(v)] == kUnknown) continue;
+        total += h[at(v)];
         ++count;
-        away[index(w)] =
-            std::min(away[index(w)], away[index(v)] + (mesh.vertices[index(v)] - mesh.vertices[index(w)]).norm());
+        away[at(w)] = std::min(away[at(w)], away[at(v)] + (mesh.vertices[at(v)] - mesh.vertices[at(w)]).norm());
       }
       found.push_back(total / count);
     }
-    for (std::size_t k = 0; k < next.size(); ++k) h[index(next[k])] = found[k];
+    for (std::size_t k = 0; k < next.size(); ++k) h[at(next[k])] = found[k];
     ring = std::move(next);
   }
   for (std::size_t v = 0; v < h.size(); ++v) {
@@ -103,7 +100,7 @@ void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& re
 
 std::shared_ptr<const ThicknessField> measure_thickness(const Mesh& cartilage, const BoneUnder& bone,
                                                         BoneReport& report) {
-  const std::vector<Vec3> normals = vertex_normals(cartilage);
+  const std::vector<Vec3> normals = area_weighted_normals(cartilage);
   BoneRays rays(bone);
   rays.choose_side(cartilage, normals);
   std::vector<double> at_vertices(cartilage.vertices.size(), kUnknown);
@@ -121,18 +118,19 @@ std::shared_ptr<const ThicknessField> measure_thickness(const Mesh& cartilage, c
     if (*h < report.thinnest) report.thinnest = *h, report.thinnest_place = cartilage.vertices[v];
   }
   if (report.without == report.vertices) return nullptr;
+  std::vector<bool> guessed;
+  for (const double h : at_vertices) guessed.push_back(h == kUnknown);
   fill(cartilage, bone.least, at_vertices, report);
   std::vector<double> at_centroids;
   at_centroids.reserve(cartilage.triangles.size());
   for (const auto& t : cartilage.triangles) {
-    const Vec3 &a = cartilage.vertices[index(t[0])], &b = cartilage.vertices[index(t[1])],
-               &c = cartilage.vertices[index(t[2])];
+    const Vec3 &a = cartilage.vertices[at(t[0])], &b = cartilage.vertices[at(t[1])], &c = cartilage.vertices[at(t[2])];
     const Vec3 area = (b - a).cross(c - a);
     const auto h = rays.measure((a + b + c) / 3, area.norm() > 0 ? Vec3(area.normalized()) : Vec3::Zero());
-    const double mean = (at_vertices[index(t[0])] + at_vertices[index(t[1])] + at_vertices[index(t[2])]) / 3;
+    const double mean = (at_vertices[at(t[0])] + at_vertices[at(t[1])] + at_vertices[at(t[2])]) / 3;
     at_centroids.push_back(h ? std::max(*h, bone.least) : mean);
   }
-  return std::make_shared<const ThicknessField>(cartilage, std::move(at_vertices), std::move(at_centroids));
+  return std::make_shared<const ThicknessField>(cartilage, std::move(at_vertices), std::move(at_centroids), guessed);
 }
 
 }  // namespace genu

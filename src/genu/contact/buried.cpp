@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kMostRays = 120;
 
-std::vector<Vec3> box_of(const Mesh& mesh) {
+std::vector<Vec3> box_corners(const Mesh& mesh) {
   if (mesh.vertices.empty()) return {};
   Vec3 low = mesh.vertices[0], high = low;
   for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
@@ -37,8 +37,8 @@ std::vector<Ray> rays_of(const Mesh& mesh) {
 }  // namespace
 
 Buried::Buried(const Triangles& a, const Triangles& b, double depth) : depth_(depth) {
-  corners_ = box_of(*b.mesh);
-  const double reach = size_of(box_of(*a.mesh)) + size_of(corners_);
+  corners_ = box_corners(*b.mesh);
+  const double reach = size_of(box_corners(*a.mesh)) + size_of(corners_);
   a_ = {rays_of(*a.mesh), b.tree, reach};
   b_ = {rays_of(*b.mesh), a.tree, reach};
 }

@@ -1,7 +1,8 @@
 #include "genu/contact/contact_equations.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
@@ -107,14 +108,12 @@ bool EliminatedContact::factor(const ContactBlock& block, double length) {
 
 void EliminatedContact::factor_minimum_norm(const ContactBlock& block, double length) {
   length_ = length;
-  Eigen::JacobiSVD<MatX> svd(scaled_block(block, length), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  svd.setThreshold(kSingular);
-  const Eigen::Index rank = svd.rank();
-  const Vec4 inverse_values = svd.singularValues().cwiseInverse();
-  inverse_ =
-      svd.matrixV().leftCols(rank) * inverse_values.head(rank).asDiagonal() * svd.matrixU().leftCols(rank).transpose();
+  const SingularValues svd = singular_values(scaled_block(block, length), LeftVectors::all);
+  const Eigen::Index rank = (svd.values.array() > kSingular * svd.values[0]).count();
+  inverse_.setZero();
+  for (Eigen::Index k = 0; k < rank; ++k) inverse_ += svd.V.col(k) / svd.values[k] * svd.U.col(k).transpose();
   condense(block);
-  closure = svd.matrixU().rightCols(4 - rank).transpose() * scaled_twist(block, length);
+  closure = svd.U.rightCols(4 - rank).transpose() * scaled_twist(block, length);
 }
 
 void EliminatedContact::condense(const ContactBlock& block) {

@@ -1,5 +1,7 @@
 #include "genu/contact/elastic_layer.h"
 
+#include <limits>
+
 namespace genu {
 namespace {
 
@@ -56,6 +58,7 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     const Side& side = sides_[i];
     const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
     LayerSum sum;
+    memory.sides[i].cancelled = memory.cancelled;
     side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum, level);
     LayerWrench part = in_world(X_Wc, X_Wt, sum);
     if (!side.a) part = swapped(part);
@@ -63,6 +66,11 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     out.stiffness += side.share * part.stiffness;
     out.load += side.share * sum.load;
     out.error += side.share * sum.error;
+  }
+  memory.known = false;
+  if (asked_to_stop(memory.cancelled)) {
+    out.wrench.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
   }
   memory.a = X_Wa;
   memory.b = X_Wb;

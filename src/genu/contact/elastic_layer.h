@@ -33,7 +33,8 @@ class ElasticLayer {
     Pose a, b;
     LayerWrench last;
     int level = 0;
-    bool known = false;  ///< whether `last` belongs to the poses `a` and `b`, and to `level`
+    bool known = false;   ///< whether `last` belongs to the poses `a` and `b`, and to `level`
+    Cancelled cancelled;  ///< where it says so what comes out is not finite
   };
 
   explicit ElasticLayer(std::vector<Side> sides, std::shared_ptr<const Buried> buried = {})
@@ -59,6 +60,7 @@ class ElasticLayer {
 struct LayerMemories {
   std::vector<ElasticLayer::Memory> each;
   std::vector<Buried::Memory> buried;
+  Cancelled cancelled;
 };
 
 }  // namespace genu

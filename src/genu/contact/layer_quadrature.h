@@ -11,6 +11,7 @@
 #include "genu/contact/layer_law.h"
 #include "genu/contact/layer_rays.h"
 #include "genu/contact/smooth_nodes.h"
+#include "genu/core/cancelled.h"
 
 namespace genu {
 
@@ -24,20 +25,22 @@ struct LayerSum {
 
 /// A point of the area in contact, for results.
 struct LayerPoint {
-  Vec3 x;               ///< m, in the frame of the casting body
-  Vec3 n;               ///< unit, outward there
-  double area = 0;      ///< m^2 that it stands for; 0 for a point that tells how deep and nothing else
-  double load = 0;      ///< N that it stands for
-  double depth = 0;     ///< m
-  double pressure = 0;  ///< Pa
-  double used = 0;      ///< depth over thickness
-  int cell = 0;         ///< of the casting surface
+  Vec3 x;                ///< m, in the frame of the casting body
+  Vec3 n;                ///< unit, outward there
+  double area = 0;       ///< m^2 that it stands for; 0 for a point that tells how deep and nothing else
+  double load = 0;       ///< N that it stands for
+  double depth = 0;      ///< m
+  double pressure = 0;   ///< Pa
+  double used = 0;       ///< depth over thickness
+  int cell = 0;          ///< of the casting surface
+  bool guessed = false;  ///< where it lies a thickness was not measured, but filled in
 };
 
 class LayerQuadrature {
  public:
   struct Memory : LayerRays::Memory {
     SmoothNodes nodes;
+    Cancelled cancelled;  ///< where it says so a long sum is left off, and is nothing
   };
   virtual ~LayerQuadrature() = default;
 

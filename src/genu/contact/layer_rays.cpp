@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kTogether = 16;                                   // rays
 constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
-constexpr std::size_t kCoarse = 3;                              // of them, for rays together
+constexpr std::size_t kCoarseClearances = 3;                    // of them, for rays together
 constexpr double kLookAgain = 3;  // edges: what was near is taken to be so until it has moved that far
 constexpr double kPocket = 3;     // edges: the motion that triangles near a group are gathered for
 constexpr double kLeast = 0.05;   // edges: the motion that what a ray can meet is listed for
@@ -23,7 +23,7 @@ LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> 
       radii_(std::move(radii)),
       target_(std::move(target)),
       length_(length),
-      levels_(grouping == Grouping::single ? kClearances.size() : kCoarse),
+      levels_(grouping == Grouping::single ? kClearances.size() : kCoarseClearances),
       leaf_(grouping == Grouping::single ? 1 : kTogether),
       order_(rays_.size()) {
   double area = 0;

@@ -15,7 +15,9 @@ class ThicknessField {
  public:
   /// One thickness (m) for each vertex of the mesh. A ray that starts at a triangle's centroid has a thickness of its
   /// own where `at_centroids` has one for each triangle; else that of the field there.
-  ThicknessField(const Mesh& mesh, std::vector<double> at_vertices, std::vector<double> at_centroids = {});
+  /// `guessed`: vertices that nothing was measured at; empty: none.
+  ThicknessField(const Mesh& mesh, std::vector<double> at_vertices, std::vector<double> at_centroids = {},
+                 const std::vector<bool>& guessed = {});
 
   double at_vertex(int vertex) const { return at_vertices_[static_cast<std::size_t>(vertex)]; }
   double at_centroid(int triangle) const { return at_centroids_[static_cast<std::size_t>(triangle)]; }
@@ -25,6 +27,9 @@ class ThicknessField {
   double within(int triangle, const Vec3& x) const;
   /// Its derivative by x: along the triangle.
   const Vec3& gradient(int triangle) const { return planes_[static_cast<std::size_t>(triangle)].gradient; }
+
+  /// Whether the thickness at one of the triangle's corners was not measured, but filled in.
+  bool guessed(int triangle) const { return !guessed_.empty() && guessed_[static_cast<std::size_t>(triangle)]; }
 
   double least() const { return least_; }  ///< m
   double most() const { return most_; }    ///< m
@@ -37,6 +42,7 @@ class ThicknessField {
   };
   std::vector<double> at_vertices_, at_centroids_;
   std::vector<Plane> planes_;  // of each triangle
+  std::vector<bool> guessed_;  // the same; empty: none
   double least_ = 0, most_ = 0;
 };
 
@@ -46,6 +52,9 @@ struct LayerThickness {
   std::shared_ptr<const ThicknessField> casting, target;  ///< null: nothing to add to `constant`
 
   double casting_at(int triangle) const { return constant + (casting ? casting->at_centroid(triangle) : 0); }
+  bool guessed(int of_casting, int of_target) const {
+    return (casting && casting->guessed(of_casting)) || (target && target->guessed(of_target));
+  }
 };
 
 }  // namespace genu

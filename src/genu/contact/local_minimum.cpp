@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
@@ -37,27 +38,27 @@ constexpr double kSaddle = 2e-3;
 
 /// The direction in which the gap curves down, scaled to `radius`; empty at a minimum.
 std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
-  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(0.5 * (jet.hessian + jet.hessian.transpose()));
-  if (eigen.eigenvalues()[0] >= -kSaddle) return std::nullopt;
-  return radius * eigen.eigenvectors().col(0);
+  const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
+  if (eigen.values[0] >= -kSaddle) return std::nullopt;
+  return radius * eigen.vectors.col(0);
 }
 
 /// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one.
 Vec2 trust_step(const GapJet& jet, double radius) {
-  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(0.5 * (jet.hessian + jet.hessian.transpose()));
-  const Vec2 g = eigen.eigenvectors().transpose() * jet.gradient;
-  const Vec2 d = eigen.eigenvalues();
+  const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
+  const Vec2 g = eigen.vectors.transpose() * jet.gradient;
+  const Vec2 d = eigen.values;
   auto step = [&](double shift) { return Vec2(-g.x() / (d.x() + shift), -g.y() / (d.y() + shift)); };
   const double gradient = g.norm();
   if (gradient == 0) return Vec2::Zero();
-  if (d.x() > 0 && step(0).norm() <= radius) return eigen.eigenvectors() * step(0);
+  if (d.x() > 0 && step(0).norm() <= radius) return eigen.vectors * step(0);
   // |step(shift)| falls with the shift: bisect between "just convex" and "surely inside".
   double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y());
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (step(middle).norm() > radius ? low : high) = middle;
   }
-  return eigen.eigenvectors() * step(high);
+  return eigen.vectors * step(high);
 }
 
 bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.hessian.trace() > 0; }

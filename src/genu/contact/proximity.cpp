@@ -22,9 +22,7 @@ constexpr double kHopeless = 0.03;
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
 constexpr double kMerge = 0.1;
 // Outward normals within 60 degrees of each other: the sides cannot touch.
-constexpr double kSameSide = 0.5;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double kFacingSameWay = 0.5;
 
 /// Which surface to sample: one that is bounded by itself, as a plane can be asked anywhere but has no natural extent;
 /// between two closed forms or two meshes the second.
@@ -162,7 +160,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) cons
     if (!queried_->project(x, foot)) return kInfinity;
     if (direction != nullptr) *direction = foot.n;
     // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
-    if (*gap < 0 && (foot.n.dot(normal) > kSameSide || queried_->edge_distance(foot.p) < 0))
+    if (*gap < 0 && (foot.n.dot(normal) > kFacingSameWay || queried_->edge_distance(foot.p) < 0))
       return doubtful_gap(x, *gap);
     return *gap;
   }

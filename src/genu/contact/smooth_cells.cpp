@@ -11,11 +11,9 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-constexpr double kSlack = 0.5;     // of an edge: room round a cell for what the smooth surface does between its corners
-constexpr double kBulge = 0.8;     // of that room: what a node may use of it
-constexpr double kSameSide = 0.5;  // cosine of a corner's normal with the mesh's
+constexpr double kSlack = 0.5;  // of an edge: room round a cell for what the smooth surface does between its corners
+constexpr double kBulge = 0.8;  // of that room: what a node may use of it
+constexpr double kSameNormal = 0.5;  // cosine of a corner's normal with the mesh's
 
 /// Area vectors of the triangles round each vertex.
 std::vector<Vec3> mesh_normals(const Mesh& mesh) {
@@ -77,7 +75,7 @@ void SmoothCells::place_corners() {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners_.size(), 256), [&](const auto& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       SurfacePoint foot;
-      const bool known = surface_->project(mesh_.vertices[v], foot) && foot.n.dot(normals[v]) > kSameSide;
+      const bool known = surface_->project(mesh_.vertices[v], foot) && foot.n.dot(normals[v]) > kSameNormal;
       corners_[v] = known ? Node{foot.p, foot.n} : Node{mesh_.vertices[v], normals[v]};
     }
   });

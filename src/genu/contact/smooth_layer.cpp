@@ -9,8 +9,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double kLead = 1.5;  // mean edges: what lies farther outside of contact than this has no depth
 // Of an edge: where all corners are farther outside, only a bump as small as the cell could touch between them.
 constexpr double kBump = 0.1;
@@ -21,7 +19,7 @@ constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
 // spheres, ellipsoids and tori.
 constexpr double kErrorLeft = 0.3;
 
-std::vector<Ray> rays_from(const SmoothCells& cells, double lead) {
+std::vector<Ray> rays_from_cells(const SmoothCells& cells, double lead) {
   std::vector<Ray> rays;
   for (int cell = 0; cell < cells.cell_count(); ++cell) {
     const SmoothCells::Node m = cells.middle(cell);
@@ -61,10 +59,10 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       trust_(kTrust * mean_edge(*target_)),
       law_(law),
       thickness_(std::move(thickness)),
-      rays_(rays_from(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
+      rays_(rays_from_cells(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
             cell_radii(*casting_, std::max(lead_, search_depth))) {}
 
-std::vector<Ray> SmoothLayer::cell_rays() const { return rays_from(*casting_, 0); }
+std::vector<Ray> SmoothLayer::cell_rays() const { return rays_from_cells(*casting_, 0); }
 
 bool SmoothLayer::follow(const Pose& X_TC, const SmoothCells::Node& node, double from, Depth& out) const {
   const Vec3 direction = -(X_TC.R * node.n);
@@ -245,7 +243,11 @@ void SmoothLayer::sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out
   }
   ++known.pose;
   known.carrying.clear();
-  rays_.each_near(X_TC, memory, [&](int cell) { add_cell(X_TC, cell, divisions, memory, out); });
+  bool stopped = false;
+  rays_.each_near(X_TC, memory, [&](int cell) {
+    stopped = stopped || asked_to_stop(memory.cancelled);
+    if (!stopped) add_cell(X_TC, cell, divisions, memory, out);
+  });
 }
 
 void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level) const {
@@ -304,7 +306,8 @@ void SmoothLayer::visit(const Pose& X_TC, Memory& memory, const std::function<vo
   for (const int index : memory.nodes.carrying) {
     const SmoothNode& node = memory.nodes.nodes[at(index)];
     const double depth = std::max(node.depth, 0.0);
-    visit({node.x, node.n, node.area, node.load, depth, std::max(node.p, 0.0), depth / node.thickness, node.cell});
+    visit({node.x, node.n, node.area, node.load, depth, std::max(node.p, 0.0), depth / node.thickness, node.cell,
+           thickness_.guessed(node.cell, node.triangle)});
     if (!node.passed && node.depth > 0)
       visit(deepest_from(X_TC, node, casting_->longest_edge(node.cell) / memory.nodes.divisions));
   }

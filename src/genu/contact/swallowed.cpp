@@ -6,12 +6,12 @@
 namespace genu {
 namespace {
 
-constexpr double kAcross = 10;     // points of the inner surface are a tenth of its box apart
-constexpr double kCoarse = 3;      // of the spacing: samples of the outer surface that are looked at first
-constexpr double kSameSide = 0.1;  // of its distance: so far a point moves before its side is asked for again
-constexpr double kShallow = 0.05;  // of the spacing: what facets may say wrongly of the smooth surface
+constexpr double kAcross = 10;        // points of the inner surface are a tenth of its box apart
+constexpr double kCoarseSpacing = 3;  // of the spacing: samples of the outer surface that are looked at first
+constexpr double kSideKept = 0.1;     // of its distance: so far a point moves before its side is asked for again
+constexpr double kShallow = 0.05;     // of the spacing: what facets may say wrongly of the smooth surface
 
-double box_of(const std::vector<Vec3>& points) {
+double box_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
   Vec3 low = points[0], high = points[0];
   for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -25,17 +25,17 @@ Swallowed::Swallowed(const Surface& inner, const Surface& outer, const SampleSet
     : outer_(&outer), spacing_(spacing), reach_(reach), outer_centre_(outer_centre) {
   if (inner.is_unbounded()) return;
   const SampleSet all = inner.samples(spacing, inner_centre, reach);
-  for (const Vec3& p : thin_samples(all, std::max(spacing, box_of(all.points) / kAcross)).points)
+  for (const Vec3& p : thin_samples(all, std::max(spacing, box_diagonal(all.points) / kAcross)).points)
     points_.push_back({p});
   if (outer.knows_distance()) return;
-  cover_ = 2 * kCoarse * spacing;
-  const SampleSet coarse = thin_samples(outer_samples, kCoarse * spacing);
+  cover_ = 2 * kCoarseSpacing * spacing;
+  const SampleSet coarse = thin_samples(outer_samples, kCoarseSpacing * spacing);
   near_points_ = coarse.points;
   near_normals_ = coarse.normals;
 }
 
 const FarDistance& Swallowed::far() {
-  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarse * spacing_, outer_centre_, reach_);
+  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarseSpacing * spacing_, outer_centre_, reach_);
   return *far_;
 }
 
@@ -53,7 +53,7 @@ double Swallowed::gap(const Vec3& x, double& clearance) {
   }
   if (near_points_.empty()) return 0;
   const double side = near_normals_[nearest].dot(x - near_points_[nearest]);
-  clearance = std::min(std::sqrt(least) - cover_, kSameSide * std::sqrt(least));
+  clearance = std::min(std::sqrt(least) - cover_, kSideKept * std::sqrt(least));
   if (side >= 0) return side;
   const FarDistance::Nearest found = far().nearest(x);
   const double distance = found.distance;

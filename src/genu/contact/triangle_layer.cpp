@@ -3,15 +3,13 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
   return 0.5 * (b - a).cross(c - a);
 }
 
 /// A ray from each triangle; one without area sends a ray that carries nothing.
-std::vector<Ray> rays_from(const Mesh& mesh) {
+std::vector<Ray> rays_from_triangles(const Mesh& mesh) {
   std::vector<Ray> rays;
   rays.reserve(mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
@@ -27,7 +25,7 @@ std::vector<Ray> rays_from(const Mesh& mesh) {
 
 TriangleLayer::TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
                              const LayerLaw& law, LayerThickness thickness)
-    : rays_(rays_from(casting), std::move(target), search_depth, LayerRays::Grouping::together),
+    : rays_(rays_from_triangles(casting), std::move(target), search_depth, LayerRays::Grouping::together),
       law_(law),
       thickness_(std::move(thickness)) {
   areas_.reserve(casting.triangles.size());
@@ -62,7 +60,8 @@ void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<
     const Ray& ray = rays_.rays()[at(k)];
     const double h = thickness(k, hit, origin, direction);
     const double p = law_.at(hit.distance, h).p;
-    visit({ray.origin, -ray.direction, areas_[at(k)], p * areas_[at(k)], hit.distance, p, hit.distance / h, k});
+    visit({ray.origin, -ray.direction, areas_[at(k)], p * areas_[at(k)], hit.distance, p, hit.distance / h, k,
+           thickness_.guessed(k, hit.triangle)});
   });
 }
 

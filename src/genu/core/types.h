@@ -1,6 +1,8 @@
 // Small fixed-size vectors and matrices. Everything inside genu is SI: m, N, kg, s, rad.
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -19,6 +21,9 @@ using Mat12 = Eigen::Matrix<double, 12, 12>;
 using Mat32 = Eigen::Matrix<double, 3, 2>;
 using VecX = Eigen::VectorXd;
 using MatX = Eigen::MatrixXd;
+
+/// An index as the standard containers take it.
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The matrix of the cross product: skew(a) * b = a x b.
 inline Mat3 skew(const Vec3& a) {

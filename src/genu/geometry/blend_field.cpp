@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-constexpr int kHeader = 12;
+constexpr int kRecordHeader = 12;
 // On the sheet the weights add up to about 3; half that on its edge; this is the end of the band.
 constexpr double kLeastWeight = 0.02;
 // Nodes to the side count less than nodes across when choosing a sheet: a point beside a node lies on the node's sheet
@@ -22,7 +22,7 @@ void pack(const HeightFit& fit, int degree, double* record) {
   }
   for (int i = 0; i <= fit.degree; ++i) {
     for (int j = 0; j <= fit.degree - i; ++j) {
-      record[kHeader + coefficient_index(degree, i, j)] = fit.coefficients[coefficient_index(fit.degree, i, j)];
+      record[kRecordHeader + coefficient_index(degree, i, j)] = fit.coefficients[coefficient_index(fit.degree, i, j)];
     }
   }
 }
@@ -32,7 +32,7 @@ void pack(const HeightFit& fit, int degree, double* record) {
 BlendField::BlendField(std::span<const HeightFit> fits, std::vector<int> sheet, int degree, double blend_radius)
     : degree_(degree),
       blend_radius_(blend_radius),
-      stride_(kHeader + coefficient_count(degree)),
+      stride_(kRecordHeader + coefficient_count(degree)),
       records_(fits.size() * stride_, 0.0),
       sheet_(std::move(sheet)) {
   std::vector<Vec3> centres;
@@ -88,7 +88,7 @@ bool BlendField::sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) co
     const double u = d[0] * e1[0] + d[1] * e1[1] + d[2] * e1[2];
     const double v = d[0] * e2[0] + d[1] * e2[1] + d[2] * e2[2];
     const double z = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
-    const Height s = evaluate_height<D, Order>(r + kHeader, u, v);
+    const Height s = evaluate_height<D, Order>(r + kRecordHeader, u, v);
     const double g = z - s.h, a2 = a * a, w = a2 * a2;
     W += w;
     F += w * g;

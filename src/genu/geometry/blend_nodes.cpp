@@ -13,8 +13,8 @@
 namespace genu {
 namespace {
 
-constexpr double kSameSide = 0.3;     // cosine: nodes that face more alike than this thin each other out
-constexpr double kOpposite = -0.2;    // cosine: nodes that face less alike than this never share a sheet
+constexpr double kFacesAlike = 0.3;   // cosine: nodes that face more alike than this thin each other out
+constexpr double kFacesAway = -0.2;   // cosine: nodes that face less alike than this never share a sheet
 constexpr double kWorthwhile = 0.95;  // a fit is repeated only where it gets narrower than this
 constexpr double kTies = 1 - 1e-9;    // equal distances are equal whatever the frame's rounding
 
@@ -45,7 +45,7 @@ class Thinner {
  private:
   bool crowds(const NodeSeed& a, const NodeSeed& b) const {
     return (a.position - b.position).squaredNorm() < limit_ && a.component == b.component &&
-           a.normal.dot(b.normal) > kSameSide;
+           a.normal.dot(b.normal) > kFacesAlike;
   }
   std::array<int, 3> cell(const Vec3& p) const {
     return {static_cast<int>(std::floor(p.x() * inverse_)), static_cast<int>(std::floor(p.y() * inverse_)),
@@ -135,7 +135,7 @@ std::vector<int> label_sheets(std::span<const Vec3> positions, std::span<const V
   const int count = static_cast<int>(positions.size());
   const double step = 0.8 * blend_radius;
   const auto conflict = [&](int i, int j) {
-    return components[i] != components[j] || normals[i].dot(normals[j]) < kOpposite;
+    return components[i] != components[j] || normals[i].dot(normals[j]) < kFacesAway;
   };
   std::vector<int> sheet(count, -1);
   const auto fits_into = [&](int i, int label) {
@@ -152,7 +152,7 @@ std::vector<int> label_sheets(std::span<const Vec3> positions, std::span<const V
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const int i = queue[next];
       for (int j : near.of(i)) {
-        if (sheet[j] >= 0 || conflict(i, j) || normals[i].dot(normals[j]) < kSameSide) continue;
+        if (sheet[j] >= 0 || conflict(i, j) || normals[i].dot(normals[j]) < kFacesAlike) continue;
         if ((positions[i] - positions[j]).squaredNorm() > step * step || !fits_into(j, label)) continue;
         sheet[j] = label;
         queue.push_back(j);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kNodeReach = 1.4;  // of the blend radius: nodes that one point of the surface may see together
 constexpr double kLinkReach = 2;    // of the spacing
-constexpr int kMaxIterations = 20;
-constexpr double kLongestStep = 0.5;     // of the blend radius
-constexpr double kSettled = 1e-11;       // of the blend radius: a step this short leaves the derivatives as they are
-constexpr double kNearlySettled = 1e-3;  // of the blend radius: a step this short promises convergence in the next
-constexpr double kLeastSlope = 0.3;      // |grad f| is 1 on a true distance
+constexpr int kMaxBlendIterations = 20;
+constexpr double kLongestStep = 0.5;    // of the blend radius
+constexpr double kStepSettled = 1e-11;  // of the blend radius: a step this short leaves the derivatives as they are
+constexpr double kStepNearlySettled = 1e-3;  // of the blend radius: a step this short promises convergence in the next
+constexpr double kLeastSlope = 0.3;          // |grad f| is 1 on a true distance
 
 /// Outward normal, tangents and shape operator where f has this gradient and Hessian.
 void set_derivatives(const Vec3& gradient, const Mat3& hessian, SurfacePoint& out) {
@@ -159,18 +159,19 @@ bool BlendSurface::project(const Vec3& x, SurfacePoint& out) const {
   Mat3 hessian;
   out.p = x;
   bool final_round = false;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxBlendIterations; ++iteration) {
     if (!(final_round ? implicit(out.p, f, gradient, hessian) : implicit(out.p, f, gradient))) return false;
     const double square = gradient.squaredNorm();
     if (!(square > kLeastSlope * kLeastSlope)) return false;
     const double step = std::abs(f) / std::sqrt(square);
-    const double floor = kSettled * radius + 4 * std::numeric_limits<double>::epsilon() * out.p.cwiseAbs().maxCoeff();
+    const double floor =
+        kStepSettled * radius + 4 * std::numeric_limits<double>::epsilon() * out.p.cwiseAbs().maxCoeff();
     out.p -= (f / square * std::min(1.0, longest / std::max(step, 1e-300))) * gradient;
     if (final_round && step <= floor) {
       set_derivatives(gradient, hessian, out);
       return true;
     }
-    final_round = step < kNearlySettled * radius;
+    final_round = step < kStepNearlySettled * radius;
   }
   return false;
 }
@@ -189,7 +190,7 @@ bool BlendSurface::meet(const Vec3& origin, const Vec3& direction, double& t, Ve
   constexpr double kGrazing = 1e-3;  // cosine with the normal
   const double longest = kLongestStep * facts_.blend_radius;
   double f;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxBlendIterations; ++iteration) {
     if (!implicit(origin + t * direction, f, normal)) return false;
     const double slope = normal.norm(), along = normal.dot(direction);
     if (!(slope > kLeastSlope) || !(std::abs(along) > kGrazing * slope)) return false;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "genu/core/decompositions.h"
 #include "genu/geometry/polynomial_surface.h"
 #include "genu/geometry/vertex_graph.h"
 
@@ -29,7 +29,7 @@ Vec3 mean_normal(const std::vector<OrientedPoint>& points) {
   return sum;
 }
 
-Vec3 centroid(const std::vector<OrientedPoint>& points) {
+Vec3 area_centroid(const std::vector<OrientedPoint>& points) {
   Vec3 sum = Vec3::Zero();
   double area = 0;
   for (const OrientedPoint& q : points) sum += q.area * q.p, area += q.area;
@@ -40,7 +40,7 @@ Vec3 centroid(const std::vector<OrientedPoint>& points) {
 /// (Kasa), which is linear.
 Vec3 axis_point(const std::vector<OrientedPoint>& points, const Vec3& z) {
   const Mat3 R = axes_from(z, z.unitOrthogonal());
-  const Vec3 middle = centroid(points);
+  const Vec3 middle = area_centroid(points);
   Mat3 A = Mat3::Zero();
   Vec3 b = Vec3::Zero();
   for (const OrientedPoint& q : points) {
@@ -86,18 +86,18 @@ bool wraps_round(const std::vector<OrientedPoint>& points) {
 
 Pose plane_frame(const std::vector<OrientedPoint>& points) {
   const Vec3 z = mean_normal(points);
-  return {axes_from(z.norm() > 0 ? z : Vec3::UnitZ(), Vec3::UnitX()), centroid(points)};
+  return {axes_from(z.norm() > 0 ? z : Vec3::UnitZ(), Vec3::UnitX()), area_centroid(points)};
 }
 
 std::vector<Vec3> normal_axes(const std::vector<OrientedPoint>& points) {
   Mat3 N = Mat3::Zero();
   for (const OrientedPoint& q : points) N += q.area * q.n * q.n.transpose();
-  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(N).eigenvectors();
+  const Mat3 axes = symmetric_eigen(N).vectors;
   return {largest_positive(axes.col(0)), largest_positive(axes.col(1)), largest_positive(axes.col(2))};
 }
 
 Pose axis_frame(const std::vector<OrientedPoint>& points, const Vec3& axis) {
-  const Vec3 z = axis.normalized(), on_axis = axis_point(points, z), middle = centroid(points);
+  const Vec3 z = axis.normalized(), on_axis = axis_point(points, z), middle = area_centroid(points);
   return {axes_from(z, middle - on_axis), on_axis + (middle - on_axis).dot(z) * z};
 }
 
@@ -123,7 +123,7 @@ void align_with_zone(const Mesh& zone, SurfaceChart& chart) {
   }
   if (!(area > 0)) return;
   const Mat2 moments = second - first * first.transpose() / area;
-  const Vec2 main = Eigen::SelfAdjointEigenSolver<Mat2>(moments).eigenvectors().col(1);
+  const Vec2 main = symmetric_eigen(moments).vectors.col(1);
   const Vec3 x = largest_positive(chart.X_BS.R * Vec3(main.x(), main.y(), 0));
   chart.X_BS.R = axes_from(chart.X_BS.R.col(2), x);
 }

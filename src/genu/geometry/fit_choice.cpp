@@ -16,9 +16,9 @@
 namespace genu {
 namespace {
 
-constexpr double kNarrowest = 3;       // edges: the radius without noise
-constexpr double kSecondRadius = 1.4;  // ratio of the two radii at which disagreement is measured
-constexpr double kPartner = 0.7;       // radii between two fits that are compared
+constexpr double kRadiusWithoutNoise = 3;  // edges: the radius without noise
+constexpr double kSecondRadius = 1.4;      // ratio of the two radii at which disagreement is measured
+constexpr double kPartner = 0.7;           // radii between two fits that are compared
 // From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
 // degree 3, about twice the blend's standard deviation in one direction; correlated noise shows in the disagreement
 // itself.
@@ -27,13 +27,12 @@ constexpr double kTolerated = 0.15;  // error of the curvature beside the flat p
 // Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
 // about the radii that served them best (5 and 8 mm).
 constexpr double kFlatPart = 0.1;
-constexpr double kMostOfSheet = 0.3;  // of the root of a component's mean area: no wider
 constexpr double kNegligible = 1e-4;  // noise in curvature times the fit radius: single precision shows as much
-constexpr int kProbes = 200;
+constexpr int kRadiusProbes = 200;
 constexpr int kRounds = 4;
-constexpr double kSettled = 0.05;
+constexpr double kRadiusSettled = 0.05;
 
-double quantile(std::vector<double> values, double q) {
+double lower_quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
@@ -51,7 +50,7 @@ class Probe {
       : mesh_(mesh), graph_(graph), degree_(degree), fitters_([this] { return HeightFitter(mesh_, graph_); }) {
     // Each as far from all before it: what is different at one place of the mesh changes the probes near there, and a
     // motion of the mesh none.
-    const double apart = rounded(std::sqrt(graph.area / kProbes));
+    const double apart = rounded(std::sqrt(graph.area / kRadiusProbes));
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
       if (graph.component[v] < 0) continue;
       const bool taken = std::any_of(vertices_.begin(), vertices_.end(), [&](int w) {
@@ -63,20 +62,20 @@ class Probe {
 
   /// Median square of the disagreement about curvature, 1/m^2.
   double disagreement(double radius) {
-    return quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
-                      const int v = vertices_[i];
-                      const HeightFit a = at(fitter, v, radius);
-                      if (a.degree == 0) return false;
-                      const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
-                      const int partner = walk_toward(v, target);
-                      if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
-                      const HeightFit b = at(fitter, partner, radius);
-                      if (b.degree == 0) return false;
-                      const Vec3 middle = 0.5 * (a.origin + b.origin);
-                      out = 0.5 * (a.curvature(middle) - b.curvature(middle)).squaredNorm();
-                      return true;
-                    }),
-                    0.5);
+    return lower_quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
+                            const int v = vertices_[i];
+                            const HeightFit a = at(fitter, v, radius);
+                            if (a.degree == 0) return false;
+                            const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
+                            const int partner = walk_toward(v, target);
+                            if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
+                            const HeightFit b = at(fitter, partner, radius);
+                            if (b.degree == 0) return false;
+                            const Vec3 middle = 0.5 * (a.origin + b.origin);
+                            out = 0.5 * (a.curvature(middle) - b.curvature(middle)).squaredNorm();
+                            return true;
+                          }),
+                          0.5);
   }
 
   /// Quantiles of |mean curvature| (flat parts) and of the curvature's norm (median), 1/m.
@@ -90,7 +89,7 @@ class Probe {
       return fit.degree > 0;
     });
     std::erase(mean, -1);
-    return {quantile(std::move(mean), kFlatPart), quantile(std::move(norm), 0.5)};
+    return {lower_quantile(std::move(mean), kFlatPart), lower_quantile(std::move(norm), 0.5)};
   }
 
  private:
@@ -141,14 +140,15 @@ class Probe {
 /// The part of the curvature's error at the narrowest radius that comes from noise, 1/m:
 /// D^2 = N^2 rho^-6 + T^2 rho^(2 (degree - 1)).
 double curvature_noise(Probe& probe, double h, int degree) {
-  const double first = probe.disagreement(kNarrowest * h), second = probe.disagreement(kSecondRadius * kNarrowest * h);
+  const double first = probe.disagreement(kRadiusWithoutNoise * h),
+               second = probe.disagreement(kSecondRadius * kRadiusWithoutNoise * h);
   const double fall = std::pow(kSecondRadius, -6), growth = std::pow(kSecondRadius, 2 * (degree - 1));
   return kGain * std::sqrt(std::max(0.0, (growth * first - second) / (growth - fall)));
 }
 
 /// Sets the radius of a choice whose degree is set, and says why.
 void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice) {
-  const double h = graph.median_edge, narrowest = kNarrowest * h;
+  const double h = graph.median_edge, narrowest = kRadiusWithoutNoise * h;
   Probe probe(mesh, graph, choice.degree);
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
@@ -162,7 +162,7 @@ void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice
     const double wanted = flat > 0 ? narrowest * std::cbrt(noise / (kTolerated * flat)) : sheet;
     const double cap = std::min(sheet, typical > 0 ? kMostOfCurvature / typical : sheet);
     const double next = std::max(narrowest, std::min(wanted, cap));
-    const bool settled = std::abs(next - choice.radius) < kSettled * choice.radius;
+    const bool settled = std::abs(next - choice.radius) < kRadiusSettled * choice.radius;
     choice.radius = next;
     if (next > narrowest) {
       choice.why = fmt::format("noise: curvature would err by {:.3g} 1/m at 3 edges, flat parts have {:.3g} 1/m{}",

@@ -5,8 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "genu/core/decompositions.h"
 #include "genu/geometry/blend_nodes.h"
 #include "genu/geometry/height_polynomial.h"
 
@@ -55,7 +54,7 @@ void add_fit(const std::vector<Vec2>& vertices, const Vec2& node, int degree, co
         A(r, coefficient_index(degree, i, j)) = roots[r] * std::pow(d.x(), i) * std::pow(d.y(), j);
     }
   }
-  const MatX solution = A.colPivHouseholderQr().solve(MatX(roots.asDiagonal()));  // coefficients x used vertices
+  const MatX solution = least_squares_solution(A, roots.asDiagonal());  // coefficients x used vertices
   MatX basis = MatX::Zero(3, columns);
   for (int i = 0; i <= degree; ++i) {
     for (int j = 0; j <= degree - i; ++j) {

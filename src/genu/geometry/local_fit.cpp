@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
+#include "genu/core/decompositions.h"
 #include "genu/geometry/surface.h"
 
 namespace genu {
 namespace {
 
-constexpr double kConeCosine = 0.42;  // vertices that face more than 65 degrees away belong to another sheet
 constexpr double kSamplesPerCoefficient = 1.6;
 /// A monomial must keep this fraction of its norm beside the earlier ones. On one side of its centre (at a mesh's edge)
 /// x^3 keeps 0.05, x^4 but 0.014, and less with the kernel: degree 4 needs a finer sieve not to fall back there.
@@ -123,13 +121,12 @@ bool HeightFitter::solve(HeightFit& fit, int degree, double radius) {
   }
   if (!(total > 0)) return false;
 
-  Eigen::HouseholderQR<Eigen::Ref<MatX>> qr(A);
+  reduce_to_triangle(A, b);
   for (int k = 0; k < columns; ++k) {
     const double norm = A.col(k).head(k + 1).norm();  // R has the column norms of the matrix it came from
     if (!(std::abs(A(k, k)) > independence(degree) * norm)) return false;
   }
-  b.applyOnTheLeft(qr.householderQ().adjoint());
-  VecX x = A.topRows(columns).triangularView<Eigen::Upper>().solve(b.head(columns));
+  VecX x = solve_upper(A.topRows(columns), b.head(columns));
 
   double power[kMaxDegree + 1] = {1};
   for (int k = 1; k <= degree; ++k) power[k] = power[k - 1] / radius;

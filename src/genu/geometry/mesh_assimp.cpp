@@ -10,7 +10,7 @@ namespace {
 
 // Positions and triangles alone: a normal or texture coordinate that differs never parts two corners, so none of
 // assimp's own joining (which keeps STL torn along its facet normals) is needed. Empty text where all is well.
-std::string append(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
+std::string append_part(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
   const std::size_t base = mesh.vertices.size();
   if (base + part.mNumVertices > kMostPerMesh) return "has more vertices than can be counted: reduce the mesh";
   for (unsigned v = 0; v < part.mNumVertices; ++v) {
@@ -32,7 +32,8 @@ std::string append(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
 std::string append_below(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Mesh& mesh) {
   const aiMatrix4x4 placed = above * node.mTransformation;
   for (unsigned m = 0; m < node.mNumMeshes; ++m)
-    if (std::string problem = append(*scene.mMeshes[node.mMeshes[m]], placed, mesh); !problem.empty()) return problem;
+    if (std::string problem = append_part(*scene.mMeshes[node.mMeshes[m]], placed, mesh); !problem.empty())
+      return problem;
   for (unsigned c = 0; c < node.mNumChildren; ++c)
     if (std::string problem = append_below(scene, *node.mChildren[c], placed, mesh); !problem.empty()) return problem;
   return {};

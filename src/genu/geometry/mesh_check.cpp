@@ -10,8 +10,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // Box diagonals (m): what knees have, and what cannot be one.
 constexpr double kSmallest = 5e-3, kLargest = 0.5, kTooSmall = 1e-3, kTooLarge = 5;
 

@@ -11,8 +11,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class Coarsening {
  public:
   explicit Coarsening(const Mesh& mesh) : mesh_(mesh), beside_(mesh.vertices.size()) {

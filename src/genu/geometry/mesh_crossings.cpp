@@ -11,9 +11,7 @@
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 4;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr int kBoxLeaf = 4;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -122,7 +120,7 @@ class BoxTree {
     add(0, static_cast<int>(order_.size()));
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
       const int first = nodes_[n].first, last = nodes_[n].last;
-      if (last - first <= kLeaf) continue;
+      if (last - first <= kBoxLeaf) continue;
       Eigen::Index axis = 0;
       (nodes_[n].box.high - nodes_[n].box.low).maxCoeff(&axis);
       const int half = (first + last) / 2;

@@ -11,8 +11,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// A vertex that is as near to the cut, as a share of an edge that crosses it, is moved there: what is left has no
 /// slivers, which searches for the closest triangle cannot stand.
 constexpr double kNear = 0.1;

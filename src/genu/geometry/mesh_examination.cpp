@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "genu/core/units.h"
 #include "genu/geometry/mesh_check.h"
 #include "genu/geometry/mesh_crossings.h"
 #include "genu/geometry/mesh_shape.h"
 #include "genu/geometry/mesh_topology.h"
+#include "genu/geometry/solid_inertia.h"
 #include "genu/geometry/vertex_fans.h"
 
 namespace genu {
@@ -17,7 +20,15 @@ namespace {
 
 using Verdict = MeshFinding::Verdict;
 
-constexpr double kMillimetre = 1e3;
+/// Sizes (m) in mm, with so many decimals; where that leaves less than two digits of the least, three digits of each.
+std::string lengths(std::initializer_list<double> sizes, int decimals) {
+  const bool small = std::min(sizes) * to::kMillimetre < std::pow(10.0, 1 - decimals);
+  std::string out;
+  for (const double m : sizes)
+    out += (out.empty() ? "" : " / ") +
+           (small ? fmt::format("{:.3g}", to::kMillimetre * m) : fmt::format("{:.{}f}", to::kMillimetre * m, decimals));
+  return out + " mm";
+}
 
 class Examiner {
  public:
@@ -36,6 +47,7 @@ class Examiner {
     say_orientation();
     say_crossings();
     say_shape();
+    say_volume();
     return std::move(out_);
   }
 
@@ -83,9 +95,7 @@ class Examiner {
         report_.triangles < kTooFew ? "too few to be a surface"
         : report_.triangles < kFew  ? "few: a joint's surface has hundreds"
                                     : "");
-    say("edges 5/50/95 %",
-        fmt::format("{:.3f} / {:.3f} / {:.3f} mm", kMillimetre * report_.edge_length[1],
-                    kMillimetre * report_.edge_length[2], kMillimetre * report_.edge_length[3]),
+    say("edges 5/50/95 %", lengths({report_.edge_length[1], report_.edge_length[2], report_.edge_length[3]}, 3),
         Verdict::good);
     say_rounding();
   }
@@ -94,13 +104,13 @@ class Examiner {
     constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
     const double step = facts_.rounding;
     const bool coarse = step > kCoarse, far = coarse && facts_.single;
-    say("coordinates rounded to", step > 0 ? fmt::format("{:.2g} mm", kMillimetre * step) : "double precision",
+    say("coordinates rounded to", step > 0 ? fmt::format("{:.2g} mm", to::kMillimetre * step) : "double precision",
         far      ? Verdict::bad
         : coarse ? Verdict::note
                  : Verdict::good,
         far      ? "single precision, far from the origin: export it again about an origin near the joint"
         : coarse ? fmt::format("noise of {:.2g} mm rms: export it again with more digits",
-                               kMillimetre * step / std::sqrt(12.0))
+                               to::kMillimetre * step / std::sqrt(12.0))
                  : "");
   }
 
@@ -161,9 +171,8 @@ class Examiner {
     if (clean_.empty()) return say("smooth surface", "none", Verdict::bad, "nothing is left without the flaws");
     const MeshShape s = shape_of(clean_);
     const double edge = report_.edge_length[2];
-    say("noise", fmt::format("{:.2g} mm rms", kMillimetre * s.noise),
-        s.noise > 0.1 * edge ? Verdict::note : Verdict::good,
-        fmt::format("fit radius {:.2f} mm", kMillimetre * s.fit_radius));
+    say("noise", fmt::format("{:.2g} mm rms", to::kMillimetre * s.noise),
+        s.noise > 0.1 * edge ? Verdict::note : Verdict::good, "fit radius " + lengths({s.fit_radius}, 2));
     if (s.fits > 0) {
       const double tightest = 1 / std::max(s.sharpest, 1e-300);
       say("curvature 1/50/99 %",
@@ -171,22 +180,28 @@ class Examiner {
           tightest < 2 * edge ? Verdict::note : Verdict::good,
           tightest < 2 * edge
               ? fmt::format("the sharpest twentieth bends within {:.2g} mm, less than two edges: too coarse there",
-                            kMillimetre * tightest)
-              : fmt::format("positive bulges outward; sharpest twentieth: radius {:.2g} mm", kMillimetre * tightest));
+                            to::kMillimetre * tightest)
+              : fmt::format("positive bulges outward; sharpest twentieth: radius {:.2g} mm",
+                            to::kMillimetre * tightest));
     }
     if (s.thickness_rays > 0 && borders_ > 0)  // the air in a bowl, the hollow of a shaft: no thickness of anything
-      say("across, 5/50/95 %",
-          fmt::format("{:.2f} / {:.2f} / {:.2f} mm", kMillimetre * s.thickness[0], kMillimetre * s.thickness[1],
-                      kMillimetre * s.thickness[2]),
-          Verdict::good, "from face to face of an open surface: not the thickness of a solid");
+      say("across, 5/50/95 %", lengths({s.thickness[0], s.thickness[1], s.thickness[2]}, 2), Verdict::good,
+          "from face to face of an open surface: not the thickness of a solid");
     else if (s.thickness_rays > 0)
-      say("thickness 5/50/95 %",
-          fmt::format("{:.2f} / {:.2f} / {:.2f} mm", kMillimetre * s.thickness[0], kMillimetre * s.thickness[1],
-                      kMillimetre * s.thickness[2]),
+      say("thickness 5/50/95 %", lengths({s.thickness[0], s.thickness[1], s.thickness[2]}, 2),
           s.thickness[0] < edge ? Verdict::note : Verdict::good,
           s.thickness[0] < edge ? "thinner than an edge in places: the two faces are kept apart by their normals" : "");
     else
       say("thickness", "-", Verdict::good, "nothing behind the surface");
+  }
+
+  /// Of what a scene can take as `solid`.
+  void say_volume() {
+    if (report_.boundary_loops > 0 || report_.non_manifold_edges > 0 || !report_.orientable) return;
+    const SolidInertia solid = solid_inertia(wound_);
+    const Vec3 c = solid.centroid / unit_;
+    say("volume", fmt::format("{:.5g} cm3", 1e6 * std::abs(solid.volume)), Verdict::good,
+        fmt::format("closed; centroid ({:.5g}, {:.5g}, {:.5g}) {}", c.x(), c.y(), c.z(), unit_ == 1 ? "m" : "mm"));
   }
 
   const Mesh& mesh_;

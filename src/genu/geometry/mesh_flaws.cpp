@@ -20,8 +20,6 @@ constexpr double kScrap = 0.1;
 // Of the largest part of what was one piece: a smaller part that hangs on wrong triangles alone is a fin or a fold.
 constexpr double kFin = 0.25;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   return 0.5 *
          (mesh.vertices[at(t[1])] - mesh.vertices[at(t[0])]).cross(mesh.vertices[at(t[2])] - mesh.vertices[at(t[0])]);

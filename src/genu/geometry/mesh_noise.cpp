@@ -17,12 +17,11 @@
 namespace genu {
 namespace {
 
-constexpr double kNarrowest = 3;      // edges: the narrowest patch
-constexpr double kMostOfSheet = 0.3;  // of the root of a component's mean area: wider patches are not looked at
-constexpr double kMostCurved = 0.1;   // rms of degree 2 beside the radius, about 0.9 radii of curvature: nor are those
-constexpr int kMostBands = 6;         // each sqrt(2) as wide as the last
+constexpr double kNarrowestPatch = 3;  // edges: the narrowest patch
+constexpr double kMostCurved = 0.1;    // rms of degree 2 beside the radius, about 0.9 radii of curvature: nor are those
+constexpr int kMostBands = 6;          // each sqrt(2) as wide as the last
 constexpr int kFewestBands = 2;
-constexpr int kProbes = 64;
+constexpr int kNoiseProbes = 64;
 constexpr int kFewestProbes = 5;
 constexpr int kShapeLengths = 18;  // from the narrowest radius up, by sqrt(2)
 constexpr int kNoiseLengths = 24;  // from an eighth of it, by 2^(1/4), and white
@@ -51,7 +50,7 @@ T median(std::vector<T>& values) {
 using Fitters = tbb::enumerable_thread_specific<ShellFitter>;
 
 Band measure(const Mesh& mesh, const VertexGraph& graph, Fitters& fitters, double radius) {
-  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kProbes);
+  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kNoiseProbes);
   const std::size_t count = (mesh.vertices.size() + step - 1) / step;
   std::vector<ShellEnergies> found(count);
   std::vector<int> samples(count, 0);
@@ -84,7 +83,7 @@ std::vector<Band> measure_all(const Mesh& mesh, const VertexGraph& graph) {
   const double widest = kMostOfSheet * std::sqrt(graph.area / std::max(1, components));
   std::vector<Band> bands;
   for (int step = 0; step < kMostBands; ++step) {
-    const double radius = kNarrowest * graph.median_edge * std::pow(2, 0.5 * step);
+    const double radius = kNarrowestPatch * graph.median_edge * std::pow(2, 0.5 * step);
     if (step >= kFewestBands && radius > widest) break;
     Band band = measure(mesh, graph, fitters, radius);
     band.step = step;

@@ -24,8 +24,6 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Halfedge = SurfaceMesh::Halfedge_index;
 using Edge = std::pair<std::size_t, std::size_t>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The free edges that belong to borders, which stay open.
 std::set<Edge> border_edges(const Mesh& mesh) {
   std::set<Edge> edges;
@@ -97,7 +95,7 @@ void fill(SurfaceMesh& surface, const std::vector<Halfedge>& holes, RepairReport
   }
 }
 
-std::size_t turn_outward(Mesh& mesh) {
+std::size_t turn_single_piece_outward(Mesh& mesh) {
   const Orientation orientation = orientation_of(mesh);
   if (orientation.closed_pieces != 1 || orientation.inside_out != 1 || orientation.open_area > 0) return 0;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -133,7 +131,7 @@ RepairReport repair_mesh(Mesh& mesh) {
     work = from_surface_mesh(surface);
     if (holes.empty()) break;
   }
-  report.turned += turn_odd_pieces(work) + turn_outward(work);
+  report.turned += turn_odd_pieces(work) + turn_single_piece_outward(work);
   mesh = std::move(work);
   return report;
 }

@@ -7,9 +7,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "genu/core/decompositions.h"
 #include "genu/geometry/fit_choice.h"
 #include "genu/geometry/local_fit.h"
 #include "genu/geometry/mesh_topology.h"
@@ -21,15 +21,13 @@ constexpr std::size_t kFits = 1000;
 constexpr std::size_t kRays = 400;
 constexpr double kRayWork = 4e7;  // ray-triangle tests
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double quantile(const std::vector<double>& sorted, double q) {
+double sorted_quantile(const std::vector<double>& sorted, double q) {
   return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
 }
 
 /// The two principal curvatures from the tensor that is zero across; positive bulges outward.
 std::array<double, 2> principal(const Mat3& tensor) {
-  Vec3 values = Eigen::SelfAdjointEigenSolver<Mat3>(-0.5 * (tensor + tensor.transpose())).eigenvalues();
+  Vec3 values = symmetric_eigen(Mat3(-0.5 * (tensor + tensor.transpose()))).values;
   std::sort(values.data(), values.data() + 3, [](double a, double b) { return std::abs(a) < std::abs(b); });
   return {values[1], values[2]};
 }
@@ -67,8 +65,8 @@ void measure_curvature(const Mesh& mesh, const VertexGraph& graph, int degree, M
   if (larger.empty()) return;
   std::sort(both.begin(), both.end());
   std::sort(larger.begin(), larger.end());
-  shape.curvature = {quantile(both, 0.01), quantile(both, 0.5), quantile(both, 0.99)};
-  shape.sharpest = quantile(larger, 0.95);
+  shape.curvature = {sorted_quantile(both, 0.01), sorted_quantile(both, 0.5), sorted_quantile(both, 0.99)};
+  shape.sharpest = sorted_quantile(larger, 0.95);
 }
 
 /// Distance from p along d to the first triangle that faces along d; infinity without one.
@@ -109,7 +107,7 @@ void measure_thickness(const Mesh& mesh, const VertexGraph& graph, MeshShape& sh
   shape.thickness_rays = static_cast<int>(found.size());
   if (found.empty()) return;
   std::sort(found.begin(), found.end());
-  shape.thickness = {quantile(found, 0.05), quantile(found, 0.5), quantile(found, 0.95)};
+  shape.thickness = {sorted_quantile(found, 0.05), sorted_quantile(found, 0.5), sorted_quantile(found, 0.95)};
 }
 
 struct Pieces {
@@ -118,7 +116,7 @@ struct Pieces {
   std::vector<double> volume;  ///< m^3, of the closed ones
 };
 
-Pieces pieces_of(const Mesh& mesh) {
+Pieces pieces_with_volume(const Mesh& mesh) {
   Pieces out{connected_components(mesh), {}, {}};
   out.open.assign(at(out.parts.count), 0);
   out.volume.assign(at(out.parts.count), 0.0);
@@ -149,7 +147,7 @@ MeshShape shape_of(const Mesh& mesh) {
 }
 
 Orientation orientation_of(const Mesh& mesh) {
-  const Pieces pieces = pieces_of(mesh);
+  const Pieces pieces = pieces_with_volume(mesh);
   Orientation out;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (pieces.open[at(pieces.parts.of_triangle[i])] == 0) continue;
@@ -171,7 +169,7 @@ Orientation orientation_of(const Mesh& mesh) {
 std::size_t turn_odd_pieces(Mesh& mesh) {
   const Orientation orientation = orientation_of(mesh);
   if (orientation.inside_out == 0 || orientation.inside_out == orientation.closed_pieces) return 0;
-  const Pieces pieces = pieces_of(mesh);
+  const Pieces pieces = pieces_with_volume(mesh);
   std::size_t turned = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::size_t k = at(pieces.parts.of_triangle[i]);

@@ -15,14 +15,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "STL is little-endian: swap bytes here first");
 
-constexpr std::size_t kHeader = 84, kTriangle = 50;  // bytes of a binary STL
+constexpr std::size_t kBinaryHeader = 84, kTriangle = 50;  // bytes of a binary STL
 
 std::string read_binary(std::ifstream& in, std::size_t count, Mesh& mesh) {
   mesh.vertices.resize(3 * count);
   mesh.triangles.resize(count);
   constexpr std::size_t kAtOnce = 4096;  // triangles
   std::string bytes(kAtOnce * kTriangle, '\0');
-  in.seekg(static_cast<std::streamoff>(kHeader));
+  in.seekg(static_cast<std::streamoff>(kBinaryHeader));
   for (std::size_t first = 0; first < count; first += kAtOnce) {
     const std::size_t now = std::min(kAtOnce, count - first);
     if (!in.read(bytes.data(), static_cast<std::streamsize>(now * kTriangle))) return "cannot be read to its end";
@@ -130,10 +130,10 @@ std::string read_stl(const std::string& path, Mesh& mesh) {
   const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, failure));
   if (!in || failure) return "cannot be opened; check its permissions";
   std::uint32_t count = 0;
-  if (size >= kHeader) {
-    in.seekg(static_cast<std::streamoff>(kHeader - sizeof count));
+  if (size >= kBinaryHeader) {
+    in.seekg(static_cast<std::streamoff>(kBinaryHeader - sizeof count));
     in.read(reinterpret_cast<char*>(&count), sizeof count);
-    if (size == kHeader + kTriangle * count) {
+    if (size == kBinaryHeader + kTriangle * count) {
       if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
       return read_binary(in, count, mesh);
     }

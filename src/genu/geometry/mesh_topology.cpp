@@ -10,8 +10,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // One side of one triangle, with its ends in order.
 struct HalfEdge {
   int low, high, triangle;

@@ -13,8 +13,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 using Cell = std::array<std::int64_t, 3>;
 
 struct CellHash {

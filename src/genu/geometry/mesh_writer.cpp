@@ -4,7 +4,6 @@
 #include <bit>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,25 +12,12 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/geometry/stl_writer.h"
+#include "genu/geometry/writer_parts.h"
 
 namespace genu {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the PLY written here is little-endian: swap bytes first");
-
-template <class T>
-void append(std::string& bytes, T value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
-}
-
-/// One line, whatever is in the title.
-std::string one_line(std::string title) {
-  for (char& c : title)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return title;
-}
 
 std::string ending_of(const std::string& path) {
   std::string s = std::filesystem::path(path).extension().string();
@@ -48,10 +34,10 @@ std::string write_ply(const Mesh& mesh, const std::string& path, double metres_p
       one_line(title), mesh.vertices.size(), mesh.triangles.size());
   bytes.reserve(bytes.size() + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
   for (const Vec3& v : mesh.vertices)
-    for (int k = 0; k < 3; ++k) append(bytes, v[k] / metres_per_unit);
+    for (int k = 0; k < 3; ++k) append_bytes(bytes, v[k] / metres_per_unit);
   for (const auto& t : mesh.triangles) {
-    append(bytes, std::uint8_t{3});
-    for (const int v : t) append(bytes, static_cast<std::int32_t>(v));
+    append_bytes(bytes, std::uint8_t{3});
+    for (const int v : t) append_bytes(bytes, static_cast<std::int32_t>(v));
   }
   return write_file_atomically(path, bytes);
 }

@@ -14,7 +14,6 @@
 namespace genu {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// From p, at the angle `turn` (0 .. 2 pi) from a half plane that begins on the axis, to that half plane.
@@ -33,12 +32,12 @@ double mesh_area(const Mesh& mesh) {
   return std::accumulate(samples.areas.begin(), samples.areas.end(), 0.0);
 }
 
-using Side = std::function<double(const Vec3&)>;  ///< positive inside, in the surface's frame
+using PatchSide = std::function<double(const Vec3&)>;  ///< positive inside, in the surface's frame
 
 /// The patch as what is common to several sides, planes wherever possible: those cut a mesh exactly, whatever the size
 /// of its triangles.
-std::vector<Side> sides_of(const Patch& patch) {
-  std::vector<Side> sides;
+std::vector<PatchSide> sides_of(const Patch& patch) {
+  std::vector<PatchSide> sides;
   for (int axis = 0; axis < 3; ++axis) {
     const auto& range = patch.box[static_cast<std::size_t>(axis)];
     if (!range) continue;
@@ -145,8 +144,8 @@ class PatchSurface final : public Surface {
 
   Mesh cut_out(double edge, const Extent& extent) const {
     Mesh mesh = whole_->triangles(edge, X_BS_ * extent.centre, extent.reach);
-    for (const Side& side : sides_of(patch_)) {
-      const Side inside = [&](const Vec3& p) { return side(to_own(p)); };
+    for (const PatchSide& side : sides_of(patch_)) {
+      const PatchSide inside = [&](const Vec3& p) { return side(to_own(p)); };
       mesh = cut_mesh(mesh, inside, [&](const Vec3& a, const Vec3& b) { return crossing(inside, a, b); });
     }
     return mesh;
@@ -163,7 +162,7 @@ class PatchSurface final : public Surface {
 
   /// Where the surface between a, inside, and b, outside, leaves the patch: bisected to rounding, the last point
   /// inside.
-  Vec3 crossing(const Side& inside, const Vec3& a, const Vec3& b) const {
+  Vec3 crossing(const PatchSide& inside, const Vec3& a, const Vec3& b) const {
     Vec3 best = a;
     double low = 0, high = 1;
     for (int k = 0; k < 60; ++k) {
@@ -189,7 +188,7 @@ class PatchSurface final : public Surface {
 }  // namespace
 
 double Patch::edge_distance(const Vec3& p) const {
-  double distance = theta ? wedge_distance(*theta, p) : kInfinity;
+  double distance = theta ? wedge_distance(*theta, p) : std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const auto& range = box[static_cast<std::size_t>(axis)];
     if (range) distance = std::min({distance, p[axis] - range->first, range->second - p[axis]});

@@ -6,10 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "genu/core/decompositions.h"
 #include "genu/geometry/chart_choice.h"
 #include "genu/geometry/mesh_topology.h"
 
@@ -22,12 +21,12 @@ constexpr double kToldBy = 1e4;       // a side's depth beside its scatter: its 
 constexpr double kLeastDepth = 1e-6;  // m
 constexpr double kFansOut = 1e-4;     // square of the angle (rad) that lines spread over: they meet in a point
 
-using Side = std::vector<Vec3>;
-using Sides = std::array<Side, 4>;
-using Pair = std::array<const Side*, 2>;  // opposite sides
+using BorderSide = std::vector<Vec3>;
+using Sides = std::array<BorderSide, 4>;
+using Pair = std::array<const BorderSide*, 2>;  // opposite sides
 
 /// The angle by which a loop turns at its point k.
-double turn(const std::vector<Vec3>& loop, std::size_t k) {
+double turning_angle(const std::vector<Vec3>& loop, std::size_t k) {
   const std::size_t n = loop.size();
   const Vec3 in = loop[k] - loop[(k + n - 1) % n], out = loop[(k + 1) % n] - loop[k];
   return std::atan2(in.cross(out).norm(), in.dot(out));
@@ -37,7 +36,7 @@ double turn(const std::vector<Vec3>& loop, std::size_t k) {
 std::optional<Sides> four_sides(const std::vector<Vec3>& loop) {
   std::vector<std::size_t> corners;
   for (std::size_t k = 0; k < loop.size(); ++k)
-    if (turn(loop, k) > kSharpest) corners.push_back(k);
+    if (turning_angle(loop, k) > kSharpest) corners.push_back(k);
   if (corners.size() != 4) return std::nullopt;
   Sides sides;
   for (std::size_t s = 0; s < 4; ++s) {
@@ -48,14 +47,14 @@ std::optional<Sides> four_sides(const std::vector<Vec3>& loop) {
   return sides;
 }
 
-Vec3 mean(const Side& side) {
+Vec3 mean(const BorderSide& side) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& p : side) sum += p;
   return sum / static_cast<double>(side.size());
 }
 
 /// The largest distance of a side's points from the plane through their mean.
-double scatter(const Side& side, const Vec3& normal) {
+double scatter(const BorderSide& side, const Vec3& normal) {
   const Vec3 middle = mean(side);
   double worst = 0;
   for (const Vec3& p : side) worst = std::max(worst, std::abs(normal.dot(p - middle)));
@@ -67,14 +66,14 @@ double scatter(const Side& side, const Vec3& normal) {
 std::optional<Vec3> common_normal(const Pair& sides, double allowed) {
   Mat3 spread = Mat3::Zero();
   std::size_t count = 0;
-  for (const Side* side : sides) {
+  for (const BorderSide* side : sides) {
     const Vec3 middle = mean(*side);
     for (const Vec3& p : *side) spread += (p - middle) * (p - middle).transpose(), ++count;
   }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solved(spread);
-  const Vec3 n = solved.eigenvectors().col(0);
+  const SymmetricEigen<3> solved = symmetric_eigen(spread);
+  const Vec3 n = solved.vectors.col(0);
   const double off = std::max(scatter(*sides[0], n), scatter(*sides[1], n));
-  const double depth = std::sqrt(solved.eigenvalues()[1] / static_cast<double>(count));
+  const double depth = std::sqrt(solved.values[1] / static_cast<double>(count));
   if (!(off <= allowed) || !(depth > std::max(kLeastDepth, kToldBy * off))) return std::nullopt;
   return n;
 }
@@ -84,16 +83,16 @@ class Meeting {
  public:
   /// The line through points whose second moment about their mean `middle` is `moment`.
   void add(const Vec2& middle, const Mat2& moment) {
-    const Eigen::SelfAdjointEigenSolver<Mat2> solved(moment);
-    const Vec2 n = solved.eigenvectors().col(0);
-    A_ += solved.eigenvalues()[1] * n * n.transpose();
-    b_ += solved.eigenvalues()[1] * n.dot(middle) * n;
+    const SymmetricEigen<2> solved = symmetric_eigen(moment);
+    const Vec2 n = solved.vectors.col(0);
+    A_ += solved.values[1] * n * n.transpose();
+    b_ += solved.values[1] * n.dot(middle) * n;
   }
 
   std::optional<Vec2> point() const {
-    const Vec2 spread = Eigen::SelfAdjointEigenSolver<Mat2>(A_, Eigen::EigenvaluesOnly).eigenvalues();
+    const Vec2 spread = symmetric_eigenvalues(A_);
     if (!(spread[0] > kFansOut * spread[1])) return std::nullopt;
-    return Vec2(A_.ldlt().solve(b_));
+    return Vec2(definite_solution(A_, b_));
   }
 
  private:
@@ -101,7 +100,7 @@ class Meeting {
   Vec2 b_ = Vec2::Zero();
 };
 
-void add_side(Meeting& lines, const Side& side, const SurfaceChart& from) {
+void add_side(Meeting& lines, const BorderSide& side, const SurfaceChart& from) {
   const Vec2 middle = from.to_own(mean(side)).head<2>();
   Mat2 moment = Mat2::Zero();
   for (const Vec3& p : side) {
@@ -115,7 +114,7 @@ void add_side(Meeting& lines, const Side& side, const SurfaceChart& from) {
 /// stand opposite each other as those of a grid do, in the planes of all such pairs. Ends half a turn apart need them.
 std::optional<Vec2> axis_place(const Pair& arcs, const Pair& ends, const SurfaceChart& from, bool opposite) {
   Meeting lines;
-  for (const Side* end : ends) add_side(lines, *end, from);
+  for (const BorderSide* end : ends) add_side(lines, *end, from);
   const std::size_t n = arcs[0]->size();
   if (opposite && arcs[1]->size() != n) return std::nullopt;
   for (std::size_t k = 1; opposite && k + 1 < n; ++k) add_side(lines, {(*arcs[0])[k], (*arcs[1])[n - 1 - k]}, from);
@@ -134,7 +133,7 @@ std::optional<BorderChart> round_axis(const Pair& arcs, const Pair& ends, const 
   if (!(e0.u * e1.u < 0) || !(std::abs(a0.v - a1.v) > allowed)) return std::nullopt;
   found.patch = {std::min(e0.u, e1.u), std::max(e0.u, e1.u), std::min(a0.v, a1.v), std::max(a0.v, a1.v)};
   centre_on(found.patch, found.chart);
-  for (const Side* end : ends)
+  for (const BorderSide* end : ends)
     for (const Vec3& p : *end) {
       const ChartPoint c = found.chart.coordinates(p);
       if (!(c.h * std::abs(std::abs(c.u) - found.patch.u1) <= 2 * allowed)) return std::nullopt;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/QR>
-
+#include "genu/core/decompositions.h"
 #include "genu/geometry/height_polynomial.h"
 #include "genu/geometry/surface.h"
 
@@ -14,7 +13,6 @@ namespace {
 
 constexpr int kColumns = coefficient_count(kShellDegree);
 constexpr int kFewestSamples = kColumns + 5;
-constexpr double kConeCosine = 0.42;  // as in local_fit.cpp: what faces elsewhere is another sheet
 
 /// One weighted row of monomials of (u, v), by degree: 1; u, v; u^2, u v, v^2; ...
 void set_row(double u, double v, double root, Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) {
@@ -76,8 +74,7 @@ bool ShellFitter::energies(int v, double radius, ShellEnergies& out) {
     set_row(T.col(0).dot(d), T.col(1).dot(d), root, A.row(r));
     b[r] = root * radius * n.dot(d);
   }
-  Eigen::HouseholderQR<Eigen::Ref<MatX>> qr(A);
-  b.applyOnTheLeft(qr.householderQ().adjoint());
+  reduce_to_triangle(A, b);
   out = {};
   for_columns([&](int column, std::size_t shell) { out[shell] += b[column] * b[column] / total; });
   out.back() = b.tail(samples() - kColumns).squaredNorm() / total;
@@ -96,7 +93,7 @@ NoiseShells::NoiseShells(int samples) {
     roots_[i] = std::sqrt(weight(square));
     set_row(points(i, 0), points(i, 1), roots_[i], A.row(i));
   }
-  basis_ = Eigen::HouseholderQR<MatX>(A).householderQ() * MatX::Identity(samples, kColumns);
+  basis_ = thin_qr(A).Q;
   squares_.resize(samples, samples);
   for (int j = 0; j < samples; ++j) squares_.col(j) = (points.rowwise() - points.row(j)).rowwise().squaredNorm();
 }

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
 
 constexpr double kIndependent = 1e-7;  // of a column's own length: what must be left of it beside the ones before
 constexpr int kFolds = 10;
-constexpr double kRounding = 1e-16;  // m: what a term with less adds nowhere shows
+constexpr double kNoTerm = 1e-16;  // m: what a term with less adds nowhere shows
 
 using Index = Eigen::Index;
 
@@ -75,9 +74,9 @@ PolynomialFit::PolynomialFit(const std::vector<HeightSample>& samples, const Cha
     weight_ += s.weight;
   }
   const VecX lengths = A.colwise().norm();
-  const Eigen::HouseholderQR<MatX> qr(A);
-  Q_ = qr.householderQ() * MatX::Identity(rows, A.cols());
-  R_ = qr.matrixQR().topRows(A.cols()).triangularView<Eigen::Upper>();
+  ThinQr qr = thin_qr(A);
+  Q_ = std::move(qr.Q);
+  R_ = std::move(qr.R);
   Qh_ = Q_.transpose() * right_;
   const auto determined = [&](int degree) {
     for (Index c = 0; c < column_count(degree); ++c)
@@ -90,7 +89,7 @@ PolynomialFit::PolynomialFit(const std::vector<HeightSample>& samples, const Cha
 
 std::vector<PolynomialTerm> PolynomialFit::terms(int degree) const {
   const Index n = column_count(degree);
-  const VecX c = R_.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(Qh_.head(n));
+  const VecX c = solve_upper(R_.topLeftCorner(n, n), Qh_.head(n));
   const auto U = legendre_powers(degree, 0.5 * (box_.u0 + box_.u1), 0.5 * box_.width()),
              V = legendre_powers(degree, 0.5 * (box_.v0 + box_.v1), 0.5 * box_.height());
   const auto size = static_cast<std::size_t>(degree) + 1;
@@ -106,7 +105,7 @@ std::vector<PolynomialTerm> PolynomialFit::terms(int degree) const {
   const double u = std::max(std::abs(box_.u0), std::abs(box_.u1)), v = std::max(std::abs(box_.v0), std::abs(box_.v1));
   for_each_column(degree, [&](int i, int j) {
     const double p = powers[static_cast<std::size_t>(i) * size + static_cast<std::size_t>(j)];
-    const bool matters = std::abs(p) * std::pow(u, i) * std::pow(v, j) > kRounding;
+    const bool matters = std::abs(p) * std::pow(u, i) * std::pow(v, j) > kNoTerm;
     out.push_back({i, j, matters ? p : 0.0});
   });
   return out;
@@ -138,7 +137,7 @@ std::vector<DegreeScore> PolynomialFit::scores(int lowest, double block_u, doubl
     const VecX g = Qh_ - Qb.transpose() * hb;
     for (DegreeScore& score : out) {
       const Index n = column_count(score.degree);
-      const VecX c = G.topLeftCorner(n, n).ldlt().solve(g.head(n));
+      const VecX c = definite_solution(G.topLeftCorner(n, n), g.head(n));
       const double square = (hb - Qb.leftCols(n) * c).squaredNorm();
       score.left_out_rms += std::isfinite(square) ? square : std::numeric_limits<double>::infinity();
     }

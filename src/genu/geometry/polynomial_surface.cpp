@@ -63,7 +63,7 @@ SurfacePoint surface_point(const ChartJet& jet) {
 
 namespace {
 
-constexpr int kMaxIterations = 100;
+constexpr int kMaxProjectionSteps = 100;
 constexpr double kBasin = 1e-7;  // step as a share of the lengths met: its square is about the rounding of a distance
 constexpr double kSufficientDecrease = 1e-4;  // Armijo's constant
 
@@ -82,7 +82,7 @@ struct ChartSurface : Chart {
     if (!x.allFinite() || !this->coordinates(x, u)) return false;
     ChartJet jet = this->jet(u);
     double value = 0.5 * (jet.p - x).squaredNorm();
-    for (int k = 0, polished = 0; k < kMaxIterations; ++k) {
+    for (int k = 0, polished = 0; k < kMaxProjectionSteps; ++k) {
       const Vec3 d = jet.p - x;
       const Vec2 gradient(jet.u.dot(d), jet.v.dot(d));
       const Vec2 step = newton_step(jet, d, gradient);

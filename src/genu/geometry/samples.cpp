@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kSameSide = 0.3;  // cosine of the angle between normals: the same side of a thin sheet
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool same_side(const SampleSet& set, std::size_t i, std::size_t j) {
   return set.normals[i].dot(set.normals[j]) > kSameSide;
 }

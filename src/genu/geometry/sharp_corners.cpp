@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kSharp = 0.766;  // cos 40 deg
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec3 normal_of(const Mesh& mesh, int triangle) {
   const auto& t = mesh.triangles[at(triangle)];
   const Vec3& p = mesh.vertices[at(t[0])];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <limits>
 
@@ -11,28 +10,15 @@
 #include <Eigen/Geometry>
 
 #include "genu/core/atomic_output.h"
+#include "genu/geometry/writer_parts.h"
 
 namespace genu {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "STL is little-endian: swap bytes here first");
 
-template <class T>
-void append(std::string& bytes, T value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
-}
-
-void append(std::string& bytes, const Vec3& v) {
-  for (int k = 0; k < 3; ++k) append(bytes, static_cast<float>(v[k]));
-}
-
-/// One line, whatever is in the title.
-std::string one_line(std::string title) {
-  for (char& c : title)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return title;
+void append_floats(std::string& bytes, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) append_bytes(bytes, static_cast<float>(v[k]));
 }
 
 std::string stl_bytes(const Mesh& mesh, double metres_per_unit, const std::string& title) {
@@ -41,15 +27,15 @@ std::string stl_bytes(const Mesh& mesh, double metres_per_unit, const std::strin
   std::string bytes = title.compare(0, 5, "solid") == 0 ? "binary " + title : title;
   bytes.resize(kTitle - 1);
   bytes.push_back('\0');
-  append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  append_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   bytes.reserve(bytes.size() + 50 * mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const auto corner = [&](int k) -> const Vec3& {
       return mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
     };
-    append(bytes, Vec3((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized()));
-    for (int k = 0; k < 3; ++k) append(bytes, Vec3(corner(k) / metres_per_unit));
-    append(bytes, std::uint16_t{0});
+    append_floats(bytes, Vec3((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized()));
+    for (int k = 0; k < 3; ++k) append_floats(bytes, Vec3(corner(k) / metres_per_unit));
+    append_bytes(bytes, std::uint16_t{0});
   }
   return bytes;
 }

@@ -18,8 +18,8 @@
 namespace genu {
 namespace {
 
-constexpr double kSteepest = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
-constexpr double kBlock = 0.005;      // m, of cross-validation: noise of a segmentation is alike over less
+constexpr double kSteepestFacet = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
+constexpr double kBlock = 0.005;           // m, of cross-validation: noise of a segmentation is alike over less
 constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
 constexpr int kFrameDegree = 6;                        // for the first frames
 constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
@@ -29,7 +29,7 @@ constexpr double kGoodEnough = 2e-5;  // m: among charts that fit better than th
 constexpr double kLongerSide = 0.95;  // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
-struct Placed {
+struct PlacedFit {
   SurfaceChart chart;
   ChartBox patch;
   double covered = 0;
@@ -47,20 +47,20 @@ class Fitter {
  private:
   bool start(std::string& why);
   std::optional<SurfaceFit> from_border(std::string& why);
-  std::optional<SurfaceFit> cut_from(Placed& at, std::string& why) const;
+  std::optional<SurfaceFit> cut_from(PlacedFit& at, std::string& why) const;
   bool choose_chart(const std::vector<OrientedPoint>& points, const std::vector<SurfaceChart>& charts,
                     std::string& why);
-  bool place(Placed& at, std::string& why) const;
-  void gather(Placed& at) const;
-  bool settle(Placed& at, int degree) const;
-  void settle_if_possible(Placed& at, int degree) const;
-  void fix_patch(Placed& at) const;
-  bool opposed(const Placed& at) const;
-  int choose(const Placed& at, std::vector<DegreeScore>& scores) const;
-  int tame_degree(const Placed& at, const PolynomialFit& fit, int degree) const;
-  std::optional<SurfaceFit> checked(const Placed& at, int degree, std::vector<DegreeScore> scores,
+  bool place(PlacedFit& at, std::string& why) const;
+  void gather(PlacedFit& at) const;
+  bool settle(PlacedFit& at, int degree) const;
+  void settle_if_possible(PlacedFit& at, int degree) const;
+  void fix_patch(PlacedFit& at) const;
+  bool opposed(const PlacedFit& at) const;
+  int choose(const PlacedFit& at, std::vector<DegreeScore>& scores) const;
+  int tame_degree(const PlacedFit& at, const PolynomialFit& fit, int degree) const;
+  std::optional<SurfaceFit> checked(const PlacedFit& at, int degree, std::vector<DegreeScore> scores,
                                     std::string& why) const;
-  SurfaceFit finish(const Placed& at, int degree, std::vector<DegreeScore> scores) const;
+  SurfaceFit finish(const PlacedFit& at, int degree, std::vector<DegreeScore> scores) const;
   ChartBox keep_box(const SurfaceChart& chart, double beyond) const;
 
   const Mesh& zone_;
@@ -110,7 +110,7 @@ std::optional<SurfaceFit> Fitter::from_border(std::string& why) {
     return std::nullopt;
   inside_ = faces_inward(border->chart, oriented_points(zone_));
   patch_is_fixed_ = true;
-  Placed at{border->chart, border->patch, 1, {}, {}, {}};
+  PlacedFit at{border->chart, border->patch, 1, {}, {}, {}};
   auto exact = place(at, why) ? cut_from(at, why) : std::nullopt;
   if (!exact) {  // another chart may do
     patch_is_fixed_ = false;
@@ -120,7 +120,7 @@ std::optional<SurfaceFit> Fitter::from_border(std::string& why) {
 }
 
 /// The polynomial that all samples lie on to the file's rounding.
-std::optional<SurfaceFit> Fitter::cut_from(Placed& at, std::string& why) const {
+std::optional<SurfaceFit> Fitter::cut_from(PlacedFit& at, std::string& why) const {
   const PolynomialFit fit(at.samples, at.sampled, kHighestFitDegree);
   const int exact = exact_degree(fit, file_resolution(zone_)), degree = options_.degree.value_or(exact);
   if (exact < kLowestFitDegree || fit.highest() < degree) return std::nullopt;
@@ -138,7 +138,7 @@ bool Fitter::choose_chart(const std::vector<OrientedPoint>& points, const std::v
   double least = std::numeric_limits<double>::infinity();
   for (const SurfaceChart& chart : charts) {
     inside_ = faces_inward(chart, points);
-    Placed at{chart, {}, 0, {}, {}, {}};
+    PlacedFit at{chart, {}, 0, {}, {}, {}};
     std::vector<DegreeScore> scores;
     if (!place(at, why)) continue;
     if (const int degree = choose(at, scores); degree >= kLowestFitDegree) {
@@ -178,10 +178,10 @@ ChartBox Fitter::keep_box(const SurfaceChart& chart, double beyond) const {
 }
 
 /// Finds the facets that face the chart's way and the patch that they fill, centres the chart on it.
-bool Fitter::place(Placed& at, std::string& why) const {
+bool Fitter::place(PlacedFit& at, std::string& why) const {
   const double side = inside_ ? -1 : 1;
   at.part = largest_sheet(part_of(zone_, [&](const Vec3& centre, const Vec3& normal) {
-    return side * normal.dot(at.chart.upward(centre)) > kSteepest;
+    return side * normal.dot(at.chart.upward(centre)) > kSteepestFacet;
   }));
   if (!patch_is_fixed_) {
     if (!at.chart.cylindrical) align_with_zone(at.part, at.chart);
@@ -201,7 +201,7 @@ bool Fitter::place(Placed& at, std::string& why) const {
   return true;
 }
 
-void Fitter::gather(Placed& at) const {
+void Fitter::gather(PlacedFit& at) const {
   at.sampled = at.patch.grown(kBeyond * at.patch.width(), kBeyond * at.patch.height());
   at.samples.clear();
   const double side = inside_ ? -1 : 1;
@@ -216,7 +216,7 @@ void Fitter::gather(Placed& at) const {
 
 /// Moves a cartesian chart until it is level, the patch with it, again and again: each time what is left shrinks, until
 /// rounding keeps it from doing so. False where it does not: patch and chart may chase each other round a ragged edge.
-bool Fitter::settle(Placed& at, int degree) const {
+bool Fitter::settle(PlacedFit& at, int degree) const {
   constexpr int kMost = 60, kPatient = 8;
   constexpr double kStillFalls = 0.8, kSettled = 1e-13, kNearlySettled = 1e-7;  // rad
   double before = std::numeric_limits<double>::infinity(), change = 0;
@@ -237,14 +237,14 @@ bool Fitter::settle(Placed& at, int degree) const {
 }
 
 /// Settles a copy and takes it where that works; an axis stays where it is.
-void Fitter::settle_if_possible(Placed& at, int degree) const {
+void Fitter::settle_if_possible(PlacedFit& at, int degree) const {
   if (at.chart.cylindrical) return;
-  Placed moved = at;
+  PlacedFit moved = at;
   if (settle(moved, degree)) at = std::move(moved);
 }
 
 /// The patch in round numbers, inside what it was; x along the longer side.
-void Fitter::fix_patch(Placed& at) const {
+void Fitter::fix_patch(PlacedFit& at) const {
   constexpr double kForRounding = 1e-3;  // of a step: what is a round number already stays
   const auto down = [](double half, double step) {
     const double whole = std::floor(half / step + kForRounding) * step;
@@ -265,7 +265,7 @@ void Fitter::fix_patch(Placed& at) const {
 }
 
 /// Whether much of the patch is covered twice, by faces that look opposite ways.
-bool Fitter::opposed(const Placed& at) const {
+bool Fitter::opposed(const PlacedFit& at) const {
   constexpr double kOpposite = -0.3, kShare = 0.1;
   const double side = inside_ ? -1 : 1;
   double with = 0, against = 0;
@@ -278,11 +278,11 @@ bool Fitter::opposed(const Placed& at) const {
   return against > kShare * with;
 }
 
-int Fitter::tame_degree(const Placed& at, const PolynomialFit& fit, int degree) const {
+int Fitter::tame_degree(const PlacedFit& at, const PolynomialFit& fit, int degree) const {
   return highest_tame_degree(fit, at.samples, at.patch, at.chart.cylindrical, degree);
 }
 
-int Fitter::choose(const Placed& at, std::vector<DegreeScore>& scores) const {
+int Fitter::choose(const PlacedFit& at, std::vector<DegreeScore>& scores) const {
   const PolynomialFit fit(at.samples, at.sampled, options_.degree.value_or(kHighestChosen));
   scores.clear();
   if (options_.degree) return fit.highest() < *options_.degree ? -1 : *options_.degree;
@@ -292,7 +292,7 @@ int Fitter::choose(const Placed& at, std::vector<DegreeScore>& scores) const {
   return degree < 0 ? fit.highest() : tame_degree(at, fit, degree);
 }
 
-SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore> scores) const {
+SurfaceFit Fitter::finish(const PlacedFit& at, int degree, std::vector<DegreeScore> scores) const {
   SurfaceFit fit;
   fit.chart = at.chart;
   fit.inside = inside_;
@@ -304,18 +304,19 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
   fit.covered = at.covered;
   fit.zone = at.part;
   const auto surface = fit.surface();
+  // A mesh cut from a patch ends on its edges: which side rounding puts such a vertex says nothing.
+  const double radius = fit.chart.cylindrical ? at.samples.front().h : 1;
+  const ChartBox counted = fit.patch.grown(kFileRounding / radius, kFileRounding);
   double area = 0, square = 0;
   for (const OrientedPoint& q : oriented_points(fit.zone)) {
     const ChartPoint c = fit.chart.coordinates(q.p);
-    const auto gap = fit.patch.contains(c.u, c.v) ? surface->gap(q.p) : std::nullopt;
+    const auto gap = counted.contains(c.u, c.v) ? surface->gap(q.p) : std::nullopt;
     fit.distance.push_back(gap.value_or(std::numeric_limits<double>::quiet_NaN()));
     if (!gap) continue;
     area += q.area;
     square += q.area * *gap * *gap;
     ++fit.residual.count;
-    if (std::abs(*gap) <= std::abs(fit.residual.largest)) continue;
-    fit.residual.largest = *gap;
-    fit.residual.where = q.p;
+    if (std::abs(*gap) > std::abs(fit.residual.largest)) fit.residual.largest = *gap, fit.residual.where = q.p;
   }
   fit.residual.rms = area > 0 ? std::sqrt(square / area) : 0;
   fit.noise = estimate_noise(fit.zone, vertex_graph(fit.zone)).rms;
@@ -325,7 +326,7 @@ SurfaceFit Fitter::finish(const Placed& at, int degree, std::vector<DegreeScore>
 std::optional<SurfaceFit> Fitter::run(std::string& why) {
   if (auto exact = from_border(why)) return exact;
   if (!start(why)) return std::nullopt;
-  Placed at{first_, {}, 0, {}, {}, {}};
+  PlacedFit at{first_, {}, 0, {}, {}, {}};
   if (options_.like) {
     at.patch = options_.like->patch;
     at.covered = 1;
@@ -361,7 +362,7 @@ std::optional<SurfaceFit> Fitter::run(std::string& why) {
 }
 
 /// The fit where it may be written down.
-std::optional<SurfaceFit> Fitter::checked(const Placed& at, int degree, std::vector<DegreeScore> scores,
+std::optional<SurfaceFit> Fitter::checked(const PlacedFit& at, int degree, std::vector<DegreeScore> scores,
                                           std::string& why) const {
   const PolynomialFit fit(at.samples, at.sampled, degree);
   if (fit.highest() < degree) {

@@ -9,11 +9,11 @@
 namespace genu {
 namespace {
 
-constexpr int kAcross = 40;           // points each way that are looked at, and both ends
-constexpr double kSteepest = 0.309;   // cos 72 deg
-constexpr double kLeastRadius = 0.2;  // of the radius in the middle
-constexpr double kSwings = 2;         // times what it does on the samples
-constexpr double kAlwaysMay = 1e-4;   // m
+constexpr int kAcross = 40;               // points each way that are looked at, and both ends
+constexpr double kSteepestSlope = 0.309;  // cos 72 deg
+constexpr double kLeastRadius = 0.2;      // of the radius in the middle
+constexpr double kSwings = 2;             // times what it does on the samples
+constexpr double kAlwaysMay = 1e-4;       // m
 
 bool is_tame(const Polynomial& P, const Polynomial& plain, const ChartBox& patch, bool cylindrical, double allowed) {
   const double least = cylindrical ? kLeastRadius * P.value(0, 0) : -std::numeric_limits<double>::infinity();
@@ -22,7 +22,7 @@ bool is_tame(const Polynomial& P, const Polynomial& plain, const ChartBox& patch
       const double u = patch.u0 + patch.width() * i / kAcross, v = patch.v0 + patch.height() * j / kAcross;
       const PolynomialJet h = P(u, v);
       const double along = cylindrical ? h.x / h.f : h.x;
-      if (!(h.f > least) || !(1 / std::sqrt(1 + along * along + h.y * h.y) > kSteepest)) return false;
+      if (!(h.f > least) || !(1 / std::sqrt(1 + along * along + h.y * h.y) > kSteepestSlope)) return false;
       if (!(std::abs(h.f - plain.value(u, v)) <= allowed)) return false;
     }
   }

@@ -10,8 +10,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double kEquilateralArea = 0.4330127018922193;  // of an equilateral triangle, per squared edge
 
 }  // namespace

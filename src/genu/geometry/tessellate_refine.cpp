@@ -6,13 +6,12 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/geometry/mesh_part.h"
 #include "genu/geometry/mesh_topology.h"
 #include "genu/geometry/tessellate.h"
 
 namespace genu {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kSplitRatio = 4.0 / 3;  // halves are then nearer to the wanted length than the whole was
 constexpr int kMaxPasses = 60;           // each at least halves the longest edges
@@ -21,19 +20,10 @@ constexpr int kRelaxations = 10;
 // The corner of t that is neither end of the edge.
 int opposite(const std::array<int, 3>& t, const MeshEdge& e) { return t[0] + t[1] + t[2] - e.v[0] - e.v[1]; }
 
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3& p = mesh.vertices[at(t[0])];
-    sum += 0.5 * (mesh.vertices[at(t[1])] - p).cross(mesh.vertices[at(t[2])] - p).norm();
-  }
-  return sum;
-}
-
 class Refinement {
  public:
   Refinement(Mesh& mesh, const Surface& surface, double edge)
-      : mesh_(mesh), surface_(surface), edge_(affordable_edge(edge, area(mesh))) {
+      : mesh_(mesh), surface_(surface), edge_(affordable_edge(edge, area_of(mesh))) {
     for (const Vec3& v : mesh.vertices) wanted_.push_back(wanted(v));
   }
 

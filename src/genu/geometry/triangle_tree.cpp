@@ -9,7 +9,7 @@
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 4;  // triangles
+constexpr int kTreeLeaf = 4;  // triangles
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void TriangleTree::split(int index) {
   Node& node = nodes_[static_cast<std::size_t>(index)];
   node.low = low;
   node.high = high;
-  if (last - first <= kLeaf) return;
+  if (last - first <= kTreeLeaf) return;
   Eigen::Index axis = 0;
   (high_middle - low_middle).maxCoeff(&axis);
   const int half = (first + last) / 2;

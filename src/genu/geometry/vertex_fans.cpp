@@ -7,8 +7,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The triangles round each vertex, compressed.
 struct Around {
   std::vector<int> first, triangles;

@@ -25,7 +25,7 @@ void add_normals_and_areas(const Mesh& mesh, VertexGraph& graph) {
   }
 }
 
-struct HalfEdge {
+struct VertexSide {
   int to;
   int triangle;
   bool forward;  ///< runs from its vertex to `to` in the triangle's own order
@@ -38,7 +38,7 @@ void add_edges(const Mesh& mesh, VertexGraph& graph) {
     for (int v : t) start[v + 1] += 2;
   }
   for (int v = 0; v < count; ++v) start[v + 1] += start[v];
-  std::vector<HalfEdge> half(start[count]);
+  std::vector<VertexSide> half(start[count]);
   std::vector<int> fill(start.begin(), start.end() - 1);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ void add_edges(const Mesh& mesh, VertexGraph& graph) {
   graph.adjacent.reserve(half.size() / 2);
   for (int v = 0; v < count; ++v) {
     const auto begin = half.begin() + start[v], end = half.begin() + start[v + 1];
-    std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
+    std::sort(begin, end, [](const VertexSide& a, const VertexSide& b) {
       return a.to != b.to ? a.to < b.to : a.triangle < b.triangle;
     });
     for (auto it = begin; it != end;) {

@@ -122,23 +122,23 @@ std::string read_blocks(ByteSource& source, const VtpEncoding& encoding, std::st
 }
 
 template <class T>
-void append(const std::string& bytes, bool swap, std::vector<double>& out) {
+void append_numbers(const std::string& bytes, bool swap, std::vector<double>& out) {
   const std::size_t count = bytes.size() / sizeof(T);
   out.reserve(out.size() + count);
   for (std::size_t k = 0; k < count; ++k) out.push_back(static_cast<double>(number_at<T>(bytes, k, swap)));
 }
 
 bool append_as(const std::string& type, const std::string& bytes, bool swap, std::vector<double>& out) {
-  if (type == "Float32") return append<float>(bytes, swap, out), true;
-  if (type == "Float64") return append<double>(bytes, swap, out), true;
-  if (type == "Int64") return append<std::int64_t>(bytes, swap, out), true;
-  if (type == "UInt64") return append<std::uint64_t>(bytes, swap, out), true;
-  if (type == "Int32") return append<std::int32_t>(bytes, swap, out), true;
-  if (type == "UInt32") return append<std::uint32_t>(bytes, swap, out), true;
-  if (type == "Int16") return append<std::int16_t>(bytes, swap, out), true;
-  if (type == "UInt16") return append<std::uint16_t>(bytes, swap, out), true;
-  if (type == "Int8") return append<std::int8_t>(bytes, swap, out), true;
-  if (type == "UInt8") return append<std::uint8_t>(bytes, swap, out), true;
+  if (type == "Float32") return append_numbers<float>(bytes, swap, out), true;
+  if (type == "Float64") return append_numbers<double>(bytes, swap, out), true;
+  if (type == "Int64") return append_numbers<std::int64_t>(bytes, swap, out), true;
+  if (type == "UInt64") return append_numbers<std::uint64_t>(bytes, swap, out), true;
+  if (type == "Int32") return append_numbers<std::int32_t>(bytes, swap, out), true;
+  if (type == "UInt32") return append_numbers<std::uint32_t>(bytes, swap, out), true;
+  if (type == "Int16") return append_numbers<std::int16_t>(bytes, swap, out), true;
+  if (type == "UInt16") return append_numbers<std::uint16_t>(bytes, swap, out), true;
+  if (type == "Int8") return append_numbers<std::int8_t>(bytes, swap, out), true;
+  if (type == "UInt8") return append_numbers<std::uint8_t>(bytes, swap, out), true;
   return false;
 }
 

@@ -8,10 +8,8 @@
 namespace genu {
 namespace {
 
-constexpr int kLeaf = 8;
-constexpr double kFar = 3;  // radii: a group seen from farther away is a dipole
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr int kGroupLeaf = 8;
+constexpr double kDipoleFrom = 3;  // radii: a group seen from farther away is a dipole
 
 /// Van Oosterom and Strackee 1983; positive where the triangle's inner side is seen.
 double solid_angle(const std::array<Vec3, 3>& t, const Vec3& x) {
@@ -32,7 +30,7 @@ WindingNumber::WindingNumber(const Mesh& mesh) {
   split(0, static_cast<int>(triangles_.size()));
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const int first = nodes_[n].first, last = nodes_[n].last;
-    if (last - first <= kLeaf) continue;
+    if (last - first <= kGroupLeaf) continue;
     nodes_[n].children = static_cast<int>(nodes_.size());
     const int half = (first + last) / 2;
     split(first, half);
@@ -63,7 +61,7 @@ void WindingNumber::split(int first, int last) {
   const auto before = [axis](const auto& s, const auto& t) {
     return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
   };
-  if (last - first > kLeaf)
+  if (last - first > kGroupLeaf)
     std::nth_element(triangles_.begin() + first, triangles_.begin() + (first + last) / 2, triangles_.begin() + last,
                      before);
   nodes_.push_back(node);
@@ -78,7 +76,7 @@ double WindingNumber::operator()(const Vec3& x) const {
     const Node& node = nodes_[at(open[--count])];
     const Vec3 d = node.centre - x;
     const double square = d.squaredNorm();
-    if (square > kFar * kFar * node.radius * node.radius) {
+    if (square > kDipoleFrom * kDipoleFrom * node.radius * node.radius) {
       angle += node.area.dot(d) / (square * std::sqrt(square));
     } else if (node.children >= 0) {
       open[count++] = node.children;

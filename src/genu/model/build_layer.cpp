@@ -10,10 +10,8 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double kEdge = 0.01, kSmoothEdge = 0.02;  // of the smaller surface
-constexpr double kReach = 3;  // of the larger one, or of the characteristic length: what is used of endless shapes
+constexpr double kLayerReach = 3;  // of the larger one, or of the characteristic length: what is used of endless shapes
 
 /// Triangles of one of the two surfaces, in its body.
 class Facets {
@@ -28,7 +26,7 @@ class Facets {
       larger = std::max(larger, size);
     }
     edge_ = edge * smaller;
-    reach_ = kReach * std::max(larger, coarse);
+    reach_ = kLayerReach * std::max(larger, coarse);
   }
 
   Mesh of(const Surface& surface, int body) const {
@@ -47,7 +45,7 @@ LayerLaw law_of(const LayerDef& def) {
   return law;
 }
 
-using Field = std::shared_ptr<const ThicknessField>;
+using SharedThickness = std::shared_ptr<const ThicknessField>;
 
 using Tree = std::shared_ptr<const TriangleTree>;
 
@@ -57,15 +55,15 @@ std::shared_ptr<const Buried> buried_deeper(const Mesh& a, const Tree& tree_a, c
                                         between.search_depth);
 }
 
-void build_smooth(const LayerDef& def, Mesh a, Mesh b, const Field& on_a, const Field& on_b,
+void build_smooth(const LayerDef& def, Mesh a, Mesh b, const SharedThickness& on_a, const SharedThickness& on_b,
                   JointModel::Layer& between) {
   const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
   const auto buried = buried_deeper(a, tree_a, b, tree_b, between);
   const auto cells_a = std::make_shared<const SmoothCells>(std::move(a), between.a);
   const auto cells_b = std::make_shared<const SmoothCells>(std::move(b), between.b);
   const LayerLaw law = law_of(def);
-  const auto side = [&](const auto& cells, const auto& other, const auto& target, const Field& own,
-                        const Field& others) {
+  const auto side = [&](const auto& cells, const auto& other, const auto& target, const SharedThickness& own,
+                        const SharedThickness& others) {
     return std::make_shared<SmoothLayer>(cells, other, target, between.search_depth, law,
                                          LayerThickness{def.thickness, own, others});
   };
@@ -85,7 +83,7 @@ bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std:
   const bool smooth = def.quadrature == LayerDef::Quadrature::smooth;
   const Facets facets(model, between, smooth ? kSmoothEdge : kEdge);
   Mesh a = facets.of(*between.a, between.body_a), b = facets.of(*between.b, between.body_b);
-  Field on_a, on_b;
+  SharedThickness on_a, on_b;
   const bool known_a = thickness_on(scene, bones, def.pair.surface_a, a, on_a, out),
              known_b = thickness_on(scene, bones, def.pair.surface_b, b, on_b, out);
   if (!known_a || !known_b) return false;

@@ -9,10 +9,8 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Unbounded shapes are sampled within this many characteristic lengths of where the joint is.
-constexpr double kReach = 10;
+constexpr double kSamplingReach = 10;
 
 double choose_spacing(const JointModel& model) {
   double spacing = model.scales.length / 30;
@@ -69,7 +67,7 @@ Proximity ContactField::proximity_of(const Meeting& surfaces) const {
   const Vec3 centre = joint_centre(*model_);
   Proximity::Options options;
   options.spacing = spacing_;
-  options.reach = kReach * model_->scales.length;
+  options.reach = kSamplingReach * model_->scales.length;
   options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
   options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
   return {*surfaces.a, *surfaces.b, options};
@@ -101,6 +99,10 @@ void ContactField::survey(const State& state, Survey& out) {
   out.minima.clear();
   out.edges.clear();
   out.smallest_gap.assign(pairs_.size(), std::numeric_limits<double>::infinity());
+  evaluate_effect(model_->meter.get(), Effect::contact_search, pairs_.size(), [&] { scan_pairs(state, out); });
+}
+
+void ContactField::scan_pairs(const State& state, Survey& out) {
   for (int pair = 0; pair < static_cast<int>(pairs_.size()); ++pair) {
     pairs_[at(pair)].scan(relative(state, pair), window(), scan_);
     double& smallest = out.smallest_gap[at(pair)];
@@ -204,6 +206,11 @@ std::optional<LocalMinimum> ContactField::nearest(const State& state, int pair) 
                                        [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; });
   if (!std::isfinite(gap) || lowest == scan_.minima.end() || lowest->gap > gap) return std::nullopt;
   return *lowest;
+}
+
+bool ContactField::is_clear(const State& state, int pair, double gap) {
+  pairs_[at(pair)].near_samples(relative(state, pair), gap, near_);
+  return near_.empty();
 }
 
 double ContactField::overlap(const State& state, int pair) {

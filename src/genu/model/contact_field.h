@@ -63,6 +63,9 @@ class ContactField {
   /// Where that gap is: the local minimum that lies lowest; empty where an edge is nearer, or nothing near.
   std::optional<LocalMinimum> nearest(const State& state, int pair);
 
+  /// Whether no sample of a pair has a gap below this (m), overlapping ones included: cheap.
+  bool is_clear(const State& state, int pair, double gap);
+
   /// How far (m) the samples of a pair overlap, 0 where none does: coarse, but cheap however deep it is.
   double overlap(const State& state, int pair);
 
@@ -81,6 +84,7 @@ class ContactField {
   Feet feet_of_pair(const State& state, const std::vector<Candidate>& also, int pair) const;
   Feet feet_of_layer(const State& state, int layer);
 
+  void scan_pairs(const State& state, Survey& out);
   template <typename Meeting>
   Proximity proximity_of(const Meeting& surfaces) const;
   Pose relative(const State& state, int pair) const;

@@ -1,13 +1,13 @@
 #include "genu/model/damping.h"
 
+#include <algorithm>
+
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/linearization.h"
 #include "genu/model/twist.h"
 
 namespace genu {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Adds -tension dL/dX.
 void add_pull(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, double tension,
@@ -51,6 +51,12 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
       modes[i] = DamperMode::relaxed;
   }
   return modes;
+}
+
+std::size_t damper_count(const JointModel& model) {
+  const auto ligaments =
+      std::count_if(model.ligaments.begin(), model.ligaments.end(), [](const auto& l) { return l.damping != 0; });
+  return model.joint_dampers.size() + static_cast<std::size_t>(ligaments);
 }
 
 double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,

@@ -26,6 +26,9 @@ double damper_tension(const JointModel& model, const State& state, int ligament,
 /// The modes that lengths and velocities ask for; one for each ligament, `taut` for those without damping.
 std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist);
 
+/// Joints and ligaments that have one.
+std::size_t damper_count(const JointModel& model);
+
 /// Adds the wrenches (6 for each moving body) of all dampers to `wrench`. Returns what they dissipate, W: with -F L' of
 /// a relaxed ligament, whose stored energy goes to nobody.
 double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,

@@ -8,8 +8,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Where a load pulls on a body.
 void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
   const bool toward = load.kind == Load::Kind::toward;
@@ -65,7 +63,7 @@ JointModel::Scales choose_scales(const JointModel& model) {
     if (std::isfinite(value)) force = std::max(force, value);
   }
   for (const auto& spring : model.joint_springs)
-    force = std::max(force, kTypicalStrain * spring.stiffness / scales.length);
+    force = std::max(force, kTypicalStrain * std::max(spring.stiffness, spring.stop) / scales.length);
   scales.force = force > 0 ? force : 1.0;
   return scales;
 }
@@ -73,11 +71,19 @@ JointModel::Scales choose_scales(const JointModel& model) {
 void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
   for (int i = 0; i < 6; ++i)
     if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
-  if (joint.stiffness > 0) model.joint_springs.push_back({index, joint.stiffness});
+  if (joint.stiffness > 0 || joint.limits) {
+    JointSpring spring{.joint = index, .stiffness = joint.stiffness};
+    if (joint.limits) {
+      spring.lower = joint.limits->lower;
+      spring.upper = joint.limits->upper;
+      spring.stop = joint.limits->stiffness;
+    }
+    model.joint_springs.push_back(spring);
+  }
   if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
 }
 
-bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
+bool make_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
   bool good = true;
   for (const LoadDef& def : scene.loads) {
     std::string why;
@@ -90,6 +96,21 @@ bool add_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
              .line = def.where.line,
              .column = def.where.column,
              .key = "load." + def.name + ".scale",
+             .found = {},
+             .rule = why});
+  }
+  for (std::size_t i = 0; scene.dynamics && i < scene.dynamics->prescribe.size(); ++i) {
+    const DynamicsDef::Drive& def = scene.dynamics->prescribe[i];
+    std::string why;
+    if (auto course = LoadScale::make(def.course, why)) {
+      model.drives.push_back({def.quantity, std::move(*course)});
+      continue;
+    }
+    good = false;
+    out.add({.file = scene.file,
+             .line = def.where.line,
+             .column = def.where.column,
+             .key = "dynamics.prescribe." + quantity_name(scene, def.quantity),
              .found = {},
              .rule = why});
   }
@@ -174,7 +195,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
     for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
     model.ligaments.back().damping = def.damping;
   }
-  good = add_loads(scene, model, out) && good;
+  good = make_loads(scene, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {
     const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
     const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];

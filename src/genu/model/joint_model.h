@@ -7,8 +7,10 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/geometry/surface.h"
+#include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
+#include "genu/model/joint_spring.h"
 #include "genu/model/ligament.h"
 #include "genu/model/load.h"
 #include "genu/scene/scene.h"
@@ -39,10 +41,10 @@ struct JointModel {
     CoordinateRef coordinate;
     double value;  ///< rad or m
   };
-  /// The moment -stiffness * angle of a revolute joint on its first coordinate.
-  struct JointSpring {
-    int joint;
-    double stiffness;  ///< N m / rad
+  /// A coordinate, or combination of some, whose course over time is given, in motion.
+  struct Drive {
+    QuantityRef quantity;
+    LoadScale course;  ///< rad or m over s
   };
   /// The moment -damping * rate of the angle, in motion.
   struct JointDamper {
@@ -88,10 +90,11 @@ struct JointModel {
   std::vector<Body> bodies;
   int moving_count = 0;
   std::vector<Joint> joints;
-  std::vector<Held> held;  ///< joint by joint
-  std::vector<JointSpring> joint_springs;
-  std::vector<JointDamper> joint_dampers;  ///< this and inertias: in a scene with dynamics alone
-  std::vector<Inertia> inertias;           ///< of each moving body
+  std::vector<Held> held;                  ///< joint by joint
+  std::vector<JointSpring> joint_springs;  ///< of joints with a stiffness or limits
+  std::vector<JointDamper> joint_dampers;  ///< this, drives and inertias: in a scene with dynamics alone
+  std::vector<Drive> drives;
+  std::vector<Inertia> inertias;  ///< of each moving body
   std::vector<CombinationDef> combinations;
   std::vector<LigamentBetween> ligaments;
   std::vector<Load> loads;
@@ -100,6 +103,8 @@ struct JointModel {
   std::vector<Layer> layers;
   std::vector<Pose> reference_poses;  ///< of every body in the world
   Scales scales;
+  /// Counts what is evaluated, where a run asks for it; shared by copies of the model, not by threads.
+  std::shared_ptr<EffectMeter> meter;
 };
 
 /// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each

@@ -5,8 +5,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// What is summed before it is divided: by area, or by force.
 class Sum {
  public:

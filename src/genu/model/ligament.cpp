@@ -7,19 +7,19 @@ namespace genu {
 namespace {
 
 /// Lever arms and the pull t on A, kept for the stiffness.
-struct Line {
+struct PullLine {
   Vec3 r_A, r_B;  ///< from the bodies' origins to the ends, world axes, m
   Vec3 d;         ///< from the end on A to the end on B, m
   Vec3 t;         ///< pull on A, N
   double stiffness = 0;
 };
 
-void set_wrenches(const Line& line, TwoBodyWrench& out) {
+void set_wrenches(const PullLine& line, TwoBodyWrench& out) {
   out.on_a << line.t, line.r_A.cross(line.t);
   out.on_b << -line.t, -line.r_B.cross(line.t);
 }
 
-bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, Line& line, TwoBodyWrench& out) {
+bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, PullLine& line, TwoBodyWrench& out) {
   line.r_A = X_WA.R * ligament.p_A;
   line.r_B = X_WB.R * ligament.p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
@@ -43,7 +43,7 @@ bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piec
 }
 
 /// dt/dd: along the line the law's stiffness, across it the tension's.
-Mat3 line_stiffness(const Ligament& ligament, const Line& line, const TwoBodyWrench& out) {
+Mat3 line_stiffness(const Ligament& ligament, const PullLine& line, const TwoBodyWrench& out) {
   if (ligament.law.slack_length() == 0) return line.stiffness * Mat3::Identity();
   if (out.length == 0) return Mat3::Zero();
   const Vec3 u = line.d / out.length;
@@ -52,7 +52,7 @@ Mat3 line_stiffness(const Ligament& ligament, const Line& line, const TwoBodyWre
 }
 
 /// The derivative of the wrenches for k = dt/dd.
-void set_stiffness(const Line& line, const Mat3& k, TwoBodyWrench& out) {
+void set_stiffness(const PullLine& line, const Mat3& k, TwoBodyWrench& out) {
   const Mat3 s_A = skew(line.r_A), s_B = skew(line.r_B);
   const Mat3 k_A = k * s_A, k_B = k * s_B;
   const auto fill = [&](int row, int column, double sign, const Mat3& s_row, const Mat3& k_row, const Mat3& k_column) {
@@ -75,7 +75,7 @@ void set_stiffness(const Line& line, const Mat3& k, TwoBodyWrench& out) {
 }  // namespace
 
 void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out) const {
-  Line line;
+  PullLine line;
   line.r_A = X_WA.R * p_A;
   line.r_B = X_WB.R * p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
@@ -89,12 +89,12 @@ void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, doub
 }
 
 bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
-  Line line;
+  PullLine line;
   return pull(*this, X_WA, X_WB, LigamentLaw::kByLength, line, out);
 }
 
 bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece) const {
-  Line line;
+  PullLine line;
   if (!pull(*this, X_WA, X_WB, piece, line, out)) {
     out.stiffness.setZero();
     return false;

@@ -5,12 +5,6 @@
 #include <fmt/format.h>
 
 namespace genu {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 double ligament_length(const JointModel::LigamentBetween& l, const std::vector<Pose>& poses) {
   double length = 0;
   for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {

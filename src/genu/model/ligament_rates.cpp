@@ -50,7 +50,7 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
 }
 
 /// One straight line of a ligament: from a to b, in the world, and how its ends move.
-struct Line {
+struct MovingLine {
   int body_a, body_b;
   Vec3 r_A, r_B;      ///< from the bodies' origins to the ends
   Vec3 end_A, end_B;  ///< velocities of the ends
@@ -60,16 +60,17 @@ struct Line {
   double length_rate() const { return u.dot(end_B - end_A); }
 };
 
-std::vector<Line> lines_of(const JointModel::LigamentBetween& ligament, const std::vector<Pose>& poses,
-                           const Direct& change) {
-  std::vector<Line> out;
+std::vector<MovingLine> lines_of(const JointModel::LigamentBetween& ligament, const std::vector<Pose>& poses,
+                                 const Direct& change) {
+  std::vector<MovingLine> out;
   for_each_line(ligament, [&](int a, int b, const TautLine& taut) {
     const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
     const int first = static_cast<int>(out.size());
     const auto velocity = [&](const Pose& pose, int point) {
       return point == change.point ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
     };
-    Line line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1), 0, {}};
+    MovingLine line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1),
+                    0, {}};
     const Vec3 d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
     line.length = d.norm();
     line.u = line.length > 0 ? Vec3(d / line.length) : Vec3::Zero();
@@ -79,9 +80,9 @@ std::vector<Line> lines_of(const JointModel::LigamentBetween& ligament, const st
 }
 
 /// Length (m) and its rate.
-std::pair<double, double> length_of(const std::vector<Line>& lines) {
+std::pair<double, double> length_of(const std::vector<MovingLine>& lines) {
   double length = 0, rate = 0;
-  for (const Line& line : lines) {
+  for (const MovingLine& line : lines) {
     length += line.length;
     rate += line.length_rate();
   }
@@ -89,7 +90,7 @@ std::pair<double, double> length_of(const std::vector<Line>& lines) {
 }
 
 /// Wrench on [a; b] of the pull t on A, with the rates of t and of the ends.
-Vec12 wrench_rate(const Line& line, const Vec3& t, const Vec3& t_rate) {
+Vec12 wrench_rate(const MovingLine& line, const Vec3& t, const Vec3& t_rate) {
   Vec12 out;
   out << t_rate, line.end_A.cross(t) + line.r_A.cross(t_rate), -t_rate, -line.end_B.cross(t) - line.r_B.cross(t_rate);
   return out;
@@ -162,13 +163,13 @@ LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   const Direct change = direct_change(at.def, parameter);
   const LigamentLaw& law = at.made.ligament.law;
-  const std::vector<Line> lines = lines_of(at.made, at.poses, change);
+  const std::vector<MovingLine> lines = lines_of(at.made, at.poses, change);
   const auto [length, length_rate] = length_of(lines);
   const double slack = law.slack_length(), slack_change = slack_rate(at, change);
   LigamentRate out;
   if (slack == 0 && length == 0) {  // a spring without length: t = k d, whose size has no derivative
     const double k = law.evaluate(length).stiffness;
-    for (const Line& line : lines)
+    for (const MovingLine& line : lines)
       out.lines.push_back({line.body_a, line.body_b, wrench_rate(line, Vec3::Zero(), k * (line.end_B - line.end_A))});
     out.length = out.strain = out.force = std::numeric_limits<double>::quiet_NaN();
     return out;
@@ -180,7 +181,7 @@ LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   const LawRates rates = law_rates(at.def, law, length);
   const double held = by_numbers(rates, change) + rates.slack_length * slack_change;  // at the length held
   out.force = value.stiffness * out.length + held;
-  for (const Line& line : lines) {
+  for (const MovingLine& line : lines) {
     const Vec3 across = line.end_B - line.end_A - line.u * line.length_rate();
     const Vec3 turned = line.length > 0 ? Vec3(value.force / line.length * across) : Vec3::Zero();
     out.lines.push_back(

@@ -8,8 +8,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Adds the wrench and stiffness of something between two bodies to the moving ones among them.
 class TwoBodyScatter {
  public:
@@ -112,6 +110,9 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
 void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
     if (target.load_factors[i] != 0) add_load(model, state, model.loads[i], target.load_factors[i], target.time, out);
+}
+
+void add_weights(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
 }
 
@@ -125,6 +126,7 @@ void add_coordinate(const JointModel& model, const State& state, const JointPoin
   if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) += gradient.head<6>();
   if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) += gradient.tail<6>();
   const double multiplier = state.multipliers[static_cast<std::size_t>(row)];
+  if (multiplier == 0) return;
   const TwoBodyScatter scatter(model, joint.parent, joint.child);
   scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
   scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
@@ -151,6 +153,13 @@ void add_held(const JointModel& model, const State& state, const Target& target,
   }
 }
 
+void add_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  EffectMeter* meter = model.meter.get();
+  evaluate_effect(meter, Effect::prescribed, target.prescribed.size(),
+                  [&] { add_prescribed(model, state, target, out); });
+  evaluate_effect(meter, Effect::held, model.held.size(), [&] { add_held(model, state, target, out); });
+}
+
 void add_joint_springs(const JointModel& model, const State& state, Linearization& out) {
   for (const auto& spring : model.joint_springs) {
     const auto& joint = model.joints[at(spring.joint)];
@@ -158,8 +167,10 @@ void add_joint_springs(const JointModel& model, const State& state, Linearizatio
     const JointPoint::Gradient gradient = point.gradient(0);
     const double angle = point.values()[0];
     const TwoBodyScatter scatter(model, joint.parent, joint.child);
-    scatter.add_wrench(-spring.stiffness * angle * gradient.transpose(), out.wrench);
-    scatter.add_stiffness(-spring.stiffness * (gradient.transpose() * gradient + angle * point.hessian(0)),
+    const double moment = spring.moment(angle);
+    if (moment == 0 && spring.slope(angle) == 0) continue;
+    scatter.add_wrench(moment * gradient.transpose(), out.wrench);
+    scatter.add_stiffness(spring.slope(angle) * gradient.transpose() * gradient + moment * point.hessian(0),
                           out.stiffness);
   }
 }
@@ -178,23 +189,43 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
   }
 }
 
-void add_layers(const JointModel& model, const State& state, Linearization& out) {
-  out.layer_loads.resize(model.layers.size());
-  out.layer_errors.resize(model.layers.size());
-  if (model.layers.empty()) return;
+LayerMemories& memories_of(Linearization& out) {
   if (!out.layers) out.layers = std::make_shared<LayerMemories>();
-  out.layers->each.resize(model.layers.size());
+  return *out.layers;
+}
+
+void add_layers(const JointModel& model, const State& state, Linearization& out) {
+  out.layer_wrench.setZero(out.wrench.size());
+  memories_of(out).each.resize(model.layers.size());
   LayerWrench pressed;
   for (std::size_t k = 0; k < model.layers.size(); ++k) {
     const auto& layer = model.layers[k];
+    out.layers->each[k].cancelled = out.layers->cancelled;
     layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], out.layers->each[k], pressed,
                           state.layer_level(k));
     out.layer_loads[k] = pressed.load;
     out.layer_errors[k] = pressed.error;
     const TwoBodyScatter scatter(model, layer.body_a, layer.body_b);
-    scatter.add_wrench(pressed.wrench, out.wrench);
+    scatter.add_wrench(pressed.wrench, out.layer_wrench);
     scatter.add_stiffness(pressed.stiffness, out.stiffness);
   }
+  out.wrench += out.layer_wrench;
+}
+
+/// All that needs no unknown of its own: ligaments (those held at a jump from row `first_held` on), loads, weights,
+/// joint springs, elastic layers.
+void add_forces(const JointModel& model, const State& state, const Target& target, Eigen::Index first_held,
+                Linearization& out) {
+  out.layer_loads.resize(model.layers.size());
+  out.layer_errors.resize(model.layers.size());
+  const auto effect = [&](Effect kind, std::size_t count, const auto& add) {
+    evaluate_effect(model.meter.get(), kind, count, add);
+  };
+  effect(Effect::ligaments, model.ligaments.size(), [&] { add_ligaments(model, state, first_held, out); });
+  effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, out); });
+  effect(Effect::weights, model.weights.size(), [&] { add_weights(model, state, target, out); });
+  effect(Effect::joint_springs, model.joint_springs.size(), [&] { add_joint_springs(model, state, out); });
+  effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, out); });
 }
 
 void place_own_origins(const JointModel& model, const State& state, VecX& out) {
@@ -228,6 +259,8 @@ void Correction::resize(int moving_bodies, int constraints, int contacts) {
   forces.resize(contacts);
 }
 
+void stop_layers_when(const Cancelled& cancelled, Linearization& out) { memories_of(out).cancelled = cancelled; }
+
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   const int n = 6 * model.moving_count;
   const auto held_from = static_cast<Eigen::Index>(constraint_count(model, target));
@@ -238,14 +271,23 @@ void linearize(const JointModel& model, const State& state, const Target& target
   out.constraint.setZero(m);
   out.contacts.resize(state.contacts.size());
   out.contact_bodies.resize(state.contacts.size());
-  add_ligaments(model, state, held_from, out);
-  add_loads(model, state, target, out);
-  add_joint_springs(model, state, out);
-  add_prescribed(model, state, target, out);
-  add_held(model, state, target, out);
-  add_contacts(model, state, out);
-  add_layers(model, state, out);
+  add_constraints(model, state, target, out);
+  evaluate_effect(model.meter.get(), Effect::rigid_contacts, state.contacts.size(),
+                  [&] { add_contacts(model, state, out); });
+  add_forces(model, state, target, held_from, out);
   place_own_origins(model, state, out.own_origins);
+}
+
+void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  const int n = 6 * model.moving_count;
+  const Eigen::Index held = held_count(state);
+  out.wrench.setZero(n);
+  out.stiffness.setZero(n, n);
+  out.gradient.setZero(held, n);
+  out.constraint.setZero(held);
+  out.contacts.clear();
+  out.contact_bodies.clear();
+  add_forces(model, state, target, 0, out);
 }
 
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
@@ -255,8 +297,7 @@ void linearize_constraints(const JointModel& model, const State& state, const Ta
   out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);
   out.constraint.setZero(m);
-  add_prescribed(model, state, target, out);
-  add_held(model, state, target, out);
+  add_constraints(model, state, target, out);
 }
 
 JointPoint joint_point(const JointModel& model, const State& state, int index) {

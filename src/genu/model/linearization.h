@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "genu/contact/contact_equations.h"
+#include "genu/core/cancelled.h"
 #include "genu/model/state.h"
 
 namespace genu {
@@ -29,6 +30,7 @@ struct Linearization {
   std::shared_ptr<LayerMemories> layers;
   std::vector<double> layer_loads;   ///< N, of each elastic layer: sum of p dA
   std::vector<double> layer_errors;  ///< N, and its error, estimated
+  VecX layer_wrench;                 ///< 6B: what of `wrench` elastic layers exert; empty without any
   VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
@@ -55,6 +57,12 @@ LoadWrench load_wrench(const JointModel& model, const State& state, const Load& 
 
 /// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
+
+/// Lets linearize() leave off while it sums elastic layers, once `cancelled` says so: the wrench is then not finite.
+void stop_layers_when(const Cancelled& cancelled, Linearization& out);
+
+/// Without constraints and rigid contacts: `wrench` and `stiffness` of all that has no unknowns of its own.
+void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
 /// The constraints alone: `gradient` and `constraint` of `out`; wrench and stiffness hold what their multipliers exert.
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out);

@@ -8,12 +8,22 @@ namespace genu {
 
 std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) {
   LoadScale scale;
+  scale.kind_ = def.kind;
+  scale.start_ = def.start;
   if (def.kind == ScaleDef::Kind::sine) {
     scale.amplitude_ = def.amplitude;
+    scale.offset_ = def.offset;
     scale.angular_frequency_ = 2 * std::numbers::pi * def.frequency;
-    scale.start_ = def.start;
     scale.knots_ = {def.start};
-    scale.largest_ = std::abs(def.amplitude);
+    scale.largest_ = std::abs(def.amplitude) + std::abs(def.offset);
+    return scale;
+  }
+  if (def.kind == ScaleDef::Kind::step) {
+    scale.from_ = def.from;
+    scale.to_ = def.to;
+    scale.rise_ = def.rise;
+    scale.knots_ = {def.start, def.start + def.rise};
+    scale.largest_ = std::max(std::abs(def.from), std::abs(def.to));
     return scale;
   }
   scale.table_ = MonotoneTable::make(def.table, why);
@@ -29,13 +39,38 @@ std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) 
 }
 
 LoadScale::Value LoadScale::evaluate(double x) const {
-  if (!table_) {
-    if (x < start_) return {0, 0};
-    const double phase = angular_frequency_ * (x - start_);
-    return {amplitude_ * std::sin(phase), amplitude_ * angular_frequency_ * std::cos(phase)};
+  switch (kind_) {
+    case ScaleDef::Kind::sine:
+      return sine(x);
+    case ScaleDef::Kind::step:
+      return step(x);
+    case ScaleDef::Kind::over_coordinate:
+    case ScaleDef::Kind::over_time:
+      break;
   }
+  return table(x);
+}
+
+LoadScale::Value LoadScale::table(double x) const {
   const MonotoneTable::Value value = table_->evaluate(std::clamp(x, first_, last_));
-  return {value.y, x > first_ && x < last_ ? value.slope : 0};
+  const bool inside = x > first_ && x < last_;
+  return {value.y, inside ? value.slope : 0, inside ? value.curvature : 0};
+}
+
+LoadScale::Value LoadScale::sine(double x) const {
+  if (x < start_) return {offset_, 0, 0};
+  const double w = angular_frequency_, phase = w * (x - start_);
+  return {offset_ + amplitude_ * std::sin(phase), amplitude_ * w * std::cos(phase),
+          -amplitude_ * w * w * std::sin(phase)};
+}
+
+/// The polynomial of fifth degree whose speed and acceleration are 0 at both ends.
+LoadScale::Value LoadScale::step(double x) const {
+  if (x < start_) return {from_, 0, 0};
+  if (x >= start_ + rise_) return {to_, 0, 0};
+  const double u = (x - start_) / rise_, height = to_ - from_;
+  return {from_ + height * u * u * u * (10 + u * (6 * u - 15)), height * 30 * u * u * (1 - u) * (1 - u) / rise_,
+          height * 60 * u * (1 - u) * (1 - 2 * u) / (rise_ * rise_)};
 }
 
 }  // namespace genu

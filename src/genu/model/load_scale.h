@@ -1,4 +1,5 @@
-// What multiplies a load besides its factor in a step: a curve over a joint coordinate or over time, or a sine in time.
+// A course over time or over a joint coordinate: what multiplies a load besides its factor in a step, or what a
+// coordinate that is driven follows. A curve through points, a sine, or a smooth step.
 #pragma once
 
 #include <numbers>
@@ -15,7 +16,8 @@ class LoadScale {
  public:
   struct Value {
     double factor = 1;
-    double slope = 0;  ///< d factor / d x, per rad, m or s
+    double slope = 0;      ///< d factor / d x, per rad, m or s
+    double curvature = 0;  ///< d2 factor / d x2
   };
 
   /// Empty where the table is none; then `why` says what is wrong with it.
@@ -25,24 +27,31 @@ class LoadScale {
   const std::optional<CoordinateRef>& coordinate() const { return coordinate_; }
 
   /// A table is the monotone curve through its points (MonotoneTable) and keeps its end values beyond them. The curve
-  /// may have a kink at its ends, where the slope is the outer one, 0; so has a sine at its start.
+  /// may have a kink at its ends, where the slope is the outer one, 0; so has a sine at its start. A step without a
+  /// rise has its second value from its start on.
   Value evaluate(double x) const;
 
-  /// Times (s) where a derivative may jump; empty for a scale over a coordinate.
+  /// Times (s) where the factor or a derivative may jump; empty for a scale over a coordinate.
   std::vector<double> kinks_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
 
   /// Of a sine, s; else 0.
-  double period() const { return table_ ? 0 : 2 * std::numbers::pi / angular_frequency_; }
+  double period() const { return kind_ == ScaleDef::Kind::sine ? 2 * std::numbers::pi / angular_frequency_ : 0; }
 
   /// The largest |factor|.
   double largest() const { return largest_; }
 
  private:
+  Value table(double x) const;
+  Value sine(double x) const;
+  Value step(double x) const;
+
+  ScaleDef::Kind kind_ = ScaleDef::Kind::over_time;
   std::optional<CoordinateRef> coordinate_;
-  std::optional<MonotoneTable> table_;  ///< empty: a sine
-  double first_ = 0, last_ = 0;         ///< x of the table's ends
-  std::vector<double> knots_;           ///< x of its points, or the sine's start
-  double amplitude_ = 0, angular_frequency_ = 0, start_ = 0;
+  std::optional<MonotoneTable> table_;
+  double first_ = 0, last_ = 0;  ///< x of the table's ends
+  std::vector<double> knots_;    ///< x of its points, the sine's start, or where the step begins and ends
+  double offset_ = 0, amplitude_ = 0, angular_frequency_ = 0, start_ = 0;
+  double from_ = 0, to_ = 1, rise_ = 0;
   double largest_ = 0;
 };
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/units.h"
+
 namespace genu {
 namespace {
-
-constexpr double kMillimetre = 1e3;
 
 void say(const Scene& scene, const SurfaceDef& surface, Diagnostic::Severity severity, std::string rule,
          Diagnostics& out) {
@@ -25,7 +25,7 @@ void say(const Scene& scene, const SurfaceDef& surface, Diagnostic::Severity sev
 
 /// In the body as the file has it.
 std::string place(const Scene& scene, const SurfaceDef& surface, const Vec3& x) {
-  const Vec3 p = kMillimetre * (x + scene.bodies[static_cast<std::size_t>(surface.body)].centre);
+  const Vec3 p = to::kMillimetre * (x + scene.bodies[static_cast<std::size_t>(surface.body)].centre);
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", p[0], p[1], p[2]);
 }
 
@@ -36,11 +36,11 @@ void warn(const Scene& scene, const SurfaceDef& surface, const BoneReport& repor
     const std::string worst =
         std::isfinite(report.farthest)
             ? fmt::format("they take the thickness of the nearest that have some, up to {:.1f} mm away at {}",
-                          kMillimetre * report.farthest, place(scene, surface, report.farthest_place))
+                          to::kMillimetre * report.farthest, place(scene, surface, report.farthest_place))
             : fmt::format("a piece of the mesh without any, at {}, is taken to be {:.3g} mm thick",
-                          place(scene, surface, report.farthest_place), kMillimetre * asked.least);
+                          place(scene, surface, report.farthest_place), to::kMillimetre * asked.least);
     say(scene, surface, Diagnostic::Severity::warning,
-        fmt::format("no bone within {:.3g} mm under {} of {} vertices ({:.1f} %): {}", kMillimetre * asked.most,
+        fmt::format("no bone within {:.3g} mm under {} of {} vertices ({:.1f} %): {}", to::kMillimetre * asked.most,
                     report.without, report.vertices, percent(report.without), worst),
         out);
   }
@@ -48,9 +48,10 @@ void warn(const Scene& scene, const SurfaceDef& surface, const BoneReport& repor
     say(scene, surface, Diagnostic::Severity::warning,
         fmt::format("cartilage is thinner than {:.3g} mm at {} of {} vertices ({:.1f} %) and counts as that thick; {} "
                     "at {}",
-                    kMillimetre * asked.least, report.thin, report.vertices, percent(report.thin),
-                    report.thinnest < 0 ? fmt::format("bone stands out by {:.2f} mm", -kMillimetre * report.thinnest)
-                                        : fmt::format("it is {:.2f} mm", kMillimetre * report.thinnest),
+                    to::kMillimetre * asked.least, report.thin, report.vertices, percent(report.thin),
+                    report.thinnest < 0
+                        ? fmt::format("bone stands out by {:.2f} mm", -to::kMillimetre * report.thinnest)
+                        : fmt::format("it is {:.2f} mm", to::kMillimetre * report.thinnest),
                     place(scene, surface, report.thinnest_place)),
         out);
 }
@@ -68,7 +69,7 @@ bool thickness_on(const Scene& scene, const Bones& bones, int surface, const Mes
     say(scene, def, Diagnostic::Severity::error,
         fmt::format("no bone lies within {:.3g} mm under the surface: check the frames and units of both meshes, and "
                     "the outward side of the surface",
-                    kMillimetre * def.thickness->most),
+                    to::kMillimetre * def.thickness->most),
         out);
     return false;
   }

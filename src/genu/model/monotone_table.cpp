@@ -100,7 +100,7 @@ std::optional<double> MonotoneTable::zero_from() const {
 
 MonotoneTable::Value MonotoneTable::straight_from(const Knot& knot, double x) const {
   double d = x - knot.x;
-  Value v{knot.y + knot.slope * d, knot.slope, 0};
+  Value v{knot.y + knot.slope * d, knot.slope, 0, 0};
   if (nonnegative_ && v.y <= 0 && d != 0) {
     v.y = v.slope = 0;
     d = knot.y > 0 ? -knot.y / knot.slope : 0;  // the line has area as far as its zero
@@ -116,7 +116,7 @@ MonotoneTable::Value MonotoneTable::cubic(const Knot& left, const Knot& right, d
   const double c2 = (3 * secant - 2 * left.slope - right.slope) / h;
   const double c3 = (left.slope + right.slope - 2 * secant) / (h * h);
   return {left.y + d * (left.slope + d * (c2 + d * c3)), left.slope + d * (2 * c2 + 3 * d * c3),
-          left.integral + d * (left.y + d * (left.slope / 2 + d * (c2 / 3 + d * c3 / 4)))};
+          left.integral + d * (left.y + d * (left.slope / 2 + d * (c2 / 3 + d * c3 / 4))), 2 * c2 + 6 * d * c3};
 }
 
 double MonotoneTable::solve(const Knot& left, const Knot& right, double y) {

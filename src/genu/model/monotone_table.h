@@ -17,8 +17,9 @@ class MonotoneTable {
  public:
   struct Value {
     double y = 0;
-    double slope = 0;     ///< dy/dx
-    double integral = 0;  ///< of y from the first point to x
+    double slope = 0;      ///< dy/dx
+    double integral = 0;   ///< of y from the first point to x
+    double curvature = 0;  ///< d2y/dx2
   };
 
   /// At least two finite points (x, y) with strictly increasing x; otherwise empty, and `why` says what is wrong.

@@ -7,8 +7,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec6 twist_of(const JointModel& model, int body, const VecX& twist) {
   const int moving = body < 0 ? -1 : model.bodies[at(body)].moving;
   return moving < 0 ? Vec6(Vec6::Zero()) : Vec6(twist.segment<6>(6 * moving));
@@ -26,18 +24,26 @@ std::vector<JointValues> coordinate_rates(const JointModel& model, const State& 
   return rates;
 }
 
-VecX centripetal_rates(const JointModel& model, const State& state, const VecX& twist) {
-  VecX out(static_cast<Eigen::Index>(model.held.size()));
+VecX centripetal_rates(const JointModel& model, const State& state, const Target& target, const VecX& twist) {
+  VecX out = VecX::Zero(static_cast<Eigen::Index>(constraint_count(model, target)));
   JointPoint point;
   Vec12 pair;
   int evaluated = -1;
   Eigen::Index row = 0;
-  for (const auto& held : model.held) {
-    if (held.coordinate.joint != evaluated) {
-      point = joint_point(model, state, evaluated = held.coordinate.joint);
+  const auto add = [&](const CoordinateRef& c, double factor) {
+    if (c.joint != evaluated) {
+      point = joint_point(model, state, evaluated = c.joint);
       pair = twist_of_pair(model, evaluated, twist);
     }
-    out[row++] = pair.dot(point.hessian(held.coordinate.index) * pair);
+    out[row] += factor * pair.dot(point.hessian(c.index) * pair);
+  };
+  for (const auto& p : target.prescribed) {
+    for_terms(model, p.coordinate, add);
+    ++row;
+  }
+  for (const auto& held : model.held) {
+    add(held.coordinate, 1);
+    ++row;
   }
   return out;
 }

@@ -9,9 +9,9 @@ namespace genu {
 /// How fast the coordinates of every joint change (rad/s, m/s).
 std::vector<JointValues> coordinate_rates(const JointModel& model, const State& state, const VecX& twist);
 
-/// J' v of each coordinate that joints hold, v^T H v with H its second derivative (rad/s^2, m/s^2): what constraints
-/// add to J a.
-VecX centripetal_rates(const JointModel& model, const State& state, const VecX& twist);
+/// J' v of each constraint, what is prescribed and what joints hold, in the order of linearize(): v^T H v with H its
+/// second derivative (rad/s^2, m/s^2).
+VecX centripetal_rates(const JointModel& model, const State& state, const Target& target, const VecX& twist);
 
 /// What the external loads do, without weights, W.
 double load_power(const JointModel& model, const State& state, const Target& target, const VecX& twist);

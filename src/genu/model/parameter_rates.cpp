@@ -9,8 +9,6 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void add_wrench(const JointModel& model, int body_a, int body_b, const Vec12& wrench, VecX& out) {
   const int bodies[2] = {body_a, body_b};
   for (int i = 0; i < 2; ++i) {

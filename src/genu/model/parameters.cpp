@@ -12,6 +12,7 @@ namespace genu {
 namespace {
 
 using Kind = Parameter::Kind;
+using Law = LigamentDef::Law;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr double kPerCent = 0.01;
@@ -71,7 +72,6 @@ class Parameters {
   }
 
   void add_ligament(const LigamentDef& l) {
-    using Law = LigamentDef::Law;
     const bool per_length = l.law == Law::spring || l.law == Law::abdel_rahman;
     if (l.law != Law::table)
       add_share(l.name + ".stiffness", Kind::stiffness, per_length ? "N/mm" : "N", per_length ? 1e3 : 1, l.stiffness);
@@ -90,6 +90,7 @@ class Parameters {
         add_force(l.name + ".reference_force", Kind::reference_force);
         break;
     }
+    if (l.damping > 0) add_share(l.name + ".damping", Kind::damping, "N s/mm", 1e3, l.damping);
     add_point(l.name + ".from", Kind::from_point);
     add_point(l.name + ".to", Kind::to_point);
     for (int k = 0; k < 3 * static_cast<int>(l.via.size()); ++k)
@@ -143,7 +144,7 @@ class Parameters {
   }
 
   void add_weight(const BodyDef& b) {
-    if (!scene_.gravity || b.fixed || !(b.mass > 0)) return;
+    if (!(scene_.gravity || scene_.dynamics) || b.fixed || !(b.mass > 0)) return;
     add_share(b.name + ".mass", Kind::mass, "kg", 1, b.mass);
     add_point(b.name + ".centre_of_mass", Kind::centre_of_mass);
   }
@@ -151,6 +152,7 @@ class Parameters {
   void add_joint(const JointDef& j) {
     if (j.stiffness > 0)
       add_share(j.name + ".stiffness", Kind::joint_stiffness, "Nm/deg", 1 / units::kDegree, j.stiffness);
+    if (j.damping > 0) add_share(j.name + ".damping", Kind::joint_damping, "Nm s/deg", 1 / units::kDegree, j.damping);
   }
 
   void add_prescribed() {
@@ -176,12 +178,12 @@ class Parameters {
     for (const Parameter& p : out_) ++count[p.name];
     for (Parameter& p : out_) {
       if (count[p.name] == 1) continue;
-      const char* kind = p.of_ligament()                   ? "ligament."
-                         : p.of_surface()                  ? "surface."
-                         : p.of_load()                     ? "load."
-                         : p.kind == Kind::joint_stiffness ? "joint."
-                         : p.kind == Kind::prescribed      ? ""
-                                                           : "body.";
+      const char* kind = p.of_ligament()              ? "ligament."
+                         : p.of_surface()             ? "surface."
+                         : p.of_load()                ? "load."
+                         : p.of_joint()               ? "joint."
+                         : p.kind == Kind::prescribed ? ""
+                                                      : "body.";
       p.name = kind + p.name;
     }
   }

@@ -22,6 +22,7 @@ struct Parameter {
     slack_length,
     reference_strain,
     reference_force,
+    damping,  ///< in motion
     from_point,
     to_point,
     via_point,  ///< component: 3 times the point's index + axis
@@ -40,11 +41,12 @@ struct Parameter {
     toward_point,
     magnitude,  ///< toward: `magnitude`; on a coordinate: `value`
     factor,     ///< the step's factor
-    // of a body with weight
+    // of a body with weight, or in motion
     mass,
     centre_of_mass,
     // of a revolute joint
     joint_stiffness,
+    joint_damping,  ///< in motion
     // of the steps
     prescribed
   };
@@ -64,6 +66,7 @@ struct Parameter {
 
   bool of_ligament() const { return kind <= Kind::via_point; }
   bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }
+  bool of_joint() const { return kind == Kind::joint_stiffness || kind == Kind::joint_damping; }
   bool of_load() const { return kind >= Kind::force && kind <= Kind::factor; }
 };
 

@@ -6,8 +6,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Of a load that has a potential, at the factor 1: J up to a constant.
 double potential(const Load& load, const std::vector<Pose>& poses, double coordinate) {
   switch (load.kind) {
@@ -38,10 +36,7 @@ double since_reference(const JointModel& model, const State& state, const Load& 
 double stored_energy(const JointModel& model, const State& state) {
   double energy = 0;
   for (const auto& l : model.ligaments) energy += l.ligament.law.evaluate(ligament_length(l, state.poses)).energy;
-  for (const auto& spring : model.joint_springs) {
-    const double angle = state.coordinates[at(spring.joint)][0];
-    energy += spring.stiffness * angle * angle / 2;
-  }
+  for (const JointSpring& spring : model.joint_springs) energy += spring.energy(state.coordinates[at(spring.joint)][0]);
   return energy;
 }
 

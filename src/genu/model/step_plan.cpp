@@ -60,9 +60,15 @@ std::vector<StepPlan> plan_steps(const Scene& scene) {
   return steps;
 }
 
-std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state) {
+std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state) {
+  constexpr double kSolved = 1e-8;  // the scaled residual of a pose that is accepted
   const auto i = static_cast<std::size_t>(driven);
   const bool angle = plan.prescribed[i].coordinate.is_rotation();
+  double noise = kSolved;
+  for (const auto& layer : model.layers)
+    noise = std::max(noise, layer.tolerance > 0 ? layer.tolerance : LayerDef().tolerance);
+  noise *= model.scales.force * (angle ? model.scales.length : 1);
+  if (!(std::abs(state.multipliers[i]) > noise)) return {};
   return fmt::format("{} {:.9g} {}", rate < 0 ? "largest" : "smallest", state.multipliers[i], angle ? "Nm" : "N");
 }
 

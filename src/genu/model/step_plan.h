@@ -38,7 +38,9 @@ struct StepPlan {
 /// it ends, the first at 0.
 std::vector<StepPlan> plan_steps(const Scene& scene);
 
-/// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond.
-std::string reaction_words(const StepPlan& plan, int driven, double rate, const State& state);
+/// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond. Empty
+/// where the reaction is no more than what solving leaves of one that is 0, and summing layers: their tolerance times
+/// the model's force scale, and its length scale for a moment.
+std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state);
 
 }  // namespace genu

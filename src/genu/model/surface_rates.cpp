@@ -8,7 +8,7 @@ namespace {
 using Kind = Parameter::Kind;
 
 /// A velocity and its derivative by place.
-struct Field {
+struct VelocityField {
   Vec3 V = Vec3::Zero();
   Mat3 dV = Mat3::Zero();
 };
@@ -16,23 +16,23 @@ struct Field {
 double power(double x, int n) { return n < 0 ? 0 : std::pow(x, n); }
 
 /// Away from the axis z, as fast as `size`, which changes by `gradient`.
-Field radial_field(const Vec3& x, double size, const Vec3& gradient) {
+VelocityField radial_field(const Vec3& x, double size, const Vec3& gradient) {
   const double rho = std::hypot(x.x(), x.y());
   const Vec3 e(x.x() / rho, x.y() / rho, 0), t(-e.y(), e.x(), 0);
   return {size * e, e * gradient.transpose() + size / rho * t * t.transpose()};
 }
 
 /// c x^i y^j along z.
-Field cartesian_term(const Vec3& x, const SurfaceDef::Term& term) {
+VelocityField cartesian_term(const Vec3& x, const SurfaceDef::Term& term) {
   const double xi = power(x.x(), term.i), yj = power(x.y(), term.j);
-  Field out;
+  VelocityField out;
   out.V.z() = xi * yj;
   out.dV.row(2) << term.i * power(x.x(), term.i - 1) * yj, xi * term.j * power(x.y(), term.j - 1), 0;
   return out;
 }
 
 /// c theta^i z^j away from the axis.
-Field cylindrical_term(const Vec3& x, const SurfaceDef::Term& term) {
+VelocityField cylindrical_term(const Vec3& x, const SurfaceDef::Term& term) {
   const double theta = std::atan2(x.y(), x.x()), square = x.x() * x.x() + x.y() * x.y();
   const double ti = power(theta, term.i), zj = power(x.z(), term.j);
   const double by_theta = term.i * power(theta, term.i - 1) * zj;
@@ -41,8 +41,8 @@ Field cylindrical_term(const Vec3& x, const SurfaceDef::Term& term) {
 }
 
 /// Of the points of a shape, in its own frame, per unit of a number that shapes it.
-Field shape_field(const SurfaceDef& def, const Parameter& parameter, const Vec3& x) {
-  Field out;
+VelocityField shape_field(const SurfaceDef& def, const Parameter& parameter, const Vec3& x) {
+  VelocityField out;
   const int k = parameter.component;
   switch (parameter.kind) {
     case Kind::radii:
@@ -74,7 +74,7 @@ SurfaceChange surface_change(const SurfaceDef& def, const Parameter& parameter, 
       return change_of_field(point, Vec3::Unit(parameter.component), Mat3::Zero());
     default: {
       const Mat3& R = def.placement.R;
-      const Field field = shape_field(def, parameter, R.transpose() * (point.p - def.placement.p));
+      const VelocityField field = shape_field(def, parameter, R.transpose() * (point.p - def.placement.p));
       return change_of_field(point, R * field.V, R * field.dV * R.transpose());
     }
   }

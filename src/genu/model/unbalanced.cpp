@@ -1,13 +1,10 @@
 #include "genu/model/unbalanced.h"
 
-#include <Eigen/QR>
-
+#include "genu/core/decompositions.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Every moving body is the child of one joint: as many coordinates as equations.
 std::optional<std::vector<JointValues>> on_coordinates(const JointModel& model, const State& state,
@@ -24,7 +21,7 @@ std::optional<std::vector<JointValues>> on_coordinates(const JointModel& model, 
       if (child >= 0) gradients.col(6 * j + i).segment<6>(6 * child) += gradient.tail<6>().transpose();
     }
   }
-  const VecX solved = gradients.colPivHouseholderQr().solve(missing);
+  const VecX solved = least_squares_solution(gradients, missing);
   std::vector<JointValues> forces(model.joints.size());
   for (std::size_t j = 0; j < forces.size(); ++j)
     for (std::size_t i = 0; i < 6; ++i) forces[j][i] = solved[static_cast<Eigen::Index>(6 * j + i)];

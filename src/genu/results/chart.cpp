@@ -9,37 +9,22 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/svg_text.h"
+
 namespace genu {
 namespace {
 
 // Pixels. Two panels side by side, the names of the lines to the right of each.
-constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbove = 38, kBelow = 44;
-constexpr double kPanelHeight = kAbove + kPlotHeight + kBelow;
+constexpr double kPlotWidth = 350, kPlotHeight = 150, kLeft = 62, kNames = 118, kAbovePlot = 38, kBelowPlot = 44;
+constexpr double kPanelHeight = kAbovePlot + kPlotHeight + kBelowPlot;
 constexpr double kLetter = 6.2, kLeader = 16;  // of a name, and of the line that leads to it
-constexpr double kMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12;
-constexpr int kColumns = 2;
+constexpr double kChartMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12;
+constexpr int kChartColumns = 2;
 constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
 
 // Okabe and Ito (2008), told apart with every kind of colour vision; without its yellow, too pale for a line on white.
 constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                  "#56B4E9", "#E69F00", "#000000", "#888888"};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;  // XML 1.0 has no control characters
-  }
-  return out;
-}
 
 /// With room for the longest name.
 double panel_width(const Chart& chart) {
@@ -50,7 +35,7 @@ double panel_width(const Chart& chart) {
 }
 
 std::string text_at(double x, double y, const std::string& text, const char* attributes) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(text));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, svg_escaped(text));
 }
 
 std::string line_at(double x1, double y1, double x2, double y2, const char* style) {
@@ -241,7 +226,7 @@ std::string draw_events(const Chart& chart, const Axis& x, double top) {
     if (!std::isfinite(e.from) || !std::isfinite(e.to)) continue;
     const double from = std::clamp(x(std::min(e.from, e.to)), x.at_low, x.at_high),
                  to = std::clamp(x(std::max(e.from, e.to)), x.at_low, x.at_high);
-    out += "<g><title>" + escaped(e.text) + "</title>\n";
+    out += "<g><title>" + svg_escaped(e.text) + "</title>\n";
     if (e.kind == ChartEvent::Kind::window) {
       out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
                          from, top, std::max(to - from, 1.5), kPlotHeight);
@@ -277,8 +262,8 @@ std::string list_events(const Chart& chart, double top) {
   const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
   for (std::size_t k = 0; k < shown; ++k) {
     const ChartEvent& e = chart.events[k];
-    const double left = kMargin + kLeft + (k % kColumns) * panel_width(chart),
-                 y = top + kLine * static_cast<double>(k / kColumns);
+    const double left = kChartMargin + kLeft + (k % kChartColumns) * panel_width(chart),
+                 y = top + kLine * static_cast<double>(k / kChartColumns);
     if (e.kind == ChartEvent::Kind::window)
       out +=
           fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"9\"/>\n", left - 4, y - 8);
@@ -316,20 +301,21 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
 }
 
 std::string to_svg(const Chart& chart) {
-  const auto rows = static_cast<double>((chart.panels.size() + kColumns - 1) / kColumns);
-  const auto lines = static_cast<double>((std::min(chart.events.size(), kMostEventLines) + kColumns - 1) / kColumns);
-  const double width = 2 * kMargin + kColumns * panel_width(chart);
-  const double height = kHeader + rows * kPanelHeight + lines * kLine + kMargin;
+  const auto rows = static_cast<double>((chart.panels.size() + kChartColumns - 1) / kChartColumns);
+  const auto lines =
+      static_cast<double>((std::min(chart.events.size(), kMostEventLines) + kChartColumns - 1) / kChartColumns);
+  const double width = 2 * kChartMargin + kChartColumns * panel_width(chart);
+  const double height = kHeader + rows * kPanelHeight + lines * kLine + kChartMargin;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\">\n"
       "<style>{2}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       width, height, kStyle);
-  out += text_at(kMargin, 26, chart.title, "class=\"title\"");
+  out += text_at(kChartMargin, 26, chart.title, "class=\"title\"");
   for (std::size_t k = 0; k < chart.panels.size(); ++k) {
-    const double left = kMargin + kLeft + (k % kColumns) * panel_width(chart);
-    out +=
-        draw_panel(chart, chart.panels[k], left, kHeader + kAbove + static_cast<double>(k / kColumns) * kPanelHeight);
+    const double left = kChartMargin + kLeft + (k % kChartColumns) * panel_width(chart);
+    out += draw_panel(chart, chart.panels[k], left,
+                      kHeader + kAbovePlot + static_cast<double>(k / kChartColumns) * kPanelHeight);
   }
   return out + list_events(chart, kHeader + rows * kPanelHeight + kLine - 4) + "</svg>\n";
 }

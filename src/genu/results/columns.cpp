@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/units.h"
+
 namespace genu {
-namespace {
-
-constexpr double kMillimetre = 1e3, kSquareMillimetre = 1e6;  // of a metre, of a square metre
-constexpr double kMegapascal = 1e6;                           // Pa
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
-}  // namespace
 
 std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
   return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
+}
+
+double shown_value(const QuantityRef& c, double value) {
+  return value * (c.is_rotation() ? to::kDegree : to::kMillimetre);
 }
 
 std::string reaction_column(const Scene& scene, const QuantityRef& c) {
@@ -22,11 +21,12 @@ std::string reaction_column(const Scene& scene, const QuantityRef& c) {
 std::string clinical_column(const std::string& joint, std::size_t i) { return joint + ".gs." + kClinical[i]; }
 
 std::string held_column(const std::string& joint, std::size_t i) {
-  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
+  return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxisNames[i % 3]) +
+         (i < 3 ? "_N" : "_Nm");
 }
 
 std::string residual_column(const std::string& body, std::size_t i) {
-  return fmt::format("{}.residual_{}_{}", body, i < 3 ? "force" : "moment", kAxes[i % 3]) + (i < 3 ? "_N" : "_Nm");
+  return fmt::format("{}.residual_{}_{}", body, i < 3 ? "force" : "moment", kAxisNames[i % 3]) + (i < 3 ? "_N" : "_Nm");
 }
 
 std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis) {
@@ -41,17 +41,17 @@ const std::array<LayerColumn, 13> kLayerColumns = {{
     {"moment_x_Nm", [](const LayerTotals& t) { return t.moment.x(); }},
     {"moment_y_Nm", [](const LayerTotals& t) { return t.moment.y(); }},
     {"moment_z_Nm", [](const LayerTotals& t) { return t.moment.z(); }},
-    {"area_mm2", [](const LayerTotals& t) { return kSquareMillimetre * t.area; }},
-    {"mean_pressure_MPa", [](const LayerTotals& t) { return t.mean_pressure / kMegapascal; }},
-    {"max_pressure_MPa", [](const LayerTotals& t) { return t.max_pressure / kMegapascal; }},
-    {"max_depth_mm", [](const LayerTotals& t) { return kMillimetre * t.max_depth; }},
+    {"area_mm2", [](const LayerTotals& t) { return to::kSquareMillimetre * t.area; }},
+    {"mean_pressure_MPa", [](const LayerTotals& t) { return t.mean_pressure / units::kMegapascal; }},
+    {"max_pressure_MPa", [](const LayerTotals& t) { return t.max_pressure / units::kMegapascal; }},
+    {"max_depth_mm", [](const LayerTotals& t) { return to::kMillimetre * t.max_depth; }},
     {"max_strain", [](const LayerTotals& t) { return t.most_used; }},
     {"points", [](const LayerTotals& t) { return static_cast<double>(t.points); }},
 }};
 
 std::string centre_column(const Scene& scene, const ContactDef& c, bool second, std::size_t axis) {
   const int surface = second ? c.surface_b : c.surface_a;
-  return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxes[axis]);
+  return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxisNames[axis]);
 }
 
 std::string without_unit(const std::string& column) {

@@ -9,8 +9,14 @@
 
 namespace genu {
 
+/// Of the components of a vector.
+inline constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
 /// "knee.flexion_deg", "knee.x_mm", or of a combination
 std::string coordinate_column(const Scene& scene, const QuantityRef& c);
+
+/// A value (SI) in the unit of its coordinate_column().
+double shown_value(const QuantityRef& c, double value);
 
 /// "knee.flexion.reaction_Nm"
 std::string reaction_column(const Scene& scene, const QuantityRef& c);

@@ -9,26 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/svg_text.h"
+
 namespace genu {
 namespace {
 
-constexpr double kMargin = 16, kPixels = 7, kTitle = 34, kBelow = 30, kLegend = 48;  // kPixels: for each mm
-constexpr int kColumns = 2;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
+constexpr double kMapMargin = 16, kPixels = 7, kTitle = 34, kBelowMap = 30, kLegend = 48;  // kPixels: for each mm
+constexpr int kMapColumns = 2;
 
 /// From blue through white to red, -1 .. 1.
 std::string colour(double share) {
@@ -51,16 +38,17 @@ Extent extent_of(const CoverageMap& map) {
 }
 
 /// Samples in square cells: the mean distance in each, or none where no patch is.
-struct Cell {
+struct MapSquare {
   double sum = 0;
   int on = 0;
 };
 
 void draw_cells(const CoverageMap& map, const Extent& extent, const Vec2& at, double scale, std::string& out) {
   const double size = std::max(1.5, 1.5 * map.spacing);
-  std::map<std::pair<int, int>, Cell> cells;
+  std::map<std::pair<int, int>, MapSquare> cells;
   for (const auto& s : map.samples) {
-    Cell& cell = cells[{static_cast<int>(std::floor(s.at.x() / size)), static_cast<int>(std::floor(s.at.y() / size))}];
+    MapSquare& cell =
+        cells[{static_cast<int>(std::floor(s.at.x() / size)), static_cast<int>(std::floor(s.at.y() / size))}];
     if (!s.distance) continue;
     cell.sum += *s.distance;
     ++cell.on;
@@ -80,7 +68,7 @@ void draw(const CoverageMap& map, const Extent& extent, const Vec2& corner, doub
   const auto x = [&](double u) { return at.x() + kPixels * (u - extent.low.x()); };
   const auto y = [&](double v) { return at.y() + kPixels * (extent.high.y() - v); };
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"t\">{}</text>\n", at.x(), corner.y() + 14,
-                     escaped(map.title));
+                     svg_escaped(map.title));
   draw_cells(map, extent, at, scale, out);
   out +=
       fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"p\"/>\n", x(map.low.x()),
@@ -88,7 +76,7 @@ void draw(const CoverageMap& map, const Extent& extent, const Vec2& corner, doub
   for (const Vec2& c : map.contacts)
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", x(c.x()), y(c.y()));
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">across: {}; up: {}</text>\n", at.x(), y(extent.low.y()) + 16,
-                     escaped(map.u_title), escaped(map.v_title));
+                     svg_escaped(map.u_title), svg_escaped(map.v_title));
 }
 
 /// A round number no smaller than the distance that one sample in fifty exceeds.
@@ -118,33 +106,33 @@ std::string coverage_svg(const std::vector<CoverageMap>& maps) {
   }
   std::vector<double> heights;  // of rows
   for (std::size_t k = 0; k < maps.size(); ++k) {
-    if (k % kColumns == 0) heights.push_back(0);
-    const double own = kTitle + kPixels * (extents[k].high.y() - extents[k].low.y()) + kBelow;
+    if (k % kMapColumns == 0) heights.push_back(0);
+    const double own = kTitle + kPixels * (extents[k].high.y() - extents[k].low.y()) + kBelowMap;
     heights.back() = std::max(heights.back(), own);
   }
-  double total = kMargin + kLegend;
-  for (const double h : heights) total += h + kMargin;
-  const double scale = colour_scale(maps), all = 2 * kMargin + kColumns * (width + kMargin);
+  double total = kMapMargin + kLegend;
+  for (const double h : heights) total += h + kMapMargin;
+  const double scale = colour_scale(maps), all = 2 * kMapMargin + kMapColumns * (width + kMapMargin);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\">\n"
       "<style>text{{font:11px sans-serif;fill:#222}}.t{{font-weight:bold;font-size:12px}}"
       ".p{{fill:none;stroke:#000;stroke-width:1.5}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       all, total);
-  double top = kMargin;
+  double top = kMapMargin;
   for (std::size_t k = 0; k < maps.size(); ++k) {
-    const double left = kMargin + static_cast<double>(k % kColumns) * (width + kMargin);
+    const double left = kMapMargin + static_cast<double>(k % kMapColumns) * (width + kMapMargin);
     draw(maps[k], extents[k], Vec2(left, top), scale, out);
-    if (k % kColumns == kColumns - 1) top += heights[k / kColumns] + kMargin;
+    if (k % kMapColumns == kMapColumns - 1) top += heights[k / kMapColumns] + kMapMargin;
   }
   const double y = total - kLegend;
   for (int k = -10; k <= 10; ++k)
     out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"9\" height=\"10\" fill=\"{}\"/>\n",
-                       kMargin + 9 * (k + 10), y, colour(k / 10.0));
+                       kMapMargin + 9 * (k + 10), y, colour(k / 10.0));
   out += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\">mesh {:g} mm below .. {:g} mm above the fitted surface; grey: mesh "
       "without a patch; frame: patch; dots: contacts</text>\n",
-      kMargin, y + 24, scale, scale);
+      kMapMargin, y + 24, scale, scale);
   return out + "</svg>\n";
 }
 

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
+
+#include "genu/results/columns.h"
 
 namespace genu {
 namespace {
 
 constexpr std::size_t kMostLigaments = 8;
 
-double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? 180 / std::numbers::pi : 1e3); }
 const char* unit(const QuantityRef& c) { return c.is_rotation() ? "deg" : "mm"; }
 
 std::vector<double> column(const ResultTable& poses, const std::string& name) {
@@ -221,10 +221,10 @@ class Curves {
   double place(const PathEvent& event) const {
     if (x_) {
       for (const auto& p : event.target.prescribed)
-        if (p.coordinate == *x_) return shown(p.coordinate, p.value);
+        if (p.coordinate == *x_) return shown_value(p.coordinate, p.value);
       const auto joint = static_cast<std::size_t>(x_->first.joint);
       if (x_->combination >= 0 || event.coordinates.size() <= joint) return std::numeric_limits<double>::quiet_NaN();
-      return shown(*x_, event.coordinates[joint][static_cast<std::size_t>(x_->first.index)]);
+      return shown_value(*x_, event.coordinates[joint][static_cast<std::size_t>(x_->first.index)]);
     }
     if (over_time_) return event.target.time;
     // On the axis of rows: between the last row before it and the next.

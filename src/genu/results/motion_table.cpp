@@ -1,21 +1,17 @@
 #include "genu/results/motion_table.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "genu/core/units.h"
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/motion_rates.h"
 #include "genu/results/columns.h"
+#include "genu/results/contact_columns.h"
 
 namespace genu {
 namespace {
-
-constexpr double kMillimetre = 1e3;
-constexpr double kDegree = 180 / M_PI;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double shown(int index, double value) { return value * (index < 3 ? kDegree : kMillimetre); }
 
 /// "j1.angle_velocity_deg_s", "knee.x_velocity_mm_s"
 std::string rate_column(const Scene& scene, const CoordinateRef& c) {
@@ -25,13 +21,20 @@ std::string rate_column(const Scene& scene, const CoordinateRef& c) {
 class MotionTable {
  public:
   MotionTable(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points)
-      : scene_(scene), model_(model) {
+      : scene_(scene), model_(model), contacts_(scene, model, numbers_of(model, points)) {
     add_columns();
     for (const MotionPoint& point : points) add_row(point, points.front());
   }
   ResultTable take() { return std::move(table_); }
 
  private:
+  static std::vector<int> numbers_of(const JointModel& model, const std::vector<MotionPoint>& points) {
+    std::vector<int> numbers(model.pairs.size(), 0);
+    for (const MotionPoint& point : points)
+      for (const ActiveContact& c : point.state.contacts) numbers[at(c.pair)] = std::max(numbers[at(c.pair)], c.number);
+    return numbers;
+  }
+
   void add_columns() {
     for (const char* name : {"step", "increment", "time_s", "status"}) table_.add_column(name);
     for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
@@ -40,7 +43,10 @@ class MotionTable {
         if (joint.leaves(i)) table_.add_column(coordinate_column(scene_, QuantityRef(j, i)));
       for (int i = 0; i < 6; ++i)
         if (joint.leaves(i)) table_.add_column(rate_column(scene_, {j, i}));
-      if (joint.stiffness > 0) table_.add_column(joint.name + ".spring_Nm");
+      for (const auto& drive : model_.drives)
+        if (drive.quantity.combination < 0 && drive.quantity.first.joint == j)
+          table_.add_column(reaction_column(scene_, drive.quantity));
+      if (joint.stiffness > 0 || joint.limits) table_.add_column(joint.name + ".spring_Nm");
       if (joint.damping > 0) table_.add_column(joint.name + ".damper_Nm");
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
@@ -49,14 +55,19 @@ class MotionTable {
     }
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k)
       table_.add_column(coordinate_column(scene_, combination(k)));
+    for (const auto& drive : model_.drives)
+      if (drive.quantity.combination >= 0) table_.add_column(reaction_column(scene_, drive.quantity));
+    contacts_.add_columns(table_);
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
         table_.add_column(l.name + "." + quantity);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
-    for (const char* name : {"energy.kinetic_J", "energy.stored_J", "energy.gravity_J", "energy.load_work_J",
-                             "energy.dissipated_J", "energy.balance_J", "residual"})
+    for (const char* name :
+         {"energy.kinetic_J", "energy.stored_J", "energy.gravity_J", "energy.load_work_J", "energy.dissipated_J"})
       table_.add_column(name);
+    if (!model_.layers.empty()) table_.add_column("energy.layer_work_J");
+    for (const char* name : {"energy.balance_J", "residual"}) table_.add_column(name);
   }
 
   QuantityRef combination(int k) const { return {scene_.combinations[at(k)].terms.front().coordinate, k}; }
@@ -68,6 +79,7 @@ class MotionTable {
     table_.set("time_s", point.time);
     table_.set("status", std::string("ok"));
     set_joints(point);
+    contacts_.set(table_, point.state, {}, point.pair_gap, true);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);
@@ -77,6 +89,7 @@ class MotionTable {
     table_.set("energy.gravity_J", energy.gravity);
     table_.set("energy.load_work_J", point.load_work);
     table_.set("energy.dissipated_J", point.dissipated);
+    if (!model_.layers.empty()) table_.set("energy.layer_work_J", point.layer_work);
     table_.set("energy.balance_J", energy_error(model_, first, point));
     table_.set("residual", point.residual);
   }
@@ -88,18 +101,21 @@ class MotionTable {
       const JointValues& values = point.state.coordinates[at(j)];
       for (int i = 0; i < 6; ++i) {
         if (!joint.leaves(i)) continue;
-        table_.set(coordinate_column(scene_, QuantityRef(j, i)), shown(i, values[at(i)]));
-        table_.set(rate_column(scene_, {j, i}), shown(i, rates[at(j)][at(i)]));
+        table_.set(coordinate_column(scene_, QuantityRef(j, i)), shown_value({j, i}, values[at(i)]));
+        table_.set(rate_column(scene_, {j, i}), shown_value({j, i}, rates[at(j)][at(i)]));
       }
-      if (joint.stiffness > 0) table_.set(joint.name + ".spring_Nm", -joint.stiffness * values[0]);
+      for (const JointSpring& spring : model_.joint_springs)
+        if (spring.joint == j) table_.set(joint.name + ".spring_Nm", spring.moment(values[0]));
       if (joint.damping > 0) table_.set(joint.name + ".damper_Nm", -joint.damping * rates[at(j)][0]);
       if (joint.type != JointDef::Type::free) set_held(j, point.state);
       if (joint.grood_suntay) set_clinical(joint, point.state);
     }
+    for (std::size_t i = 0; i < model_.drives.size(); ++i)
+      table_.set(reaction_column(scene_, model_.drives[i].quantity), point.state.multipliers[i]);
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity = combination(k);
       table_.set(coordinate_column(scene_, quantity),
-                 shown(quantity.first.index, quantity_value(model_, point.state.coordinates, quantity)));
+                 shown_value(quantity, quantity_value(model_, point.state.coordinates, quantity)));
     }
   }
 
@@ -113,8 +129,9 @@ class MotionTable {
     const GroodSuntayDef& def = *joint.grood_suntay;
     const auto m = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
     if (!m) return;
-    const double values[] = {kDegree * m->flexion,     kDegree * m->adduction,    kDegree * m->external_rotation,
-                             kMillimetre * m->lateral, kMillimetre * m->anterior, kMillimetre * m->distraction};
+    const double values[] = {to::kDegree * m->flexion,           to::kDegree * m->adduction,
+                             to::kDegree * m->external_rotation, to::kMillimetre * m->lateral,
+                             to::kMillimetre * m->anterior,      to::kMillimetre * m->distraction};
     for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
   }
 
@@ -124,15 +141,16 @@ class MotionTable {
       const LigamentShown law = show_ligament(model_, point.state, static_cast<int>(i));
       const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
       const double damper = damper_tension(model_, point.state, static_cast<int>(i), point.modes[i], rate);
-      table_.set(l.name + ".length_mm", kMillimetre * law.length);
+      table_.set(l.name + ".length_mm", to::kMillimetre * law.length);
       table_.set(l.name + ".strain", law.strain);
-      table_.set(l.name + ".velocity_mm_s", kMillimetre * rate);
+      table_.set(l.name + ".velocity_mm_s", to::kMillimetre * rate);
       table_.set(l.name + ".force_N", law.force + damper);
     }
   }
 
   const Scene& scene_;
   const JointModel& model_;
+  ContactColumns contacts_;
   ResultTable table_;
 };
 
@@ -144,7 +162,7 @@ ResultTable motion_table(const Scene& scene, const JointModel& model, const std:
 
 double energy_error(const JointModel& model, const MotionPoint& first, const MotionPoint& point) {
   const auto balance = [&](const MotionPoint& p) {
-    return mechanical_energy(model, p.state, p.twist).sum() + p.dissipated - p.load_work;
+    return mechanical_energy(model, p.state, p.twist).sum() + p.dissipated - p.load_work - p.layer_work;
   };
   return balance(point) - balance(first);
 }

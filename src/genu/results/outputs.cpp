@@ -5,17 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/units.h"
 #include "genu/results/columns.h"
 
 namespace genu {
 namespace {
 
-constexpr double kMillimetre = 1e3;
-constexpr double kDegree = 180 / M_PI;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A contact of a pair at a pose: closed or open, with its motion.
 struct MovingContact {
@@ -103,7 +99,7 @@ class Outputs {
   }
 
   void add_quantity(const QuantityRef& q) {
-    add(coordinate_column(scene_, q), q.is_rotation() ? "deg" : "mm", q.is_rotation() ? kDegree : kMillimetre,
+    add(coordinate_column(scene_, q), q.is_rotation() ? "deg" : "mm", q.is_rotation() ? to::kDegree : to::kMillimetre,
         [q](const PosePoint&, const Sensitivity& s) { return s.quantity(q); });
   }
 
@@ -126,7 +122,7 @@ class Outputs {
       add(held_column(joint.name, at(i)), i < 3 ? "N" : "Nm", 1,
           [j, i](const PosePoint&, const Sensitivity& s) { return s.held_reaction(j)[i]; });
     for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
-      add(clinical_column(joint.name, i), i < 3 ? "deg" : "mm", i < 3 ? kDegree : kMillimetre,
+      add(clinical_column(joint.name, i), i < 3 ? "deg" : "mm", i < 3 ? to::kDegree : to::kMillimetre,
           [j, i](const PosePoint&, const Sensitivity& s) {
             const auto m = s.clinical(j);
             if (!m) return kNone;
@@ -140,14 +136,14 @@ class Outputs {
     const std::string& name = model_.pairs[at(p)].name;
     add(name + ".force_N", "N", 1,
         [p](const PosePoint& point, const Sensitivity& s) { return force_rate(contacts_of(p, point, s)); });
-    add(name + ".gap_mm", "mm", kMillimetre, [p](const PosePoint& point, const Sensitivity& s) {
+    add(name + ".gap_mm", "mm", to::kMillimetre, [p](const PosePoint& point, const Sensitivity& s) {
       const auto contacts = contacts_of(p, point, s, true);
       const MovingContact* c = nearest(contacts);
       return c == nullptr ? kNone : c->motion.gap;
     });
     for (const bool second : {false, true})
       for (int i = 0; i < 3; ++i)
-        add(name + "." + point_column(scene_, at(p), second, at(i)), "mm", kMillimetre,
+        add(name + "." + point_column(scene_, at(p), second, at(i)), "mm", to::kMillimetre,
             [p, second, i](const PosePoint& point, const Sensitivity& s) {
               const auto contacts = contacts_of(p, point, s);
               const double centre = centre_rate(contacts, second, i);
@@ -163,7 +159,7 @@ class Outputs {
       return force_rate(within(region, contacts_of(p, point, s)));
     });
     for (int i = 0; i < 3; ++i)
-      add(fmt::format("{}.{}_mm", name, kAxes[i]), "mm", kMillimetre,
+      add(fmt::format("{}.{}_mm", name, kAxisNames[i]), "mm", to::kMillimetre,
           [p, region, i](const PosePoint& point, const Sensitivity& s) {
             return centre_rate(within(region, contacts_of(p, point, s)), true, i);
           });
@@ -180,12 +176,12 @@ class Outputs {
         name + ".force_N", "N", 1, [motion](const auto& point, const auto& s) { return motion(point, s).force; },
         number);
     add(
-        name + ".gap_mm", "mm", kMillimetre,
+        name + ".gap_mm", "mm", to::kMillimetre,
         [motion](const auto& point, const auto& s) { return motion(point, s).gap; }, number);
     for (const bool second : {false, true})
       for (int i = 0; i < 3; ++i)
         add(
-            name + "." + point_column(scene_, at(p), second, at(i)), "mm", kMillimetre,
+            name + "." + point_column(scene_, at(p), second, at(i)), "mm", to::kMillimetre,
             [motion, second, i](const auto& point, const auto& s) {
               const ContactMotion m = motion(point, s);
               return (second ? m.b : m.a)[i];
@@ -195,7 +191,7 @@ class Outputs {
 
   void add_ligament(int l) {
     const std::string& name = model_.ligaments[at(l)].name;
-    add(name + ".length_mm", "mm", kMillimetre, [l](const auto&, const auto& s) { return s.ligament(l).length; });
+    add(name + ".length_mm", "mm", to::kMillimetre, [l](const auto&, const auto& s) { return s.ligament(l).length; });
     add(name + ".strain", "1", 1, [l](const auto&, const auto& s) { return s.ligament(l).strain; });
     add(name + ".force_N", "N", 1, [l](const auto&, const auto& s) { return s.ligament(l).force; });
   }

@@ -1,39 +1,22 @@
 #include "genu/results/pose_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
-#include <fmt/format.h>
-
+#include "genu/core/units.h"
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
+#include "genu/results/contact_columns.h"
 
 namespace genu {
 namespace {
-
-constexpr double kMillimetre = 1e3;
-constexpr double kDegree = 180 / M_PI;
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double shown(const QuantityRef& c, double value) { return value * (c.is_rotation() ? kDegree : kMillimetre); }
-
-/// A contact point as shown: held or open.
-struct ShownContact {
-  double force = 0, gap = 0;
-  Vec3 a, b;
-};
 
 class PoseTable {
  public:
   PoseTable(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
             const std::vector<PoseRecord>& records)
-      : scene_(scene), model_(model) {
-    count_contacts(records);
+      : scene_(scene), model_(model), contacts_(scene, model, numbers_of(model, records)) {
     add_columns(steps);
     if (std::any_of(records.begin(), records.end(), [](const PoseRecord& r) { return r.given.has_value(); }))
       add_residual_columns();
@@ -42,11 +25,12 @@ class PoseTable {
   ResultTable take() { return std::move(table_); }
 
  private:
-  void count_contacts(const std::vector<PoseRecord>& records) {
-    numbers_.assign(model_.pairs.size(), 0);
+  static std::vector<int> numbers_of(const JointModel& model, const std::vector<PoseRecord>& records) {
+    std::vector<int> numbers(model.pairs.size(), 0);
     for (const PoseRecord& r : records)
       for (std::size_t p = 0; p < r.point.pose.last_number.size(); ++p)
-        numbers_[p] = std::max(numbers_[p], r.point.pose.last_number[p]);
+        numbers[p] = std::max(numbers[p], r.point.pose.last_number[p]);
+    return numbers;
   }
 
   void add_columns(const std::vector<StepPlan>& steps) {
@@ -66,18 +50,7 @@ class PoseTable {
       table_.add_column(coordinate_column(scene_, quantity));
       add_reaction(steps, quantity);
     }
-    for (std::size_t p = 0; p < model_.pairs.size(); ++p) {
-      add_contact_columns(model_.pairs[p].name, p);
-      for (const RegionDef& region : scene_.contacts[p].regions) {
-        const std::string name = model_.pairs[p].name + "." + region.name;
-        table_.add_column(name + ".force_N");
-        table_.add_column(name + ".points");
-        for (const char* axis : kAxes) table_.add_column(fmt::format("{}.{}_mm", name, axis));
-      }
-      for (int k = 1; numbers_[p] > 1 && k <= numbers_[p]; ++k)
-        add_contact_columns(fmt::format("{}.{}", model_.pairs[p].name, k), p);
-    }
-    for (const LayerDef& layer : scene_.layers) add_layer_columns(layer);
+    contacts_.add_columns(table_);
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     for (const Load& l : model_.loads)
@@ -99,25 +72,6 @@ class PoseTable {
         if (p.coordinate == quantity) table_.add_column(reaction_column(scene_, quantity));
   }
 
-  void add_contact_columns(const std::string& name, std::size_t pair) {
-    table_.add_column(name + ".force_N");
-    table_.add_column(name + ".gap_mm");
-    for (const bool b : {false, true})
-      for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + point_column(scene_, pair, b, i));
-  }
-
-  void add_layer_columns(const LayerDef& layer) {
-    const std::string& name = layer.pair.name;
-    for (const LayerColumn& c : kLayerColumns) table_.add_column(name + "." + c.name);
-    for (const bool second : {false, true})
-      for (std::size_t i = 0; i < 3; ++i) table_.add_column(name + "." + centre_column(scene_, layer.pair, second, i));
-    for (const RegionDef& region : layer.pair.regions) {
-      const std::string part = name + "." + region.name + ".";
-      for (const LayerColumn& c : kLayerColumns) table_.add_column(part + c.name);
-      for (const char* axis : kAxes) table_.add_column(part + axis + "_mm");
-    }
-  }
-
   void add_row(const PoseRecord& record) {
     const PosePoint& point = record.point;
     table_.add_row();
@@ -127,19 +81,18 @@ class PoseTable {
     table_.set("status", std::string(to_string(point.report.status)));
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
-        table_.set(coordinate_column(scene_, p.coordinate), shown(p.coordinate, p.value));
+        table_.set(coordinate_column(scene_, p.coordinate), shown_value(p.coordinate, p.value));
       set_factors(point.target);
       return;
     }
     set_coordinates(record);
     set_factors(point.target);
-    for (std::size_t p = 0; p < model_.pairs.size(); ++p) set_pair(p, record);
-    for (int k = 0; k < static_cast<int>(model_.layers.size()); ++k) set_layer(k, point.pose.state);
+    contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, !record.given);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     if (record.given) return set_residual(*record.given);
-    table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * kMillimetre);
+    table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * to::kMillijoule);
     const Stability& stability = point.stability;
     table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
@@ -171,11 +124,11 @@ class PoseTable {
     for (int j = 0; j < static_cast<int>(state.coordinates.size()); ++j)
       for (int i = 0; i < 6; ++i)
         if (scene_.joints[at(j)].leaves(i))
-          table_.set(coordinate_column(scene_, {j, i}), shown({j, i}, state.coordinates[at(j)][at(i)]));
+          table_.set(coordinate_column(scene_, {j, i}), shown_value({j, i}, state.coordinates[at(j)][at(i)]));
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
       table_.set(coordinate_column(scene_, quantity),
-                 shown(quantity, quantity_value(model_, state.coordinates, quantity)));
+                 shown_value(quantity, quantity_value(model_, state.coordinates, quantity)));
     }
     for (std::size_t m = 0; reactions && m < point.target.prescribed.size(); ++m)
       table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
@@ -189,9 +142,9 @@ class PoseTable {
     const GroodSuntayDef& def = *joint.grood_suntay;
     const auto motion = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
     if (!motion) return;
-    const double values[] = {kDegree * motion->flexion,           kDegree * motion->adduction,
-                             kDegree * motion->external_rotation, kMillimetre * motion->lateral,
-                             kMillimetre * motion->anterior,      kMillimetre * motion->distraction};
+    const double values[] = {to::kDegree * motion->flexion,           to::kDegree * motion->adduction,
+                             to::kDegree * motion->external_rotation, to::kMillimetre * motion->lateral,
+                             to::kMillimetre * motion->anterior,      to::kMillimetre * motion->distraction};
     for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
   }
 
@@ -201,104 +154,11 @@ class PoseTable {
       table_.set(held_column(model_.joints[at(joint)].name, i), wrench[static_cast<Eigen::Index>(i)]);
   }
 
-  /// What takes a point on the body of a pair to the origin that the file knows.
-  const Vec3& centre(std::size_t pair, bool second) const {
-    return model_.bodies[at(second ? model_.pairs[pair].body_b : model_.pairs[pair].body_a)].centre;
-  }
-
-  void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b) {
-    for (const bool second : {false, true})
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto axis = static_cast<Eigen::Index>(i);
-        table_.set(name + "." + point_column(scene_, pair, second, i),
-                   kMillimetre * (second ? b : a)[axis] + kMillimetre * centre(pair, second)[axis]);
-      }
-  }
-
-  void set_contact(const std::string& name, std::size_t pair, const ShownContact& c) {
-    table_.set(name + ".force_N", c.force);
-    table_.set(name + ".gap_mm", kMillimetre * c.gap);
-    set_point(name, pair, c.a, c.b);
-  }
-
-  std::map<int, ShownContact> contacts_of(std::size_t pair, const PosePoint& point) const {
-    std::map<int, ShownContact> shown_contacts;
-    const auto& p = model_.pairs[pair];
-    const Pose &X_a = point.pose.state.poses[at(p.body_a)], &X_b = point.pose.state.poses[at(p.body_b)];
-    for (const ActiveContact& c : point.pose.state.contacts) {
-      if (at(c.pair) != pair) continue;
-      const double gap = (X_a.R * c.geometry.a.n).dot(X_b * c.geometry.b.p - X_a * c.geometry.a.p);
-      shown_contacts[c.number] = {c.force, gap, c.geometry.a.p, c.geometry.b.p};
-    }
-    for (const OpenContact& c : point.pose.open)
-      if (at(c.pair) == pair) shown_contacts[c.number] = {0, c.gap, c.geometry.a.p, c.geometry.b.p};
-    return shown_contacts;
-  }
-
-  void set_pair(std::size_t pair, const PoseRecord& record) {
-    const std::string& name = model_.pairs[pair].name;
-    const auto contacts = contacts_of(pair, record.point);
-    ShownContact total{0, record.pair_gap[pair], Vec3::Zero(), Vec3::Zero()};
-    const ShownContact* nearest = nullptr;
-    for (const auto& [number, c] : contacts) {
-      if (numbers_[pair] > 1) set_contact(fmt::format("{}.{}", name, number), pair, c);
-      total.force += c.force;
-      total.a += c.force * c.a;
-      total.b += c.force * c.b;
-      if (nearest == nullptr || c.gap < nearest->gap) nearest = &c;
-    }
-    if (!record.given) table_.set(name + ".force_N", total.force);
-    table_.set(name + ".gap_mm", kMillimetre * total.gap);
-    if (total.force > 0)
-      set_point(name, pair, total.a / total.force, total.b / total.force);
-    else if (nearest != nullptr)
-      set_point(name, pair, nearest->a, nearest->b);
-    if (record.given) return;
-    for (const RegionDef& region : scene_.contacts[pair].regions)
-      set_region(name + "." + region.name, region, contacts, centre(pair, true));
-  }
-
-  void set_region(const std::string& name, const RegionDef& region, const std::map<int, ShownContact>& contacts,
-                  const Vec3& origin) {
-    double force = 0;
-    long points = 0;
-    Vec3 centre = Vec3::Zero();
-    for (const auto& [number, c] : contacts) {
-      if (!(c.force > 0) || !region.contains(c.b)) continue;
-      force += c.force;
-      centre += c.force * c.b;
-      ++points;
-    }
-    table_.set(name + ".force_N", force);
-    table_.set(name + ".points", points);
-    for (Eigen::Index i = 0; points > 0 && i < 3; ++i)
-      table_.set(fmt::format("{}.{}_mm", name, kAxes[i]), kMillimetre * centre[i] / force + kMillimetre * origin[i]);
-  }
-
-  void set_layer(int k, const State& state) {
-    const ContactDef& pair = scene_.layers[at(k)].pair;
-    layer_memory_.resize(model_.layers.size());
-    const LayerReport report = report_layer(model_, pair.regions, state, k, layer_memory_[at(k)]);
-    for (const LayerColumn& c : kLayerColumns) table_.set(pair.name + "." + c.name, c.value(report.total));
-    for (std::size_t i = 0; report.total.touches() && i < 3; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i);
-      table_.set(pair.name + "." + centre_column(scene_, pair, false, i), kMillimetre * report.total.centre_a[axis]);
-      table_.set(pair.name + "." + centre_column(scene_, pair, true, i), kMillimetre * report.total.centre[axis]);
-    }
-    for (std::size_t r = 0; r < pair.regions.size(); ++r) {
-      const LayerTotals& totals = report.regions[r];
-      const std::string part = pair.name + "." + pair.regions[r].name + ".";
-      for (const LayerColumn& c : kLayerColumns) table_.set(part + c.name, c.value(totals));
-      for (Eigen::Index i = 0; totals.touches() && i < 3; ++i)
-        table_.set(part + kAxes[i] + "_mm", kMillimetre * totals.centre[i]);
-    }
-  }
-
   void set_ligaments(const PosePoint& point) {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
       const std::string& name = model_.ligaments[i].name;
       const LigamentShown shown_ligament = show_ligament(model_, point.pose.state, static_cast<int>(i));
-      table_.set(name + ".length_mm", kMillimetre * shown_ligament.length);
+      table_.set(name + ".length_mm", to::kMillimetre * shown_ligament.length);
       table_.set(name + ".strain", shown_ligament.strain);
       table_.set(name + ".force_N", shown_ligament.force);
     }
@@ -306,8 +166,7 @@ class PoseTable {
 
   const Scene& scene_;
   const JointModel& model_;
-  std::vector<int> numbers_;
-  std::vector<ElasticLayer::Memory> layer_memory_;
+  ContactColumns contacts_;
   ResultTable table_;
 };
 
@@ -337,9 +196,9 @@ ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, 
     for (int j = 0; j < static_cast<int>(event.coordinates.size()); ++j)
       for (int i = 0; i < 6; ++i)
         if (scene.joints[at(j)].leaves(i))
-          table.set(coordinate_column(scene, {j, i}), shown({j, i}, event.coordinates[at(j)][at(i)]));
+          table.set(coordinate_column(scene, {j, i}), shown_value({j, i}, event.coordinates[at(j)][at(i)]));
     for (const auto& p : event.target.prescribed)
-      table.set(coordinate_column(scene, p.coordinate), shown(p.coordinate, p.value));
+      table.set(coordinate_column(scene, p.coordinate), shown_value(p.coordinate, p.value));
     for (std::size_t i = 0; i < event.target.load_factors.size(); ++i)
       table.set(scene.loads[i].name + ".factor", event.target.load_factors[i]);
   }

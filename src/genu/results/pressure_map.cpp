@@ -5,22 +5,20 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/units.h"
 #include "genu/model/layer_report.h"
 
 namespace genu {
 namespace {
 
-constexpr double kMillimetre = 1e3, kSquareMillimetre = 1e6, kMegapascal = 1e6;
-constexpr const char* kColumns =
+constexpr const char* kHeading =
     "row,surface,triangle,x_mm,y_mm,z_mm,normal_x,normal_y,normal_z,area_mm2,depth_mm,strain,pressure_MPa,force_x_N,"
     "force_y_N,force_z_N\n";
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class PressureMap {
  public:
   PressureMap(const Scene& scene, const JointModel& model, int layer)
-      : model_(model), index_(at(layer)), layer_(model.layers[at(layer)]), text_(kColumns) {
+      : model_(model), index_(at(layer)), layer_(model.layers[at(layer)]), text_(kHeading) {
     const ContactDef& pair = scene.layers[at(layer)].pair;
     names_ = {scene.surfaces[at(pair.surface_a)].name, scene.surfaces[at(pair.surface_b)].name};
   }
@@ -34,12 +32,12 @@ class PressureMap {
       const double share = sides[i].share;
       const Vec3 origin = own_origin(model_, a ? layer_.body_a : layer_.body_b);
       const auto write = [&](const LayerPoint& point) {
-        const Vec3 x = kMillimetre * (point.x - origin);
+        const Vec3 x = to::kMillimetre * (point.x - origin);
         const Vec3 force = share * point.load * (a ? Vec3(R_ba * point.n) : Vec3(-point.n));
         fmt::format_to(std::back_inserter(text_), "{},{},{}", row, names_[a ? 0 : 1], point.cell);
-        for (const double value :
-             {x[0], x[1], x[2], point.n[0], point.n[1], point.n[2], share * kSquareMillimetre * point.area,
-              kMillimetre * point.depth, point.used, point.pressure / kMegapascal, force[0], force[1], force[2]})
+        for (const double value : {x[0], x[1], x[2], point.n[0], point.n[1], point.n[2],
+                                   share * to::kSquareMillimetre * point.area, to::kMillimetre * point.depth,
+                                   point.used, point.pressure / units::kMegapascal, force[0], force[1], force[2]})
           fmt::format_to(std::back_inserter(text_), ",{:.17g}", value);
         text_ += '\n';
       };

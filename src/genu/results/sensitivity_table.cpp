@@ -77,6 +77,24 @@ std::string names_of(const SensitivityRows& rows, const std::vector<std::size_t>
   return parameters.size() > kMost ? out + fmt::format(" and {} more", parameters.size() - kMost) : out;
 }
 
+struct RankedLine {
+  std::string name, change, effect, rms, place, below;
+};
+
+/// Lines with their rank, from 1, columns under each other.
+std::string aligned(const std::vector<RankedLine>& lines) {
+  std::size_t name = 0, change = 0, effect = 0, rms = 0, rank = 0;
+  for (const RankedLine& l : lines) {
+    name = std::max(name, l.name.size()), change = std::max(change, l.change.size());
+    effect = std::max(effect, l.effect.size()), rms = std::max(rms, l.rms.size());
+  }
+  std::string out;
+  for (const RankedLine& l : lines)
+    out += fmt::format("  {:>3}  {:<{}}  {:>{}}  {:>{}}  {:<{}}  {}\n{}", ++rank, l.name, name, l.change, change,
+                       l.effect, effect, l.rms, rms, l.place, l.below);
+  return out;
+}
+
 }  // namespace
 
 std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t output) {
@@ -164,27 +182,27 @@ std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const 
                          const ResultTable& poses, std::size_t most) {
   std::string out;
   const std::vector<std::string> places = place_columns(scene, steps, poses);
-  std::size_t width = 9;
-  for (const Parameter& p : rows.parameters) width = std::max(width, p.name.size());
   for (std::size_t o = 0; o < std::min(kMostOutputs, rows.outputs.size()); ++o) {
     const std::vector<RankedParameter> ranked = ranking(rows, o);
     const std::string unit = rows.outputs[o].unit == "1" ? "" : " " + rows.outputs[o].unit;
     out += fmt::format("{}: what one standard change of a parameter does to it, largest along the path\n",
                        rows.outputs[o].column);
     if (ranked.empty()) out += "  no parameter asked for changes it\n";
+    std::vector<RankedLine> lines;
     for (std::size_t k = 0; k < std::min(most, ranked.size()); ++k) {
       const RankedParameter& r = ranked[k];
-      const Parameter& p = rows.parameters[r.parameter];
       std::string place;
       for (const std::string& name : places) {
         const double value = poses.number(r.row, name);
         if (!std::isfinite(value)) continue;
         place += fmt::format("{} {} = {:.4g}", place.empty() ? "at" : ",", name, std::abs(value) < 1e-9 ? 0 : value);
       }
-      out += fmt::format("  {:>3}  {:<{}}  {:>10}  {:>+12.5g}{}  (rms {:.4g})  {}\n", k + 1, p.name, width,
-                         p.change_text, r.largest, unit, r.mean_size, place);
-      if (!r.alike.empty()) out += fmt::format("       and so does {}\n", names_of(rows, r.alike));
+      const Parameter& p = rows.parameters[r.parameter];
+      lines.push_back({p.name, p.change_text, fmt::format("{:+.5g}{}", r.largest, unit),
+                       fmt::format("(rms {:.4g})", r.mean_size), place,
+                       r.alike.empty() ? "" : fmt::format("       and so does {}\n", names_of(rows, r.alike))});
     }
+    out += aligned(lines);
     if (ranked.size() > most) out += fmt::format("       and {} more\n", ranked.size() - most);
     out += "\n";
   }

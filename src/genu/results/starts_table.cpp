@@ -1,15 +1,10 @@
 #include "genu/results/starts_table.h"
 
-#include <numbers>
-
+#include "genu/core/units.h"
 #include "genu/results/columns.h"
 
 namespace genu {
 namespace {
-
-constexpr double kMillijoule = 1e3;  // = N mm
-
-double shown(const CoordinateRef& c, double value) { return value * (c.index < 3 ? 180 / std::numbers::pi : 1e3); }
 
 /// Calls visit(coordinate) for every coordinate that some joint leaves free.
 template <typename Visit>
@@ -29,11 +24,11 @@ void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibr
   table.set("status", std::string(to_string(e.report.status)));
   table.set("found", std::string(to_string(e.found)));
   for_coordinates(scene, [&](const CoordinateRef& c) {
-    table.set(coordinate_column(scene, c), shown(c, quantity_value(model, state.coordinates, c)));
+    table.set(coordinate_column(scene, c), shown_value(c, quantity_value(model, state.coordinates, c)));
   });
   table.set("contacts", static_cast<long>(state.contacts.size()));
-  if (e.energy) table.set("energy_Nmm", *e.energy * kMillijoule);
-  table.set("stability.min_eigenvalue_Nmm", e.stability.smallest * kMillijoule);
+  if (e.energy) table.set("energy_Nmm", *e.energy * to::kMillijoule);
+  table.set("stability.min_eigenvalue_Nmm", e.stability.smallest * to::kMillijoule);
   table.set("stability", std::string(e.stability.flutter ? "flutter" : to_string(e.stability.verdict)));
   table.set("residual", e.report.certificate.residual);
 }

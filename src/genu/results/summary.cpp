@@ -15,7 +15,7 @@ ordered_json number_or_null(double value) { return std::isfinite(value) ? ordere
 
 void add_solved(const RunSummary& s, ordered_json& j) {
   j["poses"] = {{"asked", s.poses_asked}, {"solved", s.poses_solved}, {"stable", s.poses_stable}};
-  j["contacts"] = {{"fewest", s.fewest_contacts}, {"most", s.most_contacts}};
+  if (s.rigid_pairs > 0) j["contacts"] = {{"fewest", s.fewest_contacts}, {"most", s.most_contacts}};
   j["newton"] = {{"iterations", s.iterations}, {"substeps", s.substeps}, {"worst_residual", s.worst_residual}};
   j["certificate"] = {{"smallest_force_N", number_or_null(s.smallest_force)},
                       {"smallest_gap_mm", number_or_null(1e3 * s.smallest_gap)}};
@@ -33,6 +33,7 @@ void add_motion(const RunSummary& s, ordered_json& j) {
                  {"jacobians", m.jacobians},
                  {"starts", m.starts},
                  {"switches", m.switches},
+                 {"contacts_closed_or_opened", m.impacts},
                  {"worst_constraint_residual", m.worst_residual},
                  {"worst_drift_taken_out", m.worst_drift},
                  {"worst_energy_error_J", number_or_null(m.worst_energy)},
@@ -66,7 +67,44 @@ ordered_json hertz_json(const HertzCheck& c) {
   return j;
 }
 
+ordered_json body_json(const RunSummary::BodyFacts& b) {
+  const Vec3 c = 1e3 * b.centre_of_mass;
+  const Mat3& I = b.inertia;
+  return {{"name", b.name},
+          {"file", b.file},
+          {"density_kg_m3", b.density},
+          {"volume_cm3", 1e6 * b.volume},
+          {"mass_kg", b.mass},
+          {"centre_of_mass_mm", {c.x(), c.y(), c.z()}},
+          {"inertia_kg_m2", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}}};
+}
+
+ordered_json effect_json(const RunSummary::Effect& e) {
+  ordered_json j = {{"name", e.name}, {"count", e.count}, {"unknowns", e.unknowns}};
+  if (e.evaluations) {
+    j["evaluations"] = *e.evaluations;
+    j["seconds"] = e.seconds;
+  }
+  return j;
+}
+
+std::string effect_text(const RunSummary::Effect& e) {
+  const std::string cost =
+      e.evaluations ? fmt::format("{:>10} evaluated {:>9.3g} s", *e.evaluations, e.seconds) : std::string(31, ' ');
+  return fmt::format("{:<22}{:>4}{}   {}", e.name, e.count, cost, e.unknowns);
+}
+
 }  // namespace
+
+std::string to_text(const RunSummary::BodyFacts& b) {
+  const Vec3 c = 1e3 * b.centre_of_mass;
+  const Mat3& I = b.inertia;
+  return fmt::format(
+      "{}: {:.4g} kg ({:.5g} cm3 of {:g} kg/m3), centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia [{:.4g}, {:.4g}, "
+      "{:.4g}, {:.4g}, {:.4g}, {:.4g}] kg m2",
+      b.name, b.mass, 1e6 * b.volume, b.density, c.x(), c.y(), c.z(), I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
+      I(1, 2));
+}
 
 std::string to_json(const RunSummary& s) {
   ordered_json j;
@@ -75,9 +113,9 @@ std::string to_json(const RunSummary& s) {
   j["title"] = s.title;
   j["verdict"] = s.verdict;
   j["exit_code"] = s.exit_code;
-  for (const auto& e : s.effects)
-    j["effects"].push_back({{"name", e.name}, {"count", e.count}, {"unknowns", e.unknowns}});
+  for (const auto& e : s.effects) j["effects"].push_back(effect_json(e));
   for (const auto& f : s.surfaces) j["surfaces"].push_back({{"name", f.name}, {"facts", f.text}});
+  for (const auto& b : s.bodies) j["bodies"].push_back(body_json(b));
   for (const auto& v : s.variants)
     j["error_bars"].push_back({{"cause", v.cause}, {"variant", v.name}, {"poses_solved", v.poses_solved}});
   j["scales"] = {{"length_mm", 1e3 * s.length_scale}, {"force_N", s.force_scale}};
@@ -108,9 +146,9 @@ std::string to_text(const RunSummary& s) {
   const auto line = [&](const std::string& name, const std::string& text) {
     out += fmt::format("  {:<12}{}\n", name, text);
   };
-  for (const auto& e : s.effects)
-    line(&e == &s.effects.front() ? "effects" : "", fmt::format("{:<24}{:>4}   {}", e.name, e.count, e.unknowns));
+  for (const auto& e : s.effects) line(&e == &s.effects.front() ? "effects" : "", effect_text(e));
   for (const auto& f : s.surfaces) line(&f == &s.surfaces.front() ? "surfaces" : "", f.name + ": " + f.text);
+  for (const auto& b : s.bodies) line(&b == &s.bodies.front() ? "bodies" : "", to_text(b));
   if (s.motion) {
     const RunSummary::Motion& m = *s.motion;
     line("motion",
@@ -119,8 +157,10 @@ std::string to_text(const RunSummary& s) {
     line("checks", fmt::format("constraints kept to {:.1e} of the length scale, energy to {:.1e} of {:.3g} J",
                                m.worst_residual, m.worst_energy, m.energy_scale));
   } else {
-    line("poses", fmt::format("{} of {} solved, {} of them stable; {} to {} contacts", s.poses_solved, s.poses_asked,
-                              s.poses_stable, s.fewest_contacts, s.most_contacts));
+    const std::string contacts =
+        s.rigid_pairs > 0 ? fmt::format("; {} to {} contacts", s.fewest_contacts, s.most_contacts) : "";
+    line("poses",
+         fmt::format("{} of {} solved, {} of them stable{}", s.poses_solved, s.poses_asked, s.poses_stable, contacts));
     line("newton", fmt::format("{} iterations in {} substeps, worst residual {:.1e}", s.iterations, s.substeps,
                                s.worst_residual));
   }

@@ -1,12 +1,14 @@
 // What a run did, as facts: for summary.json and for the terminal. Times and the machine stand here alone.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "genu/core/types.h"
 #include "genu/solver/path.h"
 
 namespace genu {
@@ -42,10 +44,21 @@ struct RunSummary {
     std::string name;      ///< "rigid contact", "ligaments", "loads", "weights", "prescribed coordinates"
     int count = 0;         ///< how many of them the scene names
     std::string unknowns;  ///< what each brings, in words
+    std::optional<std::int64_t> evaluations = {};  ///< of one of them each; empty where nothing is evaluated by itself
+    double seconds = 0;                            ///< in these, about
   };
   struct SurfaceFacts {
     std::string name;
     std::string text;
+  };
+  /// A body whose mass follows from a mesh.
+  struct BodyFacts {
+    std::string name, file;
+    double density = 0;                  ///< kg/m^3
+    double volume = 0;                   ///< m^3
+    double mass = 0;                     ///< kg
+    Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body as the file has it
+    Mat3 inertia = Mat3::Zero();         ///< kg m^2, about the centre of mass, in the body's axes
   };
   struct Variant {
     std::string cause, name;
@@ -68,24 +81,28 @@ struct RunSummary {
     long steps = 0, evaluations = 0, jacobians = 0, starts = 0;
     double worst_residual = 0, worst_drift = 0;  ///< of constraints, MotionPoint
     double worst_energy = 0, energy_scale = 0;   ///< J: error of the balance; largest energy or work
-    int switches = 0;                            ///< ligaments that became slack or taut or changed formula
+    int switches = 0;                            ///< ligaments that became slack or taut, laws that changed formula
+    int impacts = 0;                             ///< contacts that closed or opened
   };
   std::optional<GivenPoses> given;
   std::optional<Motion> motion;
   std::string scene_file, title, version;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;
+  std::vector<BodyFacts> bodies;
   std::vector<Variant> variants;  ///< of the surfaces, solved for error bars
   double length_scale = 0;        ///< m
   double force_scale = 0;         ///< N
   int poses_asked = 0, poses_solved = 0, poses_stable = 0;
+  int rigid_pairs = 0;  ///< without any nobody wants to know how many contacts there are
   int fewest_contacts = 0, most_contacts = 0;
   int iterations = 0, substeps = 0;
   double worst_residual = 0;
-  double smallest_force = 0;                            ///< N, +infinity without contact
-  double smallest_gap = 0;                              ///< m, +infinity without contact
-  std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh
-  std::vector<HertzCheck> hertz;                        ///< of layers in contact
+  double bearable_loads = 0;               ///< of all, where there is no first pose under all of them (run/overload.h)
+  double smallest_force = 0;               ///< N, +infinity without contact
+  double smallest_gap = 0;                 ///< m, +infinity without contact
+  std::vector<ContactLocation> locations;  ///< of pairs with a noisy mesh
+  std::vector<HertzCheck> hertz;           ///< of layers in contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
   int exit_code = 0;
@@ -93,6 +110,8 @@ struct RunSummary {
 
 /// Pretty-printed JSON.
 std::string to_json(const RunSummary& summary);
+/// One line: mass, centre, inertia [xx, yy, zz, xy, xz, yz].
+std::string to_text(const RunSummary::BodyFacts& body);
 /// A few aligned lines.
 std::string to_text(const RunSummary& summary);
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
 #include "genu/contact/contact_equations.h"
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
@@ -23,7 +22,7 @@ double least_relative_curvature(const State& state, const JointModel::Pair& pair
   const Mat2 K = relative_curvature(state.poses[static_cast<std::size_t>(pair.body_a)],
                                     state.poses[static_cast<std::size_t>(pair.body_b)], geometry);
   const Mat2 symmetric = 0.5 * (K + K.transpose());
-  return std::max(0.0, Eigen::SelfAdjointEigenSolver<Mat2>(symmetric).eigenvalues()[0]);
+  return std::max(0.0, symmetric_eigen(symmetric).values[0]);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
+#include "genu/core/units.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/unbalanced.h"
 #include "genu/results/curves.h"
@@ -18,10 +19,6 @@
 
 namespace genu {
 namespace {
-
-constexpr double kMillimetre = 1e3;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Every coordinate that some step prescribes; a combination's multiplier is not that of one coordinate.
 std::vector<CoordinateRef> prescribed_somewhere(const std::vector<StepPlan>& steps) {
@@ -78,8 +75,8 @@ class Evaluator {
     if (!buried) return;
     const auto& layer = prepared_.model.layers[at(buried->layer)];
     point.report.status = PoseStatus::overlap;
-    point.report.why = fmt::format("{} by {:.3f} mm, search_depth {:.3g} mm", layer.name, kMillimetre * buried->depth,
-                                   kMillimetre * layer.search_depth);
+    point.report.why = fmt::format("{} by {:.3f} mm, search_depth {:.3g} mm", layer.name,
+                                   to::kMillimetre * buried->depth, to::kMillimetre * layer.search_depth);
   }
 
   void add_gaps(PoseRecord& record) {
@@ -144,7 +141,7 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                   "balance ({}).",
                   records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
   if (s.smallest_gap < 0)
-    s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -kMillimetre * s.smallest_gap));
+    s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -to::kMillimetre * s.smallest_gap));
   say_status(records, PoseStatus::flawed_mesh, "contact leans on a flaw of a mesh", s.verdict);
   say_status(records, PoseStatus::overlap,
              "a layer's surfaces overlap deeper than its rays look, and carry nothing there", s.verdict);
@@ -208,20 +205,14 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
   const Timer timer;
   Evaluation out;
   RunSummary& s = out.summary;
-  s.scene_file = prepared.scene.file;
-  s.title = prepared.scene.title;
-  s.version = GENU_VERSION;
-  s.length_scale = prepared.model.scales.length;
-  s.force_scale = prepared.model.scales.force;
+  s = begin_summary(prepared);
   s.smallest_gap = std::numeric_limits<double>::infinity();
   s.poses_asked = static_cast<int>(given.poses.size());
-  s.seconds = prepared.seconds;
-  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
   s.given.emplace();
   s.given->left_out = given.left_out;
   Evaluator evaluator(prepared, field);
   for (const GivenPose& pose : given.poses) {
-    if (options.cancelled && options.cancelled()) break;
+    if (asked_to_stop(options.cancelled)) break;
     out.records.push_back(evaluator.at_pose(pose));
     for (const double gap : out.records.back().pair_gap) s.smallest_gap = std::min(s.smallest_gap, gap);
   }
@@ -236,15 +227,17 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
 int evaluate_scene(const std::string& path, const std::string& poses, const std::string& folder,
                    const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation) {
   const auto prepared = prepare_run(path, folder, out, {poses});
-  const auto file = read_pose_file(poses, out);
+  auto file = read_pose_file(poses, out);
   if (!prepared || !file || refuse_motion(*prepared, "evaluate", out)) return kExitRefused;
   const auto columns = match_columns(prepared->scene, *file, options.columns, out);
   if (!columns) return kExitRefused;
   const auto given = read_given_poses(prepared->scene, *file, *columns, out);
   if (!given) return kExitRefused;
+  const auto facts = facts_of(prepared->scene, *file, *columns);
+  file.reset();  // its words take as much room as what follows
   ContactField field(prepared->model);
   Evaluation found = evaluate(*prepared, field, *given, options);
-  found.summary.given = facts_of(prepared->scene, *file, *columns);
+  found.summary.given = facts;
   found.summary.given->left_out = given->left_out;
   add_verdict(*prepared, found.records, found.summary);
   RunOptions same;

@@ -11,8 +11,8 @@ namespace genu {
 
 struct EvaluateOptions {
   PoseColumnOptions columns;
-  bool pressure_maps = false;       ///< as RunOptions::pressure_maps
-  std::function<bool()> cancelled;  ///< may be empty
+  bool pressure_maps = false;  ///< as RunOptions::pressure_maps
+  Cancelled cancelled;
 };
 
 struct Evaluation {

@@ -8,8 +8,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::string plural(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -68,6 +66,8 @@ std::string scale_name(const Scene& scene, const LoadDef& load) {
       return "; scaled over time";
     case ScaleDef::Kind::sine:
       return fmt::format("; a sine of {:g} Hz in time", load.scale->frequency);
+    case ScaleDef::Kind::step:
+      return fmt::format("; a step at {:g} s", load.scale->start);
   }
   return {};
 }
@@ -100,7 +100,9 @@ class Explanation {
     if (joint.type == JointDef::Type::revolute) {
       const Vec3& axis = joint.rotations[0].axis;
       return fmt::format("angle about ({:.4g}, {:.4g}, {:.4g}){}; holds the other 5", axis[0], axis[1], axis[2],
-                         joint.stiffness > 0 ? ", with a spring" : "");
+                         joint.stiffness > 0 ? joint.limits ? ", with a spring and limits" : ", with a spring"
+                         : joint.limits      ? ", with limits"
+                                             : "");
     }
     std::vector<std::string> names;
     for (const auto& r : joint.rotations) names.push_back(fmt::format("{} about {}", r.name, axis_name(r.axis)));
@@ -162,7 +164,10 @@ class Explanation {
       loads.push_back(fmt::format("{} ({}{})", l.name, kind_name(scene_, l), scale_name(scene_, l)));
     std::vector<std::string> heavy;
     for (const BodyDef& b : scene_.bodies)
-      if (scene_.gravity && b.mass > 0) heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
+      if (scene_.gravity && b.mass > 0)
+        heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
+      else if (scene_.gravity && b.solid)
+        heavy.push_back(b.name + " of " + b.solid->file);
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("cartilage layer", layers.size(), "pairs: " + joined(layers) + "; no unknowns");
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");

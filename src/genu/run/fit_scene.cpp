@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kApart = 0.015;  // m: contacts of a pair that stay farther apart are surfaces of their own
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The axis that a surface turns about as its contacts travel; none where they hardly turn.
 std::optional<Vec3> axis_of(const std::vector<Vec3>& points, const std::vector<Vec3>& normals) {
   constexpr double kTurned = 0.866;  // cos 30 deg

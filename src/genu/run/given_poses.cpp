@@ -14,9 +14,9 @@ namespace {
 constexpr double kLargestAngle = 1e5, kLargestLength = 1e7;  // rad, m: as in scenes
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-class Reader {
+class GivenPosesReader {
  public:
-  Reader(const Scene& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
+  GivenPosesReader(const Scene& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
       : scene_(scene), file_(file), columns_(columns), errors_(file.path, out), out_(out) {
     for (const JointDef& joint : scene.joints) held_.push_back(joint.reference);
   }
@@ -110,7 +110,7 @@ class Reader {
 
 std::optional<GivenPoses> read_given_poses(const Scene& scene, const PoseFile& file, const PoseColumns& columns,
                                            Diagnostics& out) {
-  return Reader(scene, file, columns, out).read();
+  return GivenPosesReader(scene, file, columns, out).read();
 }
 
 }  // namespace genu

@@ -6,18 +6,16 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "genu/contact/contact_equations.h"
 #include "genu/contact/elastic_layer.h"
 #include "genu/contact/hertz.h"
+#include "genu/core/decompositions.h"
+#include "genu/core/units.h"
 
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-constexpr double kMillimetre = 1e3, kMegapascal = 1e6;
 constexpr double kNarrow = 0.2;    // of the smallest radius: slopes within the contact, squared, are 4 %
 constexpr double kThick = 1;       // of the thickness: at 0.1 a bonded layer is some 10 % stiffer already
 constexpr double kSameArea = 0.2;  // how far the area may be from the ellipse that the curvatures say
@@ -61,9 +59,7 @@ std::optional<ContactGeometry> geometry_at(const JointModel::Layer& layer, const
   return known ? std::optional(g) : std::nullopt;
 }
 
-double largest_curvature(const SurfacePoint& point) {
-  return Eigen::SelfAdjointEigenSolver<Mat2>(point.S).eigenvalues().cwiseAbs().maxCoeff();
-}
+double largest_curvature(const SurfacePoint& point) { return symmetric_eigen(point.S).values.cwiseAbs().maxCoeff(); }
 
 /// Young's modulus of the half spaces: of one alone where the other surface is bare bone.
 double reduced_modulus(const Scene& scene, const LayerDef& def) {
@@ -84,7 +80,7 @@ void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& l
     return;
   }
   const Mat2 K = relative_curvature(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], *geometry);
-  const Vec2 curvatures = Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (K + K.transpose())).eigenvalues();
+  const Vec2 curvatures = symmetric_eigen(Mat2(0.5 * (K + K.transpose()))).values;
   if (!(curvatures[0] > 0)) {
     check.why = "the surfaces conform at the deepest point: the contact is no ellipse";
     return;
@@ -103,7 +99,7 @@ void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& l
   if (h.a * sharpest > kNarrow) {
     check.why =
         fmt::format("the area in contact is not small against the surfaces: half axis {:.2g} mm, radius {:.2g} mm",
-                    kMillimetre * h.a, kMillimetre / sharpest);
+                    to::kMillimetre * h.a, to::kMillimetre / sharpest);
     return;
   }
   check.axis_over_thickness = h.a / thickness;
@@ -111,7 +107,7 @@ void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& l
     check.why = fmt::format(
         "the layer is thin against the area in contact (half axis {:.2g} mm, thickness {:.2g} mm): it is pressed "
         "between bones, which Hertz's half spaces do not know and the elastic foundation is made for",
-        kMillimetre * h.a, kMillimetre * thickness);
+        to::kMillimetre * h.a, to::kMillimetre * thickness);
     return;
   }
   check.force = h.force;
@@ -176,8 +172,9 @@ std::vector<std::string> hertz_sentences(const std::vector<HertzCheck>& checks) 
           "at most on half axes of {:.3g} and {:.3g} mm (Hertz): the layer carries {:.2f} times that, at {:.2f} times "
           "the pressure. Hertz's half axis is {:.2f} of the thickness; the foundation is meant for contacts wider than "
           "the layer is thick.",
-          c.contact, kMillimetre * c.approach, c.row, c.force, c.peak_pressure / kMegapascal, kMillimetre * c.a,
-          kMillimetre * c.b, c.layer_force / c.force, c.layer_peak_pressure / c.peak_pressure, c.axis_over_thickness));
+          c.contact, to::kMillimetre * c.approach, c.row, c.force, c.peak_pressure / units::kMegapascal,
+          to::kMillimetre * c.a, to::kMillimetre * c.b, c.layer_force / c.force,
+          c.layer_peak_pressure / c.peak_pressure, c.axis_over_thickness));
   return out;
 }
 

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "genu/contact/layer_law.h"
+#include "genu/core/units.h"
 #include "genu/run/layer_doubts.h"
 
 namespace genu {
 namespace {
 
-constexpr double kMillimetre = 1e3;
 constexpr double kFewTriangles = 50;  // a sum over fewer jumps visibly from pose to pose
 constexpr double kNearlyAll = 0.95;   // of the search depth
 
@@ -48,7 +48,7 @@ std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& m
           "The layer of {} is pressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows): it is "
           "too soft or too thin for the load, and its law no longer holds.",
           name, 100 * used.value, used.row + 1, 100 * LayerLaw::kDeepest, used.count));
-    else if (deepest.value > kNearlyAll * kMillimetre * model.layers[k].search_depth)
+    else if (deepest.value > kNearlyAll * to::kMillimetre * model.layers[k].search_depth)
       out.push_back(
           fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
                       "`search_depth` may find more.",
@@ -79,6 +79,7 @@ void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& r
   for (std::string& sentence : facing_doubts(prepared, states)) out.push_back(std::move(sentence));
   states.erase(states.begin());  // where the search starts bodies may lie anyhow
   for (std::string& sentence : reach_doubts(prepared, states)) out.push_back(std::move(sentence));
+  for (std::string& sentence : footing_doubts(prepared, records)) out.push_back(std::move(sentence));
 }
 
 }  // namespace genu

@@ -1,19 +1,11 @@
 #include "genu/run/opensim_names.h"
 
-#include <algorithm>
-#include <cctype>
+#include "genu/run/plain_text.h"
 
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool begins_with(const std::string& s, const std::string& begin) { return s.compare(0, begin.size(), begin) == 0; }
-
-std::string lower(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
 
 /// Index of the joint's coordinate that OpenSim's word for a quantity means, -1 for none or several.
 int quantity_index(const JointDef& joint, const std::string& word) {
@@ -21,7 +13,7 @@ int quantity_index(const JointDef& joint, const std::string& word) {
   int found = -1;
   for (int i = 0; i < 6; ++i) {
     if (!joint.leaves(i)) continue;
-    const std::string name = lower(i < 3 ? joint.rotations[at(i)].name : joint.translations[at(i - 3)]);
+    const std::string name = lower_case(i < 3 ? joint.rotations[at(i)].name : joint.translations[at(i - 3)]);
     const bool cut = i < 3 && word.size() >= kShortest && begins_with(name, word);
     if (name != word && !cut && !(i >= 3 && word == "t" + name)) continue;
     if (name == word) return i;
@@ -42,10 +34,10 @@ std::string last_part_of_path(const std::string& column) {
 }
 
 std::vector<CoordinateRef> opensim_coordinates(const Scene& scene, const std::string& column) {
-  const std::string part = lower(last_part_of_path(column));
+  const std::string part = lower_case(last_part_of_path(column));
   std::vector<CoordinateRef> found;
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j) {
-    const std::string joint = lower(scene.joints[at(j)].name);
+    const std::string joint = lower_case(scene.joints[at(j)].name);
     for (const std::string side : {"", "_r", "_l"}) {
       if (part.size() <= side.size() || part.compare(part.size() - side.size(), side.size(), side) != 0) continue;
       const std::string rest = part.substr(0, part.size() - side.size());

@@ -1,7 +1,6 @@
 #include "genu/run/pose_columns.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include <fmt/format.h>
@@ -9,12 +8,12 @@
 #include "genu/core/units.h"
 #include "genu/results/columns.h"
 #include "genu/run/opensim_names.h"
+#include "genu/run/plain_text.h"
+#include "genu/run/refuse_option.h"
 #include "genu/scene/words.h"
 
 namespace genu {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Unit {
   const char* name;
@@ -32,11 +31,6 @@ const Unit* unit_called(const std::string& name) {
   return nullptr;
 }
 
-std::string trimmed(const std::string& s) {
-  const std::size_t first = s.find_first_not_of(" \t");
-  return first == std::string::npos ? std::string() : s.substr(first, s.find_last_not_of(" \t") - first + 1);
-}
-
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -45,11 +39,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     begin = end + 1;
   }
   return parts;
-}
-
-std::string lower(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
 }
 
 class Matcher {
@@ -75,10 +64,6 @@ class Matcher {
  private:
   const std::string& name(std::size_t column) const { return file_.names.cells[column].text; }
 
-  void refuse_option(const std::string& option, const std::string& found, const std::string& rule) {
-    out_.add({.file = {}, .key = option, .found = in_quotes(found), .rule = rule});
-  }
-
   void read_units(const std::string& text) {
     if (file_.in_degrees.value_or(false)) {
       angle_ = unit_called("deg");
@@ -88,9 +73,10 @@ class Matcher {
     }
     if (trimmed(text).empty()) return;
     for (const std::string& part : split(text, ',')) {
-      const Unit* unit = unit_called(trimmed(part));
+      const Unit* unit = unit_called(std::string(trimmed(part)));
       if (unit == nullptr) {
-        refuse_option("--units", text, "must be an angle's unit (deg or rad), a length's (mm or m), or both: deg,mm");
+        refuse_option(out_, "--units", text,
+                      "must be an angle's unit (deg or rad), a length's (mm or m), or both: deg,mm");
         return;
       }
       (unit->angle ? angle_ : length_) = unit;
@@ -128,16 +114,17 @@ class Matcher {
     for (const std::string& part : split(text, ',')) {
       const std::size_t equals = part.find('=');
       if (equals == std::string::npos)
-        refuse_option("--columns", trimmed(part), "must be QUANTITY=COLUMN, such as knee.flexion=knee_flex_r[rad]");
+        refuse_option(out_, "--columns", std::string(trimmed(part)),
+                      "must be QUANTITY=COLUMN, such as knee.flexion=knee_flex_r[rad]");
       else
-        add_explicit(trimmed(part.substr(0, equals)), trimmed(part.substr(equals + 1)));
+        add_explicit(std::string(trimmed(part.substr(0, equals))), std::string(trimmed(part.substr(equals + 1))));
     }
   }
 
   void add_explicit(const std::string& quantity, std::string column) {
     const CoordinateRef* coordinate = coordinate_called(quantity);
     if (coordinate == nullptr && quantity != "time")
-      return refuse_option("--columns", quantity,
+      return refuse_option(out_, "--columns", quantity,
                            "is no coordinate that a column can give" + did_you_mean(quantity, known_quantities()) +
                                " (known: " + quoted_list(known_quantities()) + ")");
     const Unit* unit = nullptr;
@@ -146,23 +133,23 @@ class Matcher {
       const std::string word = column.substr(bracket + 1, column.size() - bracket - 2);
       unit = unit_called(word);
       if (coordinate == nullptr || unit == nullptr || unit->angle != (coordinate->index < 3))
-        return refuse_option("--columns", quantity + "=" + column,
+        return refuse_option(out_, "--columns", quantity + "=" + column,
                              coordinate == nullptr   ? "time has no unit: it is in s"
                              : coordinate->index < 3 ? "the unit of an angle is [deg] or [rad]"
                                                      : "the unit of a length is [mm] or [m]");
-      column = trimmed(column.substr(0, bracket));
+      column = std::string(trimmed(column.substr(0, bracket)));
     }
     const auto c = column_called(column);
     if (!c)
-      return refuse_option("--columns", column,
+      return refuse_option(out_, "--columns", column,
                            "is no column of " + file_.path + did_you_mean(column, names()) + ", or that of several");
     if (coordinate == nullptr) {
-      if (found_.time) return refuse_option("--columns", quantity, "is given twice");
+      if (found_.time) return refuse_option(out_, "--columns", quantity, "is given twice");
       found_.time = c;
       return;
     }
     if (!explicit_.emplace(std::pair{coordinate->joint, coordinate->index}, std::pair{*c, unit}).second)
-      refuse_option("--columns", quantity, "is given twice");
+      refuse_option(out_, "--columns", quantity, "is given twice");
   }
 
   std::vector<std::string> names() const {
@@ -236,7 +223,7 @@ class Matcher {
     if (!found_.own_results()) found_.step = found_.increment = found_.status = std::nullopt;
     if (!found_.time) found_.time = find("time_s");
     for (std::size_t c = 0; !found_.time && c < file_.names.cells.size(); ++c)
-      if (lower(name(c)) == "time") found_.time = c;
+      if (lower_case(name(c)) == "time") found_.time = c;
     for (int i = 0; i < static_cast<int>(scene_.loads.size()); ++i)
       if (const auto c = find(scene_.loads[at(i)].name + ".factor")) found_.factors.push_back({i, *c});
     for (const auto& c : {found_.step, found_.increment, found_.status, found_.time})

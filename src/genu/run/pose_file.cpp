@@ -1,7 +1,6 @@
 #include "genu/run/pose_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,20 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/run/plain_text.h"
+
 namespace genu {
 namespace {
 
 constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 30;  // bytes
-
-std::string lower(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
-
-std::string_view trimmed(std::string_view s) {
-  const std::size_t first = s.find_first_not_of(" \t");
-  return first == std::string_view::npos ? std::string_view() : s.substr(first, s.find_last_not_of(" \t") - first + 1);
-}
 
 struct Line {
   int number = 0;  // from 1
@@ -81,9 +72,9 @@ void split_blanks(std::string_view line, std::vector<PoseFile::Cell>& cells) {
   }
 }
 
-class Reader {
+class PoseFileReader {
  public:
-  Reader(const std::string& text, const std::string& path, Diagnostics& out)
+  PoseFileReader(const std::string& text, const std::string& path, Diagnostics& out)
       : lines_(lines_of(text)), errors_(path, out), out_(out) {
     file_.path = path;
   }
@@ -95,11 +86,10 @@ class Reader {
     file_.names = split(lines_[names]);
     for (std::size_t k = names + 1; k < lines_.size(); ++k) add_row(split(lines_[k]));
     check_names();
+    check_promise(promised_rows_, "nRows", file_.rows.size(), "rows");
+    check_promise(promised_columns_, "nColumns", file_.names.cells.size(), "columns");
     if (errors_.count() > 0) return std::nullopt;
     if (file_.rows.empty()) return nothing("holds no pose below its column names");
-    if (promised_rows_ && *promised_rows_ != file_.rows.size())
-      return nothing(fmt::format("promises {} rows (nRows) and holds {}: copy or export it again", *promised_rows_,
-                                 file_.rows.size()));
     return std::move(file_);
   }
 
@@ -111,9 +101,10 @@ class Reader {
 
   /// Index of the line of names.
   std::size_t find_names() {
-    const std::string extension = lower(std::filesystem::path(file_.path).extension().string());
-    const auto end = std::find_if(lines_.begin(), lines_.end(),
-                                  [](const Line& l) { return lower(std::string(trimmed(l.text))) == "endheader"; });
+    const std::string extension = lower_case(std::filesystem::path(file_.path).extension().string());
+    const auto end = std::find_if(lines_.begin(), lines_.end(), [](const Line& l) {
+      return lower_case(std::string(trimmed(l.text))) == "endheader";
+    });
     storage_ = end != lines_.end();
     if (!storage_) {
       if ((extension == ".sto" || extension == ".mot") && !lines_.empty())
@@ -128,18 +119,37 @@ class Reader {
   void read_header(const Line& line) {
     const std::size_t equals = line.text.find('=');
     if (equals == std::string_view::npos) return;
-    const std::string key = lower(std::string(trimmed(line.text.substr(0, equals))));
-    const std::string value = lower(std::string(trimmed(line.text.substr(equals + 1))));
+    const std::string key = lower_case(std::string(trimmed(line.text.substr(0, equals))));
+    const std::string value = lower_case(std::string(trimmed(line.text.substr(equals + 1))));
     const int column = static_cast<int>(equals) + 2;
     if (key == "indegrees") {
       if (value != "yes" && value != "no") errors_.add(line.number, column, "inDegrees", value, "must be yes or no");
       file_.in_degrees = value == "yes";
     }
-    if (key == "nrows" && !value.empty() && value.size() < 10 &&
-        value.find_first_not_of("0123456789") == std::string::npos)
-      promised_rows_ = static_cast<std::size_t>(std::stol(value));
+    if (key == "nrows") read_promise(line.number, column, "nRows", value, promised_rows_);
+    if (key == "ncolumns") read_promise(line.number, column, "nColumns", value, promised_columns_);
     if (key == "datatype" && value != "double")
       errors_.add(line.number, column, "DataType", value, "must be double: one number a cell");
+  }
+
+  /// A number of rows or columns that a storage's header gives.
+  struct Promise {
+    std::size_t count = 0;
+    int line = 0, column = 0;
+  };
+
+  void read_promise(int line, int column, const char* key, const std::string& value, std::optional<Promise>& out) {
+    constexpr std::size_t kMostDigits = 9;
+    if (value.empty() || value.size() > kMostDigits || value.find_first_not_of("0123456789") != std::string::npos)
+      errors_.add(line, column, key, value, "must be a whole number >= 0");
+    else
+      out = {static_cast<std::size_t>(std::stol(value)), line, column};
+  }
+
+  void check_promise(const std::optional<Promise>& promise, const char* key, std::size_t found, const char* what) {
+    if (promise && promise->count != found)
+      errors_.add(promise->line, promise->column, key, fmt::format("{}", promise->count),
+                  fmt::format("the file holds {} {}: copy or export it again", found, what));
   }
 
   static char separator_of(std::string_view names) {
@@ -186,7 +196,7 @@ class Reader {
   PoseFile file_;
   bool storage_ = false;
   char separator_ = ',';
-  std::optional<std::size_t> promised_rows_;
+  std::optional<Promise> promised_rows_, promised_columns_;
 };
 
 }  // namespace
@@ -205,7 +215,7 @@ std::optional<PoseFile> parse_pose_file(const std::string& text, const std::stri
     out.error(path, "is empty: poses are expected, in columns with names");
     return std::nullopt;
   }
-  return Reader(text, path, out).read();
+  return PoseFileReader(text, path, out).read();
 }
 
 std::optional<PoseFile> read_pose_file(const std::string& path, Diagnostics& out) {

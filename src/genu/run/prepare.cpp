@@ -6,29 +6,30 @@
 #include <fmt/format.h>
 
 #include "genu/core/timer.h"
+#include "genu/core/units.h"
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/facet_surface.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_shape.h"
 #include "genu/run/build_surface.h"
+#include "genu/run/mesh_diagnostics.h"
 #include "genu/run/read_bones.h"
+#include "genu/run/read_solids.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 
 namespace genu {
 namespace {
 
-constexpr double kMillimetre = 1e3;
-
 std::string describe(const MeshReport& r, const BlendFacts& f) {
   return fmt::format("{} triangles, edge {:.2f} mm; degree {}, fit radius {:.2f} mm, {} nodes; {}", r.triangles,
-                     kMillimetre * r.edge_length[2], f.degree, kMillimetre * f.fit_radius, f.node_count, f.why);
+                     to::kMillimetre * r.edge_length[2], f.degree, to::kMillimetre * f.fit_radius, f.node_count, f.why);
 }
 
 const char* unit_word(double metres) { return metres == 1 ? "m" : "mm"; }
 
 /// Carries a mesh into its body's frame, its outward side where the scene wants it.
-void place(const SurfaceDef& def, Mesh& mesh) {
+void move_to_body(const SurfaceDef& def, Mesh& mesh) {
   for (Vec3& v : mesh.vertices) v = def.placement * v;
   if (!def.inside) return;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -82,24 +83,19 @@ void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDe
 
 /// Errors of a stage that does not know the scene get the place in the scene that named the file.
 void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
+  Diagnostics of_file;
   for (Diagnostic d : found.items()) {
-    if (d.key == def.file + ".fit_radius") {
-      d.file = scene.file;
-      d.line = def.fit_radius_where.line;
-      d.column = def.fit_radius_where.column;
-      d.key = "surface." + def.name + ".fit_radius";
-      out.add(d);
+    if (d.key != def.file + ".fit_radius") {
+      of_file.add(d);
       continue;
     }
-    const std::string detail = d.file.empty() || d.file == def.file ? d.rule : d.file + ": " + d.rule;
     d.file = scene.file;
-    d.line = def.file_where.line;
-    d.column = def.file_where.column;
-    d.key = "surface." + def.name + ".file";
-    d.found = '"' + def.file + '"';
-    d.rule = detail;
+    d.line = def.fit_radius_where.line;
+    d.column = def.fit_radius_where.column;
+    d.key = "surface." + def.name + ".fit_radius";
     out.add(d);
   }
+  add_at_key(scene, def.file_where, "surface." + def.name + ".file", def.file, of_file, out);
 }
 
 /// Whether nothing but the triangles of a surface is asked for: then it is not made smooth.
@@ -116,7 +112,7 @@ bool triangles_alone(const Scene& scene, std::size_t surface) {
 
 std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace> doubtful, SurfaceNote& note) {
   note.text = fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
-                          kMillimetre * note.mesh->edge_length[2]);
+                          to::kMillimetre * note.mesh->edge_length[2]);
   auto facets = std::make_shared<FacetSurface>(std::move(mesh));
   for (DoubtfulPlace& d : doubtful) d.reach = note.mesh->edge_length[2];
   facets->set_doubtful(std::move(doubtful));
@@ -139,7 +135,7 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
       warn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);
       warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
-      place(def, *mesh);
+      move_to_body(def, *mesh);
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
     }
@@ -201,19 +197,32 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
 
 namespace {
 
-/// Two planes touch over an area or not at all: no point of contact can stand for that.
-void refuse_flat_pairs(const Scene& scene, Diagnostics& out) {
+/// Two planes touch over an area or not at all: no point of contact can stand for that. A layer between them is sound
+/// as long as that area has an end.
+void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
   const auto flat = [&](int surface) {
-    return scene.surfaces[static_cast<std::size_t>(surface)].shape == SurfaceDef::Shape::plane;
+    return p.scene.surfaces[static_cast<std::size_t>(surface)].shape == SurfaceDef::Shape::plane;
   };
-  for (const ContactDef& c : scene.contacts)
+  const auto endless = [&](int surface) {
+    const auto& built = p.surfaces[static_cast<std::size_t>(surface)];
+    return flat(surface) && built && built->is_unbounded();
+  };
+  const auto refuse = [&](const ContactDef& c, const char* rule) {
+    out.add({.file = p.scene.file,
+             .line = c.where.line,
+             .column = c.where.column,
+             .key = "contact." + c.name + ".surfaces",
+             .found = {},
+             .rule = rule});
+  };
+  for (const ContactDef& c : p.scene.contacts)
     if (flat(c.surface_a) && flat(c.surface_b))
-      out.add({.file = scene.file,
-               .line = c.where.line,
-               .column = c.where.column,
-               .key = "contact." + c.name + ".surfaces",
-               .found = {},
-               .rule = "two planes never touch at a point: give one of them a curved surface, however slightly"});
+      refuse(c, "two planes never touch at a point: give one of them a curved surface, however slightly");
+  for (const LayerDef& layer : p.scene.layers)
+    if (endless(layer.pair.surface_a) && endless(layer.pair.surface_b))
+      refuse(layer.pair,
+             "two planes without end press over an area without end: limit one of them by a `patch` with x "
+             "and y");
 }
 
 }  // namespace
@@ -223,18 +232,34 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
   const Timer timer;
   auto scene = read_scene(path, out);
   if (!scene) return std::nullopt;
-  refuse_flat_pairs(*scene, out);
   p.scene = std::move(*scene);
   centre_bodies(p.scene);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
+  refuse_flat_pairs(p, out);
   p.bones = read_bones(p.scene, out);
+  p.bodies = read_solids(p.scene, out);
   if (out.has_errors()) return std::nullopt;
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
+  p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
   return p;
+}
+
+RunSummary begin_summary(const Prepared& prepared) {
+  RunSummary s;
+  s.scene_file = prepared.scene.file;
+  s.title = prepared.scene.title;
+  s.version = GENU_VERSION;
+  s.rigid_pairs = static_cast<int>(prepared.scene.contacts.size());
+  s.length_scale = prepared.model.scales.length;
+  s.force_scale = prepared.model.scales.force;
+  s.seconds = prepared.seconds;
+  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
+  s.bodies = prepared.bodies;
+  return s;
 }
 
 }  // namespace genu

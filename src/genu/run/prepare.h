@@ -11,6 +11,7 @@
 #include "genu/geometry/mesh_check.h"
 #include "genu/geometry/mesh_flaws.h"
 #include "genu/model/step_plan.h"
+#include "genu/results/summary.h"
 
 namespace genu {
 
@@ -23,10 +24,11 @@ struct SurfaceNote {
 };
 
 struct Prepared {
-  Scene scene;  ///< its points from the origins that centre_bodies() chose
+  Scene scene;  ///< its points from the origins that centre_bodies() chose, its bodies with their masses
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<SurfaceNote> notes;
-  Bones bones;  ///< under surfaces whose thickness is measured
+  Bones bones;                                ///< under surfaces whose thickness is measured
+  std::vector<RunSummary::BodyFacts> bodies;  ///< those whose mass follows from a mesh
   JointModel model;
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
@@ -34,6 +36,9 @@ struct Prepared {
 
 /// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well.
 std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
+
+/// What a summary of anything done with a scene begins with: names, scales, surfaces and the time taken until now.
+RunSummary begin_summary(const Prepared& prepared);
 
 /// The surfaces of a scene; those that cannot be built are null and said in `out`.
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,

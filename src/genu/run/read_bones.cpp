@@ -5,6 +5,7 @@
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_shape.h"
 #include "genu/geometry/mesh_topology.h"
+#include "genu/run/mesh_diagnostics.h"
 
 namespace genu {
 namespace {
@@ -14,15 +15,7 @@ std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef&
   Diagnostics found;
   auto mesh = read_mesh(thickness.bone, thickness.bone_unit, found);
   if (mesh) check_scale(check_mesh(*mesh), thickness.bone, thickness.bone_unit == 1 ? "m" : "mm", found);
-  for (Diagnostic d : found.items()) {
-    d.rule = d.file.empty() || d.file == thickness.bone ? d.rule : d.file + ": " + d.rule;
-    d.file = scene.file;
-    d.line = thickness.bone_where.line;
-    d.column = thickness.bone_where.column;
-    d.key = "surface." + surface.name + ".thickness.bone";
-    d.found = '"' + thickness.bone + '"';
-    out.add(std::move(d));
-  }
+  add_at_key(scene, thickness.bone_where, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
   if (!mesh || found.has_errors()) return nullptr;
   make_winding_consistent(*mesh, mesh_edges(*mesh));
   turn_odd_pieces(*mesh);

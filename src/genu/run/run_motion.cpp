@@ -1,4 +1,5 @@
 #include "genu/run/run_motion.h"
+#include "genu/run/effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace genu {
 namespace {
 
-void refuse(const Prepared& prepared, std::string rule, Diagnostics& out) {
+void refuse_dynamics(const Prepared& prepared, std::string rule, Diagnostics& out) {
   const SourceLocation& where = prepared.scene.dynamics->where;
   out.add({.file = prepared.scene.file,
            .line = where.line,
@@ -22,31 +23,19 @@ void refuse(const Prepared& prepared, std::string rule, Diagnostics& out) {
            .rule = std::move(rule)});
 }
 
-void note_effects(const Prepared& p, RunSummary& s) {
-  const auto add = [&](const char* name, std::size_t count, std::string unknowns) {
-    if (count > 0) s.effects.push_back({name, static_cast<int>(count), std::move(unknowns)});
-  };
-  const auto damped =
-      std::count_if(p.model.ligaments.begin(), p.model.ligaments.end(), [](const auto& l) { return l.damping > 0; });
-  const int bodies = p.model.moving_count;
-  add("dynamics", 1, fmt::format("{} numbers over time: pose, quaternion, twist; 2 energies", 13 * bodies));
-  add("moving bodies", p.model.inertias.size(), fmt::format("6 accelerations each: {}", 6 * bodies));
-  add("joint constraints", p.model.held.size(), "coordinates held, 1 multiplier each");
-  add("joint springs", p.model.joint_springs.size(), "no unknowns");
-  add("joint dampers", p.model.joint_dampers.size(), "no unknowns");
-  add("ligaments", p.model.ligaments.size(), "no unknowns");
-  add("ligament dampers", static_cast<std::size_t>(damped), "no unknowns");
-  add("loads", p.model.loads.size(), "no unknowns");
-  add("weights", p.model.weights.size(), "no unknowns");
-}
-
 void note_energy(const JointModel& model, const std::vector<MotionPoint>& points, RunSummary::Motion& m) {
   for (const MotionPoint& p : points) {
     const MechanicalEnergy e = mechanical_energy(model, p.state, p.twist);
     m.worst_energy = std::max(m.worst_energy, std::abs(energy_error(model, points.front(), p)));
-    for (const double part : {e.kinetic, e.stored, e.gravity, p.load_work, p.dissipated})
+    for (const double part : {e.kinetic, e.stored, e.gravity, p.load_work, p.dissipated, p.layer_work})
       m.energy_scale = std::max(m.energy_scale, std::abs(part));
   }
+}
+
+int impacts(const std::vector<PathEvent>& events) {
+  return static_cast<int>(std::count_if(events.begin(), events.end(), [](const PathEvent& e) {
+    return e.kind == PathEvent::Kind::contact_gained || e.kind == PathEvent::Kind::contact_lost;
+  }));
 }
 
 std::vector<std::string> verdict(const MotionResult& result, const RunSummary& s) {
@@ -56,8 +45,10 @@ std::vector<std::string> verdict(const MotionResult& result, const RunSummary& s
   else
     out.push_back(fmt::format("{} of {} rows: {}.", s.poses_solved, s.poses_asked, result.why));
   if (s.motion->switches > 0)
-    out.push_back(
-        fmt::format("{} times a ligament became slack or taut or changed formula: events.csv.", s.motion->switches));
+    out.push_back(fmt::format("{} times a ligament became slack or taut or a law changed formula: events.csv.",
+                              s.motion->switches));
+  if (s.motion->impacts > 0)
+    out.push_back(fmt::format("{} times a contact closed or opened: events.csv.", s.motion->impacts));
   return out;
 }
 
@@ -68,6 +59,7 @@ MotionPlan plan_motion(const DynamicsDef& dynamics) {
   plan.duration = dynamics.duration;
   plan.output_interval = dynamics.output_interval;
   plan.tolerance = dynamics.tolerance;
+  plan.from_equilibrium = dynamics.from_equilibrium;
   for (const DynamicsDef::Rate& rate : dynamics.start_rates) plan.start_rates.emplace_back(rate.coordinate, rate.value);
   return plan;
 }
@@ -75,14 +67,8 @@ MotionPlan plan_motion(const DynamicsDef& dynamics) {
 Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
   Solution out;
   RunSummary& s = out.summary;
-  s.scene_file = prepared.scene.file;
-  s.title = prepared.scene.title;
-  s.version = GENU_VERSION;
-  s.length_scale = prepared.model.scales.length;
-  s.force_scale = prepared.model.scales.force;
-  s.seconds = prepared.seconds;
-  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
-  note_effects(prepared, s);
+  s = begin_summary(prepared);
+  start_counting(prepared);
 
   const Timer timer;
   const MotionPlan plan = plan_motion(*prepared.scene.dynamics);
@@ -101,6 +87,7 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
     if (options.progress) options.progress(static_cast<int>(points.size()), s.poses_asked);
   };
   const MotionResult result = follow_motion(prepared.model, plan, observer);
+  s.effects = effects_of(prepared);
   s.poses_solved = static_cast<int>(points.size());
   s.motion = {plan.duration,
               plan.output_interval,
@@ -114,7 +101,8 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
               result.worst_drift,
               0,
               0,
-              static_cast<int>(out.events.size())};
+              static_cast<int>(out.events.size()) - impacts(out.events),
+              impacts(out.events)};
   note_energy(prepared.model, points, *s.motion);
   s.exit_code = result.complete ? kExitOk : kExitIncomplete;
   s.verdict = verdict(result, s);
@@ -125,20 +113,21 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
 }
 
 bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
-  if (options.starts > 0) refuse(prepared, "a motion has one start: run it without --starts", out);
-  if (options.error_bars) refuse(prepared, "not built yet: error bars of a motion; run it without --error-bars", out);
+  if (options.starts > 0) refuse_dynamics(prepared, "a motion has one start: run it without --starts", out);
+  if (options.error_bars)
+    refuse_dynamics(prepared, "not built yet: error bars of a motion; run it without --error-bars", out);
   return !out.has_errors();
 }
 
 bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out) {
   if (found.summary.poses_solved > 0) return false;
-  refuse(prepared, found.summary.verdict.front(), out);
+  refuse_dynamics(prepared, found.summary.verdict.front(), out);
   return true;
 }
 
 bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out) {
   if (!prepared.scene.dynamics) return false;
-  refuse(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);
+  refuse_dynamics(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);
   return true;
 }
 

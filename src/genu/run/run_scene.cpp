@@ -1,94 +1,40 @@
 #include "genu/run/run_scene.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
+#include "genu/core/units.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/results/pressure_map.h"
 #include "genu/run/contact_location.h"
+#include "genu/run/effects.h"
 #include "genu/run/hertz_check.h"
 #include "genu/run/layer_doubts.h"
 #include "genu/run/layer_verdict.h"
+#include "genu/run/overload.h"
 #include "genu/run/run_motion.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
+#include "genu/solver/pair_gaps.h"
 
 namespace genu {
 namespace {
 
-constexpr double kMillimetre = 1e3;
 constexpr double kLargestOverlap = 5e-3;  // m: a start that overlaps more is refused
 
 int poses_asked(const std::vector<StepPlan>& steps) {
   int asked = steps.empty() ? 0 : 1;
   for (const StepPlan& step : steps) asked += step.increments;
   return asked;
-}
-
-std::vector<double> pair_gaps(const PosePoint& point, const JointModel& model, ContactField& field) {
-  std::vector<double> gaps(model.pairs.size(), std::numeric_limits<double>::infinity());
-  for (int pair = 0; pair < static_cast<int>(gaps.size()); ++pair) {
-    double& gap = gaps[static_cast<std::size_t>(pair)];
-    bool held = false;
-    for (const ActiveContact& c : point.pose.state.contacts) {
-      if (c.pair != pair) continue;
-      const auto& p = model.pairs[static_cast<std::size_t>(pair)];
-      const Pose &X_a = point.pose.state.poses[static_cast<std::size_t>(p.body_a)],
-                 &X_b = point.pose.state.poses[static_cast<std::size_t>(p.body_b)];
-      gap = std::min(gap, (X_a.R * c.geometry.a.n).dot(X_b * c.geometry.b.p - X_a * c.geometry.a.p));
-      held = true;
-    }
-    for (const OpenContact& c : point.pose.open)
-      if (c.pair == pair) gap = std::min(gap, c.gap);
-    if (!held && !std::isfinite(gap)) gap = field.smallest_gap(point.pose.state, pair);
-  }
-  return gaps;
-}
-
-/// "no unknowns; tibiofemoral measured, 1.1 to 8.3 mm thick"
-std::string layer_note(const Prepared& p) {
-  std::string note = "no unknowns";
-  for (std::size_t k = 0; k < p.model.layers.size(); ++k) {
-    const JointModel::Layer& layer = p.model.layers[k];
-    if (p.scene.layers[k].measured)
-      note += fmt::format("; {} measured, {:.2g} to {:.2g} mm thick", layer.name, kMillimetre * layer.thinnest,
-                          kMillimetre * layer.thickest);
-  }
-  return note;
-}
-
-void note_effects(const Prepared& p, RunSummary& summary) {
-  const Scene& scene = p.scene;
-  const int bodies = p.model.moving_count;
-  std::size_t prescribed = 0;
-  for (const StepPlan& step : p.steps) prescribed = std::max(prescribed, step.prescribed.size());
-  summary.effects.push_back({"moving bodies", bodies, fmt::format("6 unknowns each: {}", 6 * bodies)});
-  if (!p.model.held.empty())
-    summary.effects.push_back(
-        {"joint constraints", static_cast<int>(p.model.held.size()), "coordinates held, 1 multiplier each"});
-  if (!p.model.joint_springs.empty())
-    summary.effects.push_back({"joint springs", static_cast<int>(p.model.joint_springs.size()), "no unknowns"});
-  if (prescribed > 0)
-    summary.effects.push_back({"prescribed coordinates", static_cast<int>(prescribed), "1 multiplier each"});
-  if (!scene.contacts.empty())
-    summary.effects.push_back(
-        {"rigid contact pairs", static_cast<int>(scene.contacts.size()), "5 unknowns for each contact point found"});
-  if (!scene.layers.empty())
-    summary.effects.push_back({"cartilage layers", static_cast<int>(scene.layers.size()), layer_note(p)});
-  if (!scene.ligaments.empty())
-    summary.effects.push_back({"ligaments", static_cast<int>(scene.ligaments.size()), "no unknowns"});
-  if (!scene.loads.empty()) summary.effects.push_back({"loads", static_cast<int>(scene.loads.size()), "no unknowns"});
-  if (!p.model.weights.empty())
-    summary.effects.push_back({"weights", static_cast<int>(p.model.weights.size()), "no unknowns"});
 }
 
 void note_pose(const PosePoint& point, RunSummary& s) {
@@ -110,7 +56,7 @@ std::string interrupted_folder(std::string folder) {
 }  // namespace
 
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary) {
-  if (!options.cancelled || !options.cancelled()) return folder;
+  if (!asked_to_stop(options.cancelled)) return folder;
   summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
   std::error_code ignored;
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
@@ -152,7 +98,7 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
              .rule = fmt::format("the surfaces overlap by {:.4g} mm where the search starts, at most {:.0f} mm can be "
                                  "resolved: move the bodies apart with the joint's `start`, or check the frames and "
                                  "units of the meshes",
-                                 kMillimetre * overlap, kMillimetre * kLargestOverlap)});
+                                 to::kMillimetre * overlap, to::kMillimetre * kLargestOverlap)});
   }
   return good;
 }
@@ -160,16 +106,10 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options) {
   Solution out;
   RunSummary& s = out.summary;
-  s.scene_file = prepared.scene.file;
-  s.title = prepared.scene.title;
-  s.version = GENU_VERSION;
-  s.length_scale = prepared.model.scales.length;
-  s.force_scale = prepared.model.scales.force;
+  s = begin_summary(prepared);
+  start_counting(prepared);
   s.poses_asked = poses_asked(prepared.steps);
   s.smallest_force = s.smallest_gap = std::numeric_limits<double>::infinity();
-  s.seconds = prepared.seconds;
-  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
-  note_effects(prepared, s);
 
   const Timer timer;
   double gap_seconds = 0;
@@ -180,13 +120,14 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
     PoseRecord record{point, {}};
     if (!point.pose.state.poses.empty()) {
       const ScopedTimer timing(gap_seconds);
-      record.pair_gap = pair_gaps(point, prepared.model, field);
+      record.pair_gap = pair_gaps(point.pose.state, point.pose.open, prepared.model, field);
     }
     note_pose(point, s);
     out.records.push_back(std::move(record));
     if (options.progress) options.progress(static_cast<int>(out.records.size()), s.poses_asked);
   };
   const PathResult path = follow_path(prepared.model, field, prepared.steps, options.path, observer);
+  s.effects = effects_of(prepared);
   s.iterations = path.iterations;
   s.substeps = path.substeps;
   s.worst_residual = path.worst_residual;
@@ -194,6 +135,8 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
   if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
   s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
+  if (s.poses_solved == 0)
+    s.bearable_loads = bearable_loads(prepared, field, stoppable(options.path.newton, options.cancelled));
   s.locations = locate_contacts(prepared, out.records);
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
@@ -231,15 +174,25 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   const std::vector<SurfaceVariant>& variants = surface_variants();
   const std::vector<MeshNoise> noises = mesh_noises(prepared);
   RunOptions same = options;
-  same.progress = {};
   std::vector<std::optional<Solution>> varied(variants.size());
-  std::atomic<int> done = 0;
+  std::mutex telling;
+  int done = 0;
+  const int asked = solution.summary.poses_asked * static_cast<int>(variants.size());
+  const auto tell = [&](int more) {
+    if (!options.varied_progress || more == 0) return;
+    const std::lock_guard<std::mutex> one_at_a_time(telling);
+    options.varied_progress(done += more, asked);
+  };
+  same.progress = [&](int, int) { tell(1); };
   tbb::parallel_for(std::size_t{0}, variants.size(), [&](std::size_t i) {
+    if (asked_to_stop(options.cancelled)) return;
     if (const auto other = vary(prepared, noises, variants[i])) {
       ContactField field(other->model);
       varied[i] = solve(*other, field, same);
     }
-    ++done;
+    if (asked_to_stop(options.cancelled)) return;
+    const int solved = varied[i] ? static_cast<int>(varied[i]->records.size()) : 0;
+    tell(solution.summary.poses_asked - solved);  // a path that ends early is done as well
   });
   std::vector<VariedPoses> poses;
   for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -273,12 +226,10 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   }
   auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
-  for (const SurfaceDef& def : prepared->scene.surfaces) {
-    for (const std::string& file : {def.file, def.thickness ? def.thickness->bone : std::string()}) {
-      if (file.empty() || !folder_holds(*folder, file)) continue;
-      out.error(*folder, "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
-      return std::nullopt;
-    }
+  for (const std::string& file : mesh_files(prepared->scene)) {
+    if (!folder_holds(*folder, file)) continue;
+    out.error(*folder, "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
+    return std::nullopt;
   }
   return prepared;
 }

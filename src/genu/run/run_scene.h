@@ -35,7 +35,9 @@ struct RunOptions {
   /// rad: how far the starts turn what is free; translations go half the characteristic length for each 20 deg of it
   double spread = kStartSpread;
   std::function<void(int done, int asked)> progress;  ///< called after every row; may be empty
-  std::function<bool()> cancelled;                    ///< may be empty
+  /// The same while error bars are sought, for the rows of all variants together: one call at a time, from any thread.
+  std::function<void(int done, int asked)> varied_progress;
+  Cancelled cancelled;
 };
 
 /// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the

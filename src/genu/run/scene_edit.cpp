@@ -114,6 +114,23 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
                .rule = "is not written as a table with a header of its own, [" + what + "], and cannot be replaced"});
     first = std::min(first, where.line);
   };
+  const auto rename = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
+    const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(opened).lexically_normal();
+    const std::string path = to.lexically_relative(from).generic_string();
+    const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
+    if (name && !(plain && lines.replace(name->where.line, name->text, path)))
+      out.add({.file = file,
+               .line = name->where.line,
+               .column = name->where.column,
+               .key = key,
+               .found = {},
+               .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, "
+                       "backslashes and control characters"});
+  };
+  for (const BodyDef& body : scene.bodies)
+    if (body.solid)
+      rename(document->member("body")->member(body.name)->member("solid")->member("file"), body.solid->file,
+             "body." + body.name + ".solid.file");
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
     const SurfaceDef& s = scene.surfaces[k];
     const bool meshed = s.shape == SurfaceDef::Shape::mesh;
@@ -121,23 +138,10 @@ std::string with_fitted_surfaces(const std::string& file, const Scene& scene, co
       drop("surface." + s.name, s.where);
     } else {
       const TomlNode* table = document->member("surface")->member(s.name);
-      const auto rename = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
-        const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(opened).lexically_normal();
-        const std::string path = to.lexically_relative(from).generic_string();
-        const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
-        if (name && !(plain && lines.replace(name->where.line, name->text, path)))
-          out.add({.file = file,
-                   .line = name->where.line,
-                   .column = name->where.column,
-                   .key = "surface." + s.name + key,
-                   .found = {},
-                   .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, "
-                           "backslashes and control characters"});
-      };
-      if (meshed) rename(table ? table->member("file") : nullptr, s.file, ".file");
+      if (meshed) rename(table ? table->member("file") : nullptr, s.file, "surface." + s.name + ".file");
       const TomlNode* thickness = table ? table->member("thickness") : nullptr;
       if (thickness && s.thickness && s.thickness->measured)
-        rename(thickness->member("bone"), s.thickness->bone, ".thickness.bone");
+        rename(thickness->member("bone"), s.thickness->bone, "surface." + s.name + ".thickness.bone");
     }
   }
   for (const int k : replaced) {

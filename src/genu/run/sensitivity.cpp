@@ -10,6 +10,7 @@
 #include "genu/core/timer.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
+#include "genu/run/refuse_option.h"
 #include "genu/run/run_motion.h"
 #include "genu/scene/words.h"
 
@@ -21,10 +22,6 @@ constexpr std::size_t kMostRows = 5000000;  // of sensitivity.csv
 
 bool names(const std::string& pattern, const std::string& column) {
   return pattern == "all" || matches(pattern, column) || matches(pattern, without_unit(column));
-}
-
-void refuse(Diagnostics& out, const char* option, const std::string& pattern, const std::string& why) {
-  out.add({.file = {}, .key = option, .found = in_quotes(pattern), .rule = why});
 }
 
 /// The layer whose number a column of results.csv is; null for any other column.
@@ -63,7 +60,7 @@ const char* kind_of_object(const Parameter& p) {
   if (p.of_ligament()) return "ligaments";
   if (p.of_surface()) return "surfaces";
   if (p.of_load()) return "loads";
-  if (p.kind == Parameter::Kind::joint_stiffness) return "joints";
+  if (p.of_joint()) return "joints";
   return p.kind == Parameter::Kind::prescribed ? "" : "bodies";
 }
 
@@ -114,7 +111,7 @@ void choose_outputs(const Prepared& prepared, const std::vector<std::string>& pa
       if (!names(pattern, known[k].column)) continue;
       wanted[k] = found = true;
     }
-    if (!found) refuse(out, "--of", pattern, no_output(prepared, known, pattern));
+    if (!found) refuse_option(out, "--of", pattern, no_output(prepared, known, pattern));
   }
   for (std::size_t k = 0; k < known.size(); ++k)
     if (wanted[k]) chosen.push_back(known[k]);
@@ -130,7 +127,7 @@ void mark_parameters(const Scene& scene, const std::vector<Parameter>& known, co
     if (pattern != "all" && !matches(pattern, known[k].name)) continue;
     wanted[k] = found = true;
   }
-  if (!found) refuse(out, "--to", pattern, no_parameter(scene, known, pattern));
+  if (!found) refuse_option(out, "--to", pattern, no_parameter(scene, known, pattern));
 }
 
 /// The one parameter that moves all of `members`, each by its standard change.
@@ -175,7 +172,8 @@ void choose_parameters(const Scene& scene, const std::vector<std::string>& patte
     for (std::string part; std::getline(parts, part, '+');) mark_parameters(scene, known, part, wanted, out);
     members.push_back(marked(wanted));
     bundles.push_back(bundle_of(pattern, members.back()));
-    if (members.back().empty() && parts.str().empty()) refuse(out, "--to", pattern, "names nothing to move together");
+    if (members.back().empty() && parts.str().empty())
+      refuse_option(out, "--to", pattern, "names nothing to move together");
   }
   rows.parameters = marked(singles);
   rows.bundles.resize(rows.parameters.size());

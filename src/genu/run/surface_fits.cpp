@@ -16,32 +16,31 @@
 namespace genu {
 namespace {
 
-constexpr double kMm = 1e3;  // per m
-
 std::string point_text(const Vec3& p) {
-  return fmt::format("[{:.1f}, {:.1f}, {:.1f}] mm", kMm * p.x(), kMm * p.y(), kMm * p.z());
+  return fmt::format("[{:.1f}, {:.1f}, {:.1f}] mm", to::kMillimetre * p.x(), to::kMillimetre * p.y(),
+                     to::kMillimetre * p.z());
 }
 
 CoverageMap coverage_map(const NamedFit& named) {
   const SurfaceFit& fit = named.fit;
   CoverageMap map;
-  map.title = fmt::format("{}: degree {}, rms {:.3f} mm", named.name, fit.degree, kMm * fit.residual.rms);
+  map.title = fmt::format("{}: degree {}, rms {:.3f} mm", named.name, fit.degree, to::kMillimetre * fit.residual.rms);
   double radius = 0;
   for (const PolynomialTerm& t : fit.terms)
     if (t.i == 0 && t.j == 0) radius = t.c;
-  const double stretch = kMm * (fit.chart.cylindrical ? radius : 1);  // mm per unit of u
-  map.u_title = fit.chart.cylindrical ? fmt::format("theta times {:.1f} mm", kMm * radius) : "x, mm";
+  const double stretch = to::kMillimetre * (fit.chart.cylindrical ? radius : 1);  // mm per unit of u
+  map.u_title = fit.chart.cylindrical ? fmt::format("theta times {:.1f} mm", to::kMillimetre * radius) : "x, mm";
   map.v_title = fit.chart.cylindrical ? "z, mm" : "y, mm";
-  map.low = Vec2(stretch * fit.patch.u0, kMm * fit.patch.v0);
-  map.high = Vec2(stretch * fit.patch.u1, kMm * fit.patch.v1);
-  map.spacing = kMm * median_edge_length(fit.zone, mesh_edges(fit.zone));
+  map.low = Vec2(stretch * fit.patch.u0, to::kMillimetre * fit.patch.v0);
+  map.high = Vec2(stretch * fit.patch.u1, to::kMillimetre * fit.patch.v1);
+  map.spacing = to::kMillimetre * median_edge_length(fit.zone, mesh_edges(fit.zone));
   const auto at = [&](const Vec3& p) {
     const ChartPoint c = fit.chart.coordinates(p);
-    return Vec2(stretch * c.u, kMm * c.v);
+    return Vec2(stretch * c.u, to::kMillimetre * c.v);
   };
   for (std::size_t v = 0; v < fit.zone.vertices.size(); ++v) {
     CoverageMap::Sample sample{at(fit.zone.vertices[v]), std::nullopt};
-    if (std::isfinite(fit.distance[v])) sample.distance = kMm * fit.distance[v];
+    if (std::isfinite(fit.distance[v])) sample.distance = to::kMillimetre * fit.distance[v];
     map.samples.push_back(sample);
   }
   for (const Vec3& p : named.contacts) map.contacts.push_back(at(p));
@@ -52,18 +51,19 @@ std::string to_json(const NamedFit& named) {
   std::string doubtful;
   for (const std::string& doubt : doubts(named.fit)) doubtful += (doubtful.empty() ? "" : ", ") + toml_string(doubt);
   const SurfaceFit& f = named.fit;
-  const Vec3 where = kMm * f.residual.where;
+  const Vec3 where = to::kMillimetre * f.residual.where;
   std::string scores;
   for (const DegreeScore& s : f.scores)
-    scores += fmt::format("{}{{\"degree\": {}, \"left_out_rms_mm\": {}, \"fitted_rms_mm\": {}}}",
-                          scores.empty() ? "" : ", ", s.degree, kMm * s.left_out_rms, kMm * s.fitted_rms);
+    scores +=
+        fmt::format("{}{{\"degree\": {}, \"left_out_rms_mm\": {}, \"fitted_rms_mm\": {}}}", scores.empty() ? "" : ", ",
+                    s.degree, to::kMillimetre * s.left_out_rms, to::kMillimetre * s.fitted_rms);
   return fmt::format(
       "    {{\"name\": \"{}\", \"source\": {}, \"chart\": \"{}\", \"degree\": {}, \"coefficients\": {},\n"
       "     \"rms_mm\": {}, \"largest_mm\": {}, \"largest_at_mm\": [{}, {}, {}], \"vertices\": {}, \"covered\": {},\n"
       "     \"noise_mm\": {}, \"degrees_tried\": [{}], \"doubts\": [{}]}}",
       named.name, toml_string(named.source), f.chart.cylindrical ? "cylindrical" : "cartesian", f.degree,
-      f.terms.size(), kMm * f.residual.rms, kMm * f.residual.largest, where.x(), where.y(), where.z(), f.residual.count,
-      f.covered, kMm * f.noise, scores, doubtful);
+      f.terms.size(), to::kMillimetre * f.residual.rms, to::kMillimetre * f.residual.largest, where.x(), where.y(),
+      where.z(), f.residual.count, f.covered, to::kMillimetre * f.noise, scores, doubtful);
 }
 
 }  // namespace
@@ -103,14 +103,15 @@ std::optional<KnownPatch> known_patch(const SurfaceDef& def) {
 }
 
 std::string describe(const SurfaceFit& fit) {
-  const double u = fit.patch.width(), v = kMm * fit.patch.height();
+  const double u = fit.patch.width(), v = to::kMillimetre * fit.patch.height();
   const std::string patch = fit.chart.cylindrical ? fmt::format("{:.0f} deg x {:.1f} mm", u / units::kDegree, v)
-                                                  : fmt::format("{:.1f} x {:.1f} mm", kMm * u, v);
+                                                  : fmt::format("{:.1f} x {:.1f} mm", to::kMillimetre * u, v);
   return fmt::format(
       "{}, degree {}, patch {} ({:.0f} % over mesh), rms {:.3g} mm along its normal, largest {:.3g} mm at {}, {} "
       "vertices",
-      fit.chart.cylindrical ? "cylindrical" : "cartesian", fit.degree, patch, 100 * fit.covered, kMm * fit.residual.rms,
-      kMm * fit.residual.largest, point_text(fit.residual.where), fit.residual.count);
+      fit.chart.cylindrical ? "cylindrical" : "cartesian", fit.degree, patch, 100 * fit.covered,
+      to::kMillimetre * fit.residual.rms, to::kMillimetre * fit.residual.largest, point_text(fit.residual.where),
+      fit.residual.count);
 }
 
 std::vector<std::string> doubts(const SurfaceFit& fit) {
@@ -122,11 +123,11 @@ std::vector<std::string> doubts(const SurfaceFit& fit) {
     out.push_back(
         fmt::format("the vertices lie {:.3g} mm rms off it, but their own noise is {:.2g} mm: it does not "
                     "follow the shape; a smaller region or another degree may",
-                    kMm * r.rms, kMm * fit.noise));
+                    to::kMillimetre * r.rms, to::kMillimetre * fit.noise));
   const double largest = std::abs(r.largest);
   if (largest > std::max({kPeak * fit.noise, kPeak * r.rms, kUnseenPeak}))
-    out.push_back(fmt::format("one vertex lies {:.3g} mm off it, far more than the others: look at {}", kMm * largest,
-                              point_text(r.where)));
+    out.push_back(fmt::format("one vertex lies {:.3g} mm off it, far more than the others: look at {}",
+                              to::kMillimetre * largest, point_text(r.where)));
   if (fit.wanted_degree > fit.degree)
     out.push_back(fmt::format("the degree was lowered from {} to {}: higher ones fold or swing out over the patch",
                               fit.wanted_degree, fit.degree));

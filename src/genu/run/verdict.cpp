@@ -71,7 +71,7 @@ void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& 
       more == 0 ? "" : fmt::format(" {} more such {} in events.csv.", more, more == 1 ? "turn is" : "turns are")));
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string joined_with_and(const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < names.size(); ++i)
     out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
@@ -92,19 +92,26 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   }
   std::string out;
   if (!motion.empty())
-    out += fmt::format("Free is {}: prescribe it, or add the ligament or load that holds it. ", joined(motion));
+    out +=
+        fmt::format("Free is {}: prescribe it, or add the ligament or load that holds it. ", joined_with_and(motion));
   if (!forces.empty())
     out += fmt::format(
         "Not determined one by one: {}. Prescribe one coordinate less, or give one of them a ligament's "
         "elasticity. ",
-        joined(forces));
+        joined_with_and(forces));
   if (out.empty()) return "Prescribe the free motion, or add the ligament or load that holds it.";
   out.pop_back();
   return out;
 }
 
+bool raises_a_load(const Prepared& prepared, int step) {
+  if (step < 1) return false;
+  const auto& factors = prepared.steps[static_cast<std::size_t>(step - 1)].factors;
+  return std::any_of(factors.begin(), factors.end(), [](const auto& f) { return std::abs(f.to) > std::abs(f.from); });
+}
+
 /// What the user can do about a pose that was not found.
-std::string advice_without_pose(const Prepared& prepared, bool first, bool turned_back) {
+std::string advice_without_pose(const Prepared& prepared, const PosePoint& point, bool first, bool turned_back) {
   if (turned_back) return "Prescribe another coordinate from there on, or control the step by arc length.";
   const auto& surfaces = prepared.scene.surfaces;
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
@@ -112,7 +119,20 @@ std::string advice_without_pose(const Prepared& prepared, bool first, bool turne
   if (first)
     return "Start nearer to where the joint balances (the joint's `start`), and check that something holds every "
            "motion that is not prescribed.";
+  if (!prepared.scene.layers.empty() && raises_a_load(prepared, point.step))
+    return "Its layers may carry no more than this (`modulus`, `thickness`, `search_depth`): smaller increments of the "
+           "load tell how far they go.";
   return std::string("Try smaller increments") + (meshed ? " or another `fit_radius`." : ".");
+}
+
+/// To start elsewhere is of no use where a layer carries less than it is asked to.
+std::string overload_advice(double part) {
+  return fmt::format(
+      "Under {:g} of its loads the joint balances here: all of them are more than its layers carry from here. Stiffer "
+      "or "
+      "thicker ones (`modulus`, `thickness`, `search_depth`) carry more, and a step that raises a load from {:g} to 1 "
+      "tells how far these go.",
+      part, part);
 }
 
 std::string advice(PoseStatus status) {
@@ -262,7 +282,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (report.status == PoseStatus::ok) continue;
     std::string what_next = advice(report.status);
     if (report.status == PoseStatus::no_equilibrium)
-      what_next = advice_without_pose(prepared, &r == &records.front(), turned_back);
+      what_next = advice_without_pose(prepared, r.point, &r == &records.front(), turned_back);
+    if (&r == &records.front() && summary.bearable_loads > 0) what_next = overload_advice(summary.bearable_loads);
     if (report.status == PoseStatus::undetermined) what_next = undetermined(prepared, r.point);
     out.push_back(fmt::format("{} at {}: {}. {}", to_string(report.status),
                               place(prepared, r.point.step, r.point.target), report.why, what_next));

@@ -11,8 +11,6 @@ namespace {
 constexpr double kFar = 4;           // sizes of the scene: at 10 of them a measured knee took twice the iterations
 constexpr double kLeastSize = 0.01;  // m: of a scene that shows none
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Calls visit(body, point) for every point that a scene fixes to a body.
 template <typename SceneType, typename Visit>
 void for_points(SceneType& scene, Visit visit) {

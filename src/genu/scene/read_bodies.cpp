@@ -22,13 +22,14 @@ void refuse_key(ReadContext& context, const Item& item, std::string rule) {
   context.error(item.node->key_where, item.path, literal(*item.node), std::move(rule));
 }
 
-/// `mass` and `centre_of_mass` where only gravity asks for them.
+/// `mass` and `centre_of_mass`, or `solid`, where only gravity asks for them.
 void read_weight(ReadContext& context, Section& section, bool gravity, BodyDef& body) {
   if (!gravity) {
-    for (const char* key : {"mass", "centre_of_mass"})
+    for (const char* key : {"mass", "centre_of_mass", "solid"})
       if (const Item item = section.find(key)) refuse_key(context, item, kNoUse);
     return;
   }
+  if (read_solid(context, section, body)) return;
   const Item mass = section.find("mass"), centre = section.find("centre_of_mass");
   body.mass =
       read_number(context, mass, positive({.unit = 1, .unit_name = "kg", .above = {}, .at_least = {}})).value_or(0);
@@ -39,7 +40,7 @@ void read_weight(ReadContext& context, Section& section, bool gravity, BodyDef& 
 
 void check_gravity(ReadContext& context, const Item& gravity, const std::vector<Item>& tables) {
   for (const Item& item : tables) {
-    if (item.node->member("mass")) return;
+    if (item.node->member("mass") || item.node->member("solid")) return;
   }
   if (gravity) refuse(context, gravity, "acts on nothing: no body has a mass");
 }

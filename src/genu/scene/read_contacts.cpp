@@ -54,17 +54,17 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
   const Item quadrature = section.find("quadrature");
   std::optional<int> choice = 0;
   if (quadrature) choice = read_choice(context, quadrature, {"smooth", "triangles"});
-  const Item cast_from = section.find("cast_from"), tolerance = section.find("tolerance");
-  if (!choice) return;
-  if (*choice == 1) {
-    layer.quadrature = LayerDef::Quadrature::triangles;
-    if (tolerance) refuse(context, tolerance, "belongs to quadrature = \"smooth\": triangles have none");
-    read_cast_from(context, section.require("cast_from"), layer);
-    return;
-  }
-  if (cast_from)
+  // Where nobody knows which of the two is meant each key is still looked at for what it holds.
+  const bool triangles = choice == 1, smooth = choice == 0;
+  if (triangles) layer.quadrature = LayerDef::Quadrature::triangles;
+  const Item tolerance = section.find("tolerance");
+  const Item cast_from = triangles ? section.require("cast_from") : section.find("cast_from");
+  if (smooth && cast_from)
     refuse(context, cast_from, "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
+  else
+    read_cast_from(context, cast_from, layer);
   if (!tolerance) return;
+  if (triangles) return refuse(context, tolerance, "belongs to quadrature = \"smooth\": triangles have none");
   layer.tolerance = read_number(context, tolerance, {.unit = 1, .unit_name = {}, .above = {}, .at_least = kLeast})
                         .value_or(layer.tolerance);
   if (layer.tolerance > kMost) refuse(context, tolerance, "must be <= 0.1: a relative error of the force");

@@ -2,9 +2,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "genu/scene/read_parts.h"
+
+#include "genu/core/decompositions.h"
 
 namespace genu {
 
@@ -13,10 +14,6 @@ namespace {
 constexpr double kMostRows = 1'000'000;
 constexpr double kFinestTolerance = 1e-12, kCoarsestTolerance = 1e-2;
 
-NumberRule plain(std::string unit_name) {
-  return {.unit = 1, .unit_name = std::move(unit_name), .above = {}, .at_least = {}};
-}
-
 /// [xx, yy, zz] or [xx, yy, zz, xy, xz, yz].
 std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
   const bool all = item && item.node->kind == TomlNode::Kind::array && item.node->children.size() == 6;
@@ -24,7 +21,8 @@ std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
   double entry[6] = {};
   bool good = true;
   for (std::size_t k = 0; k < item.node->children.size(); ++k) {
-    const auto value = read_number(context, item.element(k), k < 3 ? non_negative(plain("kg m^2")) : plain("kg m^2"));
+    const auto value =
+        read_number(context, item.element(k), k < 3 ? non_negative(plain_rule("kg m^2")) : plain_rule("kg m^2"));
     good = good && value;
     entry[k] = value.value_or(0);
   }
@@ -37,7 +35,7 @@ std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
 /// What a matrix of inertia breaks that no distribution of mass could break; empty if nothing.
 std::string broken_rule(const Mat3& I) {
   constexpr double kRounding = 1e-9;
-  const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(I, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vec3 principal = symmetric_eigenvalues(I);
   const double rounding = kRounding * principal[2];
   if (principal[0] < -rounding)
     return fmt::format("no body has it: the principal moments of inertia must be >= 0, here {:.4g}, {:.4g}, {:.4g}",
@@ -60,13 +58,30 @@ void read_start_rates(ReadContext& context, const Item& item, DynamicsDef& dynam
   }
 }
 
-/// What is known to the format, but not yet in motion.
-void refuse_not_built(ReadContext& context) {
-  const Scene& scene = context.scene;
-  for (const ContactDef& c : scene.contacts)
-    context.error(c.where, "contact." + c.name, {}, "not built yet: rigid contact in motion ([dynamics])");
-  for (const LayerDef& l : scene.layers)
-    context.error(l.pair.where, "contact." + l.pair.name, {}, "not built yet: cartilage in motion ([dynamics])");
+void read_drive(ReadContext& context, const NamedItem& entry, DynamicsDef& dynamics) {
+  const auto quantity = find_quantity(context, entry.item.node->key_where, entry.item.path, entry.name);
+  const NumberRule rule = !quantity                 ? NumberRule{}
+                          : quantity->is_rotation() ? angle_rule(context)
+                                                    : length_rule(context);
+  const ScaleDef course = read_course(context, entry.item, rule);
+  if (!quantity) return;
+  for (const DynamicsDef::Drive& other : dynamics.prescribe)
+    if (other.quantity == *quantity)
+      return context.error(entry.item.node->key_where, entry.item.path, {}, "is prescribed twice");
+  for (const DynamicsDef::Rate& rate : dynamics.start_rates)
+    if (quantity->combination < 0 && rate.coordinate == quantity->first)
+      context.error(entry.item.node->key_where, entry.item.path, {},
+                    "is prescribed and has a rate in start_rates: leave one of them out");
+  dynamics.prescribe.push_back({*quantity, course, entry.item.node->key_where});
+}
+
+void read_drives(ReadContext& context, const Item& item, DynamicsDef& dynamics) {
+  if (!is_table(context, item)) return;
+  const std::vector<NamedItem> entries = course_items(context, item);
+  for (const NamedItem& entry : entries) read_drive(context, entry, dynamics);
+  std::vector<QuantityRef> quantities;
+  for (const DynamicsDef::Drive& drive : dynamics.prescribe) quantities.push_back(drive.quantity);
+  check_independent(context, entries, quantities);
 }
 
 void refuse_locked(ReadContext& context, const Item& item) {
@@ -79,11 +94,12 @@ void refuse_locked(ReadContext& context, const Item& item) {
 }  // namespace
 
 void read_inertia(ReadContext& context, Section& section, BodyDef& body) {
+  if (read_solid(context, section, body)) return;
   const bool needed = !body.fixed;
   const Item mass = needed ? section.require("mass") : section.find("mass");
   const Item centre = section.find("centre_of_mass");
   const Item inertia = needed ? section.require("inertia") : section.find("inertia");
-  body.mass = read_number(context, mass, positive(plain("kg"))).value_or(0);
+  body.mass = read_number(context, mass, positive(plain_rule("kg"))).value_or(0);
   body.centre_of_mass = read_vector(context, centre, length_rule(context)).value_or(Vec3::Zero());
   if (const auto matrix = inertia ? read_matrix(context, inertia) : std::nullopt) {
     body.inertia = *matrix;
@@ -113,20 +129,21 @@ void read_dynamics(ReadContext& context, Section& root) {
   DynamicsDef dynamics;
   dynamics.where = item.node->key_where;
   const Item interval = section.require("output_interval"), tolerance = section.find("tolerance");
-  const auto duration = read_number(context, section.require("duration"), positive(plain("s")));
-  const auto every = read_number(context, interval, positive(plain("s")));
+  const auto duration = read_number(context, section.require("duration"), positive(plain_rule("s")));
+  const auto every = read_number(context, interval, positive(plain_rule("s")));
   dynamics.duration = duration.value_or(1);
   dynamics.output_interval = every.value_or(1);
   if (duration && every && *every > *duration) refuse(context, interval, "must be at most the duration");
   if (duration && every && *duration / *every > kMostRows)
     refuse(context, interval, fmt::format("asks for more than {:g} rows", kMostRows));
-  const auto error = read_number(context, tolerance, positive(plain({})));
+  const auto error = read_number(context, tolerance, positive(plain_rule({})));
   dynamics.tolerance = error.value_or(dynamics.tolerance);
   if (error && (*error < kFinestTolerance || *error > kCoarsestTolerance))
     refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kFinestTolerance, kCoarsestTolerance));
   read_start_rates(context, section.find("start_rates"), dynamics);
+  read_drives(context, section.find("prescribe"), dynamics);
+  dynamics.from_equilibrium = read_choice(context, section.find("start"), {"given", "equilibrium"}) == 1;
   section.finish();
-  refuse_not_built(context);
   refuse_locked(context, item);
   context.scene.dynamics = dynamics;
 }

@@ -8,8 +8,6 @@ namespace {
 
 using Bone = GroodSuntayDef::Bone;
 
-constexpr double kParallelSine = 1e-6;  // directions closer than this (rad) fix no plane
-
 /// One of the words x, -x, ..., or a vector of any length but 0.
 std::optional<Vec3> read_direction(ReadContext& context, const Item& item) {
   if (!item) return {};
@@ -24,7 +22,7 @@ std::optional<Vec3> read_direction(ReadContext& context, const Item& item) {
   return {};
 }
 
-bool read_bone(ReadContext& context, const Item& item, const JointDef& joint, Bone& bone) {
+bool read_bone_axes(ReadContext& context, const Item& item, const JointDef& joint, Bone& bone) {
   if (!is_table(context, item)) return false;
   Section section(context, item, "a bone");
   const Item body = section.require("body");
@@ -58,8 +56,8 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint) 
   const auto side = read_choice(context, section.require("side"), {"right", "left"});
   def.right = side.value_or(0) == 0;
   const Item tibia = section.require("tibia");
-  const bool femur_good = read_bone(context, section.require("femur"), joint, def.femur);
-  const bool tibia_good = read_bone(context, tibia, joint, def.tibia);
+  const bool femur_good = read_bone_axes(context, section.require("femur"), joint, def.femur);
+  const bool tibia_good = read_bone_axes(context, tibia, joint, def.tibia);
   section.finish();
   if (!side || !femur_good || !tibia_good) return;
   if (def.femur.body == def.tibia.body) {

@@ -15,7 +15,7 @@ void set_axes(const Vec3& axis, JointDef& joint) {
 }
 
 /// N m per the file's unit of angle.
-NumberRule stiffness_rule(const ReadContext& context) {
+NumberRule angular_stiffness_rule(const ReadContext& context) {
   return {.unit = 1 / context.scene.angle_unit, .unit_name = "N m/" + context.angle_name, .above = {}, .at_least = 0};
 }
 
@@ -24,6 +24,22 @@ void read_angle(ReadContext& context, const Item& item, const char* what, double
   Section section(context, item, fmt::format("the {} of a revolute joint", what));
   angle = read_number(context, section.find("angle"), angle_rule(context)).value_or(angle);
   section.finish();
+}
+
+/// Angles beyond which a spring pushes back.
+void read_limits(ReadContext& context, const Item& item, JointDef& joint) {
+  if (!is_table(context, item)) return;
+  Section section(context, item, "the limits of a revolute joint");
+  JointDef::Limits limits;
+  const Item from = section.find("from"), to = section.find("to");
+  limits.lower = read_number(context, from, angle_rule(context)).value_or(limits.lower);
+  limits.upper = read_number(context, to, angle_rule(context)).value_or(limits.upper);
+  limits.stiffness =
+      read_number(context, section.require("stiffness"), positive(angular_stiffness_rule(context))).value_or(0);
+  if (!from && !to) section.error("", "says nothing: give `from`, `to` or both");
+  if (from && to && !(limits.lower < limits.upper)) refuse(context, to, "must be more than `from`");
+  section.finish();
+  joint.limits = limits;
 }
 
 }  // namespace
@@ -43,7 +59,8 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
     set_axes(*axis, joint);
   else if (axis)
     refuse(context, item, "must have a direction: not all three numbers may be 0");
-  joint.stiffness = read_number(context, section.find("stiffness"), stiffness_rule(context)).value_or(0);
+  joint.stiffness = read_number(context, section.find("stiffness"), angular_stiffness_rule(context)).value_or(0);
+  read_limits(context, section.find("limits"), joint);
   read_angle(context, section.find("reference"), "reference", joint.reference[0]);
   if (const Item start = section.find("start"))
     read_angle(context, start, "start", joint.start.emplace(joint.reference)[0]);

@@ -78,7 +78,7 @@ bool names_are_distinct(ReadContext& context, const Item& rotations, const Item&
     const auto end = names.begin() + static_cast<std::ptrdiff_t>(k);
     if (std::find(names.begin(), end, names[k]) == end) continue;
     refuse(context, k < 3 ? rotations.element(k) : translations.element(k - 3),
-           "another coordinate of this joint has the name " + in_quotes(names[k]));
+           "another coordinate of this joint has the name " + with_quotes(names[k]));
     good = false;
   }
   return good;
@@ -138,7 +138,7 @@ void read_bodies_of(ReadContext& context, Section& section, JointDef& joint) {
 std::string held_rule(const JointDef& joint) {
   if (joint.type == JointDef::Type::fixed) return "joint." + joint.name + " is fixed: it holds all its coordinates";
   if (joint.type == JointDef::Type::revolute)
-    return "joint." + joint.name + " is revolute: it holds all coordinates but " + in_quotes(joint.name + ".angle");
+    return "joint." + joint.name + " is revolute: it holds all coordinates but " + with_quotes(joint.name + ".angle");
   return {};
 }
 
@@ -156,7 +156,7 @@ void read_joints(ReadContext& context, Section& root) {
     bool understood = false;
     if (!type) {
       for (const char* key :
-           {"rotations", "translations", "reference", "start", "origin", "axis", "stiffness", "damping"})
+           {"rotations", "translations", "reference", "start", "origin", "axis", "stiffness", "damping", "limits"})
         section.find(key);
     } else if (*type == 0) {
       understood = read_coordinates(context, section, joint);

@@ -53,7 +53,7 @@ NumberRule stiffness_rule(const ReadContext& context, Law law) {
       {.unit = 1 / context.scene.length_unit, .unit_name = "N/" + context.length_name, .above = {}, .at_least = {}});
 }
 
-void read_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
+void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
   if (!is_array(context, item, "points [[strain, N], ...]")) return;
   if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [strain, N]");
   const NumberRule strain{.unit = 1, .unit_name = {}, .above = -1, .at_least = {}};
@@ -74,7 +74,7 @@ void read_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
 void read_law_keys(ReadContext& context, Section& section, LigamentDef& ligament) {
   const Law law = ligament.law;
   if (law == Law::table) {
-    read_table(context, section.require("points"), ligament);
+    read_force_table(context, section.require("points"), ligament);
     return;
   }
   ligament.stiffness = read_number(context, section.require("stiffness"), stiffness_rule(context, law)).value_or(1);

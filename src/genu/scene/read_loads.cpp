@@ -4,8 +4,6 @@ namespace genu {
 
 namespace {
 
-NumberRule plain(const char* unit_name) { return {.unit = 1, .unit_name = unit_name, .above = {}, .at_least = {}}; }
-
 bool is_fixed(const ReadContext& context, int body) {
   return body >= 0 && context.scene.bodies[static_cast<std::size_t>(body)].fixed;
 }
@@ -20,8 +18,8 @@ void read_wrench(ReadContext& context, Section& section, LoadDef& load) {
   load.body = read_body(context, body);
   if (is_fixed(context, load.body)) refuse(context, body, "is fixed: a load on it moves nothing");
   const Item force = section.find("force"), moment = section.find("moment"), point = section.find("point");
-  load.force = read_vector(context, force, plain("N")).value_or(Vec3::Zero());
-  load.moment = read_vector(context, moment, plain("N m")).value_or(Vec3::Zero());
+  load.force = read_vector(context, force, plain_rule("N")).value_or(Vec3::Zero());
+  load.moment = read_vector(context, moment, plain_rule("N m")).value_or(Vec3::Zero());
   load.point = read_vector(context, point, length_rule(context)).value_or(Vec3::Zero());
   const auto frame = read_choice(context, section.find("frame"), {"world", "body"});
   load.frame = frame == 1 ? LoadDef::Frame::body : LoadDef::Frame::world;
@@ -52,7 +50,7 @@ void read_toward(ReadContext& context, Section& section, LoadDef& load) {
   load.body = read_body(context, section.require("body"));
   load.point = read_vector(context, section.find("point"), length_rule(context)).value_or(Vec3::Zero());
   read_end(context, section.find("toward"), load);
-  load.value = read_number(context, section.require("magnitude"), non_negative(plain("N"))).value_or(0);
+  load.value = read_number(context, section.require("magnitude"), non_negative(plain_rule("N"))).value_or(0);
 }
 
 void read_on(ReadContext& context, Section& section, LoadDef& load) {
@@ -64,7 +62,7 @@ void read_on(ReadContext& context, Section& section, LoadDef& load) {
       name ? find_coordinate(context, on.node->where, on.path, *name, literal(*on.node)) : std::nullopt;
   load.coordinate = coordinate.value_or(CoordinateRef{});
   const bool translation = coordinate && coordinate->index >= 3;
-  load.value = read_number(context, section.find("value"), plain(translation ? "N" : "N m")).value_or(1);
+  load.value = read_number(context, section.find("value"), plain_rule(translation ? "N" : "N m")).value_or(1);
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 namespace genu {
 
+/// Directions closer than this (rad) fix no plane: 6 digits of input say no more.
+inline constexpr double kParallelSine = 1e-6;
+
 void read_header(ReadContext& context, Section& root);  ///< format, title, units
 void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);
@@ -16,8 +19,14 @@ void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
 void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read
 
+/// [solid.NAME] of a file for `genu mesh`; no scene has them.
+void read_solid_shapes(ReadContext& context, Section& root);
+
 /// What no single part can see: the tree of bodies, ligaments at the reference pose, names of result columns.
 void check_scene(ReadContext& context);
+
+/// `solid` of a body, in the place of the next three keys. False where there is none.
+bool read_solid(ReadContext& context, Section& section, BodyDef& body);
 
 /// `mass`, `centre_of_mass` and `inertia` of a body, in a scene with dynamics.
 void read_inertia(ReadContext& context, Section& section, BodyDef& body);
@@ -51,6 +60,9 @@ std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& 
 /// `scale` of a load.
 std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item);
 
+/// What a coordinate follows over time: a table, sine or step, or a number that holds it. `rule`: of its values.
+ScaleDef read_course(ReadContext& context, const Item& item, const NumberRule& rule);
+
 /// The coordinate "JOINT.NAME"; where it does not exist, or a joint holds it, an error is reported at `where` with
 /// `path` and `found`, unless the joint itself was not understood. `also_known` are other names that could stand there,
 /// for the message.
@@ -70,6 +82,13 @@ struct NamedItem {
 /// The entries of a table whose keys are coordinates: "knee.flexion" = ... in quotes, or knee.flexion = ..., which TOML
 /// reads as a table in a table.
 std::vector<NamedItem> coordinate_items(const Item& table);
+/// The same where the values may be tables themselves.
+std::vector<NamedItem> course_items(const ReadContext& context, const Item& table);
+
+/// Values that are prescribed together must be free of each other, or they contradict each other or say one thing
+/// twice: errors at the entries that say too much.
+void check_independent(ReadContext& context, const std::vector<NamedItem>& entries,
+                       const std::vector<QuantityRef>& quantities);
 
 /// What a revolute or fixed joint has beside its bodies; `joint.type` is known. True if its coordinates are.
 bool read_held_joint(ReadContext& context, Section& section, JointDef& joint);

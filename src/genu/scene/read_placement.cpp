@@ -6,8 +6,6 @@ namespace genu {
 
 namespace {
 
-constexpr double kParallelSine = 1e-6;  // axes closer than this (rad) fix no plane: 6 digits of input say no more
-
 /// A unit vector, whatever the scale of the numbers given; the fallback where the key is absent or wrong.
 Vec3 read_axis(ReadContext& context, const Item& item, const Vec3& fallback, bool& good) {
   // Its length means nothing, and so may be any.

@@ -1,20 +1,32 @@
+// Courses: `scale` of a load over a coordinate or time, and what a driven coordinate follows over time.
 #include "genu/scene/read_parts.h"
 
 namespace genu {
 
 namespace {
 
-NumberRule plain(std::string unit_name) {
-  return {.unit = 1, .unit_name = std::move(unit_name), .above = {}, .at_least = {}};
-}
-
-void read_sine(ReadContext& context, const Item& item, ScaleDef& scale) {
+void read_sine(ReadContext& context, const Item& item, const NumberRule& rule, ScaleDef& scale) {
   scale.kind = ScaleDef::Kind::sine;
   if (!is_table(context, item)) return;
   Section section(context, item, "a sine");
-  scale.amplitude = read_number(context, section.require("amplitude"), plain({})).value_or(0);
-  scale.frequency = read_number(context, section.require("frequency"), positive(plain("Hz"))).value_or(1);
-  scale.start = read_number(context, section.find("start"), plain("s")).value_or(0);
+  scale.amplitude = read_number(context, section.require("amplitude"), rule).value_or(0);
+  scale.frequency = read_number(context, section.require("frequency"), positive(plain_rule("Hz"))).value_or(1);
+  scale.start = read_number(context, section.find("start"), plain_rule("s")).value_or(0);
+  scale.offset = read_number(context, section.find("offset"), rule).value_or(0);
+  section.finish();
+}
+
+/// `must_rise`: a jump cannot be followed.
+void read_step_in_time(ReadContext& context, const Item& item, const NumberRule& rule, bool must_rise,
+                       ScaleDef& scale) {
+  scale.kind = ScaleDef::Kind::step;
+  if (!is_table(context, item)) return;
+  Section section(context, item, "a step in time");
+  const NumberRule rise = must_rise ? positive(plain_rule("s")) : non_negative(plain_rule("s"));
+  scale.from = read_number(context, section.find("from"), rule).value_or(0);
+  scale.to = read_number(context, must_rise ? section.require("to") : section.find("to"), rule).value_or(1);
+  scale.start = read_number(context, section.find("start"), plain_rule("s")).value_or(0);
+  scale.rise = read_number(context, must_rise ? section.require("rise") : section.find("rise"), rise).value_or(0);
   section.finish();
 }
 
@@ -22,7 +34,7 @@ void read_sine(ReadContext& context, const Item& item, ScaleDef& scale) {
 std::optional<NumberRule> read_over(ReadContext& context, const Item& item, ScaleDef& scale) {
   const auto over = read_string(context, item);
   if (!over) return {};
-  if (*over == "time") return plain("s");
+  if (*over == "time") return plain_rule("s");
   scale.kind = ScaleDef::Kind::over_coordinate;
   const auto coordinate = find_coordinate(context, item.node->where, item.path, *over, literal(*item.node));
   if (!coordinate) return {};
@@ -30,21 +42,30 @@ std::optional<NumberRule> read_over(ReadContext& context, const Item& item, Scal
   return coordinate->index < 3 ? angle_rule(context) : length_rule(context);
 }
 
-void read_table(ReadContext& context, const Item& item, const NumberRule& rule, ScaleDef& scale) {
-  if (!is_array(context, item, "points [[x, factor], ...]")) return;
-  if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [x, factor]");
+/// `second`: what the values are called.
+void read_table(ReadContext& context, const Item& item, const NumberRule& over, const NumberRule& rule,
+                const std::string& second, ScaleDef& scale) {
+  if (!is_array(context, item, "points [[x, " + second + "], ...]")) return;
+  if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [x, " + second + "]");
   for (std::size_t k = 0; k < item.node->children.size(); ++k) {
     const Item point = item.element(k);
-    if (!is_array(context, point, "a point [x, factor]", 2)) continue;
-    const auto x = read_number(context, point.element(0), rule);
-    const auto factor = read_number(context, point.element(1));
-    if (!x || !factor) continue;
+    if (!is_array(context, point, "a point [x, " + second + "]", 2)) continue;
+    const auto x = read_number(context, point.element(0), over);
+    const auto value = read_number(context, point.element(1), rule);
+    if (!x || !value) continue;
     if (!scale.table.empty() && *x <= scale.table.back().first) {
       refuse(context, point.element(0), "must increase from point to point");
       continue;
     }
-    scale.table.emplace_back(*x, *factor);
+    scale.table.emplace_back(*x, *value);
   }
+}
+
+/// What stays where it is.
+ScaleDef constant(double value) {
+  ScaleDef course;
+  course.table = {{0, value}, {1, value}};
+  return course;
 }
 
 }  // namespace
@@ -55,18 +76,39 @@ std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item) {
   ScaleDef scale;
   if (section.has("sine")) {
     section.rename("a scale with a sine");
-    read_sine(context, section.find("sine"), scale);
+    read_sine(context, section.find("sine"), plain_rule({}), scale);
+  } else if (section.has("step")) {
+    section.rename("a scale with a step");
+    read_step_in_time(context, section.find("step"), plain_rule({}), !context.in_motion, scale);
   } else if (!section.has("over") && !section.has("table")) {
-    section.find("sine");
-    section.find("over");
-    section.find("table");
-    section.error("", "says nothing: give `over` and `table`, or `sine`");
+    for (const char* key : {"sine", "step", "over", "table"}) section.find(key);
+    section.error("", "says nothing: give `over` and `table`, or `sine`, or `step`");
   } else {
     const auto rule = read_over(context, section.require("over"), scale);
-    read_table(context, section.require("table"), rule.value_or(NumberRule{}), scale);
+    read_table(context, section.require("table"), rule.value_or(NumberRule{}), NumberRule{}, "factor", scale);
   }
   section.finish();
   return scale;
+}
+
+ScaleDef read_course(ReadContext& context, const Item& item, const NumberRule& rule) {
+  ScaleDef course = constant(0);
+  if (is_number(*item.node)) return constant(read_number(context, item, rule).value_or(0));
+  if (!is_table(context, item)) return course;
+  Section section(context, item, "a course over time");
+  if (section.has("sine")) {
+    read_sine(context, section.find("sine"), rule, course);
+  } else if (section.has("step")) {
+    read_step_in_time(context, section.find("step"), rule, true, course);
+  } else if (section.has("table")) {
+    course.table.clear();
+    read_table(context, section.find("table"), plain_rule("s"), rule, "value", course);
+  } else {
+    for (const char* key : {"sine", "step", "table"}) section.find(key);
+    section.error("", "says nothing: give `table`, `sine` or `step`, or a number to hold");
+  }
+  section.finish();
+  return course;
 }
 
 }  // namespace genu

@@ -39,30 +39,12 @@ VecX factors_of(const Scene& scene, const QuantityRef& quantity) {
   return row.normalized();
 }
 
-/// Prescribed values must be free of each other, or they contradict each other or say one thing twice.
-void check_independent(ReadContext& context, const Item& prescribe, const StepDef& step) {
-  constexpr double kDependent = 1e-9;  // of a row's length, left over when what the rows before it tell is taken off
-  std::vector<VecX> basis;
-  for (const StepDef::Prescribed& p : step.prescribe) {
-    VecX row = factors_of(context.scene, p.coordinate);
-    for (int pass = 0; pass < 2; ++pass)
-      for (const VecX& known : basis) row -= known.dot(row) * known;
-    if (row.norm() > kDependent) {
-      basis.push_back(row.normalized());
-      continue;
-    }
-    const std::string name = quantity_name(context.scene, p.coordinate);
-    for (const NamedItem& entry : coordinate_items(prescribe))
-      if (entry.name == name)
-        context.error(entry.item.node->key_where, entry.item.path, {},
-                      "follows from what this step prescribes before it: leave one of them out");
-  }
-}
-
 void read_prescribe(ReadContext& context, const Item& item, StepDef& step) {
   if (!is_table(context, item)) return;
   for (const NamedItem& entry : coordinate_items(item)) read_prescribed(context, entry.item, entry.name, step);
-  check_independent(context, item, step);
+  std::vector<QuantityRef> quantities;
+  for (const StepDef::Prescribed& p : step.prescribe) quantities.push_back(p.coordinate);
+  check_independent(context, coordinate_items(item), quantities);
 }
 
 void read_factors(ReadContext& context, const Item& item, StepDef& step) {
@@ -127,11 +109,47 @@ void read_step(ReadContext& context, const Item& item) {
 
 }  // namespace
 
+void check_independent(ReadContext& context, const std::vector<NamedItem>& entries,
+                       const std::vector<QuantityRef>& quantities) {
+  constexpr double kDependent = 1e-9;  // of a row's length, left over when what the rows before it tell is taken off
+  std::vector<VecX> basis;
+  for (const QuantityRef& quantity : quantities) {
+    VecX row = factors_of(context.scene, quantity);
+    for (int pass = 0; pass < 2; ++pass)
+      for (const VecX& known : basis) row -= known.dot(row) * known;
+    if (row.norm() > kDependent) {
+      basis.push_back(row.normalized());
+      continue;
+    }
+    const std::string name = quantity_name(context.scene, quantity);
+    for (const NamedItem& entry : entries)
+      if (entry.name == name)
+        context.error(entry.item.node->key_where, entry.item.path, {},
+                      "follows from what is prescribed before it: leave one of them out");
+  }
+}
+
 std::vector<NamedItem> coordinate_items(const Item& table) {
   std::vector<NamedItem> items;
   for (const TomlNode& child : table.node->children) {
     const Item entry = table.member(child);
     if (child.kind != TomlNode::Kind::table) {
+      items.push_back({child.key, entry});
+      continue;
+    }
+    for (const TomlNode& inner : child.children) items.push_back({child.key + "." + inner.key, entry.member(inner)});
+  }
+  return items;
+}
+
+std::vector<NamedItem> course_items(const ReadContext& context, const Item& table) {
+  std::vector<NamedItem> items;
+  const std::vector<std::string> combinations = names_of(context.scene.combinations);
+  for (const TomlNode& child : table.node->children) {
+    const Item entry = table.member(child);
+    const bool whole = child.kind != TomlNode::Kind::table || child.key.find('.') != std::string::npos ||
+                       std::find(combinations.begin(), combinations.end(), child.key) != combinations.end();
+    if (whole) {
       items.push_back({child.key, entry});
       continue;
     }
@@ -148,7 +166,8 @@ void read_steps(ReadContext& context, Section& root) {
   }
   if (context.in_motion) {
     context.error(all.node->key_where, all.path, {},
-                  "not built yet: steps in a scene with [dynamics]; loads change over time by their `scale`");
+                  "a scene with [dynamics] has no steps: loads change over time by their `scale`, coordinates by "
+                  "`prescribe` in [dynamics]");
     return;
   }
   const bool tables = all.node->kind == TomlNode::Kind::array && !all.node->children.empty();

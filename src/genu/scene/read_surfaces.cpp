@@ -43,7 +43,7 @@ std::optional<int> read_exponent(ReadContext& context, const Item& item) {
 }
 
 /// [i, j, c]: c has the unit that makes c x^i y^j (or c theta^i z^j, theta in rad) a length in the file's unit.
-std::optional<SurfaceDef::Term> read_term(ReadContext& context, const Item& item, bool cylindrical) {
+std::optional<SurfaceDef::Term> read_polynomial_term(ReadContext& context, const Item& item, bool cylindrical) {
   if (!is_array(context, item, "a term [i, j, c]", 3)) return {};
   const auto i = read_exponent(context, item.element(0)), j = read_exponent(context, item.element(1));
   if (!i || !j) return {};
@@ -70,7 +70,7 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
   std::set<std::pair<int, int>> seen;
   for (std::size_t k = 0; k < terms.node->children.size(); ++k) {
     const Item item = terms.element(k);
-    const auto term = read_term(context, item, cylindrical);
+    const auto term = read_polynomial_term(context, item, cylindrical);
     if (!term) continue;
     if (!seen.insert({term->i, term->j}).second) refuse(context, item, "these exponents stand in a term before");
     surface.terms.push_back(*term);
@@ -98,13 +98,13 @@ void read_round(ReadContext& context, Section& section, SurfaceDef& surface) {
 
 void read_plane(ReadContext&, Section&, SurfaceDef&) {}
 
-struct ShapeReader {
+struct SurfaceShapeReader {
   const char* word;
   const char* what;
   SurfaceDef::Shape shape;
   void (*read)(ReadContext&, Section&, SurfaceDef&);
 };
-constexpr std::array<ShapeReader, 7> kShapes = {{
+constexpr std::array<SurfaceShapeReader, 7> kSurfaceShapes = {{
     {"plane", "a plane", SurfaceDef::Shape::plane, read_plane},
     {"sphere", "a sphere", SurfaceDef::Shape::sphere, read_round},
     {"ellipsoid", "an ellipsoid", SurfaceDef::Shape::ellipsoid, read_ellipsoid},
@@ -116,9 +116,9 @@ constexpr std::array<ShapeReader, 7> kShapes = {{
 
 void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
   std::vector<std::string> words;
-  for (const ShapeReader& shape : kShapes) words.emplace_back(shape.word);
+  for (const SurfaceShapeReader& shape : kSurfaceShapes) words.emplace_back(shape.word);
   if (const auto k = read_choice(context, section.require("shape"), words)) {
-    const ShapeReader& shape = kShapes[static_cast<std::size_t>(*k)];
+    const SurfaceShapeReader& shape = kSurfaceShapes[static_cast<std::size_t>(*k)];
     surface.shape = shape.shape;
     section.rename(shape.what);
     shape.read(context, section, surface);

@@ -7,9 +7,7 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-void read_bone(ReadContext& context, const Item& item, SurfaceDef::Thickness& thickness) {
+void read_thickness_to_bone(ReadContext& context, const Item& item, SurfaceDef::Thickness& thickness) {
   Section section(context, item, "a thickness down to a bone");
   thickness.bone = read_mesh_file(context, section.require("bone"), thickness.bone_where);
   const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
@@ -55,7 +53,7 @@ std::optional<SurfaceDef::Thickness> read_surface_thickness(ReadContext& context
   thickness.where = item.node->where;
   thickness.measured = item.node->kind == TomlNode::Kind::table;
   if (thickness.measured)
-    read_bone(context, item, thickness);
+    read_thickness_to_bone(context, item, thickness);
   else
     thickness.constant = read_number(context, item, non_negative(length_rule(context))).value_or(0);
   return thickness;

@@ -174,6 +174,7 @@ std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out
   read_header(context, root);
   name_bodies(*document, scene);
   read_surfaces(context, root);
+  read_solid_shapes(context, root);
   root.finish();
   return finished(std::move(scene), found, out);
 }

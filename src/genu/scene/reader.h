@@ -17,7 +17,7 @@ std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
 std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
 
 /// The surfaces of a scene, or of a file that holds nothing but `format`, `title`, `units` and [surface.NAME] tables
-/// (as `genu fit` writes it): its bodies are those that the surfaces name, and it has nothing else.
+/// (as `genu fit` writes it) and [solid.NAME] tables: its bodies are those that the surfaces name.
 std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out);
 
 }  // namespace genu

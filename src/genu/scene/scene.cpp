@@ -26,6 +26,17 @@ bool RegionDef::contains(const Vec3& p) const {
   return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) { return holds(c, p[c.axis]); });
 }
 
+std::vector<std::string> mesh_files(const Scene& scene) {
+  std::vector<std::string> files;
+  for (const BodyDef& body : scene.bodies)
+    if (body.solid) files.push_back(body.solid->file);
+  for (const SurfaceDef& surface : scene.surfaces) {
+    if (!surface.file.empty()) files.push_back(surface.file);
+    if (surface.thickness && surface.thickness->measured) files.push_back(surface.thickness->bone);
+  }
+  return files;
+}
+
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   const auto place = [&](const LigamentDef::End& end) -> Vec3 {
     return poses[static_cast<std::size_t>(end.body)] * end.point;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,18 +10,24 @@
 
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
+#include "genu/scene/solid_def.h"
 
 namespace genu {
 
-/// Where in the scene file something was said (1-based), for messages of later stages.
-struct SourceLocation {
-  int line = 0;
-  int column = 0;
-};
-
 struct BodyDef {
+  /// A closed mesh full of a material.
+  struct Solid {
+    std::string file;      ///< path as opened
+    double file_unit = 1;  ///< m per unit of the file
+    Pose placement;        ///< X_body_mesh
+    double density = 0;    ///< kg/m^3
+    SourceLocation where, file_where;
+  };
   std::string name;
   bool fixed = false;
+  /// Where mass, centre of mass and inertia come from: they are 0 as read, and known once its mesh is
+  /// (run/read_solids.h).
+  std::optional<Solid> solid;
   double mass = 0;                     ///< kg; 0 has no weight
   Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
   Mat3 inertia = Mat3::Zero();         ///< kg m^2, about the centre of mass, axes of the body; only with dynamics
@@ -63,6 +70,12 @@ struct JointDef {
   Type type = Type::free;
   double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
   double damping = 0;    ///< revolute: N m s / rad; only with dynamics
+  struct Limits {
+    double lower = -std::numeric_limits<double>::infinity();  ///< rad
+    double upper = std::numeric_limits<double>::infinity();
+    double stiffness = 0;  ///< N m / rad, of what lies beyond
+  };
+  std::optional<Limits> limits;  ///< revolute
   std::optional<GroodSuntayDef> grood_suntay;
   SourceLocation where;
 
@@ -203,15 +216,18 @@ struct QuantityRef {
   bool operator==(const QuantityRef&) const = default;
 };
 
-/// What multiplies a load besides its factor in a step.
+/// What multiplies a load besides its factor in a step; or the course of a coordinate that is driven.
 struct ScaleDef {
-  enum class Kind { over_coordinate, over_time, sine };
+  enum class Kind { over_coordinate, over_time, sine, step };
   Kind kind = Kind::over_time;
   CoordinateRef coordinate;                      ///< over_coordinate
   std::vector<std::pair<double, double>> table;  ///< (rad, m or s, factor), the first strictly increasing
   double amplitude = 0;                          ///< sine
   double frequency = 0;                          ///< sine: Hz
-  double start = 0;                              ///< sine: s
+  double start = 0;                              ///< sine, step: s
+  double offset = 0;                             ///< sine: about which it swings, and before its start
+  double from = 0, to = 1;                       ///< step
+  double rise = 0;                               ///< step: s, from one value to the other
 };
 
 struct LoadDef {
@@ -262,6 +278,13 @@ struct DynamicsDef {
   double output_interval = 1;  ///< s
   double tolerance = 1e-9;     ///< of lengths over the joint's size, angles in rad, speeds the same a second
   std::vector<Rate> start_rates;
+  struct Drive {
+    QuantityRef quantity;
+    ScaleDef course;  ///< rad or m over s: over_time, sine or step
+    SourceLocation where;
+  };
+  std::vector<Drive> prescribe;
+  bool from_equilibrium = false;  ///< begins where it balances under the loads at time 0, not at the joints' start
   SourceLocation where;
 };
 
@@ -281,10 +304,14 @@ struct Scene {
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
   std::optional<DynamicsDef> dynamics;
+  std::vector<SolidDef> solids;  ///< of a file for `genu mesh` alone
 };
 
 /// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
+
+/// All files that the scene names, as opened; a file named twice stands there twice.
+std::vector<std::string> mesh_files(const Scene& scene);
 
 /// "knee.flexion"
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c);

@@ -12,15 +12,15 @@ namespace {
 constexpr double kLargestLength = 1e7;  // m
 constexpr double kLargestAngle = 1e5;   // rad
 
-bool is_number(const TomlNode& node) {
-  return node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::floating;
-}
-
 std::string with_unit(double value, const std::string& unit_name) {
   return unit_name.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, unit_name);
 }
 
 }  // namespace
+
+bool is_number(const TomlNode& node) {
+  return node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::floating;
+}
 
 Item Item::element(std::size_t index) const {
   return {&node->children[index], path + "[" + std::to_string(index + 1) + "]"};
@@ -116,7 +116,7 @@ std::optional<int> read_choice(ReadContext& context, const Item& item, const std
   }
   for (const std::string& later : not_built) {
     if (word != later) continue;
-    refuse(context, item, "not built yet: " + item.node->key + " " + in_quotes(later));
+    refuse(context, item, "not built yet: " + item.node->key + " " + with_quotes(later));
     return {};
   }
   const std::string one_of = choices.size() > 1 ? "must be one of " : "must be ";
@@ -154,6 +154,10 @@ NumberRule angle_rule(const ReadContext& context) {
           .above = {},
           .at_least = {},
           .largest = kLargestAngle};
+}
+
+NumberRule plain_rule(std::string unit_name) {
+  return {.unit = 1, .unit_name = std::move(unit_name), .above = {}, .at_least = {}};
 }
 
 NumberRule positive(NumberRule rule) {

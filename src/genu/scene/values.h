@@ -37,6 +37,9 @@ struct NumberRule {
 /// Reports `rule` at the item's value, with the value as found.
 void refuse(ReadContext& context, const Item& item, std::string rule);
 
+/// Whether it is an integer or a float.
+bool is_number(const TomlNode& node);
+
 /// Finite, within the rule, and finite and not flushed to zero in SI. Integers are numbers too.
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule = {});
 std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item, std::int64_t least, std::int64_t most);
@@ -61,6 +64,8 @@ std::string unknown_name_rule(const std::string& kind, const std::string& name, 
 /// Rules in the file's units.
 NumberRule length_rule(const ReadContext& context);
 NumberRule angle_rule(const ReadContext& context);
+/// Any number, in a unit that no scene chooses.
+NumberRule plain_rule(std::string unit_name);
 NumberRule positive(NumberRule rule);
 NumberRule non_negative(NumberRule rule);
 

@@ -36,11 +36,11 @@ bool is_name(std::string_view word) {
          std::all_of(word.begin(), word.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '-'; });
 }
 
-std::string in_quotes(std::string_view word) { return "\"" + std::string(word) + "\""; }
+std::string with_quotes(std::string_view word) { return "\"" + std::string(word) + "\""; }
 
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string s;
-  for (const std::string& word : words) s += (s.empty() ? "" : ", ") + in_quotes(word);
+  for (const std::string& word : words) s += (s.empty() ? "" : ", ") + with_quotes(word);
   return s;
 }
 
@@ -76,7 +76,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
       best_distance = distance;
     }
   }
-  return best ? "; did you mean " + in_quotes(*best) + "?" : std::string();
+  return best ? "; did you mean " + with_quotes(*best) + "?" : std::string();
 }
 
 }  // namespace genu

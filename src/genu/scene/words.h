@@ -10,7 +10,8 @@ namespace genu {
 /// True for [A-Za-z_][A-Za-z0-9_-]*, what a body, joint, coordinate, surface, contact, ligament or load may be called.
 bool is_name(std::string_view word);
 
-std::string in_quotes(std::string_view word);
+/// "word" as it stands
+std::string with_quotes(std::string_view word);
 
 /// "a", "b", "c"
 std::string quoted_list(const std::vector<std::string>& words);

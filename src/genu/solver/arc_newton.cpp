@@ -18,6 +18,11 @@ void scale(double factor, Correction& c) {
 
 }  // namespace
 
+ArcNewton::ArcNewton(const JointModel& model, const NewtonOptions& options)
+    : model_(&model), options_(options), step_(model) {
+  stop_layers_when(options.cancelled, here_);
+}
+
 double ArcNewton::product(const Correction& a, const Correction& b) const {
   const double L = model_->scales.length;
   double sum = a.parameter * b.parameter;
@@ -47,6 +52,7 @@ bool ArcNewton::factor(const StepPlan& plan, const State& state, double t, const
 bool ArcNewton::direction(const StepPlan& plan, const State& state, double t, const Correction& along,
                           Correction& out) {
   linearize_at(plan, state, t);
+  if (asked_to_stop(options_.cancelled)) return false;
   if (!factor(plan, state, t, along) || !step_.linear().full_rank()) return false;
   step_.solve_direction(out);
   const double norm = std::sqrt(product(out, out));
@@ -72,6 +78,10 @@ bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint&
   strayed_ = 0;
   for (report.iterations = 0;; ++report.iterations) {
     linearize_at(plan, point.pose.state, point.t);
+    if (asked_to_stop(options_.cancelled)) {
+      report.outcome = NewtonReport::Outcome::cancelled;
+      return false;
+    }
     const double before = report.residual;
     report.residual = step_.residual(here_, plan.target(point.t));
     report.residual_history[0] = report.residual_history[1];
@@ -106,6 +116,8 @@ bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint&
 
 NewtonReport ArcNewton::solve(const StepPlan& plan, const ArcPoint& from, double arc, ArcPoint& out) {
   NewtonReport report;
+  report.outcome = NewtonReport::Outcome::cancelled;
+  if (asked_to_stop(options_.cancelled)) return report;
   if (!retract(*model_, from.pose.state, from.direction, arc, out.pose.state)) {
     report.outcome = NewtonReport::Outcome::left_the_surface;
     return report;

@@ -20,7 +20,7 @@ struct ArcPoint {
 
 class ArcNewton {
  public:
-  ArcNewton(const JointModel& model, const NewtonOptions& options) : model_(&model), options_(options), step_(model) {}
+  ArcNewton(const JointModel& model, const NewtonOptions& options);
 
   /// The direction of the path at a solved point, the one that makes an acute angle with `along`. False where there is
   /// none or more than one.

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-constexpr double kFirst = 0.01, kLongest = 0.1, kShortest = 1e-9;  // of a substep, in arc length
+constexpr double kFirstArc = 0.01, kLongestArc = 0.1, kShortestArc = 1e-9;  // of a substep, in arc length
 constexpr double kSharpest = 0.95;     // cosine of the angle between the directions at a substep's ends
 constexpr double kFarthestBack = -10;  // of t: a path that runs away is not followed for ever
 constexpr int kMostSubsteps = 100000;
@@ -74,12 +74,12 @@ ArcWalker::End ArcWalker::walk(const StepPlan& plan, const Balanced& pose, const
   if (!begin(plan, pose, 0)) return End::stuck;
   here_.report = report;
   start_ = here_;
-  double h = kFirst;
+  double h = kFirstArc;
   while (!end_) {
-    if (outputs_.cancelled && outputs_.cancelled()) return End::cancelled;
+    if (asked_to_stop(outputs_.cancelled)) return End::cancelled;
     if (here_.at.t < kFarthestBack || substeps_ > kMostSubsteps) return End::ran_away;
-    h = substep(h) ? std::min(1.5 * h, kLongest) : h / 2;
-    if (h < kShortest) return End::stuck;
+    h = substep(h) ? std::min(1.5 * h, kLongestArc) : h / 2;
+    if (h < kShortestArc) return End::stuck;
   }
   return *end_;
 }
@@ -202,7 +202,7 @@ std::optional<ArcWalker::Point> ArcWalker::limit_ahead(const StepPlan& plan, con
                                                        double reach) {
   if (!begin(plan, pose, t)) return {};
   double walked = 0;
-  for (double h = kFirst; walked < reach && h > kShortest;) {
+  for (double h = kFirstArc; walked < reach && h > kShortestArc;) {
     Point next = attempt(h);
     if (!next.report.newton.converged() || !next.directed || !on_the_path(here_, next, h) || !next.valid()) {
       h /= 2;
@@ -214,7 +214,7 @@ std::optional<ArcWalker::Point> ArcWalker::limit_ahead(const StepPlan& plan, con
     }
     here_ = std::move(next);
     walked += h;
-    h = std::min(2 * h, kLongest);
+    h = std::min(2 * h, kLongestArc);
   }
   return {};
 }

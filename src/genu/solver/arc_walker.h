@@ -23,7 +23,7 @@ class ArcWalker {
   struct Outputs {
     std::function<void(int, const Point&)> row;  ///< t crosses increment / increments, upward or downward
     std::function<void(PathEvent::Kind, const Point&, const std::string&)> event;
-    std::function<bool()> cancelled;  ///< may be empty
+    Cancelled cancelled;
   };
   enum class End { reached, closed, ran_away, stuck, cancelled };
 

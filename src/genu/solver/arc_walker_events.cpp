@@ -10,8 +10,8 @@ namespace genu {
 namespace {
 
 constexpr const char* kFlutter = "complex pair of stiffness eigenvalues";
-constexpr double kRounding = 1e-14;  // of t, where the path runs on at one value
-constexpr double kClosed = 1e-6;     // characteristic lengths, rad: nearer than this the path is back at its start
+constexpr double kNoProgress = 1e-14;  // of t, where the path runs on at one value
+constexpr double kClosed = 1e-6;       // characteristic lengths, rad: nearer than this the path is back at its start
 
 }  // namespace
 
@@ -142,8 +142,8 @@ void ArcWalker::add_reaction_turn(double arc, const Point& next, std::vector<Fea
   const Measure rate = [driven](const Point& p) { return p.at.direction.multipliers[driven]; };
   if (!opposite(rate(here_), rate(next))) return;
   const Found there = locate(rate, 0, here_, arc, next);
-  out.push_back({there.arc, there.point, PathEvent::Kind::reaction_turns, 0, false,
-                 reaction_words(plan_, driven, rate(next), there.point.at.pose.state)});
+  const std::string words = reaction_words(solver_.model(), plan_, driven, rate(next), there.point.at.pose.state);
+  if (!words.empty()) out.push_back({there.arc, there.point, PathEvent::Kind::reaction_turns, 0, false, words});
 }
 
 void ArcWalker::add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out) {
@@ -180,7 +180,7 @@ std::vector<int> ArcWalker::rows_between(double from, double to) const {
   const double a = from * plan_.increments, b = to * plan_.increments;
   const int step = b > a ? 1 : -1;
   std::vector<int> out;
-  if (std::abs(to - from) <= kRounding) return out;
+  if (std::abs(to - from) <= kNoProgress) return out;
   for (int k = static_cast<int>(step > 0 ? std::floor(a) + 1 : std::ceil(a) - 1); step > 0 ? k <= b : k >= b;
        k += step) {
     out.push_back(k);

@@ -15,24 +15,29 @@ constexpr double kFirstModulus = 1.3e3;
 constexpr double kStiffer = 4.5;
 constexpr int kStages = 6;
 constexpr double kLittleOverlap = 1e-3;
-constexpr int kIterations = 80;           // of each stage
-constexpr double kBalanced = 1e-5;        // scaled residual: a seed, not a result
-constexpr double kNearEnough = 0.1;       // the same where samples that come and go let no step reduce it further
-constexpr double kMaxTranslation = 0.06;  // of the model's size, an iteration
-constexpr double kMaxRotation = 0.05;     // rad an iteration
+constexpr int kMostStageSteps = 80;          // of each stage
+constexpr double kBalancedResidual = 1e-5;   // scaled residual: a seed, not a result
+constexpr double kNearEnoughResidual = 0.1;  // the same where samples that come and go let no step reduce it further
+constexpr double kMaxTranslation = 0.06;     // of the model's size, an iteration
+constexpr double kMaxRotation = 0.05;        // rad an iteration
 
 /// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
 class Stage {
  public:
-  Stage(const JointModel& model, ContactField& field, const Target& target, double modulus)
-      : model_(model), field_(field), target_(target), modulus_(modulus), step_(model) {}
+  Stage(const JointModel& model, ContactField& field, const Target& target, double modulus, const Cancelled& cancelled)
+      : model_(model), field_(field), target_(target), modulus_(modulus), cancelled_(cancelled), step_(model) {
+    stop_layers_when(cancelled, here_);
+    stop_layers_when(cancelled, there_);
+  }
 
   bool run(State& state, SeedReport& report) {
+    if (asked_to_stop(cancelled_)) return false;
     evaluate(state, here_);
     double merit = step_.residual(here_, target_);
     double damping = 1e-3;
-    for (int i = 0; i < kIterations; ++i) {
-      if (merit <= kBalanced) return true;
+    for (int i = 0; i < kMostStageSteps; ++i) {
+      if (asked_to_stop(cancelled_)) return false;
+      if (merit <= kBalancedResidual) return true;
       ++report.iterations;
       damped_ = here_;
       add_damping(damping);
@@ -53,10 +58,10 @@ class Stage {
       } else {
         deepest_ = touching;
         damping *= 6;
-        if (damping > 1e6) return merit <= kNearEnough;
+        if (damping > 1e6) return merit <= kNearEnoughResidual;
       }
     }
-    return merit <= kNearEnough;
+    return merit <= kNearEnoughResidual;
   }
 
   double deepest() const { return deepest_; }
@@ -87,6 +92,7 @@ class Stage {
   ContactField& field_;
   const Target& target_;
   double modulus_;
+  const Cancelled& cancelled_;
   NewtonStep step_;
   Linearization here_, there_, damped_;
   Correction correction_;
@@ -119,9 +125,9 @@ SeedReport stiffen(const JointModel& model, const Target& target, State& state, 
 }
 
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
-                          double stiffer) {
+                          double stiffer, const Cancelled& cancelled) {
   const auto run = [&](double modulus, State& next, SeedReport& report) {
-    Stage stage(model, field, target, modulus);
+    Stage stage(model, field, target, modulus, cancelled);
     if (!stage.run(next, report)) return false;
     report.deepest = stage.deepest();
     return true;

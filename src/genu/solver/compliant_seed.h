@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "genu/core/cancelled.h"
 #include "genu/model/contact_field.h"
 #include "genu/solver/newton_step.h"
 
@@ -18,8 +19,9 @@ struct SeedReport {
 
 /// Moves `state` (poses and multipliers; its contacts are emptied) to the compliant equilibrium for `target`. The first
 /// foundation is `stiffer` times the usual one: what is soft for the forces at hand lets a body through a thin sheet.
+/// Not balanced where it is `cancelled`.
 SeedReport compliant_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
-                          double stiffer = 1);
+                          double stiffer = 1, const Cancelled& cancelled = {});
 
 /// Balances a state on a foundation of `modulus` (Pa per m of overlap); false where that fails. Updates its part of the
 /// report.

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Below this relative curvature, in 1/spacing, a contact may be about to split: look around it, the samples may miss
 // its twin.
 constexpr double kNearSplit = 3e-3;
@@ -20,13 +19,11 @@ constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
 // else is wrong: samples lie on the surfaces to rounding, and each that overlaps starts a descent.
 constexpr double kUnexplained = 1e-6;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact) {
   const auto& pair = model.pairs[at(contact.pair)];
   const Mat2 curvature =
       relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
-  return Eigen::SelfAdjointEigenSolver<Mat2>(0.5 * (curvature + curvature.transpose())).eigenvalues()[0];
+  return symmetric_eigen(Mat2(0.5 * (curvature + curvature.transpose()))).values[0];
 }
 
 void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, double same) {
@@ -172,7 +169,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
 Certificate ContactInspector::certify(const State& state, double residual) const {
   Certificate c;
   c.residual = residual;
-  c.smallest_force = c.smallest_gap = c.edge_distance = kInfinity;
+  c.smallest_force = c.smallest_gap = c.edge_distance = std::numeric_limits<double>::infinity();
   for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
   for (const ActiveContact& contact : state.contacts) {
     const auto& pair = model_->pairs[at(contact.pair)];

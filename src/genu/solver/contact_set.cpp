@@ -12,8 +12,6 @@ namespace {
 
 constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
 constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
   std::vector<std::pair<int, int>> s;
@@ -242,8 +240,8 @@ void ContactSetSolver::close_touching(Balanced& pose, const Target& target, doub
 PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill, double stiffer) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const SeedReport seed = downhill ? downhill_seed(*model_, *field_, target, trial.state)
-                                   : compliant_seed(*model_, *field_, target, trial.state, stiffer);
+  const SeedReport seed = downhill ? downhill_seed(*model_, *field_, target, trial.state, options_.cancelled)
+                                   : compliant_seed(*model_, *field_, target, trial.state, stiffer, options_.cancelled);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;

@@ -4,51 +4,59 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include "genu/core/decompositions.h"
+#include "genu/solver/stability.h"
 
 namespace genu {
 namespace {
 
-constexpr int kIterations = 150;          // of each stage
-constexpr double kBalanced = 1e-5;        // scaled force and moment along the free motions: a seed, not a result
-constexpr double kNearEnough = 0.05;      // the same where samples that come and go let no step go further down
-constexpr double kLeastStiffness = 1e-3;  // of the characteristic one: keeps steps finite along motions that are free
-constexpr double kMostTranslation = 0.1;  // of the model's size, an iteration
-constexpr double kMostRotation = 0.1;     // rad an iteration
-constexpr double kShortStep = 1e-3;       // of the longest one: nearer, Newton's method is better
-constexpr double kShortest = 1e-7;        // of the longest step
-constexpr double kDependent = 1e-10;      // rows of unit length this near to a combination of others are one
+constexpr int kMostDescents = 150;         // of each stage
+constexpr double kBalancedForce = 1e-5;    // scaled force and moment along the free motions: a seed, not a result
+constexpr double kNearEnoughForce = 0.05;  // the same where samples that come and go let no step go further down
+constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: keeps steps finite along motions that are free
+constexpr double kMostTranslation = 0.1;   // of the model's size, an iteration
+constexpr double kMostRotation = 0.1;      // rad an iteration
+constexpr double kShortStep = 1e-3;        // of the longest one: nearer, Newton's method is better
+constexpr double kTooShort = 1e-7;         // of the longest step
+constexpr double kWorkRounding = 1e-13;    // of work, in the characteristic force times length: none
 
 class DownhillStage {
  public:
-  DownhillStage(const JointModel& model, ContactField& field, const Target& target, double modulus)
-      : model_(model), field_(field), target_(target), modulus_(modulus) {}
+  DownhillStage(const JointModel& model, ContactField& field, const Target& target, double modulus,
+                const Cancelled& cancelled)
+      : model_(model), field_(field), target_(target), modulus_(modulus), cancelled_(cancelled) {
+    stop_layers_when(cancelled, here_);
+    stop_layers_when(cancelled, there_);
+  }
 
   bool run(State& state, SeedReport& report) {
+    if (asked_to_stop(cancelled_)) return false;
     evaluate(state, here_);
     double longest = 1;  // of the caps
-    for (int i = 0; i < kIterations; ++i) {
+    for (int i = 0; i < kMostDescents; ++i) {
+      if (asked_to_stop(cancelled_)) return false;
       ++report.iterations;
       report.deepest = deepest_;
       find_step(state);
       if (!std::isfinite(slope_)) return false;
-      if (force_ <= kBalanced || excess() <= kShortStep) return true;
+      if (force_ <= kBalancedForce || excess() <= kShortStep) return true;
       const double fraction = std::min(1.0, longest / excess());
       if (!retract(model_, state, correction_, fraction, trial_)) return false;
       evaluate(trial_, there_);
-      // The force along the step may turn, but not so far that on the way it has climbed.
+      // The force along the step may turn, but not so far that on the way it has climbed. From an equilibrium, moved on
+      // by what is prescribed alone, the step down is rounding, and so is what it climbs.
       const double slope = there_.wrench.dot(down_);
-      if (std::isfinite(slope) && slope >= -0.5 * slope_) {
+      const double rounding = kWorkRounding * model_.scales.force * model_.scales.length;
+      if (std::isfinite(slope) && slope >= -0.5 * slope_ - rounding) {
         std::swap(state, trial_);
         std::swap(here_, there_);
         longest = std::min(1.0, 2 * longest);
         continue;
       }
       longest = 0.4 * fraction * excess();
-      if (longest < kShortest) return force_ <= kNearEnough;
+      if (longest < kTooShort) return force_ <= kNearEnoughForce;
     }
-    return force_ <= kNearEnough;
+    return force_ <= kNearEnoughForce;
   }
 
  private:
@@ -77,12 +85,9 @@ class DownhillStage {
     VecX motion = VecX::Zero(n);
     MatX free = MatX::Identity(n, n);
     if (m > 0) {
-      Eigen::ColPivHouseholderQR<MatX> qr(held.transpose());
-      qr.setThreshold(kDependent);
-      free = (qr.householderQ() * MatX::Identity(n, n)).rightCols(n - qr.rank());
-      Eigen::CompleteOrthogonalDecomposition<MatX> decomposition(held);
-      motion = decomposition.solve(-error);
-      const VecX balancing = held.transpose().completeOrthogonalDecomposition().solve(-force);
+      free = null_space(held, kDependentRow);
+      motion = minimum_norm_solution(held, -error);
+      const VecX balancing = minimum_norm_solution(held.transpose(), -force);
       // At once, whatever fraction of the motion follows: only the curvature of the constraints depends on them.
       for (Eigen::Index k = 0; k < m; ++k) {
         const double more = balancing[k] / row_length[k];
@@ -102,10 +107,10 @@ class DownhillStage {
 
   VecX down(const MatX& stiffness, const VecX& force) const {
     if (!stiffness.allFinite()) return VecX::Constant(force.size(), std::numeric_limits<double>::quiet_NaN());
-    const Eigen::SelfAdjointEigenSolver<MatX> eigen(0.5 * (stiffness + stiffness.transpose()));
+    const auto eigen = symmetric_eigen(MatX(0.5 * (stiffness + stiffness.transpose())));
     const double least = kLeastStiffness * model_.scales.force * model_.scales.length;
-    const VecX sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
-    return eigen.eigenvectors() * (eigen.eigenvectors().transpose() * force).cwiseQuotient(sizes);
+    const VecX sizes = eigen.values.cwiseAbs().cwiseMax(least);
+    return eigen.vectors * (eigen.vectors.transpose() * force).cwiseQuotient(sizes);
   }
 
   /// The step in units of the longest one allowed.
@@ -122,6 +127,7 @@ class DownhillStage {
   ContactField& field_;
   const Target& target_;
   double modulus_;
+  const Cancelled& cancelled_;
   Linearization here_, there_;
   Correction correction_;
   VecX down_;  // the twist along free motions alone
@@ -131,9 +137,10 @@ class DownhillStage {
 
 }  // namespace
 
-SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state) {
+SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
+                         const Cancelled& cancelled) {
   return stiffen(model, target, state, [&](double modulus, State& stiffer, SeedReport& report) {
-    return DownhillStage(model, field, target, modulus).run(stiffer, report);
+    return DownhillStage(model, field, target, modulus, cancelled).run(stiffer, report);
   });
 }
 

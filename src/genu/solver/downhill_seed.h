@@ -14,6 +14,7 @@
 namespace genu {
 
 /// As compliant_seed(). Where nothing holds a body the descent has no end: not balanced.
-SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state);
+SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
+                         const Cancelled& cancelled = {});
 
 }  // namespace genu

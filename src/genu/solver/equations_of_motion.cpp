@@ -1,11 +1,14 @@
 #include "genu/solver/equations_of_motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "genu/model/layer_levels.h"
 #include "genu/model/motion_rates.h"
 
 namespace genu {
@@ -14,10 +17,10 @@ namespace {
 constexpr double kOnConstraints = 1e-14;  // scaled residual: positions of some lengths' size round to this
 constexpr double kLargestResidual = 1e-11;
 constexpr int kMostProjections = 8;
-constexpr double kRounding = 1e-15;  // of a position: less is not asked for, however small the scale of length
-constexpr double kSecond = 1;        // s: speeds below length / kSecond are small
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double kDependentConstraints =
+    1e-13;                                // reciprocal condition of J J^T: below, constraints say one thing twice
+constexpr double kPlaceRounding = 1e-15;  // of a position: less is not asked for, however small the scale of length
+constexpr double kSecond = 1;             // s: speeds below length / kSecond are small
 
 Eigen::Quaterniond quaternion(OdeSystem::Values y, Eigen::Index from) {
   return {y[from], y[from + 1], y[from + 2], y[from + 3]};
@@ -26,19 +29,45 @@ Eigen::Quaterniond quaternion(OdeSystem::Values y, Eigen::Index from) {
 }  // namespace
 
 EquationsOfMotion::EquationsOfMotion(const JointModel& model, double tolerance)
-    : model_(model), tolerance_(tolerance), near_(start_state(model)) {
+    : model_(model),
+      tolerance_(tolerance),
+      energies_(model.layers.empty() ? 2 : 3),
+      near_(start_state(model)),
+      from_(-std::numeric_limits<double>::infinity()),
+      to_(std::numeric_limits<double>::infinity()) {
   modes_.assign(model.ligaments.size(), DamperMode::taut);
+  damper_count_ = damper_count(model);
   target_.load_factors.assign(model.loads.size(), 1.0);
-  near_.multipliers.assign(model.held.size(), 0.0);
+  for (const auto& drive : model.drives) target_.prescribed.push_back({drive.quantity, 0});
+  drive_rate_.resize(static_cast<Eigen::Index>(model.drives.size()));
+  drive_acceleration_.resize(drive_rate_.size());
   const double length = model.scales.length;
   metric_.resize(6 * model.moving_count);
   for (int k = 0; k < model.moving_count; ++k) {
     metric_.segment<3>(6 * k).setConstant(length);
     metric_.segment<3>(6 * k + 3).setOnes();
   }
-  row_scale_.resize(static_cast<Eigen::Index>(model.held.size()));
-  for (std::size_t m = 0; m < model.held.size(); ++m)
-    row_scale_[static_cast<Eigen::Index>(m)] = model.held[m].coordinate.index < 3 ? 1 : 1 / length;
+  set_targets(0);
+}
+
+void EquationsOfMotion::set_span(double from, double to) {
+  from_ = std::nextafter(from, to);
+  to_ = std::nextafter(to, from);
+}
+
+void EquationsOfMotion::set_targets(double t) {
+  target_.time = std::clamp(t, from_, to_);
+  for (std::size_t i = 0; i < model_.drives.size(); ++i) {
+    const LoadScale::Value value = model_.drives[i].course.evaluate(target_.time);
+    target_.prescribed[i].value = value.factor;
+    drive_rate_[static_cast<Eigen::Index>(i)] = value.slope;
+    drive_acceleration_[static_cast<Eigen::Index>(i)] = value.curvature;
+  }
+}
+
+Target EquationsOfMotion::target_at(double t) {
+  set_targets(t);
+  return target_;
 }
 
 VecX EquationsOfMotion::pack(const MotionPoint& point) const {
@@ -52,17 +81,35 @@ VecX EquationsOfMotion::pack(const MotionPoint& point) const {
     y.segment<4>(7 * k + 3) << q.w(), q.x(), q.y(), q.z();
   }
   y.segment(7 * bodies, 6 * bodies) = point.twist;
-  y.tail<2>() << point.load_work, point.dissipated;
+  y.tail(energies_).head<2>() << point.load_work, point.dissipated;
+  if (energies_ > 2) y[y.size() - 1] = point.layer_work;
   return y;
 }
 
-void EquationsOfMotion::set_gradient(const MotionPoint& point) {
+bool EquationsOfMotion::set_gradient(MotionPoint& point) {
   linearize_constraints(model_, point.state, target_, constraints_);
-  J_ = row_scale_.asDiagonal() * constraints_.gradient * metric_.asDiagonal();
+  const Eigen::Index first = constraints_.constraint.size();
+  const auto rows = first + static_cast<Eigen::Index>(point.state.contacts.size());
+  gradient_.resize(rows, metric_.size());
+  violation_.resize(rows);
+  row_scale_.setConstant(rows, 1 / model_.scales.length);
+  gradient_.topRows(first) = constraints_.gradient;
+  violation_.head(first) = constraints_.constraint;
+  for (Eigen::Index m = 0; m < first; ++m)
+    if (is_rotation(model_, target_, static_cast<std::size_t>(m))) row_scale_[m] = 1;
+  closed_.resize(point.state.contacts.size());
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const Eigen::Index row = first + static_cast<Eigen::Index>(i);
+    if (!evaluate_closed(model_, point.state, point.state.contacts[i], closed_[i])) return false;
+    set_row(model_, point.state.contacts[i], closed_[i].gradient, row, gradient_);
+    violation_[row] = closed_[i].gap;
+  }
+  J_ = row_scale_.asDiagonal() * gradient_ * metric_.asDiagonal();
+  return true;
 }
 
 double EquationsOfMotion::residual() const {
-  return row_scale_.size() == 0 ? 0 : row_scale_.cwiseProduct(constraints_.constraint).cwiseAbs().maxCoeff();
+  return row_scale_.size() == 0 ? 0 : row_scale_.cwiseProduct(violation_).cwiseAbs().maxCoeff();
 }
 
 /// The smallest twist, in the metric of lengths and angles, that changes the scaled constraints by `rows`.
@@ -71,19 +118,20 @@ VecX EquationsOfMotion::metric_step(const VecX& rows) const {
 }
 
 bool EquationsOfMotion::project(MotionPoint& point) {
-  set_gradient(point);
+  if (!set_gradient(point)) return false;
   point.drift = point.residual = residual();
   if (row_scale_.size() == 0) return true;
   gram_.compute(J_ * J_.transpose());
+  if (gram_.info() != Eigen::Success || !(gram_.rcond() > kDependentConstraints)) return false;
   for (int k = 0; point.residual > kOnConstraints && k < kMostProjections; ++k) {
-    const VecX step = metric_step(-row_scale_.cwiseProduct(constraints_.constraint));
+    const VecX step = metric_step(-row_scale_.cwiseProduct(violation_));
     const State before = point.state;
     for (std::size_t i = 0; i < model_.bodies.size(); ++i)
       if (const int b = model_.bodies[i].moving; b >= 0)
         point.state.poses[i] = retract(before.poses[i], Vec6(step.segment<6>(6 * b)));
     update_coordinates(model_, point.state);
     const double last = point.residual;
-    set_gradient(point);
+    if (!set_gradient(point)) return false;
     gram_.compute(J_ * J_.transpose());
     point.residual = residual();
     if (point.residual < last) continue;
@@ -96,47 +144,141 @@ bool EquationsOfMotion::project(MotionPoint& point) {
   return point.residual <= kLargestResidual;
 }
 
-void EquationsOfMotion::project_twist(MotionPoint& point) {
-  if (row_scale_.size() == 0) return;
-  const VecX forbidden = row_scale_.cwiseProduct(constraints_.gradient * point.twist);
-  point.twist -= metric_step(forbidden);
+/// How fast each constraint is asked to change.
+VecX EquationsOfMotion::asked_rates() const {
+  VecX rates = VecX::Zero(row_scale_.size());
+  rates.head(drive_rate_.size()) = drive_rate_;
+  return rates;
 }
 
-bool EquationsOfMotion::accelerate(MotionPoint& point) {
+void EquationsOfMotion::project_twist(MotionPoint& point) {
+  if (row_scale_.size() == 0) return;
+  point.twist -= metric_step(row_scale_.cwiseProduct(gradient_ * point.twist - asked_rates()));
+}
+
+/// The matrix of masses and constraints, [M J^T; J 0], scaled.
+void EquationsOfMotion::set_system(const MotionPoint& point) {
   const Eigen::Index n = metric_.size(), m = row_scale_.size();
-  target_.time = point.time;
-  linearize(model_, point.state, target_, forces_);
-  wrench_ = forces_.wrench;
-  power_ = add_damping(model_, point.state, modes_, point.twist, wrench_);
   system_.setZero(n + m, n + m);
-  double mass = 0;
+  mass_ = 0;
+  evaluate_effect(model_.meter.get(), Effect::inertia, model_.inertias.size(), [&] { set_masses(point); });
+  system_.topLeftCorner(n, n) /= mass_;
+  system_.topRightCorner(n, m) = J_.transpose();
+  system_.bottomLeftCorner(m, n) = J_;
+}
+
+void EquationsOfMotion::set_masses(const MotionPoint& point) {
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     const int k = model_.bodies[i].moving;
     if (k < 0) continue;
     const Inertia& inertia = model_.inertias[at(k)];
-    const Mat3& R = point.state.poses[i].R;
     const Vec6 scale = metric_.segment<6>(6 * k);
-    system_.block<6, 6>(6 * k, 6 * k) = scale.asDiagonal() * mass_matrix(inertia, R) * scale.asDiagonal();
-    wrench_.segment<6>(6 * k) -= gyroscopic_wrench(inertia, R, point.twist.segment<3>(6 * k + 3));
-    mass = std::max(mass, inertia.mass * scale[0] * scale[0]);
+    system_.block<6, 6>(6 * k, 6 * k) =
+        scale.asDiagonal() * mass_matrix(inertia, point.state.poses[i].R) * scale.asDiagonal();
+    mass_ = std::max(mass_, inertia.mass * scale[0] * scale[0]);
   }
-  system_.topLeftCorner(n, n) /= mass;
-  system_.topRightCorner(n, m) = J_.transpose();
-  system_.bottomLeftCorner(m, n) = J_;
+}
+
+/// All forces on the bodies but those of constraints, the apparent ones included.
+void EquationsOfMotion::add_forces(const MotionPoint& point) {
+  const State& state = point.state;
+  linearize_forces(model_, state, target_, forces_);
+  wrench_ = forces_.wrench;
+  layers_ = forces_.layer_wrench.size() > 0 ? forces_.layer_wrench.dot(point.twist) : 0;
+  dampers_ = 0;
+  evaluate_effect(model_.meter.get(), Effect::damping, damper_count_,
+                  [&] { dampers_ = add_damping(model_, state, modes_, point.twist, wrench_); });
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i)
+    if (const int k = model_.bodies[i].moving; k >= 0)
+      wrench_.segment<6>(6 * k) -=
+          gyroscopic_wrench(model_.inertias[at(k)], state.poses[i].R, point.twist.segment<3>(6 * k + 3));
+}
+
+/// How the constraints would accelerate, asked less what turning does: c'' - J' v.
+VecX EquationsOfMotion::asked_accelerations(const MotionPoint& point) const {
+  VecX out(row_scale_.size());
+  const VecX centripetal = centripetal_rates(model_, point.state, target_, point.twist);
+  out.head(centripetal.size()) = -centripetal;
+  out.head(drive_acceleration_.size()) += drive_acceleration_;
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const Vec12 twist = twist_at(model_, point.state.contacts[i], point.twist);
+    out[centripetal.size() + static_cast<Eigen::Index>(i)] = -twist.dot(closed_[i].curvature * twist);
+  }
+  return out;
+}
+
+bool EquationsOfMotion::accelerate(MotionPoint& point) {
+  const Eigen::Index n = metric_.size(), m = row_scale_.size();
+  set_system(point);
+  add_forces(point);
   VecX right(n + m);
-  right.head(n) = metric_.cwiseProduct(wrench_) / mass;
-  right.tail(m) = -row_scale_.cwiseProduct(centripetal_rates(model_, point.state, point.twist));
+  right.head(n) = metric_.cwiseProduct(wrench_) / mass_;
+  right.tail(m) = row_scale_.cwiseProduct(asked_accelerations(point));
   const VecX solved = system_.partialPivLu().solve(right);
   point.acceleration = metric_.cwiseProduct(solved.head(n));
-  point.state.multipliers.resize(model_.held.size());
-  for (Eigen::Index k = 0; k < m; ++k)
-    point.state.multipliers[static_cast<std::size_t>(k)] = -mass * row_scale_[k] * solved[n + k];
+  const VecX multipliers = -mass_ * row_scale_.cwiseProduct(solved.tail(m));
+  const std::size_t first = constraint_count(model_, target_);
+  point.state.multipliers.assign(multipliers.data(), multipliers.data() + first);
+  for (std::size_t i = 0; i < closed_.size(); ++i)
+    point.state.contacts[i].force = multipliers[static_cast<Eigen::Index>(first + i)];
   return solved.allFinite();
+}
+
+bool EquationsOfMotion::complete(MotionPoint& point) {
+  set_targets(point.time);
+  point.state.multipliers.assign(constraint_count(model_, target_), 0.0);
+  update_coordinates(model_, point.state);
+  if (!project(point)) return false;
+  project_twist(point);
+  return accelerate(point);
+}
+
+std::optional<EquationsOfMotion::Opening> EquationsOfMotion::opening(const MotionPoint& point,
+                                                                     ActiveContact contact) const {
+  ClosedContact closed;
+  if (!evaluate_closed(model_, point.state, contact, closed)) return std::nullopt;
+  const Vec12 twist = twist_at(model_, contact, point.twist), bent = closed.curvature * twist;
+  const Vec12 acceleration = twist_at(model_, contact, point.acceleration);
+  return Opening{closed.gradient.dot(twist), closed.gradient.dot(acceleration) + twist.dot(bent),
+                 closed.gradient.cwiseAbs().dot(twist.cwiseAbs()),
+                 closed.gradient.cwiseAbs().dot(acceleration.cwiseAbs()) + twist.cwiseAbs().dot(bent.cwiseAbs())};
+}
+
+bool EquationsOfMotion::strike(MotionPoint& point, VecX& impulses) {
+  set_targets(point.time);
+  point.state.multipliers.assign(constraint_count(model_, target_), 0.0);
+  if (!project(point)) return false;
+  set_system(point);
+  const Eigen::Index n = metric_.size(), m = row_scale_.size();
+  VecX right(n + m);
+  right.head(n) = system_.topLeftCorner(n, n) * point.twist.cwiseQuotient(metric_);
+  right.tail(m) = row_scale_.cwiseProduct(asked_rates());
+  const VecX solved = system_.partialPivLu().solve(right);
+  if (!solved.allFinite()) return false;
+  const VecX before = point.twist;
+  point.twist = metric_.cwiseProduct(solved.head(n));
+  impulses = -mass_ * row_scale_.cwiseProduct(solved.tail(m));
+  const VecX x = before.cwiseQuotient(metric_), z = solved.head(n);
+  const double lost = mass_ / 2 * (x - z).dot(system_.topLeftCorner(n, n) * (x + z));
+  // A drive's impulse does work at the mean of its rates before and after.
+  double by_drives = 0;
+  for (Eigen::Index i = 0; i < drive_rate_.size(); ++i)
+    by_drives += impulses[i] * gradient_.row(i).dot(before + point.twist) / 2;
+  point.load_work += by_drives;
+  point.dissipated += lost + by_drives;
+  return true;
+}
+
+bool EquationsOfMotion::raise_layers(MotionPoint& point) {
+  if (model_.layers.empty() || !raise_layer_levels(model_, forces_, point.state)) return false;
+  near_.layer_levels = point.state.layer_levels;
+  return true;
 }
 
 bool EquationsOfMotion::massless(const MotionPoint& point) {
   point_ = point;
-  if (!project(point_) || !accelerate(point_)) return true;
+  point_.state.contacts.clear();
+  if (!complete(point_)) return true;
   return !system_.fullPivLu().isInvertible();
 }
 
@@ -146,7 +288,6 @@ bool EquationsOfMotion::read(double t, OdeSystem::Values y, MotionPoint& out) {
   out.time = t;
   out.state = near_;
   out.modes = modes_;
-  out.state.multipliers.assign(model_.held.size(), 0.0);
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     const int k = model_.bodies[i].moving;
     if (k < 0) continue;
@@ -155,12 +296,10 @@ bool EquationsOfMotion::read(double t, OdeSystem::Values y, MotionPoint& out) {
     out.state.poses[i] = {q.normalized().toRotationMatrix(), y.segment<3>(7 * k)};
   }
   out.twist = y.segment(7 * bodies, 6 * bodies);
-  out.load_work = y[y.size() - 2];
-  out.dissipated = y[y.size() - 1];
-  update_coordinates(model_, out.state);
-  if (!project(out)) return false;
-  project_twist(out);
-  return accelerate(out);
+  out.load_work = y[y.size() - energies_];
+  out.dissipated = y[y.size() - energies_ + 1];
+  out.layer_work = energies_ > 2 ? y[y.size() - 1] : 0;
+  return complete(out);
 }
 
 bool EquationsOfMotion::rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out) {
@@ -173,8 +312,12 @@ bool EquationsOfMotion::rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out
     out.segment<4>(7 * k + 3) << turn.w() / 2, turn.x() / 2, turn.y() / 2, turn.z() / 2;
   }
   out.segment(7 * bodies, 6 * bodies) = point_.acceleration;
-  out[out.size() - 2] = load_power(model_, point_.state, target_, point_.twist);
-  out[out.size() - 1] = power_;
+  double power = load_power(model_, point_.state, target_, point_.twist);
+  for (Eigen::Index i = 0; i < drive_rate_.size(); ++i)
+    power += point_.state.multipliers[static_cast<std::size_t>(i)] * drive_rate_[i];
+  out[out.size() - energies_] = power;
+  out[out.size() - energies_ + 1] = dampers_;
+  if (energies_ > 2) out[out.size() - 1] = layers_;
   return out.allFinite();
 }
 
@@ -183,14 +326,15 @@ void EquationsOfMotion::weights(OdeSystem::Values y, Eigen::Ref<VecX> out) const
   const double length = model_.scales.length;
   for (int k = 0; k < bodies; ++k) {
     const Eigen::Index speeds = 7 * bodies + 6 * k;
-    const double place = std::max(tolerance_ * length, kRounding * y.segment<3>(7 * k).norm());
+    const double place = std::max(tolerance_ * length, kPlaceRounding * y.segment<3>(7 * k).norm());
     out.segment<3>(7 * k).setConstant(1 / place);
     out.segment<4>(7 * k + 3).setConstant(1 / tolerance_);
     out.segment<3>(speeds).setConstant(1 / (tolerance_ * (length / kSecond + y.segment<3>(speeds).norm())));
     out.segment<3>(speeds + 3).setConstant(1 / (tolerance_ * (1 / kSecond + y.segment<3>(speeds + 3).norm())));
   }
   const double energy = length * model_.scales.force;
-  for (Eigen::Index i = out.size() - 2; i < out.size(); ++i) out[i] = 1 / (tolerance_ * (energy + std::abs(y[i])));
+  for (Eigen::Index i = out.size() - energies_; i < out.size(); ++i)
+    out[i] = 1 / (tolerance_ * (energy + std::abs(y[i])));
 }
 
 }  // namespace genu

@@ -10,9 +10,7 @@
 namespace genu {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of the characteristic length, as for gaps
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double kLengthRounding = 1e-12;  // of the characteristic length, as for gaps
 
 /// The cubic with given values and slopes at 0 and 1.
 struct Cubic {
@@ -53,7 +51,7 @@ struct Cubic {
 
 }  // namespace
 
-LawEvents::LawEvents(const JointModel& model) : model_(&model), rounding_(kRounding * model.scales.length) {
+LawEvents::LawEvents(const JointModel& model) : model_(&model), rounding_(kLengthRounding * model.scales.length) {
   for (std::size_t i = 0; i < model.ligaments.size(); ++i)
     for (const LawBreak& b : model.ligaments[i].ligament.law.breaks())
       if (!b.sharp()) watched_.push_back({static_cast<int>(i), b});

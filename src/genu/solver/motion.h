@@ -1,5 +1,6 @@
 // The motion of a joint over time: the equations of motion integrated from rest, or from given speeds, with a stop at
-// every kink of a load in time and at every moment when a ligament becomes slack or taut or its law changes formula.
+// every kink of a load or drive in time, and at every moment when a ligament becomes slack or taut, its law changes
+// formula, a joint meets its limit, or a contact closes or opens.
 #pragma once
 
 #include <functional>
@@ -20,6 +21,7 @@ struct MotionPlan {
   /// second, in rad/s or of themselves, whichever is more. Steps are held to kStepShare of it.
   double tolerance = 0;
   std::vector<std::pair<CoordinateRef, double>> start_rates;  ///< rad/s, m/s; others are 0
+  bool from_equilibrium = false;  ///< from where it balances at time 0, not from the joints' start
 
   static constexpr double kStepShare = 1e-3;
   static constexpr double kLeastStepTolerance = 1e-14;  ///< rounding alone is not far below
@@ -37,7 +39,7 @@ struct MotionResult {
 struct MotionObserver {
   std::function<void(const MotionPoint&)> point;  ///< at 0, every output interval, and the end
   std::function<void(const PathEvent&)> event;    ///< taut, slack, transition; may be empty
-  std::function<bool()> cancelled;                ///< may be empty
+  Cancelled cancelled;
 };
 
 /// Times at which a motion is written down: multiples of the interval, and the duration.

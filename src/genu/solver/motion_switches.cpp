@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kAstray = 1e-11;  // of the scales of length and force: rounding and the root's place are far below
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 LigamentPiece* piece_of(State& state, int ligament) {
   const auto found = std::find_if(state.pieces.begin(), state.pieces.end(),
                                   [&](const LigamentPiece& p) { return p.ligament == ligament; });
@@ -35,6 +33,9 @@ MotionSwitches::MotionSwitches(const JointModel& model) : model_(model) {
     for (int b = 0; b < static_cast<int>(l.ligament.law.breaks().size()); ++b) watches_.push_back({i, b});
     if (l.damping > 0 && !pushes(l.ligament.law)) watches_.push_back({i, -1});
   }
+  for (const JointSpring& spring : model.joint_springs)
+    for (const double angle : {spring.lower, spring.upper})
+      if (std::isfinite(angle)) limits_.push_back({spring.joint, angle});
 }
 
 void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
@@ -49,6 +50,7 @@ void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMo
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     *out++ = modes[at(w.ligament)] == DamperMode::slack ? 1 : tension / model_.scales.force;
   }
+  for (const Limit& limit : limits_) *out++ = point.state.coordinates[at(limit.joint)][0] - limit.angle;
 }
 
 void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) const {
@@ -97,6 +99,10 @@ std::vector<PathEvent> MotionSwitches::switch_over(const std::vector<int>& roots
     }
     events.push_back(named(kind, point, l.name));
   }
+  for (std::size_t k = 0; k < limits_.size(); ++k)
+    if (roots[watches_.size() + k] != 0)
+      events.push_back(
+          named(PathEvent::Kind::transition, point, model_.joints[at(limits_[k].joint)].name + ": passes its limit"));
   return events;
 }
 

@@ -1,4 +1,5 @@
-// When the laws of ligaments and their dampers go over into another formula during a motion.
+// When the laws of ligaments and their dampers, and the springs of joints at their limits, go over into another formula
+// during a motion.
 #pragma once
 
 #include <vector>
@@ -13,9 +14,9 @@ class MotionSwitches {
   explicit MotionSwitches(const JointModel& model);
 
   /// How many functions of time change their sign where something switches.
-  int count() const { return static_cast<int>(watches_.size()); }
+  int count() const { return static_cast<int>(watches_.size() + limits_.size()); }
 
-  /// Those functions: lengths over the scale of length, tensions over the scale of force.
+  /// Those functions: lengths over the scale of length, tensions over the scale of force, rad.
   void values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const;
 
   /// Puts every ligament where its length and speed belong.
@@ -33,8 +34,13 @@ class MotionSwitches {
     int ligament;
     int law_break;  ///< of LigamentLaw::breaks(); -1: the tension of law and damper together
   };
+  struct Limit {
+    int joint;
+    double angle;  ///< rad
+  };
   const JointModel& model_;
   std::vector<Watch> watches_;
+  std::vector<Limit> limits_;
 };
 
 }  // namespace genu

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "genu/contact/elastic_layer.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {
@@ -20,6 +19,8 @@ std::string to_string(NewtonReport::Outcome outcome) {
       return "a contact point leaves its surface";
     case NewtonReport::Outcome::not_finite:
       return "the equations are not finite";
+    case NewtonReport::Outcome::cancelled:
+      return "cancelled";
   }
   return "";
 }
@@ -46,6 +47,7 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
       continue;
     }
     linearize(*model_, trial_, target, there_);
+    if (asked_to_stop(options.cancelled)) return false;
     const double next = step_.residual(there_, target);
     if (!std::isfinite(next)) continue;
     step_.solve(there_, simplified_);
@@ -64,7 +66,7 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
 
 NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptions& options) {
   NewtonReport report;
-  if (!here_.layers) here_.layers = std::make_shared<LayerMemories>();
+  stop_layers_when(options.cancelled, here_);
   there_.layers = here_.layers;
   finer_ = state;
   do {
@@ -72,16 +74,19 @@ NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptio
     solve_as_fine(finer_, target, options, report);
   } while (report.converged() && raise_layer_levels(*model_, here_, finer_));
   if (report.converged()) std::swap(state, finer_);
+  if (!report.converged() && asked_to_stop(options.cancelled)) report.outcome = NewtonReport::Outcome::cancelled;
   return report;
 }
 
 /// With the layers as they are; counts iterations on.
 void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptions& options, NewtonReport& report) {
+  if (asked_to_stop(options.cancelled)) return;
   current_ = state;
   fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);
   double residual = step_.residual(here_, target);
   for (;; ++report.iterations) {
+    if (asked_to_stop(options.cancelled)) return;
     report.residual_history[0] = report.residual_history[1];
     report.residual_history[1] = report.residual_history[2];
     report.residual_history[2] = report.residual = residual;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "genu/core/cancelled.h"
 #include "genu/solver/newton_step.h"
 
 namespace genu {
@@ -18,10 +19,17 @@ struct NewtonOptions {
   double max_rotation = 0.1;      ///< rad
   double max_slide = 0.2;         ///< cap on one iteration's motion of a contact point, of the model's size
   NewtonStep::Route route = NewtonStep::Route::automatic;
+  Cancelled cancelled;  ///< asked in every iteration, and while layers are summed
 };
 
+/// The same, left off once `cancelled` says so.
+inline NewtonOptions stoppable(NewtonOptions options, const Cancelled& cancelled) {
+  options.cancelled = cancelled;
+  return options;
+}
+
 struct NewtonReport {
-  enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite };
+  enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite, cancelled };
   Outcome outcome = Outcome::not_finite;
   int iterations = 0;
   double residual = 0;                     ///< scaled, at the state returned

@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/solver/moving_blocks.h"
+
 namespace genu {
-namespace {
-
-/// Adds the blocks of a 12-wide row (or column) that belong to moving bodies.
-template <typename Add>
-void for_moving(const std::array<int, 2>& bodies, Add add) {
-  for (int i = 0; i < 2; ++i)
-    if (bodies[static_cast<std::size_t>(i)] >= 0) add(6 * i, 6 * bodies[static_cast<std::size_t>(i)]);
-}
-
-}  // namespace
 
 void NewtonStep::set_scales(const Target& target) {
   const double L = model_->scales.length, F = model_->scales.force;

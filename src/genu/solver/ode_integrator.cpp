@@ -8,7 +8,8 @@
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include <Eigen/Eigenvalues>
+
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
@@ -20,18 +21,6 @@ constexpr int kMostStalled = 100;
 constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
 constexpr double kDamped = 0.1;       // of |lambda|: a root that decays as fast as this is damped
 
-template <typename T, void (*Free)(T)>
-struct Deleter {
-  using pointer = T;
-  void operator()(T x) const { Free(x); }
-};
-void free_context(SUNContext x) { SUNContext_Free(&x); }
-void free_matrix(SUNMatrix x) { SUNMatDestroy(x); }
-void free_solver(SUNLinearSolver x) { SUNLinSolFree(x); }
-void free_memory(void* x) { CVodeFree(&x); }
-template <typename T, void (*Free)(T)>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, Deleter<T, Free>>;
-
 Eigen::Map<VecX> view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))}; }
 
 void be_silent(int, const char*, const char*, char*, void*) {}
@@ -39,6 +28,18 @@ void be_silent(int, const char*, const char*, char*, void*) {}
 }  // namespace
 
 struct OdeIntegrator::Impl {
+  template <typename T, void (*Free)(T)>
+  struct Deleter {
+    using pointer = T;
+    void operator()(T x) const { Free(x); }
+  };
+  static void free_context(SUNContext x) { SUNContext_Free(&x); }
+  static void free_matrix(SUNMatrix x) { SUNMatDestroy(x); }
+  static void free_solver(SUNLinearSolver x) { SUNLinSolFree(x); }
+  static void free_memory(void* x) { CVodeFree(&x); }
+  template <typename T, void (*Free)(T)>
+  using Owned = std::unique_ptr<std::remove_pointer_t<T>, Deleter<T, Free>>;
+
   OdeSystem system;
   OdeMethod method = OdeMethod::adams;
   Owned<SUNContext, free_context> context;
@@ -167,7 +168,7 @@ double OdeIntegrator::fastest_decay() const {
     y[k] = i.now[k];
   }
   double fastest = 0;
-  const Eigen::VectorXcd lambdas = Eigen::EigenSolver<MatX>(jacobian, false).eigenvalues();
+  const Eigen::VectorXcd lambdas = general_eigenvalues(jacobian);
   for (const auto& lambda : lambdas)
     if (lambda.real() < -kDamped * std::abs(lambda)) fastest = std::max(fastest, std::abs(lambda));
   return fastest;
@@ -180,7 +181,7 @@ const std::string& OdeIntegrator::failure() const { return impl_->failure; }
 void OdeIntegrator::interpolate(double t, VecX& y) const {
   Impl& i = *impl_;
   y.resize(i.system.size);
-  Owned<N_Vector, N_VDestroy> out(N_VMake_Serial(i.system.size, y.data(), i.context.get()));
+  Impl::Owned<N_Vector, N_VDestroy> out(N_VMake_Serial(i.system.size, y.data(), i.context.get()));
   if (CVodeGetDky(i.memory.get(), t, 0, out.get()) != CV_SUCCESS) y = i.now;
 }
 

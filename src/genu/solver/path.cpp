@@ -34,14 +34,19 @@ bool is_trivial(const StepPlan& plan) {
          std::all_of(plan.factors.begin(), plan.factors.end(), held);
 }
 
+PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
+  options.newton.cancelled = cancelled;
+  return options;
+}
+
 class PathRun {
  public:
   PathRun(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps, const PathOptions& options,
           const PathObserver& observer)
       : steps_(steps),
-        options_(options),
+        options_(stoppable_path(options, observer.cancelled)),
         observer_(observer),
-        solver_(model, field, options.newton),
+        solver_(model, field, options_.newton),
         walker_(solver_, options_, emit_) {
     pose_.state = start_state(model);
     pose_.last_number.assign(model.pairs.size(), 0);
@@ -116,10 +121,7 @@ class PathRun {
     walker_.begin(step, step_, pose_, report_);
     if (step_ == 1) hand_over(step, 0);
     for (int k = 1; k <= step.increments && !stopped_; ++k) {
-      if (observer_.cancelled && observer_.cancelled()) {
-        stop();
-        return;
-      }
+      if (asked_to_stop(observer_.cancelled)) return stop();
       advance_to(step, k);
     }
     pose_ = walker_.pose();
@@ -257,6 +259,7 @@ class PathRun {
   }
 
   void hand_over(const StepPlan& step, PosePoint point) {
+    if (asked_to_stop(observer_.cancelled)) return stop();
     point.step = step_;
     point.target = step.target(point.t);
     judge_uniqueness(point);
@@ -281,6 +284,7 @@ class PathRun {
 
   void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,
             bool last = true) {
+    if (asked_to_stop(observer_.cancelled)) return stop();
     PosePoint point;
     point.step = step_;
     point.increment = k;
@@ -305,12 +309,13 @@ class PathRun {
   }
 
   void emit(PathEvent event) const {
+    if (asked_to_stop(observer_.cancelled)) return;  // what is not found then may be there
     event.rows_before = rows_;
     if (observer_.event) observer_.event(event);
   }
 
   const std::vector<StepPlan>& steps_;
-  const PathOptions& options_;
+  const PathOptions options_;
   const PathObserver& observer_;
   const std::function<void(PathEvent)> emit_ = [this](const PathEvent& event) { emit(event); };
   ContactSetSolver solver_;

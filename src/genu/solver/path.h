@@ -80,10 +80,11 @@ struct PathResult {
 struct PathObserver {
   std::function<void(const PosePoint&)> pose;
   std::function<void(const PathEvent&)> event;
-  std::function<bool()> cancelled;  ///< may be empty
+  Cancelled cancelled;
 };
 
-/// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later.
+/// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later; a
+/// path that is cancelled ends in the middle of a pose, of which nothing is told.
 PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
                        const PathOptions& options, const PathObserver& observer);
 

@@ -7,9 +7,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLengthTolerance = 1e-12;  // of the characteristic length, as for gaps
 constexpr double kForceTolerance = ContactInspector::kForceTolerance;
 
@@ -30,8 +27,9 @@ double margin(const JointModel& model, const State& state, const LigamentPiece& 
     return std::min(piece.force - low, high - piece.force) / model.scales.force;
   }
   const double length = length_of(model, state, piece);
-  const double above = k > 0 ? length - breaks[k - 1].length : kInfinity;
-  const double below = k < breaks.size() ? breaks[k].length - length : kInfinity;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double above = k > 0 ? length - breaks[k - 1].length : infinity;
+  const double below = k < breaks.size() ? breaks[k].length - length : infinity;
   return std::min(above, below) / model.scales.length;
 }
 

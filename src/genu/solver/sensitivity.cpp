@@ -7,8 +7,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "genu/core/decompositions.h"
+#include "genu/solver/moving_blocks.h"
 
 namespace genu {
 namespace {
@@ -15,12 +14,6 @@ namespace {
 constexpr double kNeutral = 1e-10;
 // Where every free motion costs nothing, all eigenvalues are what rounding leaves of the terms that cancel.
 constexpr double kCancelled = 1e-13;
-
-template <typename Add>
-void for_moving(const std::array<int, 2>& bodies, Add add) {
-  for (int i = 0; i < 2; ++i)
-    if (bodies[static_cast<std::size_t>(i)] >= 0) add(6 * i, 6 * bodies[static_cast<std::size_t>(i)]);
-}
 
 /// J: forces times 10 mm, moments times 1 rad.
 VecX metric(Eigen::Index n) {
@@ -76,28 +69,15 @@ double tangent(const Linearization& at, double length_scale, MatX& stiffness, Ma
   return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
 }
 
-constexpr double kDependent = 1e-10;  // rows of unit length this near to a combination of others are one
-
 /// The rows among the first `count` of `held` whose forces are not determined one by one.
 std::vector<int> dependent_rows(const MatX& held, Eigen::Index count) {
   std::vector<int> out;
-  Eigen::FullPivLU<MatX> lu(held.transpose());
-  lu.setThreshold(kDependent);
-  const MatX trades = lu.kernel();  // forces in balance among themselves, one column each
+  const MatX trades = kernel(held.transpose(), kDependentRow);  // forces in balance among themselves, one column each
   constexpr double kTakesPart = 1e-6;
   for (Eigen::Index i = 0; i < count; ++i)
     if (trades.row(i).cwiseAbs().maxCoeff() > kTakesPart * trades.cwiseAbs().maxCoeff())
       out.push_back(static_cast<int>(i));
   return out;
-}
-
-/// Orthonormal basis of the motions that `held` leaves free.
-MatX free_basis(const MatX& held, Eigen::Index n) {
-  if (held.rows() == 0) return MatX::Identity(n, n);
-  Eigen::ColPivHouseholderQR<MatX> qr(held.transpose());
-  qr.setThreshold(kDependent);
-  const MatX q = qr.householderQ() * MatX::Identity(n, n);
-  return q.rightCols(n - qr.rank());
 }
 
 /// `motions` (columns, in the metric) with twists about the bodies' own origins.
@@ -116,10 +96,9 @@ MatX about_own_origins(const Linearization& at, MatX motions) {
 /// smallest about the origins of the poses, that one is returned.
 double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness, double nearby) {
   const MatX k = basis.transpose() * stiffness * basis, motions = about_own_origins(at, basis);
-  const Eigen::FullPivLU<MatX> lu(k);
-  if (!lu.isInvertible()) return 0;
-  const Eigen::VectorXcd inverse =
-      Eigen::EigenSolver<MatX>(lu.solve(motions.transpose() * motions), false).eigenvalues();
+  const MatX product = full_pivot_solution(k, motions.transpose() * motions);
+  if (product.size() == 0) return 0;
+  const Eigen::VectorXcd inverse = general_eigenvalues(product);
   const double largest = inverse.cwiseAbs().maxCoeff();
   double smallest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < inverse.size(); ++i)
@@ -145,7 +124,7 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   Stability out;
   MatX stiffness, held;
   const double known_to = tangent(at, length_scale, stiffness, held);
-  const MatX basis = free_basis(held, at.wrench.size());
+  const MatX basis = null_space(held, kDependentRow);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
     out.redundant = dependent_rows(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()));
@@ -154,28 +133,28 @@ Stability assess_stability(const Linearization& at, double length_scale) {
     out.mode = VecX::Zero(at.wrench.size());
     return out;
   }
-  const Eigen::EigenSolver<MatX> eigen(basis.transpose() * stiffness * basis);
+  const GeneralEigen eigen = general_eigen(basis.transpose() * stiffness * basis);
   Eigen::Index first = 0;
-  eigen.eigenvalues().real().minCoeff(&first);
-  const std::complex<double> value = eigen.eigenvalues()[first];
-  const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  eigen.values.real().minCoeff(&first);
+  const std::complex<double> value = eigen.values[first];
+  const double largest = eigen.values.cwiseAbs().maxCoeff();
   constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
   const double real = std::max(kReal * largest, known_to);
-  out.complex_pair = eigen.eigenvalues().imag().cwiseAbs().maxCoeff() > real;
+  out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
   out.smallest =
       at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
   out.flutter = std::abs(value.imag()) > real;
-  out.mode = basis * eigen.eigenvectors().col(first).real();
+  out.mode = basis * eigen.vectors.col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
   const double nothing = std::max(kNeutral * largest, known_to);
   if (std::abs(value.real()) <= nothing) {
     out.verdict = Stability::Verdict::neutral;
-    for (Eigen::Index i = 0; i < eigen.eigenvalues().size(); ++i) {
-      if (std::abs(eigen.eigenvalues()[i]) > nothing) continue;
+    for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
+      if (std::abs(eigen.values[i]) > nothing) continue;
       out.neutral.conservativeResize(at.wrench.size(), out.neutral.cols() + 1);
       // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
-      const Eigen::VectorXcd vector = eigen.eigenvectors().col(i);
-      const bool second = eigen.eigenvalues()[i].imag() < 0;
+      const Eigen::VectorXcd vector = eigen.vectors.col(i);
+      const bool second = eigen.values[i].imag() < 0;
       out.neutral.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
     }
     if (out.neutral.cols() == basis.cols()) out.neutral = basis;  // everything: no eigenvector says it better

@@ -8,6 +8,9 @@
 
 namespace genu {
 
+/// Rows of unit length this near to a combination of others are one.
+inline constexpr double kDependentRow = 1e-10;
+
 struct Stability {
   enum class Verdict { stable, unstable, neutral };
   static constexpr double kMetricLength = 0.01;  ///< m: the metric of every scene, 10 mm weigh as much as 1 rad

@@ -15,8 +15,6 @@ constexpr std::size_t kMostSaddles = 100;
 constexpr std::size_t kMostBetween = 10;
 constexpr int kBisections = 8;  // of the way between two stable poses
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The prime after `prime`: the base of the next coordinate.
 int next_prime(int prime) {
   const auto is_prime = [](int n) {
@@ -54,16 +52,16 @@ bool overlaps(const JointModel& model, ContactField& field, const State& state, 
   return false;
 }
 
-class Search {
+class StartsSearcher {
  public:
-  Search(const JointModel& model, ContactField& field, const Target& target, const std::vector<JointValues>& first,
-         const StartOptions& options, const std::function<bool()>& cancelled)
+  StartsSearcher(const JointModel& model, ContactField& field, const Target& target,
+                 const std::vector<JointValues>& first, const StartOptions& options, const Cancelled& cancelled)
       : model_(model),
         target_(target),
         first_(first),
         options_(options),
         cancelled_(cancelled),
-        solver_(model, field, options.newton) {}
+        solver_(model, field, stoppable(options.newton, cancelled)) {}
 
   StartSearch run() {
     for (int k = 1; k <= options_.count && !stopped(); ++k) try_start(k);
@@ -80,11 +78,12 @@ class Search {
     PoseReport report;
   };
 
-  bool stopped() const { return cancelled_ && cancelled_(); }
+  bool stopped() const { return asked_to_stop(cancelled_); }
 
   void try_start(int k) {
-    ++out_.count;
     const Settled by_newton = settle_start(k, false), down = settle_start(k, true);
+    if (stopped()) return;
+    ++out_.count;
     std::size_t place = add(by_newton, Equilibrium::Found::newton, k);
     if (const std::size_t below = add(down, Equilibrium::Found::downhill, k); below != kNone) place = below;
     if (place == kNone)
@@ -225,7 +224,7 @@ class Search {
   const Target& target_;
   const std::vector<JointValues>& first_;
   const StartOptions& options_;
-  const std::function<bool()>& cancelled_;
+  const Cancelled& cancelled_;
   ContactSetSolver solver_;
   Linearization here_;
   StartSearch out_;
@@ -262,8 +261,8 @@ std::vector<JointValues> start_coordinates(const JointModel& model, const Target
 
 StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
                           const std::vector<JointValues>& first, const StartOptions& options,
-                          const std::function<bool()>& cancelled) {
-  return Search(model, field, target, first, options, cancelled).run();
+                          const Cancelled& cancelled) {
+  return StartsSearcher(model, field, target, first, options, cancelled).run();
 }
 
 const char* to_string(Equilibrium::Found found) {

@@ -69,9 +69,9 @@ std::vector<JointValues> start_coordinates(const JointModel& model, const Target
                                            const StartOptions& options);
 
 /// Settles every start, one after the other, at `target`, then looks between stable equilibria and beside unstable
-/// ones; start 1 has the coordinates `first`. `cancelled` may be empty.
+/// ones; start 1 has the coordinates `first`. A start that is `cancelled` is not counted.
 StartSearch search_starts(const JointModel& model, ContactField& field, const Target& target,
                           const std::vector<JointValues>& first, const StartOptions& options,
-                          const std::function<bool()>& cancelled);
+                          const Cancelled& cancelled);
 
 }  // namespace genu

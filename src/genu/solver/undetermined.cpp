@@ -6,8 +6,6 @@
 namespace genu {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// How much each coordinate changes along `mode`, which is in the metric of Stability: the same metric here.
 std::vector<std::pair<CoordinateRef, double>> changes_along(const JointModel& model, const State& state,
                                                             const VecX& mode) {

@@ -15,7 +15,7 @@ namespace {
 // Toward a limit point the tangent grows without bound: one step may move the bodies so far and no farther, or the
 // solution found at its end may lie on another branch. Characteristic lengths plus rad.
 constexpr double kFarthest = 0.25;
-constexpr double kLongest = 0.1;  // of a step: what comes and goes within a substep is not seen
+constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a substep is not seen
 
 }  // namespace
 
@@ -49,10 +49,10 @@ void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
 }
 
-void Walker::accept(double t, Balanced pose, const PoseReport& report) {
+void Walker::accept(double t, Balanced pose, const PoseReport& report, bool leaps) {
   compute_tangent(pose.state, t, next_);
   const bool first = substeps_ == 0;
-  for (const Turn& turn : law_turns(t, pose.state)) emit_at(turn.kind, turn.t, turn.state, turn.what);
+  for (const Turn& turn : law_turns(t, pose.state, leaps)) emit_at(turn.kind, turn.t, turn.state, turn.what);
   take(t, std::move(pose), report);
   if (stability().complex_pair && (first || !next_.stability.complex_pair))
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
@@ -60,8 +60,9 @@ void Walker::accept(double t, Balanced pose, const PoseReport& report) {
   // Contacts may have changed here, and rates with them at once.
   if (stability().verdict != next_.stability.verdict)
     emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
-  if (opposite(reaction_rate(next_), reaction_rate(tangent_)))
-    emit(PathEvent::Kind::reaction_turns, reaction_words(tangent_, pose_.state));
+  if (!opposite(reaction_rate(next_), reaction_rate(tangent_))) return;
+  if (const std::string words = reaction_words(tangent_, pose_.state); !words.empty())
+    emit(PathEvent::Kind::reaction_turns, words);
 }
 
 bool Walker::pass(double t, Attempt trial) {
@@ -135,7 +136,7 @@ bool Walker::walk_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min({h, kLongest, kFarthest / std::max(speed(tangent_), 1e-300)});
+    h = std::min({h, kLongestStep, kFarthest / std::max(speed(tangent_), 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
@@ -328,7 +329,7 @@ bool Walker::snap_beyond(double window) {
     const Balanced before = pose_;
     emit(PathEvent::Kind::snapped,
          fmt::format("to an equilibrium {:.2f} mm and {:.2f} deg away", 1e3 * distance, angle * 180 / M_PI));
-    accept(t, std::move(next), report);
+    accept(t, std::move(next), report, true);
     report_changes(before, pose_);
     return true;
   }

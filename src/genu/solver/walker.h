@@ -71,7 +71,7 @@ class Walker {
   };
 
   Attempt attempt(double t);
-  void accept(double t, Balanced pose, const PoseReport& report);
+  void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
   double speed(const Tangent& tangent) const;
   bool passes_a_fold(const Tangent& next, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
@@ -102,7 +102,8 @@ class Walker {
   bool find_stability_change(double t, const State& next, std::vector<Turn>& turns);
   double reaction_rate(const Tangent& tangent) const;
   std::string reaction_words(const Tangent& after, const State& state) const;
-  std::vector<Turn> law_turns(double t, const State& state);
+  /// `leaps`: no path leads from the pose before to this one.
+  std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
   void compute_tangent(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 

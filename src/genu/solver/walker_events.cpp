@@ -20,7 +20,7 @@ double Walker::reaction_rate(const Tangent& tangent) const {
 }
 
 std::string Walker::reaction_words(const Tangent& after, const State& state) const {
-  return genu::reaction_words(plan_, driven_, reaction_rate(after), state);
+  return genu::reaction_words(solver_.model(), plan_, driven_, reaction_rate(after), state);
 }
 
 Walker::Found Walker::locate(const Measure& measure, double t_end, const State& end) {
@@ -78,18 +78,20 @@ bool Walker::find_turns(double t, const State& next, std::vector<Turn>& turns) {
   }
   if (opposite(reaction_rate(tangent_), reaction_rate(next_))) {
     const Found there = locate([this](const Tangent& x) { return reaction_rate(x); }, t, next);
-    turns.push_back({there.t, PathEvent::Kind::reaction_turns, there.state, reaction_words(next_, there.state)});
+    if (const std::string words = reaction_words(next_, there.state); !words.empty())
+      turns.push_back({there.t, PathEvent::Kind::reaction_turns, there.state, words});
   }
   for (Turn& turn : law_turns(t, next)) turns.push_back(std::move(turn));
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.t < b.t; });
   return true;
 }
 
-std::vector<Walker::Turn> Walker::law_turns(double t, const State& state) {
+std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool leaps) {
   std::vector<Turn> turns;
   if (law_events_.none()) return turns;
   const double h = t - t_;
-  const bool first = substeps_ == 0, leaps = h == 0 || !same_contacts(pose_.state, state);
+  const bool first = substeps_ == 0;
+  leaps = leaps || h == 0 || !same_contacts(pose_.state, state);
   const auto rate = [h](const Tangent& tangent) { return VecX(h * tangent.motion.twist); };
   const VecX before = rate(tangent_), after = rate(next_);
   const auto known = [&](const VecX& twist) { return twist.size() > 0 && twist.allFinite() ? &twist : nullptr; };

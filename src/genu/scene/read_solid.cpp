@@ -1,0 +1,30 @@
+// `solid` of a body: the closed mesh and the density that its mass, centre of mass and inertia come from.
+#include "genu/core/units.h"
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+bool read_solid(ReadContext& context, Section& body_section, BodyDef& body) {
+  const Item item = body_section.find("solid");
+  if (!item) return false;
+  for (const char* key : {"mass", "centre_of_mass", "inertia"})
+    if (const Item other = body_section.find(key); other && (context.in_motion || other.node->key != "inertia"))
+      refuse(context, other, "follows from `solid`: leave one of the two out");
+  if (body.fixed) refuse(context, item, "is of a fixed body, which nothing moves");
+  if (!is_table(context, item)) return true;
+  Section section(context, item, "a solid");
+  BodyDef::Solid solid;
+  solid.where = item.node->where;
+  solid.file_where = item.node->where;
+  solid.file = read_mesh_file(context, section.require("file"), solid.file_where);
+  const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
+  solid.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
+  solid.placement = read_placement(context, section);
+  const NumberRule density{.unit = 1, .unit_name = "kg/m^3", .above = {}, .at_least = {}};
+  solid.density = read_number(context, section.require("density"), positive(density)).value_or(1);
+  section.finish();
+  body.solid = solid;
+  return true;
+}
+
+}  // namespace genu
