@@ -28,9 +28,29 @@ std::vector<ActiveContact> those(const std::vector<ActiveContact>& all, unsigned
   return out;
 }
 
+/// Closes those of `all` that are left open and come back before they are open by more than `touching`: a rattle below
+/// what gaps are resolved to is none.
+void end_rattle(EquationsOfMotion& equations, const std::vector<ActiveContact>& all, double touching,
+                MotionPoint& point) {
+  MotionPoint flying = point;
+  if (!equations.complete(flying)) return;
+  std::vector<ActiveContact> closed = point.state.contacts;
+  for (const ActiveContact& c : all) {
+    if (contains(point.state, c)) continue;
+    const auto opening = equations.opening(flying, c);
+    if (!opening || !(opening->acceleration < 0)) continue;
+    if (opening->rate * opening->rate < -2 * opening->acceleration * touching) closed.push_back(c);
+  }
+  if (closed.size() == point.state.contacts.size()) return;
+  flying = point;
+  flying.state.contacts = closed;
+  VecX impulses;
+  if (equations.strike(flying, impulses)) point = flying;
+}
+
 }  // namespace
 
-bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, MotionPoint& point) {
+bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, double touching, MotionPoint& point) {
   const std::vector<ActiveContact> all = point.state.contacts;
   double mass = 0;
   for (const Inertia& inertia : model.inertias) mass += inertia.mass;
@@ -46,11 +66,12 @@ bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, Motion
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (has(chosen, i)) continue;
       const auto opening = equations.opening(trial, all[i]);
-      if (!opening) return false;
+      if (!opening) continue;  // its minimum of the gap is gone
       const double none = kImpulseRounding * (opening->rate_scale + model.scales.length);
       if (opening->rate < -none) return false;
       if (opening->rate <= none) trial.state.contacts.push_back(all[i]);
     }
+    end_rattle(equations, all, touching, trial);
     point = trial;
     return true;
   });
@@ -68,7 +89,7 @@ bool settle_forces(const JointModel& model, EquationsOfMotion& equations, Motion
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (has(chosen, i)) continue;
       const auto opening = equations.opening(trial, all[i]);
-      if (!opening || opening->acceleration < -kImpulseRounding * opening->acceleration_scale) return false;
+      if (opening && opening->acceleration < -kImpulseRounding * opening->acceleration_scale) return false;
     }
     point = trial;
     return true;

@@ -125,6 +125,7 @@ class Motion {
     std::string why;
     if (plan_.from_equilibrium && !contacts_->balance(now_, why)) return why;
     now_.twist = start_twist(model_, now_.state, plan_);
+    now_.acceleration.setZero(now_.twist.size());
     switches_.settle(now_, equations_.pieces(), equations_.modes());
     now_.state.pieces = equations_.pieces().pieces;
     if (equations_.massless(now_)) return "the bodies have no mass or no inertia against a motion that is free";

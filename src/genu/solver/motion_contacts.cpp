@@ -21,6 +21,9 @@ constexpr double kOfClearance = 0.9;   // of the gap between them, the same
 constexpr double kOfDepth = 0.1;       // of how deep a layer's rays look: the same, before it carries anything
 constexpr double kExplained = 1e-6;    // of the length scale: samples overlap by no more than minima do
 constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
+constexpr double kHasTwins = 1.2e-2;   // of the same: below, another contact may be born beside one at any step
+constexpr double kOfTwins = 1e-3;      // of `touching_`
+constexpr double kLate = 2;            // of `touching_`: an overlap by more was seen too late to tell when it began
 constexpr int kMostHalvings = 60;
 
 PathEvent event_of(PathEvent::Kind kind, const MotionPoint& point, std::string what) {
@@ -65,6 +68,14 @@ MotionPoint locate(const MotionPoint& from, const MotionPoint& to, const MotionC
       bracket.move_high(t, here);
   }
   return found;
+}
+
+/// Whether the surfaces bend away from each other by at least `least` (1/m) in every direction, or nearly so.
+bool bends_away(const JointModel& model, const State& state, const ActiveContact& contact, double least) {
+  const auto& pair = model.pairs[at(contact.pair)];
+  const Mat2 curvature =
+      relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
+  return curvature.trace() > 0 && curvature.determinant() >= least * curvature.trace();
 }
 
 }  // namespace
@@ -201,7 +212,9 @@ bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
 /// Whether nothing that was open at the last look can have closed since, and nothing pulls: no look is needed.
 bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to) {
   for (const ActiveContact& c : to.state.contacts)
-    if (c.force < -ContactInspector::kForceTolerance * model_.scales.force) return false;
+    if (c.force < -ContactInspector::kForceTolerance * model_.scales.force ||
+        !bends_away(model_, to.state, c, kHasTwins / field_.spacing()))
+      return false;
   bool clear = model_.layers.empty();
   for (int k = 0; k < static_cast<int>(watches_.size()); ++k) {
     MotionWatch& watch = watches_[at(k)];
@@ -209,6 +222,15 @@ bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to)
     clear = clear && watch.travelled < kOfClearance * watch.clearance;
   }
   return clear;
+}
+
+/// m: what a minimum of the gap may overlap by without being told. Beside a contact that hardly bends away it is next
+/// to nothing: that contact may be about to vanish, and this is then what carries its load.
+double MotionContacts::allowed_overlap(const State& state, const Candidate& candidate) const {
+  const bool twin = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
+    return c.pair == candidate.pair && !bends_away(model_, state, c, kHasTwins / field_.spacing());
+  });
+  return twin ? kOfTwins * touching_ : touching_;
 }
 
 /// A survey that finds nothing which the inspector would have to judge; it tells how far everything is from closing.
@@ -219,7 +241,7 @@ bool MotionContacts::looks_well(const MotionPoint& point) {
   for (const Candidate& c : survey_.minima) {
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     if (inspector_.held(point.state, c)) continue;
-    if (c.minimum.gap < -touching_) return false;
+    if (c.minimum.gap < -allowed_overlap(point.state, c)) return false;
     watches_[at(c.pair)].clearance = std::min(watches_[at(c.pair)].clearance, std::max(0.0, c.minimum.gap));
   }
   for (const Candidate& c : survey_.edges)
@@ -228,12 +250,8 @@ bool MotionContacts::looks_well(const MotionPoint& point) {
     if (survey_.smallest_gap[k] < explained[k] - kExplained * model_.scales.length) return false;
   for (std::size_t i = 0; i < point.state.contacts.size(); ++i) {
     const ActiveContact& c = point.state.contacts[i];
-    const auto& pair = model_.pairs[at(c.pair)];
     if (c.force < 0 || field_.edge_distance(c.pair, c.geometry) < 0) return false;
-    const Mat2 curvature =
-        relative_curvature(point.state.poses[at(pair.body_a)], point.state.poses[at(pair.body_b)], c.geometry);
-    if (curvature.trace() < 0 || curvature.determinant() < kMayConform / field_.spacing() * curvature.trace())
-      return false;
+    if (!bends_away(model_, point.state, c, kMayConform / field_.spacing())) return false;
     for (std::size_t j = 0; j < i; ++j)
       if (point.state.contacts[j].pair == c.pair &&
           same_place(point.state.contacts[j].geometry, c.geometry, inspector_.same_contact()))
@@ -256,9 +274,9 @@ MotionContacts::Change MotionContacts::first_change(const MotionPoint& from, con
     }
     Change change;
     if (!looks_well(next))
-      change = look(here, next, point_at);
+      change = first_seen(here, next, point_at);
     else if (const auto lowest = overlap_between(here, next, point_at))
-      change = look(here, *lowest, point_at);
+      change = first_seen(here, *lowest, point_at);
     if (change.kind != Change::Kind::none) return change;
     here = next;
   }
@@ -288,6 +306,28 @@ std::optional<MotionPoint> MotionContacts::overlap_between(const MotionPoint& fr
   return found;
 }
 
+/// Whether the moment of a change is known, and not only that it has happened by then: a minimum of the gap may have
+/// been born beside a contact since the last look, and have closed.
+bool MotionContacts::is_located(const Change& change) const {
+  if (change.kind == Change::Kind::ends) return false;
+  if (change.kind != Change::Kind::closes) return true;
+  return opening_of(model_, change.candidate, change.point).gap > -kLate * touching_;
+}
+
+/// The change that a look at `to` shows; where that was too late to tell its moment, looks between tell it.
+MotionContacts::Change MotionContacts::first_seen(const MotionPoint& from, const MotionPoint& to,
+                                                  const PointAt& point_at) {
+  Change change = look(from, to, point_at);
+  MotionPoint before = from, after = to, middle;
+  for (int k = 0; k < kMostHalvings && change.kind != Change::Kind::none && !is_located(change); ++k) {
+    const double t = 0.5 * (before.time + after.time);
+    if (!(t > before.time && t < after.time) || !point_at(t, middle)) break;
+    (looks_well(middle) ? before : after) = middle;
+    if (Change nearer = look(before, after, point_at); nearer.kind != Change::Kind::none) change = std::move(nearer);
+  }
+  return change;
+}
+
 MotionContacts::Change MotionContacts::look(const MotionPoint& from, const MotionPoint& to, const PointAt& point_at) {
   Findings findings;
   inspector_.inspect(to.state, findings);
@@ -296,11 +336,13 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
     if (first.kind == Change::Kind::none || change.point.time < first.point.time) first = std::move(change);
   };
   for (const Candidate& c : findings.overlapping) {
-    if (c.minimum.gap > -touching_) continue;
+    if (c.minimum.gap > -allowed_overlap(to.state, c)) continue;
     const auto gap = [&](const MotionPoint& p) { return opening_of(model_, c, p).gap; };
     const double shift = gap(from) > 0 ? 0 : touching_;  // one that has just opened may have shrunk by a rounding
     const auto value = [&](const MotionPoint& p) { return gap(p) + shift; };
-    consider({Change::Kind::closes, 0, c, locate(from, to, point_at, value, 1e-3 * touching_), {}});
+    Change closes{Change::Kind::closes, 0, c, locate(from, to, point_at, value, 1e-3 * touching_), {}};
+    if (!is_located(closes)) return closes;  // before anything else, as far as is known
+    consider(std::move(closes));
   }
   for (const int i : findings.pulling) {
     const double shift = from.state.contacts[at(i)].force > 0 ? 0 : ContactInspector::kForceTolerance;
@@ -348,7 +390,8 @@ bool MotionContacts::settle(MotionPoint& point, int leaves, std::vector<PathEven
     why = fmt::format("more than {} contacts at once at {:.9g} s", kMostAtOnce, point.time);
     return false;
   }
-  if ((leaves < 0 && !settle_speeds(model_, equations_, point)) || !settle_forces(model_, equations_, point, leaves)) {
+  if ((leaves < 0 && !settle_speeds(model_, equations_, touching_, point)) ||
+      !settle_forces(model_, equations_, point, leaves)) {
     why = fmt::format("no set of contacts is possible at {:.9g} s", point.time);
     return false;
   }

@@ -62,8 +62,11 @@ class MotionContacts {
   bool presses(int layer, const MotionPoint& point) const;
   bool near(const MotionPoint& from, const MotionPoint& to);
   bool known_clear(const MotionPoint& from, const MotionPoint& to);
+  double allowed_overlap(const State& state, const Candidate& candidate) const;
   bool looks_well(const MotionPoint& point);
   std::optional<MotionPoint> overlap_between(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
+  bool is_located(const Change& change) const;
+  Change first_seen(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
   Change look(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
   bool settle(MotionPoint& point, int leaves, std::vector<PathEvent>& events, std::string& why);
   void note(const std::vector<ActiveContact>& before, const MotionPoint& point, std::vector<PathEvent>& events);

@@ -1,0 +1,94 @@
+// Motions whose contacts come and go by themselves: a plank that rocks to rest, and measured cartilage, where noise
+// lets contacts be born beside others and take their load.
+#include <vector>
+
+#include "motion_scene.h"
+#include "support/knee_scene.h"
+
+namespace genu {
+namespace {
+
+using test::dynamics;
+using test::kG;
+using test::motion_of;
+
+constexpr double kMass = 2, kInertia = 0.05, kHalf = 0.1;  // kg, kg m^2, m: from the middle to each foot
+
+/// A plank on two feet, the one about to rise with `rate` (rad/s).
+std::string plank(double rate) {
+  std::string text = "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n" +
+                     fmt::format("gravity = [0, 0, {}]\n", -kG) +
+                     fmt::format(R"([body.ground]
+fixed = true
+[body.plank]
+mass = {0}
+inertia = [{1}, {1}, {1}]
+[joint.free]
+type = "free"
+parent = "ground"
+child = "plank"
+rotations = ["tilt y", "roll x", "yaw z"]
+translations = ["x", "y", "z"]
+reference = {{ z = 0.02 }}
+[surface.floor]
+body = "ground"
+shape = "plane"
+)",
+                                 kMass, kInertia);
+  for (const char* side : {"left", "right"})
+    text += fmt::format(
+        "[surface.{0}]\nbody = \"plank\"\nshape = \"sphere\"\nradius = 0.02\norigin = [{1}, 0, 0]\n"
+        "[contact.{0}]\nsurfaces = [\"{0}\", \"floor\"]\nmodel = \"rigid\"\n",
+        side, side == std::string("left") ? -kHalf : kHalf);
+  return text + dynamics(0.1, 0.001, 1e-9, fmt::format("\"free.tilt\" = {}, \"free.z\" = {}", -rate, kHalf * rate)) +
+         "prescribe = { \"free.roll\" = 0 }\n";
+}
+
+/// Without friction each landing on one foot, the other closed, keeps the angular momentum about the foot that lands:
+/// the other rises at (I - m b^2) / (I + m b^2) of the rate, and comes back ever sooner. The times add up.
+TEST(MotionManyContacts, APlankRocksToRest) {
+  constexpr double kRate = 0.1, kShape = kMass * kHalf * kHalf;
+  constexpr double kKept = (kInertia - kShape) / (kInertia + kShape);
+  constexpr double kBack = kMass * kG * kHalf / (kInertia + kShape);  // rad/s^2
+  const Solution s = motion_of(plank(kRate));
+  std::vector<double> landings;
+  for (std::size_t row = 0; row < s.event_rows.rows(); ++row)
+    if (std::get<std::string>(s.event_rows.at(row, s.event_rows.column_index("event"))) == "contact_gained")
+      landings.push_back(s.event_rows.number(row, "time_s"));
+  ASSERT_GE(landings.size(), 4u);
+  EXPECT_LT(landings.size(), 15u) << "what it rises by below the tolerance is no more counted";
+  double time = 0, rate = kRate;
+  for (std::size_t k = 0; k < landings.size(); ++k, rate *= kKept) {
+    time += 2 * rate / kBack;
+    EXPECT_NEAR(landings[k], time, 2e-6 * time) << k;  // the square of its tilt is left out
+  }
+  const std::size_t last = s.poses.rows() - 1;
+  for (const char* foot : {"left.force_N", "right.force_N"})
+    EXPECT_NEAR(s.poses.number(last, foot), kMass * kG / 2, 1e-8);
+  EXPECT_NEAR(s.poses.number(last, "free.tilt_deg"), 0, 1e-9);
+  EXPECT_NEAR(s.poses.number(last, "energy.kinetic_J"), 0, 1e-14);
+  EXPECT_NEAR(s.poses.number(last, "energy.dissipated_J"), (kInertia + kShape) * kRate * kRate / 2, 1e-10);
+}
+
+/// Bent to 90 degrees in a second, on the coarser of the published meshes.
+TEST(MotionManyContacts, AMeasuredKneeIsBent) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart-coarse.stl");
+  std::string text = test::lenhart_scene("-coarse", 0, 90, 1);
+  text = test::replaced(text.substr(0, text.find("[[step]]")), "[body.tibia]\n",
+                        "[body.tibia]\nmass = 4\ncentre_of_mass = [0, -180, 0]\ninertia = [0.05, 0.02, 0.05]\n");
+  const Solution s = motion_of(text + dynamics(1, 0.02, 1e-4) +
+                               "start = \"equilibrium\"\nprescribe = { \"knee.flexion\" = { step = { from = 0, to = "
+                               "90, rise = 1 } } }\n");
+  ASSERT_EQ(s.poses.rows(), 51u);
+  EXPECT_NEAR(s.poses.number(50, "knee.flexion_deg"), 90, 1e-9);
+  double least = 1;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+    EXPECT_GE(s.poses.number(row, "tibiofemoral.force_N"), 0);
+    least = std::min(least, s.poses.number(row, "tibiofemoral.gap_mm"));
+  }
+  EXPECT_GT(least, -1e-4) << "mm";
+  EXPECT_LT(s.summary.motion->worst_energy, 1e-3 * s.summary.motion->energy_scale);
+}
+
+}  // namespace
+}  // namespace genu
