@@ -122,6 +122,31 @@ TEST(MotionKnee, IsTheSameWhereverItStands) {
       << "deg, at a tolerance of 6e-8 deg";
 }
 
+/// A contact that is never closed makes it a motion of free bodies with constraints and multipliers, which hinges alone
+/// are not integrated as.
+TEST(MotionKnee, IsTheSameWithConstraintsInThePlaceOfAngles) {
+  const std::string contact = R"([surface.pin]
+body = "tibia"
+shape = "sphere"
+radius = 0.001
+[surface.wall]
+body = "femur"
+shape = "plane"
+origin = [0, 0, -1]
+[contact.never]
+surfaces = ["pin", "wall"]
+model = "rigid"
+)";
+  std::string text = short_knee();
+  const Solution angles = motion_of(text);
+  const Solution bodies = motion_of(text.insert(text.find("[dynamics]"), contact));
+  EXPECT_LT(worst_of_angles(angles.poses, bodies.poses), 1e-7) << "deg, at a tolerance of 6e-8 deg";
+  EXPECT_NE(angles.summary.effects.front().unknowns, bodies.summary.effects.front().unknowns);
+  for (std::size_t row = 0; row < angles.poses.rows(); ++row)
+    for (const char* force : {"j1.reaction.force_y_N", "patellar_tendon.force_N", "energy.balance_J"})
+      EXPECT_NEAR(angles.poses.number(row, force), bodies.poses.number(row, force), 1e-6) << row;
+}
+
 TEST(MotionKnee, IsTheSameInMillimetresAndRadians) {
   std::string text = short_knee();
   const auto by = [&](const std::string& piece, const std::string& other) { text = with_first(text, piece, other); };

@@ -26,16 +26,9 @@ void add_pull(const JointModel& model, const JointModel::LigamentBetween& l, con
 
 bool pushes(const LigamentLaw& law) { return law.slack_until() < 0; }
 
-double damper_tension(const JointModel& model, const State& state, int ligament, DamperMode mode, double rate) {
-  switch (mode) {
-    case DamperMode::slack:
-      return 0;
-    case DamperMode::taut:
-      return model.ligaments[at(ligament)].damping * rate;
-    case DamperMode::relaxed:
-      return -show_ligament(model, state, ligament).force;
-  }
-  return 0;
+double damper_tension(const JointModel::LigamentBetween& ligament, DamperMode mode, double force, double rate) {
+  if (mode == DamperMode::slack) return 0;
+  return mode == DamperMode::taut ? ligament.damping * rate : -force;
 }
 
 std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist) {
@@ -66,7 +59,7 @@ double add_damping(const JointModel& model, const State& state, const std::vecto
     const auto& l = model.ligaments[i];
     if (l.damping == 0 || modes[i] == DamperMode::slack) continue;
     const double rate = ligament_length_rate(model, l, state.poses, twist);
-    const double tension = damper_tension(model, state, static_cast<int>(i), modes[i], rate);
+    const double tension = damper_tension(l, modes[i], show_ligament(model, state, static_cast<int>(i)).force, rate);
     power += tension * rate;
     add_pull(model, l, state, tension, wrench);
   }

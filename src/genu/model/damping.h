@@ -20,8 +20,8 @@ enum class DamperMode {
 /// Whether a ligament's law has no side on which it is slack: its damper acts both ways and at any length.
 bool pushes(const LigamentLaw& law);
 
-/// The tension that a damper adds to what the law gives (N), for the ligament's mode. `rate`: L' in m/s.
-double damper_tension(const JointModel& model, const State& state, int ligament, DamperMode mode, double rate);
+/// The tension that a damper adds to the law's `force` (N), for the ligament's mode. `rate`: L' in m/s.
+double damper_tension(const JointModel::LigamentBetween& ligament, DamperMode mode, double force, double rate);
 
 /// The modes that lengths and velocities ask for; one for each ligament, `taut` for those without damping.
 std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist);

@@ -70,6 +70,15 @@ class JointCoordinates {
   /// be perpendicular (Cardan), parallel (proper Euler) or anything between. What follows holds for these alone.
   static bool is_valid(const std::array<JointDef::Rotation, 3>& rotations);
 
+  /// X_PC = { R1 R23, t + R child_centre - parent_centre }, in parts: R1(q0), and R23 = R2(q1) R3(q2).
+  Mat3 rotation_about_first(double angle) const { return exp_rotation(angle * a_[0]); }
+  Mat3 rotation_after_first(const JointValues& values) const {
+    return exp_rotation(values[1] * a_[1]) * exp_rotation(values[2] * a_[2]);
+  }
+  const Vec3& first_axis() const { return a_[0]; }  ///< unit, in the parent
+  const Vec3& parent_centre() const { return parent_centre_; }
+  const Vec3& child_centre() const { return child_centre_; }
+
   /// X_PC for the coordinates.
   Pose pose_from(const JointValues& values) const;
 

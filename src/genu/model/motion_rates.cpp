@@ -5,15 +5,6 @@
 #include "genu/model/twist.h"
 
 namespace genu {
-namespace {
-
-Vec6 twist_of(const JointModel& model, int body, const VecX& twist) {
-  const int moving = body < 0 ? -1 : model.bodies[at(body)].moving;
-  return moving < 0 ? Vec6(Vec6::Zero()) : Vec6(twist.segment<6>(6 * moving));
-}
-
-}  // namespace
-
 std::vector<JointValues> coordinate_rates(const JointModel& model, const State& state, const VecX& twist) {
   std::vector<JointValues> rates(model.joints.size());
   for (std::size_t j = 0; j < rates.size(); ++j) {
@@ -55,8 +46,8 @@ double load_power(const JointModel& model, const State& state, const Target& tar
     const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
     if (factor == 0) continue;
     const Vec12 wrench = load_wrench(model, state, load).wrench;
-    power += factor * (wrench.head<6>().dot(twist_of(model, load.body_a, twist)) +
-                       wrench.tail<6>().dot(twist_of(model, load.body_b, twist)));
+    power += factor * (wrench.head<6>().dot(twist_of_body(model, load.body_a, twist)) +
+                       wrench.tail<6>().dot(twist_of_body(model, load.body_b, twist)));
   }
   return power;
 }

@@ -1,9 +1,15 @@
-// Twists of all moving bodies (6 each, one after the other), seen from a joint.
+// Twists of all moving bodies (6 each, one after the other), seen from a body or a joint.
 #pragma once
 
 #include "genu/model/joint_model.h"
 
 namespace genu {
+
+/// That of a body of the model; 0 of one that is fixed, and where `body` is -1.
+inline Vec6 twist_of_body(const JointModel& model, int body, const VecX& twist) {
+  const int k = body < 0 ? -1 : model.bodies[static_cast<std::size_t>(body)].moving;
+  return k < 0 ? Vec6(Vec6::Zero()) : Vec6(twist.segment<6>(6 * k));
+}
 
 /// [twist of the parent; twist of the child]; that of a fixed body is 0.
 inline Vec12 twist_of_pair(const JointModel& model, int joint, const VecX& twist) {

@@ -140,7 +140,7 @@ class MotionTable {
       const auto& l = model_.ligaments[i];
       const LigamentShown law = show_ligament(model_, point.state, static_cast<int>(i));
       const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
-      const double damper = damper_tension(model_, point.state, static_cast<int>(i), point.modes[i], rate);
+      const double damper = damper_tension(l, point.modes[i], law.force, rate);
       table_.set(l.name + ".length_mm", to::kMillimetre * law.length);
       table_.set(l.name + ".strain", law.strain);
       table_.set(l.name + ".velocity_mm_s", to::kMillimetre * rate);

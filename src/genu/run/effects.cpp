@@ -6,6 +6,7 @@
 
 #include "genu/core/units.h"
 #include "genu/model/damping.h"
+#include "genu/solver/hinged_motion.h"
 
 namespace genu {
 namespace {
@@ -49,6 +50,15 @@ std::size_t most_prescribed(const std::vector<StepPlan>& steps) {
   return most;
 }
 
+/// What is integrated in a motion.
+std::string numbers_over_time(const JointModel& model) {
+  const int energies = model.layers.empty() ? 2 : 3;
+  if (!HingedMotion::fits(model))
+    return fmt::format("{} numbers over time: pose, quaternion, twist; {} energies", 13 * model.moving_count, energies);
+  return fmt::format("{} numbers over time: angle and rate of each hinge; {} energies", 2 * HingeTree(model).count(),
+                     energies);
+}
+
 }  // namespace
 
 void start_counting(const Prepared& prepared) {
@@ -61,8 +71,10 @@ std::vector<RunSummary::Effect> effects_of(const Prepared& p) {
   const bool moves = p.scene.dynamics.has_value();
   EffectList list(m.meter.get());
   if (moves) {
-    list.add("dynamics", 1, fmt::format("{} numbers over time: pose, quaternion, twist; 2 energies", 13 * bodies));
-    list.add(Effect::inertia, "moving bodies", m.inertias.size(), fmt::format("6 accelerations each: {}", 6 * bodies));
+    list.add("dynamics", 1, numbers_over_time(m));
+    list.add(Effect::inertia, "moving bodies", m.inertias.size(),
+             HingedMotion::fits(m) ? fmt::format("an acceleration of each hinge: {}", HingeTree(m).count())
+                                   : fmt::format("6 accelerations each: {}", 6 * bodies));
   } else {
     list.add("moving bodies", static_cast<std::size_t>(bodies), fmt::format("6 unknowns each: {}", 6 * bodies));
   }

@@ -32,6 +32,7 @@ EquationsOfMotion::EquationsOfMotion(const JointModel& model, double tolerance)
     : model_(model),
       tolerance_(tolerance),
       energies_(model.layers.empty() ? 2 : 3),
+      hinged_(HingedMotion::fits(model) ? std::make_unique<HingedMotion>(model) : nullptr),
       near_(start_state(model)),
       from_(-std::numeric_limits<double>::infinity()),
       to_(std::numeric_limits<double>::infinity()) {
@@ -73,6 +74,12 @@ Target EquationsOfMotion::target_at(double t) {
 VecX EquationsOfMotion::pack(const MotionPoint& point) const {
   const int bodies = model_.moving_count;
   VecX y(size());
+  y.tail(energies_).head<2>() << point.load_work, point.dissipated;
+  if (energies_ > 2) y[y.size() - 1] = point.layer_work;
+  if (hinged_) {
+    hinged_->pack(point.state, point.twist, y);
+    return y;
+  }
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     const int k = model_.bodies[i].moving;
     if (k < 0) continue;
@@ -81,8 +88,6 @@ VecX EquationsOfMotion::pack(const MotionPoint& point) const {
     y.segment<4>(7 * k + 3) << q.w(), q.x(), q.y(), q.z();
   }
   y.segment(7 * bodies, 6 * bodies) = point.twist;
-  y.tail(energies_).head<2>() << point.load_work, point.dissipated;
-  if (energies_ > 2) y[y.size() - 1] = point.layer_work;
   return y;
 }
 
@@ -282,12 +287,20 @@ bool EquationsOfMotion::massless(const MotionPoint& point) {
   return !system_.fullPivLu().isInvertible();
 }
 
-bool EquationsOfMotion::read(double t, OdeSystem::Values y, MotionPoint& out) {
+/// The poses and twists that y means, and what it has summed up.
+bool EquationsOfMotion::unpack(double t, OdeSystem::Values y, MotionPoint& out) {
   const int bodies = model_.moving_count;
   if (!y.allFinite()) return false;
   out.time = t;
   out.state = near_;
   out.modes = modes_;
+  out.load_work = y[y.size() - energies_];
+  out.dissipated = y[y.size() - energies_ + 1];
+  out.layer_work = energies_ > 2 ? y[y.size() - 1] : 0;
+  if (hinged_) {
+    hinged_->place(y, out.state, out.twist);
+    return true;
+  }
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     const int k = model_.bodies[i].moving;
     if (k < 0) continue;
@@ -296,13 +309,24 @@ bool EquationsOfMotion::read(double t, OdeSystem::Values y, MotionPoint& out) {
     out.state.poses[i] = {q.normalized().toRotationMatrix(), y.segment<3>(7 * k)};
   }
   out.twist = y.segment(7 * bodies, 6 * bodies);
-  out.load_work = y[y.size() - energies_];
-  out.dissipated = y[y.size() - energies_ + 1];
-  out.layer_work = energies_ > 2 ? y[y.size() - 1] : 0;
-  return complete(out);
+  return true;
+}
+
+bool EquationsOfMotion::read(double t, OdeSystem::Values y, MotionPoint& out) {
+  return unpack(t, y, out) && complete(out);
+}
+
+bool EquationsOfMotion::see(double t, OdeSystem::Values y, MotionPoint& out) {
+  return unpack(t, y, out) && (hinged_ || complete(out));
 }
 
 bool EquationsOfMotion::rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out) {
+  if (hinged_) {
+    if (!y.allFinite()) return false;
+    set_targets(t);
+    hinged_->place(y, near_, point_.twist);
+    return hinged_->rate(near_, point_.twist, target_, modes_, out);
+  }
   if (!read(t, y, point_)) return false;
   const int bodies = model_.moving_count;
   for (int k = 0; k < bodies; ++k) {
@@ -322,8 +346,9 @@ bool EquationsOfMotion::rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out
 }
 
 void EquationsOfMotion::weights(OdeSystem::Values y, Eigen::Ref<VecX> out) const {
-  const int bodies = model_.moving_count;
+  const int bodies = hinged_ ? 0 : model_.moving_count;
   const double length = model_.scales.length;
+  if (hinged_) hinged_->weights(y, tolerance_, kSecond, out);
   for (int k = 0; k < bodies; ++k) {
     const Eigen::Index speeds = 7 * bodies + 6 * k;
     const double place = std::max(tolerance_ * length, kPlaceRounding * y.segment<3>(7 * k).norm());

@@ -11,14 +11,19 @@
 // drives it away, so an error of y across the constraints stays as small as the steps made it (their tolerance), adds
 // no stiffness, and what is read from y, P(y), is on the constraints to rounding. The same P normalises quaternions,
 // which have no singular orientation.
+//
+// Where hinges are all that holds the bodies, y holds their angles and rates instead (hinged_motion.h), and the system
+// above is solved only for what is written down.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "genu/model/closed_contact.h"
 #include "genu/model/damping.h"
 #include "genu/model/linearization.h"
+#include "genu/solver/hinged_motion.h"
 #include "genu/solver/ode_integrator.h"
 
 namespace genu {
@@ -43,13 +48,19 @@ class EquationsOfMotion {
   /// `tolerance`: error of one step, of the scale of length, in rad, and of speeds (plus a scale of 1/s).
   EquationsOfMotion(const JointModel& model, double tolerance);
 
-  Eigen::Index size() const { return 13 * model_.moving_count + energies_; }
+  Eigen::Index size() const { return hinged_ ? hinged_->size() : 13 * model_.moving_count + energies_; }
 
   /// y at a point. Velocities that the constraints forbid are taken out later, by P.
   VecX pack(const MotionPoint& point) const;
 
   /// The point P(y), its accelerations and multipliers included; false where there is none near.
   bool read(double t, OdeSystem::Values y, MotionPoint& out);
+
+  /// The poses, coordinates and twists that y means; more of it where that is not cheaper.
+  bool see(double t, OdeSystem::Values y, MotionPoint& out);
+
+  /// Completes a point that see() has given: accelerations and multipliers.
+  bool finish(MotionPoint& point) { return !hinged_ || complete(point); }
 
   /// f; false where it cannot be evaluated.
   bool rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out);
@@ -97,6 +108,7 @@ class EquationsOfMotion {
   bool massless(const MotionPoint& point);
 
  private:
+  bool unpack(double t, OdeSystem::Values y, MotionPoint& out);
   bool project(MotionPoint& point);
   void project_twist(MotionPoint& point);
   bool accelerate(MotionPoint& point);
@@ -113,6 +125,7 @@ class EquationsOfMotion {
   const JointModel& model_;
   double tolerance_;
   Eigen::Index energies_;
+  std::unique_ptr<HingedMotion> hinged_;  ///< where hinges are all that holds the bodies
   State near_;
   std::vector<DamperMode> modes_;
   Target target_;

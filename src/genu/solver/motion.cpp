@@ -144,7 +144,7 @@ class Motion {
     s.rate = [this](double t, OdeSystem::Values y, Eigen::Ref<VecX> out) { return equations_.rate(t, y, out); };
     s.weights = [this](OdeSystem::Values y, Eigen::Ref<VecX> out) { equations_.weights(y, out); };
     s.root_values = [this](double t, OdeSystem::Values y, double* out) {
-      if (!equations_.read(t, y, watched_)) return false;
+      if (!equations_.see(t, y, watched_)) return false;
       switches_.values(watched_, equations_.modes(), out);
       return true;
     };
@@ -204,7 +204,7 @@ class Motion {
 
   bool point_at(double t, MotionPoint& out) {
     integrator_.interpolate(t, between_);
-    return equations_.read(t, between_, out);
+    return equations_.see(t, between_, out);
   }
 
   /// Whether contacts change in the last step; then the motion has begun anew there, unless it ends (`why`).
@@ -256,14 +256,14 @@ class Motion {
       reached = true;
       return true;
     }
-    const MotionPoint before = now_;
+    before_ = now_;
     const OdeIntegrator::Step taken = integrator_.step(stop);
     if (asked_to_stop(observer_.cancelled)) {
       result_.why = "interrupted";
       return false;
     }
-    if (taken == OdeIntegrator::Step::failed || !equations_.read(integrator_.time(), integrator_.y(), now_)) {
-      result_.why = fmt::format("the integration stops at {:.9g} s: {}", before.time,
+    if (taken == OdeIntegrator::Step::failed || !equations_.see(integrator_.time(), integrator_.y(), now_)) {
+      result_.why = fmt::format("the integration stops at {:.9g} s: {}", before_.time,
                                 integrator_.failure().empty() ? "no state near" : integrator_.failure());
       return false;
     }
@@ -274,13 +274,13 @@ class Motion {
       tried_ = true;  // it began at a break and moved off to the other side: again from there
       const MotionPoint beyond = now_;
       switches_.settle(beyond, equations_.pieces(), equations_.modes());
-      now_ = before;
+      now_ = before_;
       now_.state.pieces = equations_.pieces().pieces;
-      return begin_at(before.time, equations_.pack(now_));
+      return begin_at(before_.time, equations_.pack(now_));
     }
     tried_ = false;
-    if (!model_.layers.empty() && layer_met(before)) return result_.why.empty();
-    if (contacts_ && contacts_change(before)) return result_.why.empty();
+    if (!model_.layers.empty() && layer_met(before_)) return result_.why.empty();
+    if (contacts_ && contacts_change(before_)) return result_.why.empty();
     if (!write_rows()) return false;
     equations_.continue_from(now_);
     if (taken == OdeIntegrator::Step::root) return switch_over();
@@ -308,21 +308,18 @@ class Motion {
   bool write_rows() {
     for (; written_ < outputs_.size() && outputs_[written_] <= now_.time; ++written_) {
       const double t = outputs_[written_];
-      if (t == now_.time) {
-        hand_over(now_);
+      MotionPoint point = now_;
+      if ((t == now_.time || point_at(t, point)) && equations_.finish(point)) {
+        hand_over(point);
         continue;
       }
-      MotionPoint point;
-      if (!point_at(t, point)) {
-        result_.why = fmt::format("no state on the constraints near that of {:.9g} s", t);
-        return false;
-      }
-      hand_over(point);
+      result_.why = fmt::format("no state on the constraints near that of {:.9g} s", t);
+      return false;
     }
     return true;
   }
 
-  void hand_over(MotionPoint point) {
+  void hand_over(MotionPoint& point) {
     result_.worst_residual = std::max(result_.worst_residual, point.residual);
     if (contacts_) point.pair_gap = contacts_->gaps(point);
     observer_.point(point);
@@ -338,7 +335,7 @@ class Motion {
   std::vector<double> outputs_, stops_;
   double largest_step_;
   bool has_drives_;
-  MotionPoint now_, watched_;
+  MotionPoint now_, before_, watched_;
   VecX between_;
   std::size_t written_ = 0;
   bool tried_ = false;
