@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "genu/model/twist.h"
+#include "genu/solver/layer_onset.h"
 #include "genu/solver/motion_contacts.h"
 #include "genu/solver/motion_switches.h"
 
@@ -95,6 +96,7 @@ class Motion {
         observer_(observer),
         switches_(model),
         equations_(model, step_tolerance(plan)),
+        onset_(model),
         contacts_(model.pairs.empty() && model.layers.empty() && !plan.from_equilibrium
                       ? nullptr
                       : std::make_unique<MotionContacts>(model, equations_, step_tolerance(plan), observer.cancelled)),
@@ -230,7 +232,7 @@ class Motion {
   /// Whether an elastic layer begins to carry in the last step; then the motion has begun anew there.
   bool layer_met(const MotionPoint& before) {
     const auto at_time = [this](double t, MotionPoint& out) { return point_at(t, out); };
-    const auto met = contacts_->first_pressed(before, now_, at_time);
+    const auto met = onset_.first(before, now_, at_time);
     if (!met) return false;
     now_ = *met;
     if (!write_rows()) return true;
@@ -330,6 +332,7 @@ class Motion {
   const MotionObserver& observer_;
   MotionSwitches switches_;
   EquationsOfMotion equations_;
+  LayerOnset onset_;
   std::unique_ptr<MotionContacts> contacts_;  ///< null where the scene has no surfaces
   OdeIntegrator integrator_;
   std::vector<double> outputs_, stops_;

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "genu/contact/elastic_layer.h"
 #include "genu/core/bracket.h"
 #include "genu/solver/contact_choice.h"
 #include "genu/solver/stability.h"
@@ -18,7 +17,6 @@ constexpr double kStepErrors = 10;     // gaps below so many errors of a step ar
 constexpr double kTouching = 1e-9;     // of the length scale: what touches at the start
 constexpr double kOverlapping = 1e-6;  // of the length scale: what overlaps at the start
 constexpr double kOfClearance = 0.9;   // of the gap between them, the same
-constexpr double kOfDepth = 0.1;       // of how deep a layer's rays look: the same, before it carries anything
 constexpr double kExplained = 1e-6;    // of the length scale: samples overlap by no more than minima do
 constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
 constexpr double kHasTwins = 1.2e-2;   // of the same: below, another contact may be born beside one at any step
@@ -89,10 +87,6 @@ MotionContacts::MotionContacts(const JointModel& model, EquationsOfMotion& equat
       inspector_(model, field_),
       touching_(std::max(inspector_.gap_tolerance(), kStepErrors * tolerance * model.scales.length)) {
   for (const auto& pair : model.pairs) watches_.emplace_back(model, pair.body_a, pair.body_b, *pair.a, *pair.b);
-  for (const auto& layer : model.layers) {
-    layer_watches_.emplace_back(model, layer.body_a, layer.body_b, *layer.a, *layer.b);
-    layer_watches_.back().unwatched = kOfDepth * layer.search_depth;
-  }
 }
 
 bool MotionContacts::balance(MotionPoint& point, std::string& why) {
@@ -156,43 +150,6 @@ bool MotionContacts::begin(MotionPoint& point, std::string& why) {
   point.state.contacts = book_.state.contacts;
   std::vector<PathEvent> none;
   return settle(point, -1, none, why);
-}
-
-bool MotionContacts::presses(int layer, const MotionPoint& point) const {
-  const auto& l = model_.layers[at(layer)];
-  ElasticLayer::Memory memory;
-  LayerWrench pressed;
-  l.layer->evaluate(point.state.poses[at(l.body_a)], point.state.poses[at(l.body_b)], memory, pressed,
-                    point.state.layer_level(at(layer)));
-  return pressed.load > 0;
-}
-
-std::optional<MotionPoint> MotionContacts::first_pressed(const MotionPoint& from, const MotionPoint& to,
-                                                         const PointAt& point_at) {
-  std::optional<MotionPoint> first;
-  for (int k = 0; k < static_cast<int>(model_.layers.size()); ++k) {
-    const MotionWatch& watch = layer_watches_[at(k)];
-    if (watch.way(from, to) <= watch.unwatched || presses(k, from)) continue;
-    MotionPoint free = from, pressed;
-    for (bool all = false, found = false; !all && !found;) {
-      pressed = to;
-      all = true;
-      for (int i = 0; i < kMostHalvings && watch.way(free, pressed) > watch.unwatched; ++i) {
-        all = false;
-        if (!point_at(0.5 * (free.time + pressed.time), pressed)) return first;
-      }
-      found = presses(k, pressed);
-      if (!found) free = pressed;
-    }
-    if (!presses(k, pressed)) continue;
-    MotionPoint middle;
-    while (watch.way(free, pressed) > kOfDepth * watch.unwatched) {
-      if (!point_at(0.5 * (free.time + pressed.time), middle)) return first;
-      (presses(k, middle) ? pressed : free) = middle;
-    }
-    if (free.time > from.time && (!first || free.time < first->time)) first = free;
-  }
-  return first;
 }
 
 /// Whether nothing can touch and open again between two points without a look at the second showing where: what is

@@ -45,10 +45,6 @@ class MotionContacts {
   /// The first change after `from` and up to `to`, points of one step; `at` gives those between.
   Change first_change(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
 
-  /// Where an elastic layer that carries nothing at `from` begins to, in that step: there the motion has to begin anew,
-  /// for a long step of free flight may end beyond it. Empty where none does.
-  std::optional<MotionPoint> first_pressed(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
-
   /// Applies it: contacts, speeds and forces of `point` are those after it. False with `why` where none are possible.
   bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
@@ -59,7 +55,6 @@ class MotionContacts {
   bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
  private:
-  bool presses(int layer, const MotionPoint& point) const;
   bool near(const MotionPoint& from, const MotionPoint& to);
   bool known_clear(const MotionPoint& from, const MotionPoint& to);
   double allowed_overlap(const State& state, const Candidate& candidate) const;
@@ -78,9 +73,8 @@ class MotionContacts {
   ContactInspector inspector_;
   Balanced book_;
   Survey survey_;
-  std::vector<MotionWatch> watches_;        ///< one a pair
-  std::vector<MotionWatch> layer_watches_;  ///< one a layer
-  double touching_;                         ///< m: gaps below this are none
+  std::vector<MotionWatch> watches_;  ///< one a pair
+  double touching_;                   ///< m: gaps below this are none
 };
 
 }  // namespace genu
