@@ -258,7 +258,7 @@ TEST(Path, StopsWhenCancelled) {
   ContactField field(s.model);
   int poses = 0;
   PathObserver observer;
-  observer.pose = [&](const PosePoint&) { ++poses; };
+  observer.pose = [&](const PosePoint&, LayerMemories*) { ++poses; };
   observer.cancelled = [&] { return poses >= 5; };
   const PathResult result = follow_path(s.model, field, plan_steps(s.scene), {}, observer);
   EXPECT_FALSE(result.complete);
@@ -281,7 +281,7 @@ TEST(Path, StopsInTheMiddleOfAPoseAndTellsNothingOfIt) {
       Walk out;
       ContactField field(s.model);
       PathObserver observer;
-      observer.pose = [&](const PosePoint& p) { out.points.push_back(p); };
+      observer.pose = [&](const PosePoint& p, LayerMemories*) { out.points.push_back(p); };
       observer.event = [&](const PathEvent& e) { out.events.push_back(e); };
       observer.cancelled = [&, most] { return ++asked > most; };
       out.result = follow_path(s.model, field, plan_steps(s.scene), {}, observer);

@@ -36,7 +36,7 @@ inline Walk walk(const JointModel& model, const std::vector<StepPlan>& plans, co
   Walk out;
   ContactField field(model);
   PathObserver observer;
-  observer.pose = [&](const PosePoint& p) { out.points.push_back(p); };
+  observer.pose = [&](const PosePoint& p, LayerMemories*) { out.points.push_back(p); };
   observer.event = [&](const PathEvent& e) { out.events.push_back(e); };
   out.result = follow_path(model, field, plans, options, observer);
   return out;

@@ -259,6 +259,19 @@ void Correction::resize(int moving_bodies, int constraints, int contacts) {
   forces.resize(contacts);
 }
 
+bool Correction::matches(const Correction& other) const {
+  return twist.size() == other.twist.size() && multipliers.size() == other.multipliers.size() &&
+         surface.size() == other.surface.size() && forces.size() == other.forces.size();
+}
+
+void Correction::add(double factor, const Correction& other) {
+  twist += factor * other.twist;
+  multipliers += factor * other.multipliers;
+  for (std::size_t c = 0; c < surface.size(); ++c) surface[c] += factor * other.surface[c];
+  forces += factor * other.forces;
+  parameter += factor * other.parameter;
+}
+
 void stop_layers_when(const Cancelled& cancelled, Linearization& out) { memories_of(out).cancelled = cancelled; }
 
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {

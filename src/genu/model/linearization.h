@@ -47,6 +47,10 @@ struct Correction {
   double parameter = 0;       ///< of the path's parameter, where that is an unknown (arc-length control)
 
   void resize(int moving_bodies, int constraints, int contacts);
+  /// Whether both change the same unknowns.
+  bool matches(const Correction& other) const;
+  /// Adds `factor` times one that matches.
+  void add(double factor, const Correction& other);
 };
 
 /// Values and derivatives of a joint's coordinates at `state`.

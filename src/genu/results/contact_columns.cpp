@@ -23,10 +23,16 @@ void ContactColumns::add_columns(ResultTable& table) const {
 }
 
 void ContactColumns::set(ResultTable& table, const State& state, const std::vector<OpenContact>& open,
-                         const std::vector<double>& pair_gap, bool forces) {
+                         const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces) {
   for (std::size_t p = 0; p < model_.pairs.size(); ++p)
     set_pair(p, contacts_of(p, state, open), pair_gap[p], forces, table);
-  for (int k = 0; k < static_cast<int>(model_.layers.size()); ++k) set_layer(k, state, table);
+  layer_memory_.resize(model_.layers.size());
+  for (std::size_t k = 0; k < model_.layers.size(); ++k)
+    set_layer(k,
+              k < layers.size()
+                  ? layers[k]
+                  : report_layer(model_, scene_.layers[k].pair.regions, state, static_cast<int>(k), layer_memory_[k]),
+              table);
 }
 
 void ContactColumns::add_pair(const std::string& name, std::size_t pair, ResultTable& table) const {
@@ -125,10 +131,8 @@ void ContactColumns::set_region(const std::string& name, const RegionDef& region
               to::kMillimetre * middle[i] / force + to::kMillimetre * origin[i]);
 }
 
-void ContactColumns::set_layer(int k, const State& state, ResultTable& table) {
-  const ContactDef& pair = scene_.layers[at(k)].pair;
-  layer_memory_.resize(model_.layers.size());
-  const LayerReport report = report_layer(model_, pair.regions, state, k, layer_memory_[at(k)]);
+void ContactColumns::set_layer(std::size_t k, const LayerReport& report, ResultTable& table) const {
+  const ContactDef& pair = scene_.layers[k].pair;
   for (const LayerColumn& c : kLayerColumns) table.set(pair.name + "." + c.name, c.value(report.total));
   for (std::size_t i = 0; report.total.touches() && i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);

@@ -19,9 +19,10 @@ class ContactColumns {
 
   void add_columns(ResultTable& table) const;
 
-  /// Fills the last row. `pair_gap`: m, of each pair; `forces`: those of rigid contacts are known.
+  /// Fills the last row. `pair_gap`: m, of each pair; `layers`: of each elastic layer, empty where they are to be found
+  /// here; `forces`: those of rigid contacts are known.
   void set(ResultTable& table, const State& state, const std::vector<OpenContact>& open,
-           const std::vector<double>& pair_gap, bool forces);
+           const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces);
 
  private:
   /// A contact point as shown: held or open.
@@ -38,7 +39,7 @@ class ContactColumns {
   void set_contact(const std::string& name, std::size_t pair, const Shown& c, ResultTable& table) const;
   void set_region(const std::string& name, const RegionDef& region, const Contacts& contacts, const Vec3& origin,
                   ResultTable& table) const;
-  void set_layer(int k, const State& state, ResultTable& table);
+  void set_layer(std::size_t k, const LayerReport& report, ResultTable& table) const;
   Contacts contacts_of(std::size_t pair, const State& state, const std::vector<OpenContact>& open) const;
   const Vec3& centre(std::size_t pair, bool second) const;
 

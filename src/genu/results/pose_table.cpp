@@ -87,7 +87,7 @@ class PoseTable {
     }
     set_coordinates(record);
     set_factors(point.target);
-    contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, !record.given);
+    contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);

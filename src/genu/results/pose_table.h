@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "genu/model/layer_report.h"
 #include "genu/results/result_table.h"
 #include "genu/solver/path.h"
 
@@ -13,6 +14,7 @@ namespace genu {
 struct PoseRecord {
   PosePoint point;
   std::vector<double> pair_gap;  ///< m, of each contact pair: the smallest gap; empty for a pose that was not solved
+  std::vector<LayerReport> layers = {};  ///< of each elastic layer, where solving the pose has shown it
   /// Of a pose that was given, not solved: nobody knows the forces of its rigid contacts, its stability or residual.
   struct Given {
     std::vector<Vec6> missing;  ///< of each moving body: Unbalanced::wrenches

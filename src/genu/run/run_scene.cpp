@@ -103,6 +103,19 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
   return good;
 }
 
+namespace {
+
+std::vector<LayerReport> report_layers(const Prepared& prepared, const State& state, LayerMemories& memories) {
+  std::vector<LayerReport> reports;
+  memories.each.resize(prepared.model.layers.size());
+  for (std::size_t k = 0; k < memories.each.size(); ++k)
+    reports.push_back(report_layer(prepared.model, prepared.scene.layers[k].pair.regions, state, static_cast<int>(k),
+                                   memories.each[k]));
+  return reports;
+}
+
+}  // namespace
+
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options) {
   Solution out;
   RunSummary& s = out.summary;
@@ -116,10 +129,11 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
   PathObserver observer;
   observer.cancelled = options.cancelled;
   observer.event = [&](const PathEvent& event) { out.events.push_back(event); };
-  observer.pose = [&](const PosePoint& point) {
-    PoseRecord record{point, {}};
+  observer.pose = [&](const PosePoint& point, LayerMemories* layers) {
+    PoseRecord record{point, {}, {}, {}};
     if (!point.pose.state.poses.empty()) {
       const ScopedTimer timing(gap_seconds);
+      if (layers != nullptr && point.solved()) record.layers = report_layers(prepared, point.pose.state, *layers);
       record.pair_gap = pair_gaps(point.pose.state, point.pose.open, prepared.model, field);
     }
     note_pose(point, s);

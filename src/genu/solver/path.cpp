@@ -265,7 +265,7 @@ class PathRun {
     judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     ++rows_;
-    observer_.pose(point);
+    observer_.pose(point, solver_.newton().linearization().layers.get());
   }
 
   /// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
@@ -299,7 +299,7 @@ class PathRun {
       stop();
     }
     ++rows_;
-    observer_.pose(point);
+    observer_.pose(point, solver_.newton().linearization().layers.get());
     result_.complete = false;
   }
 

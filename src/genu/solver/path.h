@@ -78,7 +78,8 @@ struct PathResult {
 };
 
 struct PathObserver {
-  std::function<void(const PosePoint&)> pose;
+  /// `layers`: what solving the pose has shown of its elastic layers, for the call alone; null where there are none.
+  std::function<void(const PosePoint&, LayerMemories* layers)> pose;
   std::function<void(const PathEvent&)> event;
   Cancelled cancelled;
 };

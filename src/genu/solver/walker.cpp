@@ -17,6 +17,8 @@ namespace {
 constexpr double kFarthest = 0.25;
 constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a substep is not seen
 
+constexpr double kSmoothlyBent = 0.2;  // of the tangent, over a substep: more is a kink, or the way to a limit point
+
 }  // namespace
 
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
@@ -75,6 +77,13 @@ bool Walker::pass(double t, Attempt trial) {
 }
 
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
+  bends_ = t > t_ && same_contacts(pose_.state, pose.state) && tangent_.motion.matches(next_.motion);
+  if (bends_) {
+    bend_ = next_.motion;
+    bend_.add(-1, tangent_.motion);
+    bend_span_ = t - t_;
+    bends_ = speed(bend_) <= kSmoothlyBent * std::min(speed(tangent_.motion), speed(next_.motion));
+  }
   t_ = t;
   inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
@@ -89,7 +98,9 @@ Walker::Attempt Walker::attempt(double t) {
   Attempt out;
   out.pose = pose_;
   const bool predictable = tangent_.motion.twist.size() > 0 && tangent_.motion.twist.allFinite();
-  if (predictable && retract(solver_.model(), pose_.state, tangent_.motion, t - t_, out.predicted))
+  Correction motion = tangent_.motion;
+  if (predictable && bends_) motion.add(0.5 * (t - t_) / bend_span_, bend_);
+  if (predictable && retract(solver_.model(), pose_.state, motion, t - t_, out.predicted))
     out.pose.state = out.predicted;
   else
     out.predicted = pose_.state;
@@ -98,9 +109,9 @@ Walker::Attempt Walker::attempt(double t) {
   return out;
 }
 
-double Walker::speed(const Tangent& tangent) const {
+double Walker::speed(const Correction& motion) const {
   const double L = solver_.model().scales.length;
-  const VecX& twist = tangent.motion.twist;
+  const VecX& twist = motion.twist;
   double sum = 0;
   for (Eigen::Index i = 0; i < twist.size(); i += 6)
     sum += twist.segment<3>(i).norm() / L + twist.segment<3>(i + 3).norm();
@@ -113,7 +124,7 @@ bool Walker::passes_a_fold(const Tangent& next, double h) const {
   // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
   // differ by less than this: for a cubic one of the two tests notices then.
   constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
-  const double before = speed(tangent_), after = speed(next);
+  const double before = speed(tangent_.motion), after = speed(next.motion);
   if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
   return std::max(before, after) > kRatio * std::min(before, after);
 }
@@ -128,7 +139,8 @@ bool Walker::far_from_predicted(const Attempt& attempt) const {
 bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
-  return distance(solver_.model(), pose_.state, state) > std::min(kFactor * h * speed(tangent_), kFarthest) + kSlack;
+  return distance(solver_.model(), pose_.state, state) >
+         std::min(kFactor * h * speed(tangent_.motion), kFarthest) + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
@@ -136,7 +148,7 @@ bool Walker::walk_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min({h, kLongestStep, kFarthest / std::max(speed(tangent_), 1e-300)});
+    h = std::min({h, kLongestStep, kFarthest / std::max(speed(tangent_.motion), 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";

@@ -72,7 +72,7 @@ class Walker {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
-  double speed(const Tangent& tangent) const;
+  double speed(const Correction& motion) const;
   bool passes_a_fold(const Tangent& next, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
   bool jumped(const State& state, double h) const;
@@ -116,7 +116,10 @@ class Walker {
   Balanced pose_;
   PoseReport report_, failure_;
   Tangent tangent_, next_, between_;
-  int driven_ = -1;  // the prescribed coordinate that alone varies over the step
+  bool bends_ = false;    // whether the last substep tells how the tangent changes:
+  Correction bend_;       // by that much
+  double bend_span_ = 0;  // over that much of t
+  int driven_ = -1;       // the prescribed coordinate that alone varies over the step
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;

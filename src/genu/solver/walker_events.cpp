@@ -1,10 +1,12 @@
 // What happens on the way of a Walker, and where: it is told, and changes nothing.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "genu/core/bracket.h"
+#include "genu/solver/path_cubic.h"
 #include "genu/solver/state_difference.h"
 #include "genu/solver/walker.h"
 
@@ -96,10 +98,23 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool l
   const VecX before = rate(tangent_), after = rate(next_);
   const auto known = [&](const VecX& twist) { return twist.size() > 0 && twist.allFinite() ? &twist : nullptr; };
   LawEvents::PoseAt pose_at;
+  std::optional<PathCubic> cubic;
+  if (!leaps && known(before) && known(after) && held_count(pose_.state) == held_count(state))
+    cubic.emplace(solver_.model(), pose_.state, tangent_.motion, state, next_.motion, h);
+  // The next pose asked for is near the last one, which Newton's method has found.
+  constexpr double kNear = 0.1;
+  State last;
+  double last_u = -1;
   if (!leaps && known(before))
     pose_at = [&](double u, State& out) {
-      return retract(solver_.model(), pose_.state, tangent_.motion, u * h, out) &&
-             solver_.newton().solve(out, plan_.target(t_ + u * h), options_.newton).converged();
+      const bool near = std::abs(u - last_u) < kNear;
+      const bool begun = near    ? retract(solver_.model(), last, tangent_.motion, (u - last_u) * h, out)
+                         : cubic ? cubic->at(u, out)
+                                 : retract(solver_.model(), pose_.state, tangent_.motion, u * h, out);
+      if (!begun || !solver_.newton().solve(out, plan_.target(t_ + u * h), options_.newton).converged()) return false;
+      last = out;
+      last_u = u;
+      return true;
     };
   const LawEvents::End from{first ? state : pose_.state, known(before)}, to{state, known(after)};
   const double tolerance = h > 0 ? options_.event_tolerance / h : 1;
