@@ -10,9 +10,11 @@ namespace {
 
 using test::dynamics;
 using test::kG;
+using test::kPerDegree;
 using test::motion_of;
 
-constexpr double kMass = 2, kInertia = 0.05, kHalf = 0.1;  // kg, kg m^2, m: from the middle to each foot
+constexpr double kWheel = 0.1, kWidth = 0.01, kFlattening = 200;  // m, m, 1/m^2
+constexpr double kMass = 2, kInertia = 0.05, kHalf = 0.1;         // kg, kg m^2, m: from the middle to each foot
 
 /// A plank on two feet, the one about to rise with `rate` (rad/s).
 std::string plank(double rate) {
@@ -68,6 +70,62 @@ TEST(MotionManyContacts, APlankRocksToRest) {
   EXPECT_NEAR(s.poses.number(last, "free.tilt_deg"), 0, 1e-9);
   EXPECT_NEAR(s.poses.number(last, "energy.kinetic_J"), 0, 1e-14);
   EXPECT_NEAR(s.poses.number(last, "energy.dissipated_J"), (kInertia + kShape) * kRate * kRate / 2, 1e-10);
+}
+
+/// The height of a surface z = x^2 (x^2 / w^2 - k y) / 2 + y^2 / (2 R), pitched about x, over the plane it rests on:
+/// the largest support of its points, by looking at many.
+double support(double pitch) {
+  double deepest = -1;
+  constexpr int kSteps = 4000;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const double x = 0.02 * i / kSteps;
+    // For this x the point whose normal is upright, z_y = -tan(pitch).
+    const double y = kWheel * (kFlattening * x * x / 2 - std::tan(pitch));
+    const double z = x * x * (x * x / (kWidth * kWidth) - kFlattening * y) / 2 + y * y / (2 * kWheel);
+    deepest = std::max(deepest, -y * std::sin(pitch) - z * std::cos(pitch));
+  }
+  return deepest;
+}
+
+/// A keel that is round across behind and hollow in front rolls forth: its one contact becomes two.
+TEST(MotionManyContacts, AContactSplitsInTwo) {
+  const std::string text =
+      "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n" + fmt::format("gravity = [0, 0, {}]\n", -kG) +
+      fmt::format(R"([body.ground]
+fixed = true
+[body.keel]
+mass = 2
+inertia = [0.01, 0.01, 0.01]
+[joint.free]
+type = "free"
+parent = "ground"
+child = "keel"
+rotations = ["pitch x", "roll y", "yaw z"]
+translations = ["x", "y", "z"]
+reference = {{ pitch = 0.2, z = {3:.17g} }}
+[surface.floor]
+body = "ground"
+shape = "plane"
+[surface.keel]
+body = "keel"
+shape = "polynomial"
+z_axis = [0, 0, -1]
+x_axis = [1, 0, 0]
+terms = [[4, 0, {0:.17g}], [2, 1, {1:.17g}], [0, 2, {2:.17g}]]
+patch = {{ x = [-0.03, 0.03], y = [-0.06, 0.06] }}
+[contact.c]
+surfaces = ["keel", "floor"]
+model = "rigid"
+)",
+                  -0.5 / (kWidth * kWidth), -0.5 * kFlattening, -0.5 / kWheel, support(0.2)) +
+      dynamics(1, 0.02, 1e-5) + "prescribe = { \"free.pitch\" = { step = { from = 0.2, to = -0.3, rise = 1 } } }\n";
+  const Solution s = motion_of(text);
+  ASSERT_EQ(s.poses.rows(), 51u);
+  for (std::size_t row = 0; row < s.poses.rows(); ++row)
+    EXPECT_NEAR(s.poses.number(row, "free.z_mm"), 1e3 * support(kPerDegree * s.poses.number(row, "free.pitch_deg")),
+                1e-5)
+        << row;
+  EXPECT_GT(s.poses.number(50, "c.2.force_N"), 1);
 }
 
 /// Bent to 90 degrees in a second, on the coarser of the published meshes.

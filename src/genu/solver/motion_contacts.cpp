@@ -267,8 +267,8 @@ std::optional<MotionPoint> MotionContacts::overlap_between(const MotionPoint& fr
 /// been born beside a contact since the last look, and have closed.
 bool MotionContacts::is_located(const Change& change) const {
   if (change.kind == Change::Kind::ends) return false;
-  if (change.kind != Change::Kind::closes) return true;
-  return opening_of(model_, change.candidate, change.point).gap > -kLate * touching_;
+  return std::all_of(change.candidates.begin(), change.candidates.end(),
+                     [&](const Candidate& c) { return opening_of(model_, c, change.point).gap > -kLate * touching_; });
 }
 
 /// The change that a look at `to` shows; where that was too late to tell its moment, looks between tell it.
@@ -292,12 +292,14 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
   const auto consider = [&](Change change) {
     if (first.kind == Change::Kind::none || change.point.time < first.point.time) first = std::move(change);
   };
+  if (!findings.final() && !findings.not_minimal.empty())
+    return {Change::Kind::splits, findings.not_minimal.front(), findings.beside, to, {}};
   for (const Candidate& c : findings.overlapping) {
     if (c.minimum.gap > -allowed_overlap(to.state, c)) continue;
     const auto gap = [&](const MotionPoint& p) { return opening_of(model_, c, p).gap; };
     const double shift = gap(from) > 0 ? 0 : touching_;  // one that has just opened may have shrunk by a rounding
     const auto value = [&](const MotionPoint& p) { return gap(p) + shift; };
-    Change closes{Change::Kind::closes, 0, c, locate(from, to, point_at, value, 1e-3 * touching_), {}};
+    Change closes{Change::Kind::closes, 0, {c}, locate(from, to, point_at, value, 1e-3 * touching_), {}};
     if (!is_located(closes)) return closes;  // before anything else, as far as is known
     consider(std::move(closes));
   }
@@ -315,9 +317,6 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
     why = findings.doubtful    ? "contact leans on " + findings.where
           : findings.over_edge ? "contact " + findings.where + " runs over the edge of its surface"
                                : "surfaces overlap: " + findings.where;
-  else if (!findings.not_minimal.empty())
-    why = fmt::format("a contact of {} splits into several",
-                      model_.pairs[at(to.state.contacts[at(findings.not_minimal.front())].pair)].name);
   if (why.empty()) return {};
   return {Change::Kind::ends, 0, {}, to, fmt::format("{} at {:.9g} s", why, to.time)};
 }
@@ -325,15 +324,22 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
 bool MotionContacts::apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why) {
   point = change.point;
   book_.state = point.state;
-  if (change.kind == Change::Kind::closes) {
-    solver_.close(book_, change.candidate);
-    const ActiveContact added = book_.state.contacts.back();
+  if (change.candidates.empty()) return settle(point, change.contact, events, why);
+  if (change.kind == Change::Kind::splits) {
+    const ActiveContact& gone = point.state.contacts[at(change.contact)];
+    events.push_back(event_of(PathEvent::Kind::contact_lost, point,
+                              fmt::format("{}.{}", model_.pairs[at(gone.pair)].name, gone.number)));
+    book_.state.contacts.erase(book_.state.contacts.begin() + change.contact);
+  }
+  for (const Candidate& c : change.candidates) {
+    if (inspector_.held(book_.state, c)) continue;
+    solver_.close(book_, c);
+    const ActiveContact& added = book_.state.contacts.back();
     events.push_back(event_of(PathEvent::Kind::contact_gained, point,
                               fmt::format("{}.{}", model_.pairs[at(added.pair)].name, added.number)));
-    point.state.contacts.push_back(added);
-    return settle(point, -1, events, why);
   }
-  return settle(point, change.contact, events, why);
+  point.state.contacts = book_.state.contacts;
+  return settle(point, -1, events, why);
 }
 
 bool MotionContacts::settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why) {

@@ -33,12 +33,12 @@ class MotionContacts {
 
   /// Something that changes the contacts, or forbids to go on.
   struct Change {
-    enum class Kind { none, opens, closes, merges, ends };
+    enum class Kind { none, opens, closes, merges, splits, ends };
     Kind kind = Kind::none;
-    int contact = 0;      ///< opens, merges: index into State::contacts
-    Candidate candidate;  ///< closes
-    MotionPoint point;    ///< where, with the contacts from before
-    std::string why;      ///< ends
+    int contact = 0;                    ///< opens, merges, splits: index into State::contacts
+    std::vector<Candidate> candidates;  ///< closes: one; splits: what takes its place
+    MotionPoint point;                  ///< where, with the contacts from before
+    std::string why;                    ///< ends
   };
   using PointAt = std::function<bool(double time, MotionPoint& out)>;
 
