@@ -82,7 +82,7 @@ TEST(ReadContacts, Model) {
   expect_refused("[contact.medial]\n" + kPair + "\nmodel = \"rigid\"", "[contact.@medial]\n" + kPair,
                  "contact.medial.model", "", "is missing");
   for (const std::string key :
-       {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth", "tolerance"}) {
+       {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth", "tolerance", "damping"}) {
     expect_refused("model = \"rigid\"", "model = \"rigid\"\n@" + key + " = 1", "contact.medial." + key, "1",
                    "is no key of a rigid contact");
   }
@@ -143,6 +143,7 @@ TEST(ReadContacts, LayerRefused) {
   refused("poisson = 0.45", "poisson = @-0.1", "poisson", "-0.1", "must be >= 0");
   refused("thickness = 6", "thickness = @0", "thickness", "0", "must be > 0 mm");
   refused("search_depth = 4", "search_depth = @-1", "search_depth", "-1", "must be > 0 mm");
+  refused("search_depth = 4", "search_depth = 4\n@damping = 2", "damping", "2", "only in a scene with [dynamics]");
   refused("\"floor\"", "@\"flour\"", "cast_from", "\"flour\"", "unknown surface");
   refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");
   refused("\"triangles\"", "@\"gauss\"", "quadrature", "\"gauss\"", "must be one of");

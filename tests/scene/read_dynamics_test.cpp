@@ -87,6 +87,27 @@ TEST(ReadDynamics, Errors) {
   expect_dynamics_refused("damping = 3", "damping = @-3", "ligament.cord.damping", "-3", "must be >= 0 N s/mm");
 }
 
+TEST(ReadDynamics, ALayerThatIsDamped) {
+  const std::string layer = R"([surface.tip]
+body = "link"
+shape = "sphere"
+radius = 20
+[surface.floor]
+body = "ground"
+shape = "plane"
+[contact.c]
+surfaces = ["tip", "floor"]
+model = "cartilage"
+modulus = 5
+poisson = 0.4
+thickness = 4
+damping = 0.002
+)";
+  const Scene scene = read(edited("[dynamics]", layer + "[dynamics]", kSwing));
+  ASSERT_EQ(scene.layers.size(), 1u);
+  EXPECT_NEAR(scene.layers[0].damping, 2, 1e-15) << "s/m";
+}
+
 TEST(ReadDynamics, InertiasThatNoBodyHas) {
   const std::string good = "[0.03, 0.02, 0.04, 0.001, 0.002, -0.003]";
   expect_dynamics_refused(good, "@[0.01, 0.01, 0.03]", "body.link.inertia", "[0.01, 0.01, 0.03]",

@@ -216,5 +216,35 @@ TEST(MotionContact, AnElasticLayerGivesBack) {
   EXPECT_LT(s.summary.motion->worst_energy, 1e-3 * s.summary.motion->energy_scale);
 }
 
+/// One that is damped gives back less: m z'' = k d^2 (1 + c d') - m g.
+TEST(MotionContact, ADampedLayerGivesBackLess) {
+  constexpr double kDamping = 1.5;
+  std::string text = ball(0.02, {0, 0, 0.025}, "shape = \"plane\"\n", dynamics(0.08, 0.0005, 1e-5));
+  text.replace(text.find("model = \"rigid\""), 15,
+               fmt::format("model = \"cartilage\"\nmodulus = 1\npoisson = 0.3\nthickness = 0.004\ntolerance = 1e-4\n"
+                           "damping = {}",
+                           kDamping));
+  const Solution s = motion_of(text);
+  const double modulus = 1e6 * 0.7 / (1.3 * 0.4), k = M_PI * 0.02 * modulus / 0.004;
+  double d = 0, rate = std::sqrt(2 * kG * 0.005), strongest = 0;  // Euler's method, finely
+  for (constexpr double kStep = 1e-8; d >= 0;) {
+    const double force = k * d * d * std::max(0.0, 1 + kDamping * rate);
+    strongest = std::max(strongest, force);
+    rate += kStep * (kG - force / 0.5);
+    d += kStep * rate;
+  }
+  double pressed = 0, highest = 0;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+    pressed = std::max(pressed, s.poses.number(row, "c.force_N"));
+    if (s.poses.number(row, "time_s") > 0.045) highest = std::max(highest, s.poses.number(row, "free.z_mm"));
+  }
+  const double rise = rate * rate / (2 * kG);
+  EXPECT_LT(rise, 0.004);
+  EXPECT_NEAR(highest, 20 + 1e3 * rise, 0.05) << "mm";
+  EXPECT_NEAR(pressed, strongest, 0.02 * strongest);
+  EXPECT_NEAR(s.poses.number(s.poses.rows() - 1, "energy.dissipated_J"), 0.5 * kG * (0.005 - rise), 5e-4);
+  EXPECT_LT(s.summary.motion->worst_energy, 1e-3 * s.summary.motion->energy_scale);
+}
+
 }  // namespace
 }  // namespace genu

@@ -47,8 +47,21 @@ LayerWrench swapped(const LayerWrench& from) {
 
 }  // namespace
 
-void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level) const {
-  if (memory.known && memory.level == level && memory.a == X_Wa && memory.b == X_Wb) {
+LayerMotion ElasticLayer::motion(const Side& side, const Pose& X_Wa, const Pose& X_Wb, const Vec12* twists) const {
+  if (damping_ == 0 || twists == nullptr) return {};
+  const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
+  const Vec6 c = side.a ? twists->head<6>() : twists->tail<6>(), t = side.a ? twists->tail<6>() : twists->head<6>();
+  const Vec3 carried = t.head<3>() + t.tail<3>().cross(X_Wc.p - X_Wt.p);
+  LayerMotion out;
+  out.twist << X_Wc.R.transpose() * (c.head<3>() - carried), X_Wc.R.transpose() * (c.tail<3>() - t.tail<3>());
+  out.damping = damping_;
+  return out;
+}
+
+void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level,
+                            const Vec12* twists) const {
+  const bool damped = damping_ != 0 && twists != nullptr;
+  if (!damped && memory.known && memory.level == level && memory.a == X_Wa && memory.b == X_Wb) {
     out = memory.last;
     return;
   }
@@ -59,12 +72,13 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     const Pose &X_Wc = side.a ? X_Wa : X_Wb, &X_Wt = side.a ? X_Wb : X_Wa;
     LayerSum sum;
     memory.sides[i].cancelled = memory.cancelled;
-    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum, level);
+    side.quadrature->add(X_Wt.inverse() * X_Wc, memory.sides[i], sum, level, motion(side, X_Wa, X_Wb, twists));
     LayerWrench part = in_world(X_Wc, X_Wt, sum);
     if (!side.a) part = swapped(part);
     out.wrench += side.share * part.wrench;
     out.stiffness += side.share * part.stiffness;
     out.load += side.share * sum.load;
+    out.damped += side.share * sum.damped;
     out.error += side.share * sum.error;
   }
   memory.known = false;
@@ -72,6 +86,7 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
     out.wrench.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
+  if (damped) return;
   memory.a = X_Wa;
   memory.b = X_Wb;
   memory.last = out;
@@ -80,10 +95,11 @@ void ElasticLayer::evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, 
 }
 
 void ElasticLayer::visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
-                         const std::function<void(const LayerPoint&)>& visit, int level) const {
+                         const std::function<void(const LayerPoint&)>& visit, int level, const Vec12* twists) const {
   memory.sides.resize(sides_.size());
   const Pose &X_Wc = sides_[side].a ? X_Wa : X_Wb, &X_Wt = sides_[side].a ? X_Wb : X_Wa;
-  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory.sides[side], visit, level);
+  sides_[side].quadrature->visit(X_Wt.inverse() * X_Wc, memory.sides[side], visit, level,
+                                 motion(sides_[side], X_Wa, X_Wb, twists));
 }
 
 }  // namespace genu

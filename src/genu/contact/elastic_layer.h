@@ -15,8 +15,9 @@ namespace genu {
 struct LayerWrench {
   Vec12 wrench = Vec12::Zero();
   Mat12 stiffness = Mat12::Zero();
-  double load = 0;   ///< N: sum of p dA
-  double error = 0;  ///< N: of the load, estimated (LayerSum)
+  double load = 0;    ///< N: sum of p dA, without damping
+  double damped = 0;  ///< W: what damping takes
+  double error = 0;   ///< N: of the load, estimated (LayerSum)
 };
 
 class ElasticLayer {
@@ -37,15 +38,18 @@ class ElasticLayer {
     Cancelled cancelled;  ///< where it says so what comes out is not finite
   };
 
-  explicit ElasticLayer(std::vector<Side> sides, std::shared_ptr<const Buried> buried = {})
-      : sides_(std::move(sides)), buried_(std::move(buried)) {}
+  /// `damping`: c of LayerMotion, s/m.
+  explicit ElasticLayer(std::vector<Side> sides, std::shared_ptr<const Buried> buried = {}, double damping = 0)
+      : sides_(std::move(sides)), buried_(std::move(buried)), damping_(damping) {}
 
   /// At the poses of both bodies in the world; results do not depend on `memory`. `level`: see LayerQuadrature.
-  void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level = 0) const;
+  /// `twists`: of [a; b], where they move and damping counts.
+  void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level = 0,
+                const Vec12* twists = nullptr) const;
 
   /// Visits the points of one side that carry pressure.
   void visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
-             const std::function<void(const LayerPoint&)>& visit, int level = 0) const;
+             const std::function<void(const LayerPoint&)>& visit, int level = 0, const Vec12* twists = nullptr) const;
 
   const std::vector<Side>& sides() const { return sides_; }
   /// Null where nobody asks.
@@ -53,7 +57,10 @@ class ElasticLayer {
 
  private:
   std::vector<Side> sides_;
+  LayerMotion motion(const Side& side, const Pose& X_Wa, const Pose& X_Wb, const Vec12* twists) const;
+
   std::shared_ptr<const Buried> buried_;
+  double damping_;
 };
 
 /// Of all layers of a model, in its order.

@@ -5,6 +5,7 @@
 // body and along n on the other, on the one line that joins both points.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -19,8 +20,20 @@ namespace genu {
 struct LayerSum {
   Vec6 wrench = Vec6::Zero();   ///< N, N m
   Mat6 tangent = Mat6::Zero();  ///< d wrench / d (twist of the casting body against the other), in axes that turn along
-  double load = 0;              ///< N: sum of p dA
+  double load = 0;              ///< N: sum of p dA, without damping
+  double damped = 0;            ///< W: what damping takes
   double error = 0;             ///< N: of the load, estimated; 0 where the quadrature knows no smooth surface to miss
+};
+
+/// How the bodies move, where a layer is damped: its pressure is p (1 + c d') then, never below 0 (Hunt and Crossley
+/// 1975). The tangent knows nothing of it.
+struct LayerMotion {
+  Vec6 twist = Vec6::Zero();  ///< of the casting body against the other at the casting body's origin, its own axes
+  double damping = 0;         ///< c, s/m
+
+  double factor(double depth_rate) const { return std::max(0.0, 1 + damping * depth_rate); }
+  /// m/s: of a point of the casting body.
+  Vec3 velocity(const Vec3& x) const { return twist.head<3>() + twist.tail<3>().cross(x); }
 };
 
 /// A point of the area in contact, for results.
@@ -28,9 +41,9 @@ struct LayerPoint {
   Vec3 x;                ///< m, in the frame of the casting body
   Vec3 n;                ///< unit, outward there
   double area = 0;       ///< m^2 that it stands for; 0 for a point that tells how deep and nothing else
-  double load = 0;       ///< N that it stands for
+  double load = 0;       ///< N that it stands for, damping included
   double depth = 0;      ///< m
-  double pressure = 0;   ///< Pa
+  double pressure = 0;   ///< Pa, damping included
   double used = 0;       ///< depth over thickness
   int cell = 0;          ///< of the casting surface
   bool guessed = false;  ///< where it lies a thickness was not measured, but filled in
@@ -46,11 +59,12 @@ class LayerQuadrature {
 
   /// Adds to `out`; X_TC is the casting body in the frame of the other. Keeps its memory from call to call. A higher
   /// `level` is finer, where the quadrature knows how to be.
-  virtual void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const = 0;
+  virtual void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0,
+                   const LayerMotion& motion = {}) const = 0;
 
   /// Visits the points that carry pressure.
   virtual void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
-                     int level = 0) const = 0;
+                     int level = 0, const LayerMotion& motion = {}) const = 0;
 
   /// From the middle of each cell of the casting surface along minus its normal, in the casting body's frame.
   virtual std::vector<Ray> cell_rays() const = 0;

@@ -46,6 +46,11 @@ Vec6 line_of(const SmoothNode& node) {
   return line;
 }
 
+/// 1, or what damping makes of the pressure at a node.
+double damped(const LayerMotion& motion, const SmoothNode& node) {
+  return motion.damping == 0 ? 1 : motion.factor(node.p_rate.dot(motion.twist) / node.slope);
+}
+
 }  // namespace
 
 SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,
@@ -151,6 +156,7 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
   node.thickness = node.own_thickness + d.thickness;
   const LayerLaw::Pressure pressure = law_.at(d.depth, node.thickness);
   node.p = pressure.p;
+  node.slope = pressure.slope;
   node.p_rate << d.w, (node.x - d.depth * node.n).cross(d.w);
   if (thickness_.target) {
     Vec6 thicker;
@@ -250,13 +256,15 @@ void SmoothLayer::sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out
   });
 }
 
-void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level) const {
+void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level, const LayerMotion& motion) const {
   LayerSum here;
   sum(X_TC, memory, level, here);
   for (const int index : memory.nodes.carrying) {
     const SmoothNode& node = memory.nodes.nodes[at(index)];
     const Vec6 line = line_of(node);
-    out.wrench += node.load * line;
+    const double factor = damped(motion, node);
+    out.wrench += factor * node.load * line;
+    if (factor != 1) out.damped -= (factor - 1) * node.load * line.dot(motion.twist);
     out.tangent += line * node.load_rate.transpose();
   }
   out.load += here.load;
@@ -300,14 +308,15 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
 }
 
 void SmoothLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
-                        int level) const {
+                        int level, const LayerMotion& motion) const {
   LayerSum unused;
   sum(X_TC, memory, level, unused);
   for (const int index : memory.nodes.carrying) {
     const SmoothNode& node = memory.nodes.nodes[at(index)];
     const double depth = std::max(node.depth, 0.0);
-    visit({node.x, node.n, node.area, node.load, depth, std::max(node.p, 0.0), depth / node.thickness, node.cell,
-           thickness_.guessed(node.cell, node.triangle)});
+    const double factor = damped(motion, node);
+    visit({node.x, node.n, node.area, factor * node.load, depth, factor * std::max(node.p, 0.0), depth / node.thickness,
+           node.cell, thickness_.guessed(node.cell, node.triangle)});
     if (!node.passed && node.depth > 0)
       visit(deepest_from(X_TC, node, casting_->longest_edge(node.cell) / memory.nodes.divisions));
   }

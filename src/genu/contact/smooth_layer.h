@@ -30,10 +30,11 @@ class SmoothLayer final : public LayerQuadrature {
               std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law,
               LayerThickness thickness);
 
-  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const override;
+  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0,
+           const LayerMotion& motion = {}) const override;
   /// The nodes, and the deepest points found from those deeper than all round them, which stand for no area.
-  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
-             int level = 0) const override;
+  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int level = 0,
+             const LayerMotion& motion = {}) const override;
   std::vector<Ray> cell_rays() const override;
   const TriangleTree& target() const override { return *target_; }
 

@@ -21,6 +21,7 @@ struct SmoothNode {
   double depth = 0;        ///< m, negative outside of contact
   double thickness = 0;    ///< m, of both layers
   double p = 0;            ///< Pa, negative outside of contact
+  double slope = 0;        ///< Pa/m: of the pressure, to the depth
   Vec6 p_rate;             ///< Pa/m, Pa: its derivative to the twist, casting axes
   double load = 0;         ///< N that the node stands for
   double area = 0;         ///< m^2

@@ -38,28 +38,43 @@ double TriangleLayer::thickness(int ray, const TriangleTree::Hit& hit, const Vec
   return thickness_.target ? own + thickness_.target->at(hit.triangle, origin + hit.distance * direction) : own;
 }
 
-void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int) const {
+double TriangleLayer::damped(const LayerMotion& motion, const Vec3& w, const Vec3& y) {
+  return motion.damping == 0 ? 1 : motion.factor(w.dot(motion.velocity(y)));
+}
+
+/// d' = w . (velocity of the ray - velocity of the target), in the target's frame; with a measured thickness h, of the
+/// depth that the pressure follows: d' - (d / h) h'.
+Vec3 TriangleLayer::depth_rate(const TriangleTree::Hit& hit, const Vec3& direction, double h) const {
+  const Vec3& plane = rays_.target().area_vector(hit.triangle);
+  const Vec3 w = plane / -plane.dot(direction);
+  if (!thickness_.target) return w;
+  return w - hit.distance / h * thickness_rate(thickness_.target->gradient(hit.triangle), direction, w);
+}
+
+void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, const LayerMotion& motion) const {
   rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
     const Ray& ray = rays_.rays()[at(k)];
     const double h = thickness(k, hit, origin, direction);
     const LayerLaw::Pressure p = law_.at(hit.distance, h);
-    const Vec3& plane = rays_.target().area_vector(hit.triangle);
-    Vec3 w = plane / -plane.dot(direction);
-    if (thickness_.target)
-      w -= hit.distance / h * thickness_rate(thickness_.target->gradient(hit.triangle), direction, w);
-    w = X_TC.R.transpose() * w;
-    add_pressure(ray.origin, -ray.direction, ray.origin + hit.distance * ray.direction, w, p.p * areas_[at(k)],
-                 p.slope * areas_[at(k)], out);
-    out.load += p.p * areas_[at(k)];
+    const Vec3 w = X_TC.R.transpose() * depth_rate(hit, direction, h);
+    const Vec3 y = ray.origin + hit.distance * ray.direction;
+    const double load = p.p * areas_[at(k)];
+    const double factor = damped(motion, w, y);
+    add_pressure(ray.origin, -ray.direction, y, w, factor * load, p.slope * areas_[at(k)], out);
+    out.load += load;
+    if (factor != 1) out.damped += (factor - 1) * load * motion.velocity(ray.origin).dot(-ray.direction);
   });
 }
 
-void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
-                          int) const {
+void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int,
+                          const LayerMotion& motion) const {
   rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
     const Ray& ray = rays_.rays()[at(k)];
     const double h = thickness(k, hit, origin, direction);
-    const double p = law_.at(hit.distance, h).p;
+    double p = law_.at(hit.distance, h).p;
+    if (motion.damping != 0)
+      p *=
+          damped(motion, X_TC.R.transpose() * depth_rate(hit, direction, h), ray.origin + hit.distance * ray.direction);
     visit({ray.origin, -ray.direction, areas_[at(k)], p * areas_[at(k)], hit.distance, p, hit.distance / h, k,
            thickness_.guessed(k, hit.triangle)});
   });

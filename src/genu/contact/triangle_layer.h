@@ -21,15 +21,21 @@ class TriangleLayer final : public LayerQuadrature {
   TriangleLayer(const Mesh& casting, std::shared_ptr<const TriangleTree> target, double search_depth,
                 const LayerLaw& law, LayerThickness thickness);
 
-  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0) const override;
-  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit,
-             int level = 0) const override;
+  void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0,
+           const LayerMotion& motion = {}) const override;
+  void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int level = 0,
+             const LayerMotion& motion = {}) const override;
 
   std::vector<Ray> cell_rays() const override { return rays_.rays(); }
   const TriangleTree& target() const override { return rays_.target(); }
   int triangle_count() const { return static_cast<int>(areas_.size()); }
 
  private:
+  /// 1, or what damping makes of the pressure at a ray that comes out at y.
+  static double damped(const LayerMotion& motion, const Vec3& w, const Vec3& y);
+
+  Vec3 depth_rate(const TriangleTree::Hit& hit, const Vec3& direction, double thickness) const;
+
   /// Both layers together where a ray meets the target, m.
   double thickness(int ray, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) const;
 

@@ -70,7 +70,7 @@ void build_smooth(const LayerDef& def, Mesh a, Mesh b, const SharedThickness& on
   between.layer = std::make_shared<const ElasticLayer>(
       std::vector<ElasticLayer::Side>{{true, 0.5, side(cells_a, between.b, tree_b, on_a, on_b)},
                                       {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}},
-      buried);
+      buried, def.damping);
   between.tolerance = def.tolerance;
   between.most_level = SmoothLayer::kMaxLevel;
 }
@@ -89,6 +89,7 @@ bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std:
   if (!known_a || !known_b) return false;
   between.thinnest = def.thickness + (on_a ? on_a->least() : 0) + (on_b ? on_b->least() : 0);
   between.thickest = def.thickness + (on_a ? on_a->most() : 0) + (on_b ? on_b->most() : 0);
+  between.damping = def.damping;
   between.search_depth = def.search_depth > 0 ? def.search_depth : between.thickest;
   if (smooth) {
     build_smooth(def, std::move(a), std::move(b), on_a, on_b, between);
@@ -100,7 +101,7 @@ bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std:
   const auto casting = std::make_shared<TriangleLayer>(from_a ? a : b, from_a ? tree_b : tree_a, between.search_depth,
                                                        law_of(def), thickness);
   between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{from_a, 1.0, casting}},
-                                                       buried_deeper(a, tree_a, b, tree_b, between));
+                                                       buried_deeper(a, tree_a, b, tree_b, between), def.damping);
   return true;
 }
 

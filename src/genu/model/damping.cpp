@@ -49,7 +49,9 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
 std::size_t damper_count(const JointModel& model) {
   const auto ligaments =
       std::count_if(model.ligaments.begin(), model.ligaments.end(), [](const auto& l) { return l.damping != 0; });
-  return model.joint_dampers.size() + static_cast<std::size_t>(ligaments);
+  const auto layers =
+      std::count_if(model.layers.begin(), model.layers.end(), [](const auto& l) { return l.damping != 0; });
+  return model.joint_dampers.size() + static_cast<std::size_t>(ligaments + layers);
 }
 
 double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,

@@ -26,7 +26,7 @@ double damper_tension(const JointModel::LigamentBetween& ligament, DamperMode mo
 /// The modes that lengths and velocities ask for; one for each ligament, `taut` for those without damping.
 std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist);
 
-/// Joints and ligaments that have one.
+/// Joints, ligaments and elastic layers that have one.
 std::size_t damper_count(const JointModel& model);
 
 /// Adds the wrenches (6 for each moving body) of all dampers to `wrench`. Returns what they dissipate, W: with -F L' of

@@ -73,6 +73,7 @@ struct JointModel {
     int body_a, body_b;
     std::shared_ptr<const Surface> a, b;
     std::shared_ptr<const ElasticLayer> layer;
+    double damping = 0;    ///< c, s/m, in motion (LayerMotion)
     double tolerance = 0;  ///< relative error of the force that is asked for; 0: the sum is what it is
     int most_level = 0;
     double thinnest = 0, thickest = 0;  ///< m: of both layers together

@@ -1,5 +1,7 @@
 #include "genu/model/layer_report.h"
 
+#include "genu/model/twist.h"
+
 #include <algorithm>
 
 namespace genu {
@@ -40,8 +42,10 @@ class Sum {
 }  // namespace
 
 LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& regions, const State& state, int layer,
-                         ElasticLayer::Memory& memory) {
+                         ElasticLayer::Memory& memory, const VecX* twist) {
   const auto& l = model.layers[at(layer)];
+  Vec12 twists;
+  if (twist != nullptr) twists << twist_of_body(model, l.body_a, *twist), twist_of_body(model, l.body_b, *twist);
   const Pose &X_Wa = state.poses[at(l.body_a)], &X_Wb = state.poses[at(l.body_b)];
   const Pose X_ba = X_Wb.inverse() * X_Wa;
   Sum total;
@@ -57,7 +61,7 @@ LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& 
           for (std::size_t r = 0; r < regions.size(); ++r)
             if (regions[r].contains(x)) parts[r].add(point, side.share, x, n_on_b);
         },
-        state.layer_level(at(layer)));
+        state.layer_level(at(layer)), twist != nullptr ? &twists : nullptr);
   }
   const Pose X_ab = X_ba.inverse();
   const Vec3 own_a = own_origin(model, l.body_a), own_b = own_origin(model, l.body_b);

@@ -28,8 +28,9 @@ struct LayerReport {
   std::vector<LayerTotals> regions;
 };
 
-/// Of layer k of the model; `regions` are conditions in the frame of the second surface's body.
+/// Of layer k of the model; `regions` are conditions in the frame of the second surface's body. With a `twist` (6 for
+/// each moving body) what it is damped by is included.
 LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& regions, const State& state, int layer,
-                         ElasticLayer::Memory& memory);
+                         ElasticLayer::Memory& memory, const VecX* twist = nullptr);
 
 }  // namespace genu

@@ -4,6 +4,7 @@
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/model/twist.h"
 
 namespace genu {
 namespace {
@@ -194,16 +195,21 @@ LayerMemories& memories_of(Linearization& out) {
   return *out.layers;
 }
 
-void add_layers(const JointModel& model, const State& state, Linearization& out) {
+void add_layers(const JointModel& model, const State& state, const VecX* twist, Linearization& out) {
   out.layer_wrench.setZero(out.wrench.size());
   memories_of(out).each.resize(model.layers.size());
   LayerWrench pressed;
+  Vec12 twists;
+  out.layer_damped = 0;
   for (std::size_t k = 0; k < model.layers.size(); ++k) {
     const auto& layer = model.layers[k];
+    if (twist != nullptr)
+      twists << twist_of_body(model, layer.body_a, *twist), twist_of_body(model, layer.body_b, *twist);
     out.layers->each[k].cancelled = out.layers->cancelled;
     layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], out.layers->each[k], pressed,
-                          state.layer_level(k));
+                          state.layer_level(k), twist != nullptr ? &twists : nullptr);
     out.layer_loads[k] = pressed.load;
+    out.layer_damped += pressed.damped;
     out.layer_errors[k] = pressed.error;
     const TwoBodyScatter scatter(model, layer.body_a, layer.body_b);
     scatter.add_wrench(pressed.wrench, out.layer_wrench);
@@ -215,7 +221,7 @@ void add_layers(const JointModel& model, const State& state, Linearization& out)
 /// All that needs no unknown of its own: ligaments (those held at a jump from row `first_held` on), loads, weights,
 /// joint springs, elastic layers.
 void add_forces(const JointModel& model, const State& state, const Target& target, Eigen::Index first_held,
-                Linearization& out) {
+                const VecX* twist, Linearization& out) {
   out.layer_loads.resize(model.layers.size());
   out.layer_errors.resize(model.layers.size());
   const auto effect = [&](Effect kind, std::size_t count, const auto& add) {
@@ -225,7 +231,7 @@ void add_forces(const JointModel& model, const State& state, const Target& targe
   effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, out); });
   effect(Effect::weights, model.weights.size(), [&] { add_weights(model, state, target, out); });
   effect(Effect::joint_springs, model.joint_springs.size(), [&] { add_joint_springs(model, state, out); });
-  effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, out); });
+  effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, twist, out); });
 }
 
 void place_own_origins(const JointModel& model, const State& state, VecX& out) {
@@ -238,39 +244,7 @@ void place_own_origins(const JointModel& model, const State& state, VecX& out) {
       out.segment<3>(3 * k) = state.poses[i].R * own_origin(model, static_cast<int>(i));
 }
 
-/// Turns the tangent basis of `to` into that of `from` carried along: a surface's own choice of basis may switch
-/// between two neighbouring points, and a residual seen in two bases cannot be compared.
-void carry_basis(const SurfacePoint& from, SurfacePoint& to) {
-  Mat32 carried;
-  carried.col(0) = (from.T.col(0) - to.n * to.n.dot(from.T.col(0))).normalized();
-  carried.col(1) = to.n.cross(carried.col(0));
-  const Mat2 turn = to.T.transpose() * carried;
-  if (!turn.allFinite()) return;  // a quarter turn of the normal at once: keep the surface's own
-  to.S = turn.transpose() * to.S * turn;
-  to.T = carried;
-}
-
 }  // namespace
-
-void Correction::resize(int moving_bodies, int constraints, int contacts) {
-  twist.resize(6 * moving_bodies);
-  multipliers.resize(constraints);
-  surface.resize(at(contacts));
-  forces.resize(contacts);
-}
-
-bool Correction::matches(const Correction& other) const {
-  return twist.size() == other.twist.size() && multipliers.size() == other.multipliers.size() &&
-         surface.size() == other.surface.size() && forces.size() == other.forces.size();
-}
-
-void Correction::add(double factor, const Correction& other) {
-  twist += factor * other.twist;
-  multipliers += factor * other.multipliers;
-  for (std::size_t c = 0; c < surface.size(); ++c) surface[c] += factor * other.surface[c];
-  forces += factor * other.forces;
-  parameter += factor * other.parameter;
-}
 
 void stop_layers_when(const Cancelled& cancelled, Linearization& out) { memories_of(out).cancelled = cancelled; }
 
@@ -287,11 +261,12 @@ void linearize(const JointModel& model, const State& state, const Target& target
   add_constraints(model, state, target, out);
   evaluate_effect(model.meter.get(), Effect::rigid_contacts, state.contacts.size(),
                   [&] { add_contacts(model, state, out); });
-  add_forces(model, state, target, held_from, out);
+  add_forces(model, state, target, held_from, nullptr, out);
   place_own_origins(model, state, out.own_origins);
 }
 
-void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out,
+                      const VecX* twist) {
   const int n = 6 * model.moving_count;
   const Eigen::Index held = held_count(state);
   out.wrench.setZero(n);
@@ -300,7 +275,7 @@ void linearize_forces(const JointModel& model, const State& state, const Target&
   out.constraint.setZero(held);
   out.contacts.clear();
   out.contact_bodies.clear();
-  add_forces(model, state, target, 0, out);
+  add_forces(model, state, target, 0, twist, out);
 }
 
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
@@ -357,40 +332,6 @@ Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
   wrench.head<3>() = (to_parent * wrench.head<3>()).eval();
   wrench.tail<3>() = (to_parent * wrench.tail<3>()).eval();
   return wrench;
-}
-
-void update_coordinates(const JointModel& model, State& state) {
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const auto& joint = model.joints[j];
-    const Pose X_PC = state.poses[at(joint.parent)].inverse() * state.poses[at(joint.child)];
-    state.coordinates[j] = joint.coordinates.coordinates(X_PC, state.coordinates[j]);
-  }
-}
-
-bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction, State& out) {
-  out = state;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    const int moving = model.bodies[i].moving;
-    if (moving >= 0) out.poses[i] = retract(state.poses[i], Vec6(fraction * correction.twist.segment<6>(6 * moving)));
-  }
-  for (std::size_t m = 0; m < state.multipliers.size(); ++m)
-    out.multipliers[m] += fraction * correction.multipliers(static_cast<Eigen::Index>(m));
-  auto held = static_cast<Eigen::Index>(state.multipliers.size());
-  for (LigamentPiece& piece : out.pieces)
-    if (piece.held) piece.force += fraction * correction.multipliers(held++);
-  for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-    ActiveContact& contact = out.contacts[c];
-    const auto& pair = model.pairs[at(contact.pair)];
-    const ContactGeometry& from = state.contacts[c].geometry;
-    const Vec4 ds = fraction * correction.surface[c];
-    if (!pair.a->retract(from.a, ds.head<2>(), contact.geometry.a)) return false;
-    if (!pair.b->retract(from.b, ds.tail<2>(), contact.geometry.b)) return false;
-    carry_basis(from.a, contact.geometry.a);
-    carry_basis(from.b, contact.geometry.b);
-    contact.force += fraction * correction.forces(static_cast<Eigen::Index>(c));
-  }
-  update_coordinates(model, out);
-  return true;
 }
 
 }  // namespace genu

@@ -13,6 +13,7 @@
 
 #include "genu/contact/contact_equations.h"
 #include "genu/core/cancelled.h"
+#include "genu/model/correction.h"
 #include "genu/model/state.h"
 
 namespace genu {
@@ -30,27 +31,13 @@ struct Linearization {
   std::shared_ptr<LayerMemories> layers;
   std::vector<double> layer_loads;   ///< N, of each elastic layer: sum of p dA
   std::vector<double> layer_errors;  ///< N, and its error, estimated
+  double layer_damped = 0;           ///< W: what elastic layers take, in motion
   VecX layer_wrench;                 ///< 6B: what of `wrench` elastic layers exert; empty without any
   VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
   /// they are the same for every body
   VecX own_origins;
-};
-
-/// A change of the unknowns.
-struct Correction {
-  VecX twist;                 ///< 6B
-  VecX multipliers;           ///< M + H
-  std::vector<Vec4> surface;  ///< ds_A, ds_B of each contact
-  VecX forces;                ///< N
-  double parameter = 0;       ///< of the path's parameter, where that is an unknown (arc-length control)
-
-  void resize(int moving_bodies, int constraints, int contacts);
-  /// Whether both change the same unknowns.
-  bool matches(const Correction& other) const;
-  /// Adds `factor` times one that matches.
-  void add(double factor, const Correction& other);
 };
 
 /// Values and derivatives of a joint's coordinates at `state`.
@@ -65,8 +52,10 @@ void linearize(const JointModel& model, const State& state, const Target& target
 /// Lets linearize() leave off while it sums elastic layers, once `cancelled` says so: the wrench is then not finite.
 void stop_layers_when(const Cancelled& cancelled, Linearization& out);
 
-/// Without constraints and rigid contacts: `wrench` and `stiffness` of all that has no unknowns of its own.
-void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out);
+/// Without constraints and rigid contacts: `wrench` and `stiffness` of all that has no unknowns of its own. With a
+/// `twist` (6B) elastic layers are damped; the stiffness knows nothing of that.
+void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out,
+                      const VecX* twist = nullptr);
 
 /// The constraints alone: `gradient` and `constraint` of `out`; wrench and stiffness hold what their multipliers exert.
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out);
@@ -82,12 +71,5 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
 /// in the parent's axes (N, N m). The multipliers must be those of a solved state. The moment along a revolute axis
 /// (stiffness, prescribed angle) is not part of it.
 Vec6 joint_reaction(const JointModel& model, const State& state, int joint);
-
-/// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`
-/// unspecified, where a contact point would leave what is known of its surface.
-bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction, State& out);
-
-/// Updates the coordinates of every joint from the poses, each continuous from its last value.
-void update_coordinates(const JointModel& model, State& state);
 
 }  // namespace genu

@@ -23,15 +23,16 @@ void ContactColumns::add_columns(ResultTable& table) const {
 }
 
 void ContactColumns::set(ResultTable& table, const State& state, const std::vector<OpenContact>& open,
-                         const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces) {
+                         const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces,
+                         const VecX* twist) {
   for (std::size_t p = 0; p < model_.pairs.size(); ++p)
     set_pair(p, contacts_of(p, state, open), pair_gap[p], forces, table);
   layer_memory_.resize(model_.layers.size());
   for (std::size_t k = 0; k < model_.layers.size(); ++k)
     set_layer(k,
-              k < layers.size()
-                  ? layers[k]
-                  : report_layer(model_, scene_.layers[k].pair.regions, state, static_cast<int>(k), layer_memory_[k]),
+              k < layers.size() ? layers[k]
+                                : report_layer(model_, scene_.layers[k].pair.regions, state, static_cast<int>(k),
+                                               layer_memory_[k], twist),
               table);
 }
 

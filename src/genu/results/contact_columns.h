@@ -20,9 +20,11 @@ class ContactColumns {
   void add_columns(ResultTable& table) const;
 
   /// Fills the last row. `pair_gap`: m, of each pair; `layers`: of each elastic layer, empty where they are to be found
-  /// here; `forces`: those of rigid contacts are known.
+  /// here, with the damping that the bodies' `twist` means where there is one; `forces`: those of rigid contacts are
+  /// known.
   void set(ResultTable& table, const State& state, const std::vector<OpenContact>& open,
-           const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces);
+           const std::vector<double>& pair_gap, const std::vector<LayerReport>& layers, bool forces,
+           const VecX* twist = nullptr);
 
  private:
   /// A contact point as shown: held or open.

@@ -79,7 +79,7 @@ class MotionTable {
     table_.set("time_s", point.time);
     table_.set("status", std::string("ok"));
     set_joints(point);
-    contacts_.set(table_, point.state, {}, point.pair_gap, {}, true);
+    contacts_.set(table_, point.state, {}, point.pair_gap, {}, true, &point.twist);
     set_ligaments(point);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);

@@ -161,6 +161,7 @@ struct LayerDef {
   Quadrature quadrature = Quadrature::smooth;
   double tolerance = 1e-4;  ///< smooth: relative error of the force
   int cast_from = -1;       ///< triangles: index into Scene::surfaces
+  double damping = 0;       ///< c, s/m: the pressure is p (1 + c d'); only with dynamics
   double search_depth = 0;  ///< m: how far rays look; 0: as deep as the layers are thick, where that is measured
 };
 

@@ -187,12 +187,13 @@ void EquationsOfMotion::set_masses(const MotionPoint& point) {
 /// All forces on the bodies but those of constraints, the apparent ones included.
 void EquationsOfMotion::add_forces(const MotionPoint& point) {
   const State& state = point.state;
-  linearize_forces(model_, state, target_, forces_);
+  linearize_forces(model_, state, target_, forces_, &point.twist);
   wrench_ = forces_.wrench;
-  layers_ = forces_.layer_wrench.size() > 0 ? forces_.layer_wrench.dot(point.twist) : 0;
+  layers_ = forces_.layer_wrench.size() > 0 ? forces_.layer_wrench.dot(point.twist) + forces_.layer_damped : 0;
   dampers_ = 0;
   evaluate_effect(model_.meter.get(), Effect::damping, damper_count_,
                   [&] { dampers_ = add_damping(model_, state, modes_, point.twist, wrench_); });
+  if (!model_.layers.empty()) dampers_ += forces_.layer_damped;
   for (std::size_t i = 0; i < model_.bodies.size(); ++i)
     if (const int k = model_.bodies[i].moving; k >= 0)
       wrench_.segment<6>(6 * k) -=

@@ -1,7 +1,7 @@
 // Where a path is between two of its poses, as the cubic through both with their tangents predicts it.
 #pragma once
 
-#include "genu/model/linearization.h"
+#include "genu/model/correction.h"
 
 namespace genu {
 
