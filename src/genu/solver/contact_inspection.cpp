@@ -19,13 +19,6 @@ constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
 // else is wrong: samples lie on the surfaces to rounding, and each that overlaps starts a descent.
 constexpr double kUnexplained = 1e-6;
 
-double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact) {
-  const auto& pair = model.pairs[at(contact.pair)];
-  const Mat2 curvature =
-      relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
-  return symmetric_eigen(Mat2(0.5 * (curvature + curvature.transpose()))).values[0];
-}
-
 void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, double same) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& k) {
     return k.pair == candidate.pair && same_place(k.minimum.contact, candidate.minimum.contact, same);
@@ -34,6 +27,13 @@ void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, doub
 }
 
 }  // namespace
+
+double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact) {
+  const auto& pair = model.pairs[at(contact.pair)];
+  const Mat2 curvature =
+      relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
+  return symmetric_eigen(Mat2(0.5 * (curvature + curvature.transpose()))).values[0];
+}
 
 bool same_place(const ContactGeometry& x, const ContactGeometry& y, double distance) {
   return (x.a.p - y.a.p).norm() < distance && (x.b.p - y.b.p).norm() < distance;

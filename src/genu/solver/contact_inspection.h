@@ -46,6 +46,9 @@ struct Findings {
   bool final() const { return over_edge || deep_overlap || doubtful; }
 };
 
+/// How much the surfaces bend away from each other at a contact, in the direction in which they do so least, 1/m.
+double least_curvature(const JointModel& model, const State& state, const ActiveContact& contact);
+
 /// Whether two contact geometries of one pair are nearer to each other than `distance` (m) on both surfaces.
 bool same_place(const ContactGeometry& x, const ContactGeometry& y, double distance);
 

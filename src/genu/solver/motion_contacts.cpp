@@ -20,8 +20,9 @@ constexpr double kOfClearance = 0.9;   // of the gap between them, the same
 constexpr double kExplained = 1e-6;    // of the length scale: samples overlap by no more than minima do
 constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
 constexpr double kHasTwins = 1.2e-2;   // of the same: below, another contact may be born beside one at any step
-constexpr double kOfTwins = 1e-3;      // of `touching_`
-constexpr double kLate = 2;            // of `touching_`: an overlap by more was seen too late to tell when it began
+constexpr double kBeside[] = {0.3, 0.8, 1.6, 3};  // of the spacing: where others are born beside a contact
+constexpr double kOfTwins = 1e-3;                 // of `touching_`
+constexpr double kLate = 2;  // of `touching_`: an overlap by more was seen too late to tell when it began
 constexpr int kMostHalvings = 60;
 
 PathEvent event_of(PathEvent::Kind kind, const MotionPoint& point, std::string what) {
@@ -68,12 +69,8 @@ MotionPoint locate(const MotionPoint& from, const MotionPoint& to, const MotionC
   return found;
 }
 
-/// Whether the surfaces bend away from each other by at least `least` (1/m) in every direction, or nearly so.
 bool bends_away(const JointModel& model, const State& state, const ActiveContact& contact, double least) {
-  const auto& pair = model.pairs[at(contact.pair)];
-  const Mat2 curvature =
-      relative_curvature(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry);
-  return curvature.trace() > 0 && curvature.determinant() >= least * curvature.trace();
+  return least_curvature(model, state, contact) >= least;
 }
 
 }  // namespace
@@ -168,17 +165,30 @@ bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
 
 /// Whether nothing that was open at the last look can have closed since, and nothing pulls: no look is needed.
 bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to) {
-  for (const ActiveContact& c : to.state.contacts)
-    if (c.force < -ContactInspector::kForceTolerance * model_.scales.force ||
-        !bends_away(model_, to.state, c, kHasTwins / field_.spacing()))
-      return false;
   bool clear = model_.layers.empty();
+  for (const ActiveContact& c : to.state.contacts)
+    clear = clear && c.force >= -ContactInspector::kForceTolerance * model_.scales.force;
   for (int k = 0; k < static_cast<int>(watches_.size()); ++k) {
     MotionWatch& watch = watches_[at(k)];
     watch.travelled += watch.way(from, to);
     clear = clear && watch.travelled < kOfClearance * watch.clearance;
   }
-  return clear;
+  return clear && std::none_of(to.state.contacts.begin(), to.state.contacts.end(),
+                               [&](const ActiveContact& c) { return born_beside(to.state, c); });
+}
+
+/// Whether surfaces overlap beside a contact that hardly bends away, or whether it may be about to split itself.
+bool MotionContacts::born_beside(const State& state, const ActiveContact& contact) {
+  const double spacing = field_.spacing();
+  if (bends_away(model_, state, contact, kHasTwins / spacing)) return false;
+  if (!bends_away(model_, state, contact, kMayConform / spacing)) return true;
+  beside_.clear();
+  for (const double radius : kBeside)
+    field_.probe_around(state, contact.pair, contact.geometry, radius * spacing, beside_);
+  return std::any_of(beside_.begin(), beside_.end(), [&](const LocalMinimum& m) {
+    const Candidate candidate{contact.pair, m};
+    return m.gap < -allowed_overlap(state, candidate) && !inspector_.held(state, candidate);
+  });
 }
 
 /// m: what a minimum of the gap may overlap by without being told. Beside a contact that hardly bends away it is next
@@ -208,7 +218,10 @@ bool MotionContacts::looks_well(const MotionPoint& point) {
   for (std::size_t i = 0; i < point.state.contacts.size(); ++i) {
     const ActiveContact& c = point.state.contacts[i];
     if (c.force < 0 || field_.edge_distance(c.pair, c.geometry) < 0) return false;
-    if (!bends_away(model_, point.state, c, kMayConform / field_.spacing())) return false;
+    const double least = least_curvature(model_, point.state, c), beside = kBeside[3] * field_.spacing();
+    if (least < kMayConform / field_.spacing()) return false;
+    // Farther away than is looked at beside a contact the gap is about this.
+    watches_[at(c.pair)].clearance = std::min(watches_[at(c.pair)].clearance, 0.5 * least * beside * beside);
     for (std::size_t j = 0; j < i; ++j)
       if (point.state.contacts[j].pair == c.pair &&
           same_place(point.state.contacts[j].geometry, c.geometry, inspector_.same_contact()))

@@ -57,6 +57,7 @@ class MotionContacts {
  private:
   bool near(const MotionPoint& from, const MotionPoint& to);
   bool known_clear(const MotionPoint& from, const MotionPoint& to);
+  bool born_beside(const State& state, const ActiveContact& contact);
   double allowed_overlap(const State& state, const Candidate& candidate) const;
   bool looks_well(const MotionPoint& point);
   std::optional<MotionPoint> overlap_between(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
@@ -73,6 +74,7 @@ class MotionContacts {
   ContactInspector inspector_;
   Balanced book_;
   Survey survey_;
+  std::vector<LocalMinimum> beside_;
   std::vector<MotionWatch> watches_;  ///< one a pair
   double touching_;                   ///< m: gaps below this are none
 };
