@@ -125,6 +125,11 @@ TEST(SolidMesh, OfRandomUnionsAndCutsIsClosed) {
 
 TEST(SolidMesh, SaysWhyThereIsNone) {
   std::string why;
+  for (const double coarse : {0.015, 0.03, 1.0}) {
+    why.clear();
+    EXPECT_TRUE(solid_mesh(SolidField({ball(0.02)}), coarse, why).empty()) << coarse;
+    EXPECT_FALSE(why.empty()) << coarse;
+  }
   EXPECT_TRUE(solid_mesh(SolidField({ball(0.02)}), 2e-4, why).empty());
   EXPECT_NE(why.find("longer edges"), std::string::npos) << why;
   EXPECT_TRUE(solid_mesh(SolidField({ball(0.02)}), 1e-6, why).empty());

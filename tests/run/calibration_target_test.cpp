@@ -54,7 +54,9 @@ TEST_F(ReadTarget, Errors) {
   refused("time_s,a.angel_deg\n0,1\n", 1, 8, "did you mean \"a.angle_deg\"?");
   refused("a.angle_deg\n1\n", 1, 1, "says when each of its rows is");
   refused("time_s\n1\n", 1, 1, "has no column to follow");
-  refused("time_s,a.angle_deg\n0,1\n", 1, 1, "has no column to follow", {"c.*"});
+  refused("time_s,a.angle_deg\n0,1\n", 1, 1, "is no column of the target", {"c.*"});
+  refused("time_s,a.angle_deg\n0,1\n", 1, 1, "did you mean \"a.angle_deg\"?", {"a.angle_deg", "a.angel_deg"});
+  refused("time_s,a.angle_deg\n0,1e300\n", 2, 3, "of at most 1e20");
   refused("time_s,a.angle_deg\n0,nan\n", 2, 3, "must be a finite number");
   refused("time_s,a.angle_deg\n0,inf\n", 2, 3, "must be a finite number");
   refused("time_s,a.angle_deg\n0,1x\n", 2, 3, "must be a finite number");

@@ -74,7 +74,7 @@ struct Outcome {
 inline Outcome genu(const std::string& arguments) {
   const TemporaryFolder folder;
   const int status = std::system(
-      ("timeout 20 " GENU_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
+      ("timeout 120 " GENU_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
 }
 

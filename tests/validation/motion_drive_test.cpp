@@ -84,6 +84,31 @@ TEST(MotionLimit, TheStopGivesBackAfterHalfAPeriodOfItsSpring) {
   EXPECT_LT(s.summary.motion->worst_energy, 1e-8 * s.summary.motion->energy_scale);
 }
 
+/// Each crossing is one event, wherever rounding leaves the angle when the integration begins anew there.
+TEST(MotionLimit, IsPassedOnceAtATime) {
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const double limit = -0.3 + 0.0117 * k, speed = 0.05 + 0.3 * std::pow(std::sin(7.0 * k), 2);
+    const Solution s = motion_of(arm(fmt::format("limits = {{ from = {:.17g}, stiffness = 0.7 }}\nstart = {{ angle = "
+                                                 "{:.17g} }}\n",
+                                                 limit, limit + 0.01),
+                                     dynamics(1, 0.5, 1e-9, fmt::format("\"h.angle\" = {:.17g}", -speed))));
+    // Free, half a period of the stop's spring, and free again.
+    ASSERT_EQ(s.event_rows.rows(), 2u);
+    EXPECT_NEAR(s.event_rows.number(0, "time_s"), 0.01 / speed, 1e-9);
+    EXPECT_NEAR(s.event_rows.number(1, "time_s"), 0.01 / speed + M_PI * std::sqrt(kAbout / 0.7), 1e-7);
+  }
+}
+
+TEST(MotionDrive, WhatIsTooFastToFollowIsSaid) {
+  const Prepared steep = test::prepared_motion(test::motion_scene(
+      arm("start = { angle = 0.5 }\n",
+          dynamics(1, 0.1, 1e-9) + "prescribe = { \"h.angle\" = { step = { to = 1.5, rise = 1e-12 } } }\n")));
+  const Solution none = solve_motion(steep, {});
+  EXPECT_EQ(none.summary.exit_code, kExitIncomplete);
+  EXPECT_NE(none.summary.verdict.front().find("makes no headway"), std::string::npos) << none.summary.verdict.front();
+}
+
 /// At rest too: 0.5 N m/deg alone up to 50 deg, with 1 N m/deg more beyond.
 TEST(MotionLimit, HoldsAtRest) {
   Prepared p = test::prepared_motion(test::motion_scene(R"(format = 1

@@ -151,6 +151,8 @@ Mesh uneven_mesh(const SolidField& field, double edge, double cell, std::string&
   return mesh;
 }
 
+constexpr std::size_t kFewest = 100;  // triangles: a ball of so many has lost a tenth of its volume
+
 /// The same with edges of about `edge`.
 Mesh even_mesh(const SolidField& field, double edge, double cell, std::string& why) {
   constexpr double kStretch = 1.25;  // coarser than asked for, so that refine() has edges to split
@@ -165,6 +167,9 @@ Mesh even_mesh(const SolidField& field, double edge, double cell, std::string& w
   const double vertices = 0.5 * whole / (kStretch * kStretch * triangle);
   mesh = coarsened(mesh, std::sqrt(std::max(1.0, static_cast<double>(mesh.vertices.size()) / vertices)));
   refine(mesh, Projection(field), edge);
+  if (mesh.triangles.size() < kFewest)
+    why =
+        fmt::format("would be {} triangles, which are no likeness of it: give it shorter edges", mesh.triangles.size());
   return mesh;
 }
 

@@ -21,7 +21,8 @@ std::optional<double> to_number(const std::string& text) {
   double value = 0;
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, code] = std::from_chars(first, text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  constexpr double kLargest = 1e20;  // as in scenes
+  if (code != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kLargest)) return std::nullopt;
   return value;
 }
 
@@ -44,6 +45,11 @@ class TargetReader {
       else
         add_column(c, cell.text);
     }
+    for (const std::string& pattern : patterns)
+      if (std::none_of(file_.names.cells.begin(), file_.names.cells.end(),
+                       [&](const PoseFile::Cell& cell) { return matches(pattern, cell.text); }))
+        errors_.add(file_.names.line, 1, "--columns", with_quotes(pattern),
+                    "is no column of the target" + did_you_mean(pattern, names()));
     if (!time_) errors_.add(file_.names.line, 1, kTime, {}, "is missing: a target says when each of its rows is");
     if (errors_.count() == 0 && target_.columns.empty())
       errors_.add(file_.names.line, 1, {}, {}, "has no column to follow beside time_s");
@@ -60,6 +66,12 @@ class TargetReader {
   }
 
  private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> out;
+    for (const PoseFile::Cell& cell : file_.names.cells) out.push_back(cell.text);
+    return out;
+  }
+
   void add_column(std::size_t cell, const std::string& name) {
     cells_.push_back(cell);
     target_.columns.push_back({name, 1});
@@ -69,7 +81,8 @@ class TargetReader {
     const PoseFile::Cell& cell = row.cells[c];
     const auto value = to_number(cell.text);
     if (!value)
-      errors_.add(row.line, cell.column, file_.names.cells[c].text, with_quotes(cell.text), "must be a finite number");
+      errors_.add(row.line, cell.column, file_.names.cells[c].text, with_quotes(cell.text),
+                  "must be a finite number, of at most 1e20");
     return value;
   }
 

@@ -38,15 +38,31 @@ int impacts(const std::vector<PathEvent>& events) {
   }));
 }
 
-std::vector<std::string> verdict(const MotionResult& result, const RunSummary& s) {
+/// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
+bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
+  constexpr double kLeast = 1e-3, kOfTolerance = 1e3, kLayers = 1e-2;
+  double allowed = std::max(kLeast, kOfTolerance * m.tolerance);
+  if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayers);
+  const JointModel::Scales& scales = prepared.model.scales;
+  return m.worst_energy <= allowed * (m.energy_scale + scales.length * scales.force);
+}
+
+std::vector<std::string> verdict(const Prepared& prepared, const MotionResult& result, const RunSummary& s) {
   std::vector<std::string> out;
   if (result.complete)
     out.push_back(fmt::format("The motion is integrated to its end, {:g} s.", s.motion->duration));
   else
     out.push_back(fmt::format("{} of {} rows: {}.", s.poses_solved, s.poses_asked, result.why));
+  if (!balances(prepared, *s.motion))
+    out.push_back(fmt::format(
+        "Its energies do not balance: they are off by {:.2g} of {:.3g} J. What is prescribed or loads it may "
+        "change too fast for the tolerance.",
+        s.motion->worst_energy, s.motion->energy_scale));
   if (s.motion->switches > 0)
-    out.push_back(fmt::format("{} times a ligament became slack or taut or a law changed formula: events.csv.",
-                              s.motion->switches));
+    out.push_back(
+        fmt::format("{} times a ligament became slack or taut, a law changed formula or a joint passed its limit: "
+                    "events.csv.",
+                    s.motion->switches));
   if (s.motion->impacts > 0)
     out.push_back(fmt::format("{} times a contact closed or opened: events.csv.", s.motion->impacts));
   return out;
@@ -104,8 +120,8 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
               static_cast<int>(out.events.size()) - impacts(out.events),
               impacts(out.events)};
   note_energy(prepared.model, points, *s.motion);
-  s.exit_code = result.complete ? kExitOk : kExitIncomplete;
-  s.verdict = verdict(result, s);
+  s.exit_code = result.complete && balances(prepared, *s.motion) ? kExitOk : kExitIncomplete;
+  s.verdict = verdict(prepared, result, s);
   s.seconds.emplace_back("integrating", timer.seconds());
   out.poses = motion_table(prepared.scene, prepared.model, points);
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);

@@ -28,6 +28,12 @@ std::vector<ActiveContact> those(const std::vector<ActiveContact>& all, unsigned
   return out;
 }
 
+double total_mass(const JointModel& model) {
+  double mass = 0;
+  for (const Inertia& inertia : model.inertias) mass += inertia.mass;
+  return mass;
+}
+
 /// Closes those of `all` that are left open and come back before they are open by more than `touching`: a rattle below
 /// what gaps are resolved to is none.
 void end_rattle(EquationsOfMotion& equations, const std::vector<ActiveContact>& all, double touching,
@@ -52,9 +58,7 @@ void end_rattle(EquationsOfMotion& equations, const std::vector<ActiveContact>& 
 
 bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, double touching, MotionPoint& point) {
   const std::vector<ActiveContact> all = point.state.contacts;
-  double mass = 0;
-  for (const Inertia& inertia : model.inertias) mass += inertia.mass;
-  const double unseen = 1e-3 * kImpulseRounding * mass * model.scales.length;  // N s
+  const double unseen = 1e-3 * kImpulseRounding * total_mass(model) * model.scales.length;  // N s
   return try_sets(all.size(), [&](unsigned chosen) {
     MotionPoint trial = point;
     trial.state.contacts = those(all, chosen);
@@ -79,6 +83,7 @@ bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, double
 
 bool settle_forces(const JointModel& model, EquationsOfMotion& equations, MotionPoint& point, int leaves) {
   const std::vector<ActiveContact> all = point.state.contacts;
+  const double usual = model.scales.force / total_mass(model);  // m/s^2: at rest accelerations are rounding of these
   return try_sets(all.size(), [&](unsigned chosen) {
     if (leaves >= 0 && has(chosen, at(leaves))) return false;
     MotionPoint trial = point;
@@ -89,7 +94,7 @@ bool settle_forces(const JointModel& model, EquationsOfMotion& equations, Motion
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (has(chosen, i)) continue;
       const auto opening = equations.opening(trial, all[i]);
-      if (opening && opening->acceleration < -kImpulseRounding * opening->acceleration_scale) return false;
+      if (opening && opening->acceleration < -kImpulseRounding * (opening->acceleration_scale + usual)) return false;
     }
     point = trial;
     return true;

@@ -19,6 +19,8 @@ namespace {
 constexpr int kMostSwitches = 1000;  // without time going on by more than kStill of the duration
 constexpr double kStill = 1e-9;
 constexpr long kLookAtStiffness = 500;   // steps: 2 evaluations each, and one look costs some 30
+constexpr long kLookAtHeadway = 1000;    // steps, of which each costs 2 us to 100 ms
+constexpr double kLeastHeadway = 1e-9;   // of the duration in so many: less, and 10^12 steps lie ahead
 constexpr double kStabilityBound = 0.6;  // step times decay: Adams of orders 4 to 8 are stable to 0.5 ... 1
 constexpr double kTimeRounding = 1e-12;  // of the output interval: a row this near the end is the end
 constexpr double kJustAfter = std::numeric_limits<double>::min();  // s: time 0, past a kink there
@@ -114,6 +116,7 @@ class Motion {
   MotionResult run() {
     if (result_.why.empty() && begin_at(0, equations_.pack(now_))) go_on();
     result_.counts = integrator_.counts();
+    if (!result_.complete && asked_to_stop(observer_.cancelled)) result_.why = "interrupted";
     return result_;
   }
 
@@ -252,12 +255,27 @@ class Motion {
     return true;
   }
 
+  /// Whether steps have become so short that the end is out of reach.
+  bool creeps() {
+    if (++taken_ % kLookAtHeadway != 0) return false;
+    const double headway = now_.time - looked_at_;
+    looked_at_ = now_.time;
+    if (headway > kLeastHeadway * plan_.duration) return false;
+    result_.why = fmt::format(
+        "the integration makes no headway at {:.9g} s: {} steps took it {:.2g} s on of {:g} s. Look for a course, "
+        "spring, "
+        "damper or mass that changes or swings far faster than that",
+        now_.time, kLookAtHeadway, headway, plan_.duration);
+    return true;
+  }
+
   /// False where the motion ends.
   bool step(double stop, bool& reached) {
     if (now_.time >= stop) {  // something has happened at that very moment
       reached = true;
       return true;
     }
+    if (creeps()) return false;
     before_ = now_;
     const OdeIntegrator::Step taken = integrator_.step(stop);
     if (asked_to_stop(observer_.cancelled)) {
@@ -343,7 +361,8 @@ class Motion {
   std::size_t written_ = 0;
   bool tried_ = false;
   OdeMethod method_ = OdeMethod::adams;
-  long steps_ = 0;
+  long steps_ = 0, taken_ = 0;
+  double looked_at_ = 0;
   double last_switch_ = -std::numeric_limits<double>::infinity();
   int switched_ = 0;
   MotionResult result_;

@@ -316,6 +316,10 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
     if (!is_located(closes)) return closes;  // before anything else, as far as is known
     consider(std::move(closes));
   }
+  // What closes at the same moment closes together.
+  for (const Candidate& c : findings.overlapping)
+    if (first.kind == Change::Kind::closes && opening_of(model_, c, first.point).gap < touching_)
+      first.candidates.push_back(c);
   for (const int i : findings.pulling) {
     const double shift = from.state.contacts[at(i)].force > 0 ? 0 : ContactInspector::kForceTolerance;
     const double scale = model_.scales.force;

@@ -1,13 +1,18 @@
 #include "genu/solver/motion_switches.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "genu/model/ligament_pieces.h"
+#include "genu/model/linearization.h"
+#include "genu/model/twist.h"
 
 namespace genu {
 namespace {
 
 constexpr double kAstray = 1e-11;  // of the scales of length and force: rounding and the root's place are far below
+
+constexpr double kShift = 1e-12;  // of the same, and in rad: by which a root is passed before it counts
 
 LigamentPiece* piece_of(State& state, int ligament) {
   const auto found = std::find_if(state.pieces.begin(), state.pieces.end(),
@@ -36,9 +41,36 @@ MotionSwitches::MotionSwitches(const JointModel& model) : model_(model) {
   for (const JointSpring& spring : model.joint_springs)
     for (const double angle : {spring.lower, spring.upper})
       if (std::isfinite(angle)) limits_.push_back({spring.joint, angle});
+  sides_.assign(at(count()), 1);
 }
 
 void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
+  unshifted(point, modes, out);
+  for (std::size_t k = 0; k < sides_.size(); ++k) out[k] += kShift * sides_[k];
+}
+
+/// By their values, or where these are next to 0 by the speeds.
+void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<DamperMode>& modes) {
+  std::vector<double> now(sides_.size());
+  unshifted(point, modes, now.data());
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    double toward = now[k];
+    if (std::abs(now[k]) <= kAstray && k < watches_.size() && watches_[k].law_break < 0) {
+      toward = modes[at(watches_[k].ligament)] == DamperMode::relaxed ? -1 : 1;
+    } else if (std::abs(now[k]) <= kAstray) {
+      const double rate =
+          k < watches_.size()
+              ? ligament_length_rate(model_, model_.ligaments[at(watches_[k].ligament)], point.state.poses, point.twist)
+              : joint_point(model_, point.state, limits_[k - watches_.size()].joint)
+                    .gradient(0)
+                    .dot(twist_of_pair(model_, limits_[k - watches_.size()].joint, point.twist));
+      if (rate != 0) toward = rate;
+    }
+    sides_[k] = toward < 0 ? -1 : 1;
+  }
+}
+
+void MotionSwitches::unshifted(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
   for (const Watch& w : watches_) {
     const auto& l = model_.ligaments[at(w.ligament)];
     if (w.law_break >= 0) {
@@ -53,7 +85,7 @@ void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMo
   for (const Limit& limit : limits_) *out++ = point.state.coordinates[at(limit.joint)][0] - limit.angle;
 }
 
-void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) const {
+void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) {
   State state = point.state;
   reset_pieces(model_, state);
   for (const Watch& w : watches_) {  // at a break it is the speed that tells the side
@@ -68,11 +100,14 @@ void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector
   }
   pieces.pieces = state.pieces;
   modes = damper_modes(model_, state, point.twist);
+  choose_sides(point, modes);
 }
 
 std::vector<PathEvent> MotionSwitches::switch_over(const std::vector<int>& roots, const MotionPoint& point,
-                                                   State& pieces, std::vector<DamperMode>& modes) const {
+                                                   State& pieces, std::vector<DamperMode>& modes) {
   std::vector<PathEvent> events;
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (roots[k] != 0) sides_[k] = roots[k] > 0 ? 1 : -1;
   for (std::size_t k = 0; k < watches_.size(); ++k) {
     if (roots[k] == 0) continue;
     const bool up = roots[k] > 0;

@@ -23,6 +23,27 @@ constexpr double kDamped = 0.1;       // of |lambda|: a root that decays as fast
 
 Eigen::Map<VecX> view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))}; }
 
+std::string in_words(int flag) {
+  switch (flag) {
+    case CV_TOO_MUCH_ACC:
+      return "the tolerance asks for more digits than numbers of this size have";
+    case CV_ERR_FAILURE:
+      return "no step is short enough for the tolerance";
+    case CV_CONV_FAILURE:
+      return "no step is short enough for the equations to be solved";
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_UNREC_RHSFUNC_ERR:
+      return "the equations of motion cannot be evaluated there";
+    default: {
+      char* name = CVodeGetReturnFlagName(flag);
+      const std::string words = name;
+      std::free(name);
+      return words;
+    }
+  }
+}
+
 void be_silent(int, const char*, const char*, char*, void*) {}
 
 }  // namespace
@@ -139,9 +160,7 @@ OdeIntegrator::Step OdeIntegrator::step(double stop) {
   }
   if (flag == CV_TSTOP_RETURN) return Step::stopped;
   if (flag >= 0) return Step::taken;
-  char* name = CVodeGetReturnFlagName(flag);
-  i.failure = name;
-  std::free(name);
+  i.failure = in_words(flag);
   return Step::failed;
 }
 
