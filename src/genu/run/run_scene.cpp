@@ -29,7 +29,7 @@
 namespace genu {
 namespace {
 
-constexpr double kLargestOverlap = 5e-3;  // m: a start that overlaps more is refused
+constexpr double kLargestOverlap = 6e-3;  // m: a start that overlaps more is refused
 
 int poses_asked(const std::vector<StepPlan>& steps) {
   int asked = steps.empty() ? 0 : 1;

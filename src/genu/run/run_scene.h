@@ -46,7 +46,7 @@ struct RunOptions {
 std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
                                     const std::vector<std::string>& inputs = {});
 
-/// Refuses what cannot be started (surfaces that overlap by more than 5 mm in the reference pose): said in `out`.
+/// Refuses what cannot be started (surfaces that overlap by more than 6 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
 
 /// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
