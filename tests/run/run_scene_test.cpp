@@ -190,7 +190,7 @@ TEST(RunScene, AKneeMovedInSpaceIsTheSameKnee) {
 
 TEST(RunScene, AStartThatOverlapsDeeplyIsRefusedALittleIsSolved) {
   Scene scene = dortmans();
-  for (const auto& [lower, good] : {std::pair{4.9e-3, true}, {5.1e-3, false}}) {
+  for (const auto& [lower, good] : {std::pair{5.9e-3, true}, {6.1e-3, false}}) {
     Prepared p;
     Diagnostics out;
     p.scene = scene;
