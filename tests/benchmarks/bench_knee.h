@@ -67,24 +67,25 @@ class BenchKnee {
   double search_seconds() const { return search_seconds_; }  ///< for what the contact search prepares once
 
   /// From the solved pose at 30 deg to 31 deg: prediction, Newton, the look at both surface pairs, the certificate and
-  /// the eigenvalues at the end. False if that took more than one step.
+  /// the eigenvalues at the end; a degree of 70, as in the scene. False if that took more than one step.
   bool warm_pose() {
-    walker_->begin(degree_, 1, start_, start_report_);
+    walker_->begin(way_, 1, start_, start_report_);
     const int before = walker_->substeps();
-    return walker_->walk_to(1) && walker_->substeps() == before + 1;
+    return walker_->walk_to(kDegree) && walker_->substeps() == before + 1;
   }
 
   /// Newton alone over the same degree, from the pose at 30 deg, contacts given.
   bool newton_only() {
     State state = start_.state;
-    const NewtonReport report = solver_->newton().solve(state, degree_.target(1), options_.newton);
+    const NewtonReport report = solver_->newton().solve(state, way_.target(kDegree), options_.newton);
     iterations_ = report.iterations;
     return report.converged();
   }
   int iterations() const { return iterations_; }
 
  private:
-  static constexpr double kFlexion = 30 * units::kDegree;
+  static constexpr double kFlexion = 30 * units::kDegree, kRange = 70 * units::kDegree;
+  static constexpr double kDegree = 1.0 / 70;  ///< of `way_`
 
   StepPlan flexion(double from, double to) const {
     StepPlan plan;
@@ -93,7 +94,7 @@ class BenchKnee {
   }
 
   void find_start() {
-    degree_ = flexion(kFlexion, kFlexion + units::kDegree);
+    way_ = flexion(kFlexion, kFlexion + kRange);
     Balanced pose;
     pose.state = reference_state(prepared_->model);
     pose.last_number.assign(prepared_->model.pairs.size(), 0);
@@ -114,7 +115,7 @@ class BenchKnee {
   std::function<void(PathEvent)> no_event_ = [](const PathEvent&) {};
   std::unique_ptr<ContactSetSolver> solver_;
   std::unique_ptr<Walker> walker_;
-  StepPlan degree_;
+  StepPlan way_;
   Balanced start_;
   PoseReport start_report_;
   std::size_t triangles_ = 0;

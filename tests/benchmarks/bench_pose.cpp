@@ -104,10 +104,13 @@ class Reporter : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
       // Of repetitions, the median.
+      failed_ = failed_ || run.error_occurred;
       if (run.error_occurred || (run.run_type == Run::RT_Aggregate && run.aggregate_name != "median")) continue;
       measured_[run.run_name.function_name] = run;
     }
   }
+
+  bool failed() const { return failed_; }
 
   void print_ratios() const {
     const auto dense = measured_.find("dense_17x17");
@@ -133,6 +136,7 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
   std::map<std::string, Run> measured_;
+  bool failed_ = false;
 };
 
 }  // namespace
@@ -155,5 +159,5 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   reporter.print_ratios();
-  return 0;
+  return reporter.failed() ? 1 : 0;
 }
