@@ -1,11 +1,10 @@
 // What a ray is told that it can meet while it moves is all that it meets, however it moves.
-#include <random>
-
 #include <gtest/gtest.h>
 
 #include "genu/core/pose.h"
 #include "genu/geometry/triangle_tree.h"
 #include "support/layers.h"
+#include "support/random_points.h"
 
 namespace genu {
 namespace {
@@ -21,20 +20,7 @@ struct MovingRay {
   }
 };
 
-class RandomPoints {
- public:
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  Vec3 in_ball(double radius) {
-    Vec3 x;
-    do {
-      x = Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    } while (x.norm() > 1);
-    return radius * x;
-  }
-
- private:
-  std::mt19937 engine_{5};
-};
+;
 
 /// Balls of 20 mm with triangles from coarse to fine, slivers among them, near and 1 m from the origin.
 std::vector<Mesh> meshes() {
@@ -49,7 +35,7 @@ std::vector<Mesh> meshes() {
 
 TEST(TriangleCluster, WhatIsListedIsAllThatAMovedRayMeets) {
   constexpr double kLength = 6e-3, kLeast = 1e-4, kMost = 1e-3, kMargin = 1.01 * kMost;
-  RandomPoints random;
+  test::RandomPoints random(5);
   int listed = 0, free = 0, hits = 0, many = 0;
   for (const Mesh& mesh : meshes()) {
     const TriangleTree tree(mesh);

@@ -175,7 +175,7 @@ TEST(LawEvents, NeedNoTangents) {
     out = crank.at(0.2 + 1.2 * u);
     return true;
   };
-  const auto& passed = events.over({from, nullptr}, {to, nullptr}, 1e-9, pose_at);
+  const auto& passed = events.over({from, nullptr}, {to, nullptr}, 1e-9, {pose_at, {}});
   ASSERT_EQ(passed.size(), 1u);
   EXPECT_NEAR(0.2 + 1.2 * passed[0].u, angle_at(25), 1e-8);
   EXPECT_LE(solves, 8);
@@ -194,7 +194,7 @@ TEST(LawEvents, WithTangentsTakeOneOrTwoSolves) {
     out = crank.at(first + h * u);
     return true;
   };
-  const auto& passed = events.over({from, &twist}, {to, &twist}, 1e-9, pose_at);
+  const auto& passed = events.over({from, &twist}, {to, &twist}, 1e-9, {pose_at, {}});
   ASSERT_EQ(passed.size(), 1u);
   EXPECT_EQ(passed[0].kind, Kind::taut);
   EXPECT_EQ(passed[0].what, "r");

@@ -81,7 +81,8 @@ inline void add_pressure(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3
   line << -n, -x.cross(n);
   rate << w, y.cross(w);
   out.wrench += load * line;
-  out.tangent += (load_slope * line) * rate.transpose();
+  const Vec6 turn = load_slope * rate;
+  for (Eigen::Index j = 0; j < 6; ++j) out.tangent.col(j) += turn[j] * line;
 }
 
 /// h' = u . (velocity of the ray at the target's surface - velocity of the target there), of a thickness on the target

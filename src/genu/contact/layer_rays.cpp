@@ -8,10 +8,10 @@
 namespace genu {
 namespace {
 
-constexpr int kTogether = 16;                                   // rays
+constexpr int kTogether = 64;                                   // rays
 constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
 constexpr std::size_t kCoarseClearances = 3;                    // of them, for rays together
-constexpr double kLookAgain = 3;  // edges: what was near is taken to be so until it has moved that far
+constexpr double kLookAgain = 4;  // edges: what was near is taken to be so until it has moved that far
 constexpr double kPocket = 3;     // edges: the motion that triangles near a group are gathered for
 constexpr double kLeast = 0.05;   // edges: the motion that what a ray can meet is listed for
 
@@ -30,9 +30,11 @@ LayerRays::LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> 
   for (int t = 0; t < target_->size(); ++t) area += target_->area_vector(t).norm();
   step_ = std::sqrt(area / std::max(1, target_->size()));
   std::iota(order_.begin(), order_.end(), 0);
+  if (leaf_ > 1 && target_->size() > 0) atlas_ = std::make_shared<const SheetAtlas>(target_, length_);
   if (rays_.empty()) return;
   groups_.push_back({.first = 0, .last = static_cast<int>(rays_.size()), .middle = {}});
   for (std::size_t i = 0; i < groups_.size(); ++i) split(static_cast<int>(i));
+  find_parts();
 }
 
 void LayerRays::enclose(Group& group) const {
@@ -83,10 +85,26 @@ void LayerRays::split(int index) {
   groups_.push_back({.first = half, .last = last, .middle = {}});
 }
 
+/// Halves the largest group until there are enough.
+void LayerRays::find_parts() {
+  parts_ = {0};
+  const auto size = [&](int group) { return groups_[at(group)].last - groups_[at(group)].first; };
+  while (static_cast<int>(parts_.size()) < kMostParts) {
+    const auto largest =
+        std::max_element(parts_.begin(), parts_.end(), [&](int a, int b) { return size(a) < size(b); });
+    const int children = groups_[at(*largest)].children;
+    if (children < 0) break;
+    *largest = children;
+    parts_.insert(largest + 1, children + 1);
+  }
+}
+
 void LayerRays::begin(Memory& memory) const {
   memory.groups.resize(groups_.size());
-  memory.open.clear();
-  if (!groups_.empty()) memory.open.push_back(0);
+  memory.open.resize(parts_.size());
+  if (leaf_ == 1) return;
+  memory.blocks.resize(at(leaves_));
+  memory.rays.resize(rays_.size());
 }
 
 /// How far (m) any point of the group's rays has moved from one pose to another, at most.
@@ -98,50 +116,111 @@ double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) c
   return std::sqrt(std::max(start.squaredNorm(), end.squaredNorm())) + rotation * group.radius;
 }
 
-void LayerRays::measure(const Group& group, const Pose& X_TC, Memory::Group& known) const {
+/// How far (m) a group is surely clear of the target; 0: it may be near. `near`: a triangle that was the last time.
+double LayerRays::measure(const Group& group, const Pose& X_TC, int& near) const {
   std::array<double, kClearances.size()> margins;
   for (std::size_t i = 0; i < levels_; ++i) margins[i] = group.radius + kClearances[i] * step_;
   const std::size_t level = target_->clear_by(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_,
-                                              {margins.data(), levels_}, known.near);
-  known.measured = X_TC;
-  known.clear = level < levels_ ? kClearances[level] * step_ : 0;
+                                              {margins.data(), levels_}, near);
+  return level < levels_ ? kClearances[level] * step_ : 0;
 }
 
 bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known) const {
-  if (group.children < 0 && leaf_ > 1) return false;  // to ask its rays costs no more
   if (known.clear >= 0) {
     const double moved = motion(group, known.measured, X_TC);
     if (moved < known.clear) return true;
     if (known.clear == 0 && moved < kLookAgain * step_) return false;
   }
-  measure(group, X_TC, known);
+  known.clear = measure(group, X_TC, known.near);
+  known.measured = X_TC;
   return known.clear > 0;
 }
 
-/// Brings a leaf to a pose, with triangles that are good for the least margin beyond it at least.
+/// The same for a leaf whose rays are cast.
+bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Block& block) const {
+  if (block.path < block.empty_until) return true;
+  if (block.path < block.near_until) return false;
+  const double clear = measure(group, X_TC, block.near);
+  block.empty_until = block.path + clear;
+  if (clear == 0) block.near_until = block.path + kLookAgain * step_;
+  if (block.piece < 0 && block.near >= 0) block.piece = atlas_->piece_of(target_->place_of(block.near));
+  return clear > 0;
+}
+
 LayerRays::Memory::Block& LayerRays::advance(const Group& group, const Pose& X_TC, Memory& memory) const {
-  Memory::Block& block = memory.blocks[static_cast<std::size_t>(group.leaf)];
-  if (block.until >= 0) block.path += motion(group, block.last, X_TC);
+  Memory::Block& block = memory.blocks[at(group.leaf)];
+  block.path = block.path < 0 ? 0 : block.path + motion(group, block.last, X_TC);
   block.last = X_TC;
-  if (block.path + kLeast * step_ <= block.until) return block;
-  constexpr double kRounding = 1e-6;
-  const double margin = (1 + kRounding) * (group.radius + kPocket * step_);
-  target_->clusters_near(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margin, block.clusters);
-  block.until = block.path + kPocket * step_;
   return block;
 }
 
-TriangleTree::Hit LayerRays::meet(const Vec3& origin, const Vec3& direction, const Memory::Block& block,
+/// Sees to it that a leaf has all triangles that matter for the least motion beyond it at least.
+void LayerRays::gather(const Group& group, Memory::Block& block) const {
+  if (block.path + kLeast * step_ <= block.until) return;
+  constexpr double kRounding = 1e-6;
+  const double margin = (1 + kRounding) * (group.radius + kPocket * step_);
+  const Pose& X_TC = block.last;
+  target_->clusters_near(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margin, block.clusters);
+  block.until = block.path + kPocket * step_;
+}
+
+TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Block& block,
                                   Memory::AtRay& known) const {
-  TrianglesAtRay& here = known.triangles;
   if (!(block.path < known.until)) {
-    target_->at_ray(block.clusters, origin, direction, length_, kLeast * step_, kPocket * step_, here);
-    known.until = std::min(block.path + here.margin, block.until);
+    TriangleTree::Hit hit;
+    if (known.piece >= 0 && meet_sheet(ray, block, known, hit)) return hit;
+    if (block.piece >= 0 && block.piece != known.piece) {
+      known.piece = block.piece;
+      known.facet = block.facet;
+      if (meet_sheet(ray, block, known, hit)) return hit;
+      known.piece = -1;
+    }
+    gather(group, block);
+    if (block.clusters.count == 0) {
+      known.triangles.count = 0;
+      known.until = block.until;
+      return {};
+    }
+    target_->at_ray(block.clusters, ray.origin, ray.direction, length_, kLeast * step_, kPocket * step_,
+                    known.triangles);
+    known.until = std::min(block.path + known.triangles.margin, block.until);
   }
-  if (here.count <= TrianglesAtRay::kMost)
-    return target_->leaving({here.places.data(), static_cast<std::size_t>(here.count)}, origin, direction, length_);
-  known.until = -1;
-  return target_->leaving(block.clusters, origin, direction, length_);
+  return meet_listed(ray, block, known);
+}
+
+/// What a ray meets, if the sheet that it crossed the last time can tell.
+bool LayerRays::meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const {
+  const TriangleSheet& sheet = atlas_->sheet(known.piece);
+  if (!sheet.good()) return false;
+  const TriangleSheet::Meeting meeting = sheet.meet(*target_, ray.origin, ray.direction, length_, known.facet);
+  if (meeting.place >= 0 && !meeting.roomy) {
+    const int piece = atlas_->piece_of(meeting.place);
+    if (piece != known.piece) known.facet = 0;
+    known.piece = piece;
+  }
+  if (!meeting.sure) return false;
+  block.piece = known.piece;
+  block.facet = known.facet;
+  hit = meeting.hit;
+  known.triangles.count = hit ? 1 : 0;
+  known.until = hit ? -1 : block.path + meeting.clear;
+  return true;
+}
+
+TriangleTree::Hit LayerRays::meet_listed(const Ray& ray, Memory::Block& block, Memory::AtRay& known) const {
+  TrianglesAtRay& here = known.triangles;
+  TriangleTree::Hit hit;
+  if (here.count <= TrianglesAtRay::kMost) {
+    hit = target_->leaving({here.places.data(), at(here.count)}, ray.origin, ray.direction, length_);
+  } else {
+    known.until = -1;
+    hit = target_->leaving(block.clusters, ray.origin, ray.direction, length_);
+  }
+  if (known.piece < 0 && (hit || here.nearest >= 0)) {
+    known.piece = atlas_->piece_of(hit ? target_->place_of(hit.triangle) : target_->first_place(here.nearest));
+    known.facet = 0;
+  }
+  return hit;
 }
 
 }  // namespace genu

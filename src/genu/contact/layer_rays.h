@@ -2,11 +2,13 @@
 // bodies have moved by as much as it was clear, so that the cost follows the contact and not the mesh.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "genu/core/pose.h"
-#include "genu/geometry/triangle_tree.h"
+#include "genu/geometry/sheet_atlas.h"
 
 namespace genu {
 
@@ -32,51 +34,76 @@ class LayerRays {
       int near = -1;      ///< a triangle of the target that was near
       Pose measured;
     };
-    /// Of a leaf: the triangles that its rays can meet until they have moved on.
+    /// Of a leaf: how far its rays have come, and the triangles that they can meet until they have moved on.
     struct Block {
-      ClustersNear clusters;
       Pose last;
-      double path = 0;    ///< m: how far any point of its rays has moved since the first pose, at most
-      double until = -1;  ///< m: of the path that the triangles are good for
+      double path = -1;  ///< m: how far any point of its rays has moved since the first pose, at most; -1: none yet
+      double empty_until = 0;  ///< m: of the path that no ray meets anything for
+      double near_until = 0;   ///< m: of the path that the leaf is taken to be near something for
+      int near = -1;           ///< a triangle of the target that was near
+      int piece = -1;          ///< whose sheet a ray crossed last,
+      int facet = 0;           ///< and where
+      ClustersNear clusters;
+      double until = -1;  ///< m: of the path that the clusters are good for
     };
     struct AtRay {
+      int piece = -1;  ///< of the target, whose sheet the ray may cross
+      int facet = 0;   ///< of that sheet: where it did
       TrianglesAtRay triangles;
-      double until = -1;  ///< m: of the block's path
+      double until = -1;  ///< m: of the block's path that the triangles are good for
     };
     std::vector<Group> groups;
     std::vector<Block> blocks;  ///< of each leaf
     std::vector<AtRay> rays;
-    std::vector<int> open;
+    std::vector<std::vector<int>> open;  ///< of each part
   };
 
-  /// Calls visit(ray, hit, origin, direction) with the ray in the target's frame for every ray that leaves the target
-  /// through a triangle (TriangleTree::leaving), in an order that depends on the rays alone. X_TC: casting body in the
-  /// target's frame.
+  /// The rays in parts that may be cast at the same time, with one memory: as many for every number of threads.
+  static constexpr int kMostParts = 16;
+  int parts() const { return static_cast<int>(parts_.size()); }
+
+  /// Makes a memory ready for all parts.
+  void begin(Memory& memory) const;
+
+  /// Calls visit(ray, hit, origin, direction) with the ray in the target's frame for every ray of a part that leaves
+  /// the target through a triangle (TriangleTree::leaving), in an order that depends on the rays alone. X_TC: casting
+  /// body in the target's frame. Begun with begin().
   template <typename Visit>
-  void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
-    memory.blocks.resize(static_cast<std::size_t>(leaves_));
-    memory.rays.resize(rays_.size());
-    each_near_group(X_TC, memory, [&](const Group& group) {
+  void cast_part(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
+    each_near_group(part, X_TC, memory, [&](const Group& group) {
       Memory::Block& block = advance(group, X_TC, memory);
-      if (block.clusters.count == 0) return;
+      if (clear(group, X_TC, block)) return;
+      block.empty_until = std::numeric_limits<double>::infinity();
       for (int k = group.first; k < group.last; ++k) {
         const int index = order_[static_cast<std::size_t>(k)];
         const Ray& ray = rays_[static_cast<std::size_t>(index)];
         Memory::AtRay& known = memory.rays[static_cast<std::size_t>(index)];
-        if (known.triangles.count == 0 && block.path < known.until) continue;
-        const Vec3 origin = X_TC * ray.origin, direction = X_TC.R * ray.direction;
-        if (const TriangleTree::Hit hit = meet(origin, direction, block, known)) visit(index, hit, origin, direction);
+        if (known.triangles.count > 0 || !(block.path < known.until)) {
+          const Vec3 origin = X_TC * ray.origin, direction = X_TC.R * ray.direction;
+          if (const TriangleTree::Hit hit = meet({origin, direction}, group, block, known))
+            visit(index, hit, origin, direction);
+        }
+        block.empty_until = std::min(block.empty_until, known.triangles.count > 0 ? -1 : known.until);
       }
     });
+  }
+
+  /// The same for all parts, one after another.
+  template <typename Visit>
+  void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
+    begin(memory);
+    for (int part = 0; part < parts(); ++part) cast_part(part, X_TC, memory, visit);
   }
 
   /// Calls visit(ray) for every ray that may have a triangle within its radius, and for some that have none, in an
   /// order that depends on the rays alone.
   template <typename Visit>
   void each_near(const Pose& X_TC, Memory& memory, Visit visit) const {
-    each_near_group(X_TC, memory, [&](const Group& group) {
-      for (int k = group.first; k < group.last; ++k) visit(order_[static_cast<std::size_t>(k)]);
-    });
+    begin(memory);
+    for (int part = 0; part < parts(); ++part)
+      each_near_group(part, X_TC, memory, [&](const Group& group) {
+        for (int k = group.first; k < group.last; ++k) visit(order_[static_cast<std::size_t>(k)]);
+      });
   }
 
   const std::vector<Ray>& rays() const { return rays_; }
@@ -93,33 +120,39 @@ class LayerRays {
     double radius = 0;  ///< m
   };
 
-  /// Calls visit(group) for every leaf that is not clear of the target.
+  /// Calls visit(group) for every leaf of a part that is not clear of the target.
   template <typename Visit>
-  void each_near_group(const Pose& X_TC, Memory& memory, Visit visit) const {
-    begin(memory);
-    while (!memory.open.empty()) {
-      const int index = memory.open.back();
-      memory.open.pop_back();
+  void each_near_group(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
+    std::vector<int>& open = memory.open[static_cast<std::size_t>(part)];
+    open.assign(1, parts_[static_cast<std::size_t>(part)]);
+    while (!open.empty()) {
+      const int index = open.back();
+      open.pop_back();
       const Group& group = groups_[static_cast<std::size_t>(index)];
-      if (clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
+      const bool leaf_of_cast = group.children < 0 && leaf_ > 1;  // which knows by itself
+      if (!leaf_of_cast && clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
       if (group.children < 0) {
         visit(group);
         continue;
       }
-      memory.open.push_back(group.children + 1);
-      memory.open.push_back(group.children);
+      open.push_back(group.children + 1);
+      open.push_back(group.children);
     }
   }
 
-  void begin(Memory& memory) const;
   Memory::Block& advance(const Group& group, const Pose& X_TC, Memory& memory) const;
-  TriangleTree::Hit meet(const Vec3& origin, const Vec3& direction, const Memory::Block& block,
-                         Memory::AtRay& known) const;
+  /// What a ray, given in the target's frame, meets.
+  TriangleTree::Hit meet(const Ray& ray, const Group& group, Memory::Block& block, Memory::AtRay& known) const;
+  bool meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const;
+  TriangleTree::Hit meet_listed(const Ray& ray, Memory::Block& block, Memory::AtRay& known) const;
+  void gather(const Group& group, Memory::Block& block) const;
   bool clear(const Group& group, const Pose& X_TC, Memory::Group& known) const;
-  void measure(const Group& group, const Pose& X_TC, Memory::Group& known) const;
+  bool clear(const Group& group, const Pose& X_TC, Memory::Block& block) const;
+  double measure(const Group& group, const Pose& X_TC, int& near) const;
   double motion(const Group& group, const Pose& from, const Pose& to) const;
   void enclose(Group& group) const;
   void split(int group);
+  void find_parts();
 
   std::vector<Ray> rays_;
   std::vector<double> radii_;
@@ -129,7 +162,9 @@ class LayerRays {
   std::size_t levels_ = 0;     // of clearances that are told apart
   int leaf_ = 1, leaves_ = 0;  // rays in a leaf at most; how many leaves there are
   std::vector<int> order_;
-  std::vector<Group> groups_;  // the root first
+  std::vector<Group> groups_;                // the root first
+  std::vector<int> parts_;                   // groups that hold each ray once, in order
+  std::shared_ptr<const SheetAtlas> atlas_;  // of the target, where rays are cast
 };
 
 }  // namespace genu

@@ -1,7 +1,13 @@
 #include "genu/contact/triangle_layer.h"
 
+#include <array>
+
+#include <tbb/parallel_for.h>
+
 namespace genu {
 namespace {
+
+constexpr std::size_t kWorthThreads = 2000;  // rays
 
 Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
@@ -51,19 +57,41 @@ Vec3 TriangleLayer::depth_rate(const TriangleTree::Hit& hit, const Vec3& directi
   return w - hit.distance / h * thickness_rate(thickness_.target->gradient(hit.triangle), direction, w);
 }
 
+void TriangleLayer::add_part(int part, const Pose& X_TC, Memory& memory, const LayerMotion& motion,
+                             LayerSum& out) const {
+  const Mat3 R_CT = X_TC.R.transpose();
+  rays_.cast_part(part, X_TC, memory,
+                  [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
+                    const Ray& ray = rays_.rays()[at(k)];
+                    const double h = thickness(k, hit, origin, direction);
+                    const LayerLaw::Pressure p = law_.at(hit.distance, h);
+                    const Vec3 w = R_CT * depth_rate(hit, direction, h);
+                    const Vec3 y = ray.origin + hit.distance * ray.direction;
+                    const double load = p.p * areas_[at(k)];
+                    const double factor = damped(motion, w, y);
+                    add_pressure(ray.origin, -ray.direction, y, w, factor * load, p.slope * areas_[at(k)], out);
+                    out.load += load;
+                    if (factor != 1)
+                      out.damped += (factor - 1) * load * motion.velocity(ray.origin).dot(-ray.direction);
+                  });
+}
+
+/// Each part is summed by itself and the parts in their order, so that the sum is the same for any number of threads.
 void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, const LayerMotion& motion) const {
-  rays_.cast(X_TC, memory, [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
-    const Ray& ray = rays_.rays()[at(k)];
-    const double h = thickness(k, hit, origin, direction);
-    const LayerLaw::Pressure p = law_.at(hit.distance, h);
-    const Vec3 w = X_TC.R.transpose() * depth_rate(hit, direction, h);
-    const Vec3 y = ray.origin + hit.distance * ray.direction;
-    const double load = p.p * areas_[at(k)];
-    const double factor = damped(motion, w, y);
-    add_pressure(ray.origin, -ray.direction, y, w, factor * load, p.slope * areas_[at(k)], out);
-    out.load += load;
-    if (factor != 1) out.damped += (factor - 1) * load * motion.velocity(ray.origin).dot(-ray.direction);
-  });
+  rays_.begin(memory);
+  std::array<LayerSum, LayerRays::kMostParts> sums;
+  const auto add = [&](int part) { add_part(part, X_TC, memory, motion, sums[at(part)]); };
+  if (rays_.rays().size() >= kWorthThreads)
+    tbb::parallel_for(0, rays_.parts(), add);
+  else
+    for (int part = 0; part < rays_.parts(); ++part) add(part);
+  for (int part = 0; part < rays_.parts(); ++part) {
+    const LayerSum& sum = sums[at(part)];
+    out.wrench += sum.wrench;
+    out.tangent += sum.tangent;
+    out.load += sum.load;
+    out.damped += sum.damped;
+  }
 }
 
 void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int,

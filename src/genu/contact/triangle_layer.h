@@ -31,6 +31,8 @@ class TriangleLayer final : public LayerQuadrature {
   int triangle_count() const { return static_cast<int>(areas_.size()); }
 
  private:
+  void add_part(int part, const Pose& X_TC, Memory& memory, const LayerMotion& motion, LayerSum& out) const;
+
   /// 1, or what damping makes of the pressure at a ray that comes out at y.
   static double damped(const LayerMotion& motion, const Vec3& w, const Vec3& y);
 

@@ -56,6 +56,24 @@ void TriangleTree::gather_clusters() {
   }
 }
 
+std::vector<int> TriangleTree::pieces(double size) const {
+  std::vector<int> firsts;
+  std::vector<int> open;
+  if (!nodes_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
+    open.pop_back();
+    if (node.cluster < 0 && (node.high - node.low).norm() > size) {
+      open.push_back(node.children + 1);
+      open.push_back(node.children);
+    } else {
+      firsts.push_back(node.first);
+    }
+  }
+  firsts.push_back(this->size());
+  return firsts;
+}
+
 void TriangleTree::clusters_near(const Vec3& origin, const Vec3& direction, double length, double margin,
                                  ClustersNear& out) const {
   out.balls.clear();
@@ -195,12 +213,7 @@ TriangleTree::Hit TriangleTree::leaving(const ClustersNear& among, const Vec3& o
                                         double length) const {
   const RayLine line(origin, direction, length);
   Hit best;
-  for (int i = 0; i < among.count; ++i) {
-    const auto& balls = among.balls[static_cast<std::size_t>(i / ClustersNear::Balls::kSize)];
-    const int index = balls.cluster[static_cast<std::size_t>(i % ClustersNear::Balls::kSize)];
-    const Cluster& c = clusters_[static_cast<std::size_t>(index)];
-    for (int k = c.first; k < c.first + c.count; ++k) meet(static_cast<std::size_t>(k), line, 1, best);
-  }
+  each_place(among, [&](int place) { meet(static_cast<std::size_t>(place), line, 1, best); });
   return best;
 }
 

@@ -45,8 +45,8 @@ struct RayLine {
   }
 
   Vec2 across(const Vec3& p) const {
-    const Vec3 from = p - origin;
-    return {from[x] - slope[0] * from[z], from[y] - slope[1] * from[z]};
+    const double along = p[z] - origin[z];
+    return {p[x] - origin[x] - slope[0] * along, p[y] - origin[y] - slope[1] * along};
   }
 
   Vec3 origin, direction;

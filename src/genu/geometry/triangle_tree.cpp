@@ -21,7 +21,45 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
   for (const auto& t : mesh.triangles)
     corners_.push_back({mesh.vertices[static_cast<std::size_t>(t[0])], mesh.vertices[static_cast<std::size_t>(t[1])],
                         mesh.vertices[static_cast<std::size_t>(t[2])]});
-  if (n > 0) build();
+  if (n == 0) return;
+  build();
+  find_neighbours(mesh);
+}
+
+/// Across an edge lies one triangle, wound alike, or none that counts.
+void TriangleTree::find_neighbours(const Mesh& mesh) {
+  const std::size_t n = corners_.size();
+  vertex_count_ = static_cast<int>(mesh.vertices.size());
+  vertices_.reserve(n);
+  for (const int t : triangle_) vertices_.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
+  // Half edges by the vertex that they begin at, and by the one that they end at.
+  std::vector<int> first(mesh.vertices.size() + 1, 0), half(3 * n);
+  for (const auto& v : vertices_)
+    for (const int a : v) ++first[at(a) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < 3; ++i) half[at(next[at(vertices_[k][i])]++)] = static_cast<int>(3 * k + i);
+  const auto end_of = [&](int h) { return vertices_[at(h / 3)][at(h % 3 + 1) % 3]; };
+  for (std::size_t v = 0; v + 1 < first.size(); ++v)
+    std::sort(half.begin() + first[v], half.begin() + first[v + 1],
+              [&](int g, int h) { return end_of(g) < end_of(h); });
+  /// How many half edges lead from a to b, and one of them.
+  const auto from_to = [&](int a, int b) {
+    const auto last = half.begin() + first[at(a) + 1];
+    const auto begin =
+        std::lower_bound(half.begin() + first[at(a)], last, b, [&](int h, int v) { return end_of(h) < v; });
+    int count = 0;
+    for (auto it = begin; it != last && count < 2 && end_of(*it) == b; ++it) ++count;
+    return std::pair(count, count > 0 ? *begin / 3 : -1);
+  };
+  beside_.assign(n, {-1, -1, -1});
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = vertices_[k][i], b = vertices_[k][(i + 1) % 3];
+      const auto [other, found] = from_to(b, a);
+      if (other == 1 && from_to(a, b).first == 1) beside_[k][i] = found;
+    }
 }
 
 void TriangleTree::build() {

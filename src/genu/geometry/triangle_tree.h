@@ -74,6 +74,14 @@ class TriangleTree {
   std::size_t clear_by(const Vec3& origin, const Vec3& direction, double length, std::span<const double> margins,
                        int& met) const;
 
+  /// The triangles in pieces of at most `size` (m) across, each of neighbours by the tree: for each the first of its
+  /// places in the tree, and at the end the number of places.
+  std::vector<int> pieces(double size) const;
+
+  /// Where a triangle is in the tree, and the first place of a cluster.
+  int place_of(int triangle) const { return place_[static_cast<std::size_t>(triangle)]; }
+  int first_place(int cluster) const { return clusters_[static_cast<std::size_t>(cluster)].first; }
+
   /// Corners of a triangle (m) and its area vector: outward, as long as the area is large (m^2).
   const std::array<Vec3, 3>& corners(int triangle) const { return corners_[place(triangle)]; }
   const Vec3& area_vector(int triangle) const { return areas_[place(triangle)]; }
@@ -81,6 +89,8 @@ class TriangleTree {
   int size() const { return static_cast<int>(corners_.size()); }
 
  private:
+  friend class TriangleSheet;
+
   static constexpr int kMostDepth = 64;  // of the tree: halves of at most 2^31 triangles
 
   struct Node {
@@ -101,10 +111,20 @@ class TriangleTree {
   };
 
   std::size_t place(int triangle) const { return static_cast<std::size_t>(place_[static_cast<std::size_t>(triangle)]); }
+  template <typename Visit>
+  void each_place(const ClustersNear& among, Visit visit) const {
+    for (int i = 0; i < among.count; ++i) {
+      const auto& balls = among.balls[static_cast<std::size_t>(i / ClustersNear::Balls::kSize)];
+      const int index = balls.cluster[static_cast<std::size_t>(i % ClustersNear::Balls::kSize)];
+      const Cluster& c = clusters_[static_cast<std::size_t>(index)];
+      for (int k = c.first; k < c.first + c.count; ++k) visit(k);
+    }
+  }
   struct Asked;
   void ask(int cluster, const Asked& ray, double& free, TrianglesAtRay& out) const;
   static Cluster::Floats room(const Cluster& cluster, const Vec3& from, const Vec3& direction, double length);
   void gather_clusters();
+  void find_neighbours(const Mesh& mesh);
   void build();
   void split(int node);
   bool misses(std::size_t k, const RayLine& line, double turn, double aside) const;
@@ -113,7 +133,10 @@ class TriangleTree {
 
   std::vector<std::array<Vec3, 3>> corners_;  // in the tree's order
   std::vector<Vec3> areas_;
-  std::vector<double> sizes_;  // m^2
+  std::vector<double> sizes_;                 // m^2
+  std::vector<std::array<int, 3>> vertices_;  // of the mesh
+  std::vector<std::array<int, 3>> beside_;    // across the edge from corner i to the next; -1: none, or several
+  int vertex_count_ = 0;
   std::vector<int> triangle_;  // of the mesh, in the tree's order
   std::vector<int> place_;     // the other way round
   std::vector<Node> nodes_;    // the root first

@@ -120,7 +120,7 @@ void ArcWalker::add_law_events(double arc, const Point& next, std::vector<Featur
     return trial.report.newton.converged();
   };
   const LawEvents::End from{here_.at.pose.state, &before}, to{next.at.pose.state, &after};
-  for (const LawEvents::Passed& p : law_events_.over(from, to, options_.event_tolerance, pose_at))
+  for (const LawEvents::Passed& p : law_events_.over(from, to, options_.event_tolerance, {pose_at, {}}))
     out.push_back({p.u * arc, solve(here_, p.u * arc), p.kind, 0, false, p.what});
 }
 

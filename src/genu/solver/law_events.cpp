@@ -58,14 +58,14 @@ LawEvents::LawEvents(const JointModel& model) : model_(&model), rounding_(kLengt
 }
 
 const std::vector<LawEvents::Passed>& LawEvents::over(const End& from, const End& to, double tolerance,
-                                                      const PoseAt& pose_at) {
+                                                      const Solves& solves) {
   passed_.clear();
-  pose_at_ = &pose_at;
+  solves_ = &solves;
   tolerance_ = tolerance;
   for (Watched& w : watched_) {
     const Node first = node(w, from, 0), last = node(w, to, 1);
     if (!begun_) w.above = first.past > 0;
-    if (pose_at)
+    if (solves.pose_at)
       follow(w, first, last, to.state);
     else
       pass(w, last, last, to.state);
@@ -123,6 +123,7 @@ void LawEvents::locate(const Watched& w, const Node& from, const Node& to, Passe
   const double secant = to.past - from.past;
   const Cubic cubic(from.past, smooth ? span * from.rate : secant, to.past, smooth ? span * to.rate : secant);
   double low = 0, high = 1, s = cubic.root(), slope = cubic.slope(s);
+  if (solve_event(w, from, to, from.u + s * span, out)) return;
   double last_s = s, last_past = 0;
   for (int i = 0; i < 40; ++i) {
     double past = 0;
@@ -144,8 +145,17 @@ void LawEvents::locate(const Watched& w, const Node& from, const Node& to, Passe
   out.u = from.u + s * span;
 }
 
+/// The event between two nodes, from a guess; `out` is left alone where that fails.
+bool LawEvents::solve_event(const Watched& w, const Node& from, const Node& to, double u, Passed& out) {
+  if (!solves_->event_at || !solves_->event_at(w.ligament, w.law_break.length, u, between_)) return false;
+  if (u < from.u || u > to.u) return false;
+  out.u = u;
+  out.state = between_;
+  return true;
+}
+
 bool LawEvents::solve(const Watched& w, double u, double& past) {
-  if (!(*pose_at_)(u, between_)) return false;
+  if (!solves_->pose_at(u, between_)) return false;
   past = length(w, between_) - w.law_break.length;
   return true;
 }

@@ -3,8 +3,8 @@
 // afterwards between the two ends of an accepted substep.
 //
 // There the length is the cubic of its values and rates at both ends (rates from the tangents), which errs by the
-// fourth power of the substep. A pose solved at the cubic's root says by how much; that corrects the root, and a second
-// solve confirms it almost always.
+// fourth power of the substep. Near the cubic's root Newton's method finds the pose together with its place on the
+// path; where it does not, poses solved between both ends close in on it.
 #pragma once
 
 #include <functional>
@@ -31,17 +31,28 @@ class LawEvents {
   };
   /// Solves the pose at u, 0 < u < 1, of the substep. False where that fails.
   using PoseAt = std::function<bool(double u, State& out)>;
+  /// Solves the pose and u together so that a ligament has a length (m), from u as it is given and a pose of its own.
+  /// False where that fails.
+  using EventAt = std::function<bool(int ligament, double length, double& u, State& out)>;
+  /// How to look between both ends; either may be missing.
+  struct Solves {
+    PoseAt pose_at;
+    EventAt event_at;
+  };
 
   explicit LawEvents(const JointModel& model);
 
   /// Whether the model has no such break: then the calls below do nothing.
   bool none() const { return watched_.empty(); }
 
-  /// All breaks passed over a substep, in path order, each located to `tolerance` in u; with an empty `pose_at` (bodies
+  /// m: as near to a break is at it.
+  double rounding() const { return rounding_; }
+
+  /// All breaks passed over a substep, in path order, each located to `tolerance` in u; without a `pose_at` (bodies
   /// that leap) at its end. The sides on which the first substep begins are where the ligaments are; later ones begin
   /// where the last has ended, so that nothing is lost or told twice between two steps. The result is valid until the
   /// next call.
-  const std::vector<Passed>& over(const End& from, const End& to, double tolerance, const PoseAt& pose_at);
+  const std::vector<Passed>& over(const End& from, const End& to, double tolerance, const Solves& solves);
 
  private:
   struct Watched {
@@ -60,6 +71,7 @@ class LawEvents {
   void pass(Watched& w, const Node& from, const Node& to, const State& end);
   void locate(const Watched& w, const Node& from, const Node& to, Passed& out);
   bool solve(const Watched& w, double u, double& past);
+  bool solve_event(const Watched& w, const Node& from, const Node& to, double u, Passed& out);
 
   const JointModel* model_;
   double rounding_;  ///< m: a length this near to a break has not left the side it was on
@@ -67,7 +79,7 @@ class LawEvents {
   bool begun_ = false;
   std::vector<Passed> passed_;
   State between_;
-  const PoseAt* pose_at_ = nullptr;
+  const Solves* solves_ = nullptr;
   double tolerance_ = 0;
 };
 

@@ -35,17 +35,21 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
 }
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
+  if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
+  linearize(solver_.model(), state, plan_.target(t), here_);
+  compute_tangent(here_, state, t, out);
+}
+
+void Walker::compute_tangent(const Linearization& here, const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
   const Target target = plan_.target(t), rate = plan_.rate();
-  if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
-  linearize(model, state, target, here_);
-  out.stability = assess_stability(here_, model.scales.length);
+  out.stability = assess_stability(here, model.scales.length);
   NewtonStep& step = solver_.newton().step();
-  if (!step.factor(here_, target)) {
+  if (!step.factor(here, target)) {
     out.motion.resize(0, 0, 0);
     return;
   }
-  VecX constraint_rate = VecX::Zero(here_.constraint.size());  // a held ligament's length does not change
+  VecX constraint_rate = VecX::Zero(here.constraint.size());  // a held ligament's length does not change
   for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
     constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
   step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
@@ -158,7 +162,7 @@ bool Walker::walk_to(double t_end) {
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
     if (solved && trial.valid() && !far_from_predicted(trial)) {
-      compute_tangent(trial.pose.state, t, next_);
+      compute_tangent(solver_.newton().linearization(), trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
         const double inside = trial.findings.worst;
         if (pass(t, trial)) {
@@ -207,7 +211,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
     const bool valid = trial.report.newton.converged() && trial.valid();
-    if (valid) compute_tangent(trial.pose.state, middle, next_);
+    if (valid) compute_tangent(solver_.newton().linearization(), trial.pose.state, middle, next_);
     if (valid && pass(middle, trial)) {
       bracket.move_low(middle, worst);
       inside_ = worst;

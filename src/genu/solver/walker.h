@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "genu/solver/event_newton.h"
 #include "genu/solver/law_events.h"
 #include "genu/solver/path.h"
 
@@ -12,7 +13,7 @@ namespace genu {
 class Walker {
  public:
   Walker(ContactSetSolver& solver, const PathOptions& options, const std::function<void(PathEvent)>& event)
-      : solver_(solver), options_(options), event_(event), law_events_(solver.model()) {}
+      : solver_(solver), options_(options), event_(event), law_events_(solver.model()), event_newton_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose that is solved there.
   void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
@@ -105,6 +106,8 @@ class Walker {
   /// `leaps`: no path leads from the pose before to this one.
   std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
   void compute_tangent(const State& state, double t, Tangent& out);
+  /// Of a pose whose linearization is known: the last that was solved.
+  void compute_tangent(const Linearization& here, const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
   ContactSetSolver& solver_;
@@ -124,6 +127,7 @@ class Walker {
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;
   LawEvents law_events_;
+  EventNewton event_newton_;
   double inside_ = 0;                 // Findings::worst of the pose, +infinity where that is not known
   double stiffest_seen_ = 0;          // the largest |smallest eigenvalue| of the step, N m
   double last_definite_ = 0;          // the smallest eigenvalue where it was last more than rounding, N m

@@ -35,7 +35,7 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
     const double t = bracket.next();
     Attempt trial = attempt(t);
     if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) return out;
-    compute_tangent(trial.pose.state, t, between_);
+    compute_tangent(solver_.newton().linearization(), trial.pose.state, t, between_);
     const double value = measure(between_);
     const bool is_before = opposite(value, after);
     is_before ? bracket.move_low(t, value) : bracket.move_high(t, value);
@@ -97,7 +97,7 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool l
   const auto rate = [h](const Tangent& tangent) { return VecX(h * tangent.motion.twist); };
   const VecX before = rate(tangent_), after = rate(next_);
   const auto known = [&](const VecX& twist) { return twist.size() > 0 && twist.allFinite() ? &twist : nullptr; };
-  LawEvents::PoseAt pose_at;
+  LawEvents::Solves solves;
   std::optional<PathCubic> cubic;
   if (!leaps && known(before) && known(after) && held_count(pose_.state) == held_count(state))
     cubic.emplace(solver_.model(), pose_.state, tangent_.motion, state, next_.motion, h);
@@ -106,7 +106,7 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool l
   State last;
   double last_u = -1;
   if (!leaps && known(before))
-    pose_at = [&](double u, State& out) {
+    solves.pose_at = [&](double u, State& out) {
       const bool near = std::abs(u - last_u) < kNear;
       const bool begun = near    ? retract(solver_.model(), last, tangent_.motion, (u - last_u) * h, out)
                          : cubic ? cubic->at(u, out)
@@ -116,9 +116,18 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool l
       last_u = u;
       return true;
     };
-  const LawEvents::End from{first ? state : pose_.state, known(before)}, to{state, known(after)};
   const double tolerance = h > 0 ? options_.event_tolerance / h : 1;
-  for (const LawEvents::Passed& p : law_events_.over(from, to, tolerance, pose_at))
+  if (cubic)
+    solves.event_at = [&](int ligament, double length, double& u, State& out) {
+      double at = t_ + u * h;
+      if (!cubic->at(u, out) || !event_newton_.solve(plan_, {ligament, length, law_events_.rounding(), tolerance * h},
+                                                     options_.newton, solver_.newton().linearization().layers, at, out))
+        return false;
+      u = (at - t_) / h;
+      return true;
+    };
+  const LawEvents::End from{first ? state : pose_.state, known(before)}, to{state, known(after)};
+  for (const LawEvents::Passed& p : law_events_.over(from, to, tolerance, solves))
     turns.push_back({t_ + p.u * h, p.kind, p.state, p.what});
   return turns;
 }
