@@ -19,6 +19,7 @@ namespace genu::cli {
 /// What commands exit with.
 inline constexpr int kOk = 0, kFailed = 1, kRefused = 2, kNotAllOk = 3;
 
+void add_accuracy(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_calibrate(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

@@ -44,6 +44,7 @@ int run_command(int argc, char** argv) {
   genu::cli::add_explain(app, exit_code);
   genu::cli::add_evaluate(app, exit_code);
   genu::cli::add_sensitivity(app, exit_code);
+  genu::cli::add_accuracy(app, exit_code);
   genu::cli::add_calibrate(app, exit_code);
   genu::cli::add_fit(app, exit_code);
   genu::cli::add_mesh(app, exit_code);

@@ -21,32 +21,10 @@
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/run/run_scene.h"
+#include "progress.h"
 
 namespace genu::cli {
 namespace {
-
-/// A line that is rewritten in a terminal, or a new one every few seconds elsewhere; nothing in the first second.
-class Progress {
- public:
-  void operator()(int done, int asked, const char* what) {
-    const double now = timer_.seconds();
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    if (now < 1 || now - last_ < (terminal ? 0.1 : 5.0)) return;
-    last_ = now;
-    fmt::print(stderr, "{}{:>6} of {} {}, {:.0f} s{}", terminal ? "\r" : "", done, asked, what, now,
-               terminal ? "" : "\n");
-    std::fflush(stderr);
-    open_ = terminal;
-  }
-  void finish() const {
-    if (open_) fmt::print(stderr, "\n");
-  }
-
- private:
-  Timer timer_;
-  double last_ = 0;
-  bool open_ = false;
-};
 
 /// The columns a reader looks at first: the joint's coordinates, the force of every pair and region, stability.
 std::vector<std::string> columns_of_run(const ResultTable& table) {

@@ -1,0 +1,143 @@
+// Errors beside closed forms and times, the extrapolation on made sequences, and a chosen setting that does what it
+// said.
+#include "genu/run/accuracy.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "run/scenes.h"
+
+namespace genu {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Extrapolate, FindsErrorAndOrderOfAPowerLaw) {
+  for (const double order : {1.0, 2.0, 3.7}) {
+    const auto d = [&](double f) { return 0.3 * (std::pow(f, order) - 1); };
+    AccuracyGroup group;
+    extrapolate({1.5, 2, 3}, {d(1.5), d(2), d(3)}, group);
+    EXPECT_NEAR(group.order, order, 1e-9);
+    EXPECT_NEAR(group.finest_error, 0.3, 1e-9);
+    EXPECT_LT(group.finest_uncertainty, 1e-9);
+  }
+}
+
+TEST(Extrapolate, SaysThatNoiseHasNoOrder) {
+  AccuracyGroup group;
+  extrapolate({1.5, 2, 3}, {0.2, 0.19, 0.21}, group);
+  EXPECT_EQ(group.order, 0);
+  EXPECT_EQ(group.finest_error, 0.2);
+  EXPECT_EQ(group.finest_uncertainty, 0.2);
+  extrapolate({}, {}, group);
+  EXPECT_EQ(group.finest_error, 0);
+  extrapolate({1.5}, {kNaN}, group);
+  EXPECT_EQ(group.finest_error, 0);
+}
+
+TEST(LargestDifference, ComparesRowsThatMeanTheSame) {
+  const auto table = [](const std::vector<double>& values) {
+    ResultTable t;
+    t.add_column("a");
+    for (const double v : values) t.add_row(), t.set("a", v);
+    return t;
+  };
+  const ResultTable coarse = table({0, 1, 2}), fine = table({0, 7, 1.5, 7, 2.25}), gap = table({0, kNaN, 2.1});
+  EXPECT_DOUBLE_EQ(largest_difference(coarse, fine, {"a"}, 2), 0.5);
+  EXPECT_DOUBLE_EQ(largest_difference(fine, coarse, {"a"}, 0.5), 0.5);
+  EXPECT_NEAR(largest_difference(coarse, gap, {"a"}, 1), 0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(largest_difference(coarse, fine, {"b"}, 1)));
+}
+
+class Accuracy : public testing::Test {
+ protected:
+  int run(const std::string& scene, const std::vector<std::string>& targets) {
+    out_ = {};
+    report_ = {};
+    return run_accuracy(scene, folder_ / "out", {targets, 1, 60}, {}, out_, report_, own_);
+  }
+  std::string knee() {
+    return folder_.write("scene.toml",
+                         std::regex_replace(test::read_file(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml"),
+                                            std::regex("increments = 70"), "increments = 8"));
+  }
+  const AccuracyPoint* point(const std::string& name) const {
+    for (const AccuracyPoint& p : report_.points)
+      if (p.name == name) return &p;
+    return nullptr;
+  }
+  double worst(const AccuracyPoint& p, const std::string& group) const {
+    for (std::size_t g = 0; g < report_.groups.size(); ++g)
+      if (report_.groups[g].name == group) return p.errors[g];
+    return kNaN;
+  }
+
+  test::TemporaryFolder folder_;
+  Diagnostics out_;
+  AccuracyReport report_;
+  Solution own_;
+};
+
+TEST_F(Accuracy, OfAKneeInClosedFormFallsWithTheEdges) {
+  ASSERT_EQ(run(knee(), {}), kExitOk) << test::messages(out_);
+  ASSERT_EQ(report_.groups.size(), 4u);
+  EXPECT_EQ(worst(report_.points[0], "position"), 0);
+  const AccuracyPoint *coarse = point("edge 2.01 mm, degree 3"), *middle = point("edge 1.00 mm, degree 3"),
+                      *fine = point("edge 0.50 mm, degree 3");
+  ASSERT_TRUE(coarse && middle && fine);
+  for (const AccuracyPoint* p : {coarse, middle, fine}) EXPECT_TRUE(p->complete());
+  // Fits of degree 3: order 4, roughly.
+  EXPECT_GT(worst(*coarse, "position"), 6 * worst(*middle, "position"));
+  EXPECT_GT(worst(*middle, "position"), 6 * worst(*fine, "position"));
+  // The solver's own error, and paths in other increments, which are the same path.
+  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
+  EXPECT_LT(worst(*point("increments x 2"), "position"), 1e-9);
+  EXPECT_NE(report_.sentence.find(" a pose: "), std::string::npos) << report_.sentence;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/accuracy.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/accuracy.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/scene.toml")) << "no target was asked for";
+  EXPECT_NE(to_text(report_).find("<- chosen"), std::string::npos);
+}
+
+TEST_F(Accuracy, TheChosenSceneIsAsExactAsWasSaid) {
+  const std::string scene = knee();
+  ASSERT_EQ(run(scene, {"0.005mm", "0.01 deg"}), kExitOk) << test::messages(out_);
+  ASSERT_GE(report_.chosen, 0);
+  const AccuracyPoint& chosen = report_.points[static_cast<std::size_t>(report_.chosen)];
+  EXPECT_EQ(chosen.setting.knob, AccuracySetting::Knob::mesh);
+  EXPECT_LE(worst(chosen, "position"), 0.005);
+  EXPECT_LE(worst(chosen, "rotation"), 0.01);
+  const ResultTable exact = own_.poses;
+  Solution written;
+  Diagnostics out;
+  ASSERT_EQ(run_scene(folder_ / "out/scene.toml", folder_ / "again", {}, out, &written), kExitOk)
+      << test::messages(out);
+  for (const AccuracyGroup& group : report_.groups)
+    EXPECT_NEAR(largest_difference(exact, written.poses, group.columns, 1), worst(chosen, group.name),
+                1e-3 * worst(chosen, group.name))
+        << group.name;
+}
+
+TEST_F(Accuracy, SaysThatATargetIsOutOfReach) {
+  EXPECT_EQ(run(knee(), {"1e-9mm"}), kExitIncomplete);
+  EXPECT_EQ(report_.chosen, -1);
+  EXPECT_NE(report_.sentence.find("No setting"), std::string::npos);
+}
+
+TEST_F(Accuracy, RefusesTargetsThatAreNone) {
+  for (const char* bad : {"", "mm", "0mm", "-1mm", "nan mm", "1e400mm", "0.1", "0.1 m", "x0.1mm", "1,5mm"}) {
+    EXPECT_EQ(run(knee(), {bad}), kExitRefused) << bad;
+    ASSERT_EQ(out_.items().size(), 1u) << bad;
+    EXPECT_EQ(out_.items()[0].key, "--target");
+  }
+  EXPECT_EQ(run(knee(), {"1mm", "2mm"}), kExitRefused);
+  EXPECT_EQ(run(GENU_SOURCE_DIR "/meshes/leskovar2019/scene.toml", {}), kExitRefused);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace genu
