@@ -168,14 +168,26 @@ std::string errors_text(const AccuracyReport& report, const AccuracyPoint& point
   return out;
 }
 
+bool eligible(const AccuracyReport& report, const AccuracyPoint& p, bool closed_forms) {
+  // Of closed forms it is the mesh that is asked for: as they are they are exact.
+  if (closed_forms && !report.targets.empty() && p.setting.knob != AccuracySetting::Knob::mesh) return false;
+  return keeps(report, p) && finer_keep_too(report, p);
+}
+
+/// The fastest; of those that are about as fast, the most exact.
 void choose(AccuracyReport& report, bool closed_forms) {
+  constexpr double kAsFast = 1.1;
+  double fastest = std::numeric_limits<double>::infinity(), smallest = fastest;
+  for (const AccuracyPoint& p : report.points)
+    if (eligible(report, p, closed_forms)) fastest = std::min(fastest, p.pose_seconds);
   for (std::size_t i = 0; i < report.points.size(); ++i) {
     const AccuracyPoint& p = report.points[i];
-    if (!keeps(report, p) || !finer_keep_too(report, p)) continue;
-    // Of closed forms it is the mesh that is asked for: as they are they are exact.
-    if (closed_forms && !report.targets.empty() && p.setting.knob != AccuracySetting::Knob::mesh) continue;
-    if (report.chosen < 0 || p.pose_seconds < report.points[at(report.chosen)].pose_seconds)
-      report.chosen = static_cast<int>(i);
+    if (!eligible(report, p, closed_forms) || p.pose_seconds > kAsFast * fastest) continue;
+    double product = 1;
+    for (const double error : p.errors) product *= error;
+    if (report.chosen >= 0 && product >= smallest) continue;
+    smallest = product;
+    report.chosen = static_cast<int>(i);
   }
   if (report.chosen < 0) {
     report.sentence = report.targets.empty() ? "No setting solves every pose: there is nothing to choose from."
