@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "genu/core/timer.h"
-#include "genu/results/work_precision.h"
 #include "genu/run/chosen_scene.h"
 
 namespace genu {
@@ -198,48 +197,6 @@ void choose(AccuracyReport& report, bool closed_forms) {
   report.sentence = fmt::format("{} cost {} a pose: {}.", errors_text(report, p), time_text(p.pose_seconds), p.name);
 }
 
-std::vector<WorkPanel> panels_of(const AccuracyReport& report) {
-  std::vector<WorkPanel> panels;
-  for (std::size_t g = 0; g < report.groups.size(); ++g) {
-    const AccuracyGroup& group = report.groups[g];
-    WorkPanel panel{group.name + " [" + group.unit + "]", {}, 0};
-    if (const auto t = report.targets.find(group.unit); t != report.targets.end()) panel.target = t->second;
-    for (const AccuracyPoint& p : report.points)
-      if (p.complete()) panel.points.push_back({p.name, to_string(p.setting.knob), p.pose_seconds, p.errors[g]});
-    panels.push_back(std::move(panel));
-  }
-  return panels;
-}
-
-ResultTable table_of(const AccuracyReport& report) {
-  ResultTable table;
-  for (const char* column : {"varied", "setting", "solved", "build_ms", "us_a_pose", "spread"})
-    table.add_column(column);
-  for (const AccuracyGroup& g : report.groups) table.add_column(g.name + "_" + g.unit);
-  table.add_column("front");
-  std::vector<std::vector<bool>> fronts;
-  std::vector<std::size_t> place(report.points.size(), 0);
-  for (const WorkPanel& panel : panels_of(report)) fronts.push_back(pareto_front(panel.points));
-  std::size_t drawn = 0;
-  for (const AccuracyPoint& p : report.points) {
-    table.add_row();
-    table.set("varied", std::string(to_string(p.setting.knob)));
-    table.set("setting", p.name);
-    table.set("solved", fmt::format("{}/{}", p.solved, p.asked));
-    table.set("build_ms", 1e3 * p.build_seconds);
-    table.set("us_a_pose", 1e6 * p.pose_seconds);
-    table.set("spread", p.spread);
-    std::string front;
-    for (std::size_t g = 0; g < report.groups.size(); ++g) {
-      table.set(report.groups[g].name + "_" + report.groups[g].unit, p.errors[g]);
-      if (p.complete() && fronts[g][drawn]) front += (front.empty() ? "" : " ") + report.groups[g].name;
-    }
-    table.set("front", front);
-    if (p.complete()) ++drawn;
-  }
-  return table;
-}
-
 bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnostics& out) {
   for (const std::string& text : choice.targets) {
     const auto target = target_of(text);
@@ -297,48 +254,6 @@ void extrapolate(const std::vector<double>& factors, const std::vector<double>& 
   out.finest_uncertainty = *most - *least;
 }
 
-std::string to_text(const AccuracyReport& report) {
-  const ResultTable table = table_of(report);
-  std::string out = "errors are the largest of any row, from " + report.reference + "\n\n";
-  std::vector<std::string> head = {"varied", "setting", "solved", "build ms", "us a pose"};
-  for (const AccuracyGroup& g : report.groups) head.push_back(g.name + " " + g.unit);
-  head.push_back("");
-  std::vector<std::vector<std::string>> rows = {head};
-  for (std::size_t i = 0; i < report.points.size(); ++i) {
-    const AccuracyPoint& p = report.points[i];
-    const bool again = i > 0 && report.points[i - 1].setting.knob == p.setting.knob;
-    std::vector<std::string> row = {
-        again ? "" : to_string(p.setting.knob), p.name, fmt::format("{}/{}", p.solved, p.asked),
-        fmt::format("{:.1f}", 1e3 * p.build_seconds), fmt::format("{:.1f}", 1e6 * p.pose_seconds)};
-    for (const double e : p.errors) row.push_back(std::isfinite(e) ? fmt::format("{:.2e}", e) : "-");
-    const auto front = std::get<std::string>(table.at(i, table.column_index("front")));
-    row.push_back(static_cast<int>(i) == report.chosen ? "<- chosen" : front.empty() ? "" : "*");
-    rows.push_back(std::move(row));
-  }
-  std::vector<std::size_t> widths(head.size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  for (const auto& row : rows) {
-    std::string line = " ";
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line += c < 2 || c + 1 == row.size() ? fmt::format(" {:<{}} ", row[c], widths[c])
-                                           : fmt::format(" {:>{}} ", row[c], widths[c]);
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  out += "  *: no other setting is both faster and more exact, in one group at least\n\n";
-  for (const AccuracyGroup& g : report.groups)
-    if (g.finest_error > 0)
-      out += fmt::format(
-          "  {:<12}{} of the finest mesh: {:.2g} {} (uncertain by {:.1g}{})\n", "finest", g.name, g.finest_error,
-          g.unit, g.finest_uncertainty,
-          g.order > 0 ? fmt::format("; order {:.1f}", g.order) : ", no order is seen: noise and features decide");
-  out += fmt::format("  {:<12}{} rounds, medians{}\n", "times", report.rounds,
-                     report.noisy ? "; THE MACHINE WAS TOO BUSY to tell times apart: try again" : "");
-  return out + fmt::format("  {:<12}{}\n", "answer", report.sentence);
-}
-
-std::string to_csv(const AccuracyReport& report) { return table_of(report).to_csv(); }
-
 int run_accuracy(const std::string& path, const std::optional<std::string>& folder, const AccuracyChoice& choice,
                  const RunOptions& options, Diagnostics& out, AccuracyReport& report, Solution& own) {
   if (!read_targets(choice, report, out)) return kExitRefused;
@@ -390,8 +305,7 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   if (!folder) return code;
   own.folder = folder_for(*folder, options, own.summary);
   std::string error =
-      write_results(own.folder, *prepared, own,
-                    {{"accuracy.csv", to_csv(report)}, {"accuracy.svg", to_svg(report.title, panels_of(report))}});
+      write_results(own.folder, *prepared, own, {{"accuracy.csv", to_csv(report)}, {"accuracy.svg", to_svg(report)}});
   if (error.empty() && !report.targets.empty() && report.chosen >= 0)
     error = write_chosen_scene(path, *prepared, report.points[at(report.chosen)].setting, own.folder);
   if (!error.empty()) {

@@ -65,6 +65,7 @@ void extrapolate(const std::vector<double>& factors, const std::vector<double>& 
 
 std::string to_text(const AccuracyReport& report);
 std::string to_csv(const AccuracyReport& report);
+std::string to_svg(const AccuracyReport& report);
 
 /// Reads, solves under every setting, writes the scene's own results with accuracy.csv, accuracy.svg and, with targets,
 /// chosen/scene.toml with the meshes it needs into `folder` (where one is given). Returns the exit code.
