@@ -59,13 +59,12 @@ Vec3 TriangleLayer::depth_rate(const TriangleTree::Hit& hit, const Vec3& directi
 
 void TriangleLayer::add_part(int part, const Pose& X_TC, Memory& memory, const LayerMotion& motion,
                              LayerSum& out) const {
-  const Mat3 R_CT = X_TC.R.transpose();
   rays_.cast_part(part, X_TC, memory,
                   [&](int k, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) {
                     const Ray& ray = rays_.rays()[at(k)];
                     const double h = thickness(k, hit, origin, direction);
                     const LayerLaw::Pressure p = law_.at(hit.distance, h);
-                    const Vec3 w = R_CT * depth_rate(hit, direction, h);
+                    const Vec3 w = X_TC.R.transpose() * depth_rate(hit, direction, h);
                     const Vec3 y = ray.origin + hit.distance * ray.direction;
                     const double load = p.p * areas_[at(k)];
                     const double factor = damped(motion, w, y);

@@ -15,7 +15,7 @@ constexpr double kTurned = 12 * M_PI / 180;      // at most; rad
 constexpr double kLeastAngle = 20 * M_PI / 180;  // rad, between a ray and the axis: what a sheet has to be good for
 constexpr double kTight = 0.1;                   // of the length: what is less inside is not well inside
 constexpr double kAside = 0.3, kBelow = 1.1, kAbove = 1.4;  // of the length: the cylinder round what it is spread from
-constexpr int kMostFacets = 4000, kMostSteps = 64;
+constexpr int kMostFacets = 50000, kMostSteps = 64;
 constexpr double kRounding = 1e-9;
 
 double distance_to_segment(const Vec2& a, const Vec2& b) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -18,6 +20,18 @@ constexpr int kFewestRounds = 2;  // to speak of a spread
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// What times were taken on.
+std::string machine() {
+  std::ifstream in("/proc/cpuinfo");
+  std::string name = "an unknown processor";
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) {
+      name = line.substr(line.find(": ") + 2);
+      break;
+    }
+  return fmt::format("{}, {} cores", name, std::thread::hardware_concurrency());
 }
 
 std::vector<AccuracyGroup> groups_of(const Prepared& p, const ResultTable& poses) {
@@ -168,6 +182,7 @@ std::string errors_text(const AccuracyReport& report, const AccuracyPoint& point
 }
 
 bool eligible(const AccuracyReport& report, const AccuracyPoint& p, bool closed_forms) {
+  if (p.setting.knob == AccuracySetting::Knob::model) return false;  // another joint, not a less exact one
   // Of closed forms it is the mesh that is asked for: as they are they are exact.
   if (closed_forms && !report.targets.empty() && p.setting.knob != AccuracySetting::Knob::mesh) return false;
   return keeps(report, p) && finer_keep_too(report, p);
@@ -266,6 +281,7 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;
   report.title = prepared->scene.title;
+  report.machine = machine();
   report.reference = has_closed_forms_alone(*prepared) ? "the same path in closed form"
                                                        : "the finest meshes (those of the scene), with their own error";
   std::vector<Trial> trials;
@@ -299,6 +315,7 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
     report.points.push_back(point_of(*prepared, trial, trials[0], report.groups));
     spreads.push_back(report.points.back().spread);
   }
+  report.stages = own.summary.seconds;
   report.noisy = report.rounds >= kFewestRounds && median(spreads) > kNoisy;
   choose(report, has_closed_forms_alone(*prepared) && mesh_unit(*prepared) > 0);
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;

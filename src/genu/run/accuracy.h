@@ -38,7 +38,8 @@ struct AccuracyPoint {
 };
 
 struct AccuracyReport {
-  std::string title, reference;
+  std::string title, reference, machine;
+  std::vector<std::pair<std::string, double>> stages;  ///< of the scene as it is: name, s
   std::vector<AccuracyGroup> groups;
   std::vector<AccuracyPoint> points;
   int rounds = 0;

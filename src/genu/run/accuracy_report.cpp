@@ -89,13 +89,19 @@ std::string to_text(const AccuracyReport& report) {
           "  {:<12}{} of the finest mesh: {:.2g} {} (uncertain by {:.1g}{})\n", "finest", g.name, g.finest_error,
           g.unit, g.finest_uncertainty,
           g.order > 0 ? fmt::format("; order {:.1f}", g.order) : ", no order is seen: noise and features decide");
-  out += fmt::format("  {:<12}{} rounds, medians{}\n", "times", report.rounds,
+  std::string stages;
+  for (const auto& [name, seconds] : report.stages)
+    stages += fmt::format("{}{} {:.3f} s", stages.empty() ? "" : ", ", name, seconds);
+  out += fmt::format("  {:<12}{}\n", "as it is", stages);
+  out += fmt::format("  {:<12}{} rounds, medians, on {}{}\n", "times", report.rounds, report.machine,
                      report.noisy ? "; THE MACHINE WAS TOO BUSY to tell times apart: try again" : "");
   return out + fmt::format("  {:<12}{}\n", "answer", report.sentence);
 }
 
 std::string to_csv(const AccuracyReport& report) { return table_of(report).to_csv(); }
 
-std::string to_svg(const AccuracyReport& report) { return to_svg(report.title, panels_of(report)); }
+std::string to_svg(const AccuracyReport& report) {
+  return to_svg(report.title + ", " + report.machine, panels_of(report));
+}
 
 }  // namespace genu

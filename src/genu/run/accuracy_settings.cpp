@@ -18,7 +18,8 @@
 namespace genu {
 namespace {
 
-constexpr double kFinestOfClosedForms = 0.175;  // of mesh_unit()
+constexpr double kPoisson = 0.45, kThickness = 6e-3;  // m: of a layer in the place of rigid contact
+constexpr double kFinestOfClosedForms = 0.175;        // of mesh_unit()
 
 bool is_mesh(const Prepared& p, std::size_t surface) {
   return p.scene.surfaces[surface].shape == SurfaceDef::Shape::mesh;
@@ -59,15 +60,25 @@ std::shared_ptr<const Surface> rebuilt(const Prepared& p, std::size_t surface, c
 }
 
 void change_layers(const AccuracySetting& setting, Scene& scene) {
-  for (LayerDef& layer : scene.layers) {
-    if (setting.layer_triangles) {
-      layer.quadrature = LayerDef::Quadrature::triangles;
-      if (layer.cast_from < 0) layer.cast_from = layer.pair.surface_a;
-    } else if (setting.layer_tolerance > 0) {
-      layer.quadrature = LayerDef::Quadrature::smooth;
+  for (LayerDef& layer : scene.layers)
+    if (setting.layer_tolerance > 0 && layer.quadrature == LayerDef::Quadrature::smooth)
       layer.tolerance = setting.layer_tolerance;
-    }
+}
+
+/// Layers in the place of rigid contacts, one ray from every triangle.
+void make_layers(const Prepared& p, double modulus, Scene& scene) {
+  for (const ContactDef& pair : scene.contacts) {
+    LayerDef layer;
+    layer.pair = pair;
+    layer.modulus = modulus;
+    layer.poisson = kPoisson;
+    layer.thickness = kThickness;
+    layer.search_depth = kThickness;
+    layer.quadrature = LayerDef::Quadrature::triangles;
+    layer.cast_from = p.surfaces[at(pair.surface_a)]->is_unbounded() ? pair.surface_b : pair.surface_a;
+    scene.layers.push_back(layer);
   }
+  scene.contacts.clear();
 }
 
 }  // namespace
@@ -85,6 +96,8 @@ const char* to_string(AccuracySetting::Knob knob) {
     case AccuracySetting::Knob::increments:
       return "increments";
     case AccuracySetting::Knob::layer:
+      return "layer tolerance";
+    case AccuracySetting::Knob::model:
       return "contact model";
   }
   return "";
@@ -127,6 +140,8 @@ std::vector<AccuracySetting> accuracy_settings(const Prepared& p) {
   const auto smooth = [](const LayerDef& l) { return l.quadrature == LayerDef::Quadrature::smooth; };
   if (std::any_of(p.scene.layers.begin(), p.scene.layers.end(), smooth))
     for (const double tolerance : {1e-2, 1e-3}) add({.layer_tolerance = tolerance}, Knob::layer);
+  if (!p.scene.contacts.empty())
+    for (const double modulus : {10e6, 1e9}) add({.modulus = modulus}, Knob::model);
   return out;
 }
 
@@ -144,7 +159,7 @@ std::string describe(const Prepared& p, const AccuracySetting& s) {
   if (s.radius_factor > 0) words.push_back(fmt::format("fit radius x {:g}", s.radius_factor));
   if (s.tolerance > 0) words.push_back(fmt::format("tolerance {:.0e}", s.tolerance));
   if (s.increments > 0) words.push_back(fmt::format("increments x {:g}", s.increments));
-  if (s.layer_triangles) words.push_back("triangles");
+  if (s.modulus > 0) words.push_back(fmt::format("layer of {:g} MPa", s.modulus / units::kMegapascal));
   if (s.layer_tolerance > 0) words.push_back(fmt::format("layer tolerance {:.0e}", s.layer_tolerance));
   if (words.empty()) return "as it is";
   std::string text = words[0];
@@ -164,6 +179,7 @@ std::optional<Prepared> with_setting(const Prepared& p, const AccuracySetting& s
   Prepared out;
   out.scene = p.scene;
   change_layers(setting, out.scene);
+  if (setting.modulus > 0) make_layers(p, setting.modulus, out.scene);
   out.notes = p.notes;
   out.bones = p.bones;
   out.surfaces = p.surfaces;

@@ -11,15 +11,15 @@ namespace genu {
 
 /// A scene with something changed. What is 0 or empty is as the scene has it.
 struct AccuracySetting {
-  enum class Knob { own, mesh, radius, tolerance, increments, layer };
+  enum class Knob { own, mesh, radius, tolerance, increments, layer, model };
   Knob knob = Knob::own;
-  double edge_factor = 0;    ///< meshes: edges so many times longer; closed forms: the edge over their own unit of it
-  int degree = 0;            ///< of fits
-  double radius_factor = 0;  ///< of the fit radius
-  double tolerance = 0;      ///< of Newton's method
-  double increments = 0;     ///< times as many
-  double layer_tolerance = 0;
-  bool layer_triangles = false;
+  double edge_factor = 0;      ///< meshes: edges so many times longer; closed forms: the edge over their own unit of it
+  int degree = 0;              ///< of fits
+  double radius_factor = 0;    ///< of the fit radius
+  double tolerance = 0;        ///< of Newton's method
+  double increments = 0;       ///< times as many
+  double layer_tolerance = 0;  ///< of smooth layers
+  double modulus = 0;          ///< Pa: of a layer summed over triangles, in the place of rigid contact
 };
 const char* to_string(AccuracySetting::Knob knob);
 

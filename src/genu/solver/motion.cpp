@@ -263,8 +263,7 @@ class Motion {
     if (headway > kLeastHeadway * plan_.duration) return false;
     result_.why = fmt::format(
         "the integration makes no headway at {:.9g} s: {} steps took it {:.2g} s on of {:g} s. Look for a course, "
-        "spring, "
-        "damper or mass that changes or swings far faster than that",
+        "spring, damper or mass that changes or swings far faster than that",
         now_.time, kLookAtHeadway, headway, plan_.duration);
     return true;
   }
