@@ -315,7 +315,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
     report.points.push_back(point_of(*prepared, trial, trials[0], report.groups));
     spreads.push_back(report.points.back().spread);
   }
-  report.stages = own.summary.seconds;
+  report.stages = prepared->seconds;
+  report.stages.push_back(own.summary.seconds.back());
   report.noisy = report.rounds >= kFewestRounds && median(spreads) > kNoisy;
   choose(report, has_closed_forms_alone(*prepared) && mesh_unit(*prepared) > 0);
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;
