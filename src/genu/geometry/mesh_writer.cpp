@@ -27,7 +27,7 @@ std::string ending_of(const std::string& path) {
 
 }  // namespace
 
-std::string write_ply(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {
+std::string ply_bytes(const Mesh& mesh, double metres_per_unit, const std::string& title) {
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double x\nproperty double y\n"
       "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
@@ -39,7 +39,11 @@ std::string write_ply(const Mesh& mesh, const std::string& path, double metres_p
     append_bytes(bytes, std::uint8_t{3});
     for (const int v : t) append_bytes(bytes, static_cast<std::int32_t>(v));
   }
-  return write_file_atomically(path, bytes);
+  return bytes;
+}
+
+std::string write_ply(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {
+  return write_file_atomically(path, ply_bytes(mesh, metres_per_unit, title));
 }
 
 std::string write_obj(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {

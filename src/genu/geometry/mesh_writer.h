@@ -11,6 +11,9 @@ namespace genu {
 /// file and what is returned are those of write_stl().
 std::string write_ply(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title);
 
+/// What write_ply() writes.
+std::string ply_bytes(const Mesh& mesh, double metres_per_unit, const std::string& title);
+
 /// Wavefront OBJ with as many digits as bring back the same doubles.
 std::string write_obj(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title);
 

@@ -26,13 +26,17 @@ double distance_to_segment(const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-/// Whether a triangle lies outside, surely.
-bool TriangleSheet::Cylinder::excludes(const std::array<Vec3, 3>& c) const {
-  const std::array<double, 3> z = {axis.dot(c[0] - origin), axis.dot(c[1] - origin), axis.dot(c[2] - origin)};
-  if (std::max({z[0], z[1], z[2]}) < low || std::min({z[0], z[1], z[2]}) > high) return true;
+/// Whether a triangle lies outside of the cylinder that goes on for ever, surely.
+bool TriangleSheet::Cylinder::passes_by(const std::array<Vec3, 3>& c) const {
   const Vec2 a = seen(c[0]), b = seen(c[1]), d = seen(c[2]), middle = (a + b + d) / 3;
   const double size = std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (d - middle).squaredNorm()});
   return middle.norm() > (1 + kRounding) * radius + std::sqrt(size);
+}
+
+/// Whether a triangle lies outside, surely.
+bool TriangleSheet::Cylinder::excludes(const std::array<Vec3, 3>& c) const {
+  const std::array<double, 3> z = {axis.dot(c[0] - origin), axis.dot(c[1] - origin), axis.dot(c[2] - origin)};
+  return std::max({z[0], z[1], z[2]}) < low || std::min({z[0], z[1], z[2]}) > high || passes_by(c);
 }
 
 double TriangleSheet::Cylinder::aside(const Vec3& p, const Vec3& q) const {
@@ -79,10 +83,7 @@ bool TriangleSheet::choose_axis(const TriangleTree& tree, int first, int last, d
 /// The facet of a triangle, which becomes one if it is none yet; -1 if it lies beside the cylinder.
 int TriangleSheet::join(const TriangleTree& tree, int place, Marks& marks) {
   if (marks.triangle[at(place)] == marks.stamp) return marks.facet[at(place)];
-  const auto& c = tree.corners_[at(place)];
-  const Vec2 a = cylinder_.seen(c[0]), b = cylinder_.seen(c[1]), d = cylinder_.seen(c[2]), middle = (a + b + d) / 3;
-  const double size = std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (d - middle).squaredNorm()});
-  const bool beside = middle.norm() > (1 + kRounding) * cylinder_.radius + std::sqrt(size);
+  const bool beside = cylinder_.passes_by(tree.corners_[at(place)]);
   marks.triangle[at(place)] = marks.stamp;
   marks.facet[at(place)] = beside ? -1 : static_cast<int>(facets_.size());
   if (!beside) facets_.push_back({place, {-1, -1, -1}});

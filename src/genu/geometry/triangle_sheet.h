@@ -14,11 +14,12 @@ namespace genu {
 ///   - no normal leans off the axis by more than 50 deg and no edge within the cylinder is free or shared by more than
 ///     two triangles, so that the piece, seen along the axis, covers the disc evenly;
 ///   - round no vertex it winds twice, so that it covers the disc once: it is a graph, of slopes as bounded as its
-///     normals are, and a line within 25 deg of the axis crosses it once;
-///   - everything else in the cylinder turns its back on such rays, which come out of this piece or of none.
+///     normals are, and a line crosses it once that is off the axis by less than what these leave of 90 deg;
+///   - everything else in the cylinder turns its back on rays that are off the axis by 20 deg or more (how much,
+///     choose_angle() finds): these come out of this piece or of none.
 class TriangleSheet {
  public:
-  /// What spread() marks triangles and vertices with. One for each thread.
+  /// What spread() marks triangles and vertices with; kept from one to the next.
   struct Marks {
     std::vector<int> triangle, vertex;  ///< the stamp of the spreading that came by last
     std::vector<int> facet;             ///< of a triangle with the stamp
@@ -52,6 +53,7 @@ class TriangleSheet {
     double roomy = 0;                      // m: of the radius, well inside
 
     Vec2 seen(const Vec3& p) const { return {across.dot(p - origin), upward.dot(p - origin)}; }
+    bool passes_by(const std::array<Vec3, 3>& corners) const;
     bool excludes(const std::array<Vec3, 3>& corners) const;
     /// The square of the larger distance (m^2) of two points from the axis; infinity where one is below or above.
     double aside(const Vec3& p, const Vec3& q) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "genu/geometry/mesh_topology.h"
 #include "genu/geometry/triangle_ray.h"
 
 namespace genu {
@@ -28,38 +29,25 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
 
 /// Across an edge lies one triangle, wound alike, or none that counts.
 void TriangleTree::find_neighbours(const Mesh& mesh) {
-  const std::size_t n = corners_.size();
   vertex_count_ = static_cast<int>(mesh.vertices.size());
-  vertices_.reserve(n);
-  for (const int t : triangle_) vertices_.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
-  // Half edges by the vertex that they begin at, and by the one that they end at.
-  std::vector<int> first(mesh.vertices.size() + 1, 0), half(3 * n);
-  for (const auto& v : vertices_)
-    for (const int a : v) ++first[at(a) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> next(first.begin(), first.end() - 1);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < 3; ++i) half[at(next[at(vertices_[k][i])]++)] = static_cast<int>(3 * k + i);
-  const auto end_of = [&](int h) { return vertices_[at(h / 3)][at(h % 3 + 1) % 3]; };
-  for (std::size_t v = 0; v + 1 < first.size(); ++v)
-    std::sort(half.begin() + first[v], half.begin() + first[v + 1],
-              [&](int g, int h) { return end_of(g) < end_of(h); });
-  /// How many half edges lead from a to b, and one of them.
-  const auto from_to = [&](int a, int b) {
-    const auto last = half.begin() + first[at(a) + 1];
-    const auto begin =
-        std::lower_bound(half.begin() + first[at(a)], last, b, [&](int h, int v) { return end_of(h) < v; });
-    int count = 0;
-    for (auto it = begin; it != last && count < 2 && end_of(*it) == b; ++it) ++count;
-    return std::pair(count, count > 0 ? *begin / 3 : -1);
+  vertices_.reserve(corners_.size());
+  for (const int t : triangle_) vertices_.push_back(mesh.triangles[at(t)]);
+  beside_.assign(corners_.size(), {-1, -1, -1});
+  /// The corner at which a triangle leaves v[0] for v[1] or, `back`, the other way; 3: none.
+  const auto side = [&](int place, const std::array<int, 2>& v, bool back) {
+    std::size_t i = 0;
+    while (i < 3 && !(vertices_[at(place)][i] == v[back] && vertices_[at(place)][(i + 1) % 3] == v[!back])) ++i;
+    return i;
   };
-  beside_.assign(n, {-1, -1, -1});
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int a = vertices_[k][i], b = vertices_[k][(i + 1) % 3];
-      const auto [other, found] = from_to(b, a);
-      if (other == 1 && from_to(a, b).first == 1) beside_[k][i] = found;
-    }
+  for (const MeshEdge& edge : mesh_edges(mesh)) {
+    if (edge.count != 2) continue;
+    const int p = place_[at(edge.t[0])], q = place_[at(edge.t[1])];
+    const bool back = side(p, edge.v, false) == 3;
+    const std::size_t i = side(p, edge.v, back), j = side(q, edge.v, !back);
+    if (i == 3 || j == 3) continue;
+    beside_[at(p)][i] = q;
+    beside_[at(q)][j] = p;
+  }
 }
 
 void TriangleTree::build() {
