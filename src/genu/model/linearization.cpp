@@ -305,6 +305,13 @@ LoadScale::Value load_scale(const Load& load, const State& state, double time) {
   return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : time);
 }
 
+VecX constraint_rate(const Target& rate, Eigen::Index count) {
+  VecX out = VecX::Zero(count);
+  for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
+    out[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
+  return out;
+}
+
 VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate) {
   VecX wrench = VecX::Zero(6 * model.moving_count);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {

@@ -67,6 +67,10 @@ LoadScale::Value load_scale(const Load& load, const State& state, double time);
 /// factors of the steps and by scales over time. `rate` is the derivative of `target`.
 VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate);
 
+/// The same of the constraints' residuals, of which the model has `count`: what is prescribed changes, what a held
+/// ligament's length has to be does not.
+VecX constraint_rate(const Target& rate, Eigen::Index count);
+
 /// What a revolute or fixed joint exerts on its child to hold its coordinates: [force, moment about the child's origin]
 /// in the parent's axes (N, N m). The multipliers must be those of a solved state. The moment along a revolute axis
 /// (stiffness, prescribed angle) is not part of it.

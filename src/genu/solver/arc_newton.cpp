@@ -40,9 +40,7 @@ bool ArcNewton::factor(const StepPlan& plan, const State& state, double t, const
   const double L = model_->scales.length;
   const Target target = plan.target(t), rate = plan.rate();
   border_.wrench_rate = load_rate(*model_, state, target, rate);
-  border_.constraint_rate = VecX::Zero(here_.constraint.size());
-  for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
-    border_.constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
+  border_.constraint_rate = constraint_rate(rate, here_.constraint.size());
   border_.twist = along.twist;
   for (Eigen::Index i = 0; i < border_.twist.size(); i += 6) border_.twist.segment<3>(i) /= L * L;
   border_.parameter = along.parameter;

@@ -13,10 +13,7 @@ bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, co
   const Target target = plan.target(t), rate = plan.rate();
   if (!step_.factor(here_, target) || !step_.linear().full_rank()) return false;
   step_.solve(here_, correction_);
-  constraint_rate_.setZero(here_.constraint.size());
-  for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
-    constraint_rate_[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
-  step_.solve_rates(load_rate(*model_, state, target, rate), constraint_rate_, motion_);
+  step_.solve_rates(load_rate(*model_, state, target, rate), constraint_rate(rate, here_.constraint.size()), motion_);
   const auto& ligament = model_->ligaments[at(asked.ligament)];
   const double fast = ligament_length_rate(*model_, ligament, state.poses, motion_.twist);
   const double along = -(past + ligament_length_rate(*model_, ligament, state.poses, correction_.twist)) / fast;

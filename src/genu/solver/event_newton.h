@@ -3,6 +3,8 @@
 // as many of them as one pose takes; a search along the path solves a pose for each of its guesses.
 #pragma once
 
+#include <memory>
+
 #include "genu/model/step_plan.h"
 #include "genu/solver/newton.h"
 
@@ -32,7 +34,6 @@ class EventNewton {
   Linearization here_;
   Correction correction_, motion_;
   State trial_;
-  VecX constraint_rate_;
 };
 
 }  // namespace genu

@@ -49,10 +49,7 @@ void Walker::compute_tangent(const Linearization& here, const State& state, doub
     out.motion.resize(0, 0, 0);
     return;
   }
-  VecX constraint_rate = VecX::Zero(here.constraint.size());  // a held ligament's length does not change
-  for (std::size_t m = 0; m < rate.prescribed.size(); ++m)
-    constraint_rate[static_cast<Eigen::Index>(m)] = -rate.prescribed[m].value;
-  step.solve_rates(load_rate(model, state, target, rate), constraint_rate, out.motion);
+  step.solve_rates(load_rate(model, state, target, rate), constraint_rate(rate, here.constraint.size()), out.motion);
 }
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report, bool leaps) {
