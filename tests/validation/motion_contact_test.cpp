@@ -114,30 +114,8 @@ TEST(MotionContact, ABallSwingsInASocket) {
 
 /// Three feet land one after the other; each lands for good, and at rest they share the weight as levers say.
 TEST(MotionContact, AStoolLandsOnThreeFeet) {
-  std::string text = "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n" +
-                     fmt::format("gravity = [0, 0, {}]\n", -kG) + R"([body.ground]
-fixed = true
-[body.stool]
-mass = 3
-centre_of_mass = [0.02, 0.01, 0.1]
-inertia = [0.05, 0.05, 0.03]
-[joint.free]
-type = "free"
-parent = "ground"
-child = "stool"
-rotations = ["a x", "b y", "c z"]
-translations = ["x", "y", "z"]
-reference = { a = 0.02, b = 0.03, z = 0.06 }
-[surface.floor]
-body = "ground"
-shape = "plane"
-)";
-  const std::array<Vec3, 3> feet = {Vec3(0.2, 0, 0), Vec3(-0.1, 0.15, 0), Vec3(-0.1, -0.15, 0)};
-  for (std::size_t i = 0; i < feet.size(); ++i)
-    text += fmt::format(
-        "[surface.foot{0}]\nbody = \"stool\"\nshape = \"sphere\"\nradius = 0.02\norigin = [{1}, {2}, {3}]\n"
-        "[contact.c{0}]\nsurfaces = [\"foot{0}\", \"floor\"]\nmodel = \"rigid\"\n",
-        i, feet[i].x(), feet[i].y(), feet[i].z());
+  const std::vector<Vec3> feet = {{0.2, 0, 0}, {-0.1, 0.15, 0}, {-0.1, -0.15, 0}};
+  const std::string text = test::stool({0.02, 0.01, 0.1}, {0.05, 0.05, 0.03}, "a = 0.02, b = 0.03, z = 0.06", feet);
   const Solution s = motion_of(text + dynamics(1.5, 0.1, 1e-8));
   const std::size_t last = s.poses.rows() - 1;
   double weight = 0, about_x = 0, about_y = 0;

@@ -74,42 +74,21 @@ TEST(MotionManyContacts, APlankRocksToRest) {
 
 /// A stool on feet round a circle: more than three are more than forces can be told for, but stand they must, and what
 /// lands in one moment lands at once.
-std::string stool(int feet, double turned, double height, const std::string& rates) {
-  std::string text = "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n" +
-                     fmt::format("gravity = [0, 0, {}]\n", -kG) +
-                     fmt::format(R"([body.ground]
-fixed = true
-[body.stool]
-mass = 3
-centre_of_mass = [0.01, 0.02, 0.05]
-inertia = [0.05, 0.06, 0.04]
-[joint.free]
-type = "free"
-parent = "ground"
-child = "stool"
-rotations = ["a x", "b y", "c z"]
-translations = ["x", "y", "z"]
-reference = {{ z = {:.17g} }}
-[surface.floor]
-body = "ground"
-shape = "plane"
-)",
-                                 0.32 + height);
+std::string round_stool(int feet, double turned, double height, const std::string& rates) {
+  std::vector<Vec3> middles;
   for (int i = 0; i < feet; ++i) {
     const double angle = turned + 2 * M_PI * i / feet;
-    text += fmt::format(
-        "[surface.f{0}]\nbody = \"stool\"\nshape = \"sphere\"\nradius = 0.02\norigin = [{1:.17g}, {2:.17g}, -0.3]\n"
-        "[contact.c{0}]\nsurfaces = [\"f{0}\", \"floor\"]\nmodel = \"rigid\"\n",
-        i, 0.3 * std::cos(angle), 0.3 * std::sin(angle));
+    middles.emplace_back(0.3 * std::cos(angle), 0.3 * std::sin(angle), -0.3);
   }
-  return text + dynamics(height > 0 ? 0.35 : 0.02, 0.01, 1e-7, rates);
+  return test::stool({0.01, 0.02, 0.05}, {0.05, 0.06, 0.04}, fmt::format("z = {}", 0.32 + height), middles) +
+         dynamics(height > 0 ? 0.35 : 0.02, 0.01, 1e-7, rates);
 }
 
 TEST(MotionManyContacts, AStoolStandsOnAnyNumberOfFeet) {
   for (const int feet : {3, 4, 5, 6})
     for (const double turned : {0.0, 0.2, 0.5}) {
       SCOPED_TRACE(fmt::format("{} feet, {} rad", feet, turned));
-      const Solution s = motion_of(stool(feet, turned, 0, "\"free.c\" = 0.5"));
+      const Solution s = motion_of(round_stool(feet, turned, 0, "\"free.c\" = 0.5"));
       double weight = 0;
       for (int i = 0; i < feet; ++i) weight += s.poses.number(1, fmt::format("c{}.force_N", i));
       EXPECT_NEAR(weight, 3 * kG, 1e-3 * kG) << "and what it spins about";
@@ -120,7 +99,7 @@ TEST(MotionManyContacts, AStoolStandsOnAnyNumberOfFeet) {
 TEST(MotionManyContacts, AStoolLandsFlat) {
   for (const int feet : {3, 4, 5}) {
     SCOPED_TRACE(feet);
-    const Solution s = motion_of(stool(feet, 0.1, 0.4, ""));
+    const Solution s = motion_of(round_stool(feet, 0.1, 0.4, ""));
     const std::size_t last = s.poses.rows() - 1;
     EXPECT_NEAR(s.poses.number(last, "free.z_mm"), 320, 1e-7);
     EXPECT_NEAR(s.poses.number(last, "energy.dissipated_J"), 3 * kG * 0.4, 1e-6);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -52,6 +53,30 @@ units = { length = "m", angle = "rad" }
 [body.ground]
 fixed = true
 )";
+
+/// A stool of 3 kg on round feet of 20 mm (middles in its own frame, m) over a floor, surfaces foot0 ..., contacts c0
+/// ...
+inline std::string stool(const Vec3& centre, const Vec3& inertia, const std::string& reference,
+                         const std::vector<Vec3>& feet) {
+  std::string text = "format = 1\nunits = { length = \"m\", angle = \"rad\" }\n" +
+                     fmt::format("gravity = [0, 0, {}]\n", -kG) + "[body.ground]\nfixed = true\n" +
+                     fmt::format("[body.stool]\nmass = 3\ncentre_of_mass = [{}, {}, {}]\ninertia = [{}, {}, {}]\n",
+                                 centre.x(), centre.y(), centre.z(), inertia.x(), inertia.y(), inertia.z()) +
+                     R"([joint.free]
+type = "free"
+parent = "ground"
+child = "stool"
+rotations = ["a x", "b y", "c z"]
+translations = ["x", "y", "z"]
+reference = { )" + reference +
+                     " }\n[surface.floor]\nbody = \"ground\"\nshape = \"plane\"\n";
+  for (std::size_t i = 0; i < feet.size(); ++i)
+    text += fmt::format(
+        "[surface.foot{0}]\nbody = \"stool\"\nshape = \"sphere\"\nradius = 0.02\norigin = [{1}, {2}, {3}]\n"
+        "[contact.c{0}]\nsurfaces = [\"foot{0}\", \"floor\"]\nmodel = \"rigid\"\n",
+        i, feet[i].x(), feet[i].y(), feet[i].z());
+  return text;
+}
 
 inline std::string dynamics(double duration, double interval, double tolerance, const std::string& rates = "") {
   return fmt::format("[dynamics]\nduration = {}\noutput_interval = {}\ntolerance = {}\n", duration, interval,
