@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <regex>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,11 @@ TEST(Extrapolate, SaysThatNoiseHasNoOrder) {
   EXPECT_EQ(group.order, 0);
   EXPECT_EQ(group.finest_error, 0.2);
   EXPECT_EQ(group.finest_uncertainty, 0.2);
+  // Two meshes alone: an order, and nothing to tell how far it can be trusted.
+  extrapolate({2, 4}, {0.3, 1.5}, group);
+  EXPECT_NEAR(group.order, 2, 1e-9);
+  EXPECT_NEAR(group.finest_error, 0.1, 1e-9);
+  EXPECT_EQ(group.finest_uncertainty, group.finest_error);
   extrapolate({}, {}, group);
   EXPECT_EQ(group.finest_error, 0);
   extrapolate({1.5}, {kNaN}, group);
@@ -126,6 +132,36 @@ TEST_F(Accuracy, SaysThatATargetIsOutOfReach) {
   EXPECT_EQ(run(knee(), {"1e-9mm"}), kExitIncomplete);
   EXPECT_EQ(report_.chosen, -1);
   EXPECT_NE(report_.sentence.find("No setting"), std::string::npos);
+}
+
+TEST_F(Accuracy, RefusesToWriteAnewWhatHasNoTableOfItsOwn) {
+  // The first surface as one line of a table of all surfaces.
+  const std::string text = test::read_file(knee());
+  const std::size_t first = text.find("[surface.femur_medial]"), last = text.find("[surface.", first + 1);
+  std::string members;
+  std::istringstream lines(text.substr(first, last - first));
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line);)
+    if (line.find(" = ") != std::string::npos && line[0] != '#') members += (members.empty() ? "" : ", ") + line;
+  const std::string scene =
+      folder_.write("inline.toml", text.substr(0, text.find("[body")) + "surface.femur_medial = {" + members + "}\n" +
+                                       text.substr(text.find("[body"), first - text.find("[body")) + text.substr(last));
+  EXPECT_EQ(run(scene, {"0.01mm"}), kExitRefused);
+  ASSERT_EQ(out_.items().size(), 1u) << test::messages(out_);
+  EXPECT_EQ(out_.items()[0].key, "surface.femur_medial");
+  EXPECT_GT(out_.items()[0].line, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  EXPECT_EQ(run(scene, {}), kExitOk) << "nothing is to be written anew: " << test::messages(out_);
+}
+
+TEST_F(Accuracy, IsSilentAboutWhatWasCalledOff) {
+  RunOptions options;
+  int asked = 0;
+  options.cancelled = [&] { return ++asked > 100; };
+  EXPECT_EQ(run_accuracy(knee(), folder_ / "out", {{}, 1, 60}, options, out_, report_, own_), kExitIncomplete);
+  EXPECT_TRUE(report_.points.empty());
+  EXPECT_NE(test::messages(out_).find("interrupted"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
 TEST_F(Accuracy, RefusesTargetsThatAreNone) {

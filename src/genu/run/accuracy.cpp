@@ -90,22 +90,44 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Solves a trial once; its table and rows are those of the last time.
-void solve_once(Trial& trial, const RunOptions& options, Solution* keep) {
+/// Solves a trial once, for `most` seconds or about that long; its table and rows are those of the last time. False
+/// where it was called off: the trial is then as it was.
+bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* keep) {
   RunOptions mine = options;
+  const Timer timer;
+  mine.path.newton.cancelled =
+      mine.cancelled = [&] { return timer.seconds() > most || asked_to_stop(options.cancelled); };
   if (trial.setting.tolerance > 0) {
     mine.path.newton.residual_tolerance = trial.setting.tolerance;
     mine.path.newton.residual_floor = std::max(mine.path.newton.residual_floor, trial.setting.tolerance);
   }
   ContactField field(trial.prepared->model);
-  const Timer timer;
   Solution solution = solve(*trial.prepared, field, mine);
+  if (asked_to_stop(options.cancelled)) return false;
   trial.solved = solution.summary.poses_solved;
   trial.asked = solution.summary.poses_asked;
-  const double seconds = solution.summary.seconds.back().second;  // "solving"
-  if (trial.solved > 0) trial.seconds.push_back((std::isfinite(seconds) ? seconds : timer.seconds()) / trial.solved);
+  if (trial.solved > 0) trial.seconds.push_back(solution.summary.seconds.back().second / trial.solved);  // "solving"
   trial.poses = solution.poses;
   if (keep != nullptr) *keep = std::move(solution);
+  return true;
+}
+
+/// Solves all trials in turn, round after round. False where it is called off before each has been solved once.
+bool solve_all(std::vector<Trial>& trials, const AccuracyChoice& choice, const RunOptions& options, int& rounds,
+               Solution& own) {
+  constexpr double kPatience = 20, kAtLeast = 2;  // times as long as the scene as it is, s: more is of no use to anyone
+  const Timer timer;
+  double most = std::numeric_limits<double>::infinity();
+  const int count = static_cast<int>(trials.size());
+  for (rounds = 0; rounds < choice.rounds && (rounds < kFewestRounds || timer.seconds() < choice.seconds); ++rounds)
+    for (int i = 0; i < count; ++i) {
+      Trial& trial = trials[at(i)];
+      if (rounds > 0 && trial.solved < trial.asked) continue;  // what does not get there need not be timed
+      if (!solve_once(trial, options, most, i == 0 && rounds == 0 ? &own : nullptr)) return rounds > 0;
+      if (i == 0) most = std::max(kAtLeast, kPatience * timer.seconds() / (rounds + 1));
+      if (options.varied_progress) options.varied_progress(rounds * count + i + 1, choice.rounds * count);
+    }
+  return true;
 }
 
 /// The finest solution's own error, from the meshes of the scene's own degree.
@@ -182,9 +204,12 @@ std::string errors_text(const AccuracyReport& report, const AccuracyPoint& point
 }
 
 bool eligible(const AccuracyReport& report, const AccuracyPoint& p, bool closed_forms) {
-  if (p.setting.knob == AccuracySetting::Knob::model) return false;  // another joint, not a less exact one
+  using Knob = AccuracySetting::Knob;
+  if (p.setting.knob == Knob::model) return false;       // another joint, not a less exact one
+  if (p.setting.knob == Knob::increments) return false;  // other rows are asked for
+  if (p.setting.knob == Knob::tolerance) return false;   // a scene does not say it
   // Of closed forms it is the mesh that is asked for: as they are they are exact.
-  if (closed_forms && !report.targets.empty() && p.setting.knob != AccuracySetting::Knob::mesh) return false;
+  if (closed_forms && !report.targets.empty() && p.setting.knob != Knob::mesh) return false;
   return keeps(report, p) && finer_keep_too(report, p);
 }
 
@@ -266,7 +291,7 @@ void extrapolate(const std::vector<double>& factors, const std::vector<double>& 
   const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
   out.order = median(orders);
   out.finest_error = *most;
-  out.finest_uncertainty = *most - *least;
+  out.finest_uncertainty = errors.size() > 1 ? *most - *least : *most;  // one estimate has nothing to be compared with
 }
 
 int run_accuracy(const std::string& path, const std::optional<std::string>& folder, const AccuracyChoice& choice,
@@ -277,6 +302,11 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   if (prepared->scene.dynamics) {
     out.error(path, "is a motion over time: genu accuracy compares poses, and a motion has its own `tolerance`");
     return kExitRefused;
+  }
+  if (folder && !report.targets.empty()) {
+    // Before an hour of solving: could every setting be written?
+    chosen_scene(path, *prepared, {.edge_factor = 3, .degree = 2, .layer_tolerance = 1e-2}, *folder, out);
+    if (out.has_errors()) return kExitRefused;
   }
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;
@@ -292,17 +322,9 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
     trial.build_seconds = timer.seconds();
     if (trial.prepared) trials.push_back(std::move(trial));
   }
-  const Timer timer;
-  for (int round = 0; round < choice.rounds && (round < kFewestRounds || timer.seconds() < choice.seconds); ++round) {
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      if (asked_to_stop(options.cancelled)) return kExitIncomplete;
-      if (round > 0 && trials[i].solved < trials[i].asked) continue;  // what does not get there need not be timed
-      solve_once(trials[i], options, i == 0 && round == 0 ? &own : nullptr);
-      if (options.varied_progress)
-        options.varied_progress(round * static_cast<int>(trials.size()) + static_cast<int>(i) + 1,
-                                choice.rounds * static_cast<int>(trials.size()));
-    }
-    report.rounds = round + 1;
+  if (!solve_all(trials, choice, options, report.rounds, own)) {
+    out.error(path, "interrupted before every setting was solved once: there is nothing to compare");
+    return kExitIncomplete;
   }
   report.groups = groups_of(*prepared, trials[0].poses);
   for (const auto& [unit, value] : report.targets)
@@ -322,11 +344,12 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;
   if (!folder) return code;
   own.folder = folder_for(*folder, options, own.summary);
-  std::string error =
-      write_results(own.folder, *prepared, own, {{"accuracy.csv", to_csv(report)}, {"accuracy.svg", to_svg(report)}});
-  if (error.empty() && !report.targets.empty() && report.chosen >= 0)
-    error = write_chosen_scene(path, *prepared, report.points[at(report.chosen)].setting, own.folder);
-  if (!error.empty()) {
+  std::vector<std::pair<std::string, std::string>> files = {{"accuracy.csv", to_csv(report)},
+                                                            {"accuracy.svg", to_svg(report)}};
+  if (!report.targets.empty() && report.chosen >= 0)
+    for (auto& file : chosen_scene(path, *prepared, report.points[at(report.chosen)].setting, own.folder, out))
+      files.push_back(std::move(file));
+  if (const std::string error = write_results(own.folder, *prepared, own, files); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;
   }

@@ -42,12 +42,10 @@ std::shared_ptr<const Surface> rebuilt(const Prepared& p, std::size_t surface, c
   const SurfaceDef& def = p.scene.surfaces[surface];
   const SurfaceNote& note = p.notes[surface];
   if (is_mesh(p, surface) && note.blend == nullptr) {
-    if (!(setting.edge_factor > 1)) return nullptr;
     auto facets = std::make_shared<FacetSurface>(mesh_of(p, surface, setting));
     facets->set_doubtful({p.surfaces[surface]->doubtful().begin(), p.surfaces[surface]->doubtful().end()});
     return facets;
   }
-  if (!is_mesh(p, surface) && (!(setting.edge_factor > 0) || p.surfaces[surface]->is_unbounded())) return nullptr;
   BlendOptions options{def.fit_radius, def.degree};
   if (setting.degree > 0) options.degree = setting.degree;
   if (setting.radius_factor > 0 && note.blend)
@@ -167,6 +165,11 @@ std::string describe(const Prepared& p, const AccuracySetting& s) {
   return text;
 }
 
+bool changes_mesh(const Prepared& p, std::size_t surface, const AccuracySetting& s) {
+  if (is_mesh(p, surface)) return s.edge_factor > 1;
+  return s.edge_factor > 0 && !p.surfaces[surface]->is_unbounded() && !any_mesh(p);
+}
+
 Mesh mesh_of(const Prepared& p, std::size_t surface, const AccuracySetting& s) {
   if (!is_mesh(p, surface))
     return p.surfaces[surface]->triangles(s.edge_factor * mesh_unit(p), joint_centre(p.model), 0);
@@ -184,9 +187,7 @@ std::optional<Prepared> with_setting(const Prepared& p, const AccuracySetting& s
   out.bones = p.bones;
   out.surfaces = p.surfaces;
   for (std::size_t i = 0; changes_surfaces(setting) && i < p.surfaces.size(); ++i) {
-    const bool stays = is_mesh(p, i) ? p.notes[i].blend == nullptr && !(setting.edge_factor > 1)
-                                     : !(setting.edge_factor > 0) || p.surfaces[i]->is_unbounded() || any_mesh(p);
-    if (stays) continue;
+    if (!changes_mesh(p, i, setting) && p.notes[i].blend == nullptr) continue;
     auto made = rebuilt(p, i, setting);
     if (made && is_mesh(p, i)) made = within_patch(made, p.scene.surfaces[i]);
     if (!made) return std::nullopt;

@@ -39,6 +39,9 @@ std::string describe(const Prepared& prepared, const AccuracySetting& setting);
 /// The scene with a setting, its surfaces built anew where they change. Empty where one cannot be built.
 std::optional<Prepared> with_setting(const Prepared& prepared, const AccuracySetting& setting);
 
+/// Whether a setting gives a surface another mesh than it has.
+bool changes_mesh(const Prepared& prepared, std::size_t surface, const AccuracySetting& setting);
+
 /// The mesh of a surface under a setting, as it is fitted; the surface's own where nothing changes.
 Mesh mesh_of(const Prepared& prepared, std::size_t surface, const AccuracySetting& setting);
 

@@ -1,135 +1,136 @@
 #include "genu/run/chosen_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <regex>
+#include <array>
 #include <sstream>
 
 #include <fmt/format.h>
 
-#include "genu/core/atomic_output.h"
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/mesh_writer.h"
+#include "genu/run/scene_values.h"
+#include "genu/scene/toml_document.h"
 
 namespace genu {
 namespace {
 
-namespace fs = std::filesystem;
+using Keys = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<std::string> lines_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
+/// What a formula needs and a mesh does not.
+constexpr std::array kOfFormulas = {"radius", "radii", "major_radius", "minor_radius", "chart", "terms"};
 
-bool is_header(const std::string& line) {
-  const auto first = line.find_first_not_of(" \t");
-  return first != std::string::npos && line[first] == '[';
-}
-
-bool sets(const std::string& line, const std::string& key) {
-  return std::regex_search(line, std::regex("^\\s*" + key + "\\s*="));
-}
-
-/// Paths of files, seen from another folder.
-void move_paths(std::vector<std::string>& lines, const fs::path& from, const fs::path& to) {
-  static const std::regex quoted("\"([^\"\\\\]+)\"");
-  for (std::string& line : lines) {
-    std::string moved;
-    auto rest = line.cbegin();
-    for (std::smatch m; std::regex_search(rest, line.cend(), m, quoted); rest = m[0].second) {
-      const fs::path path = m[1].str();
-      std::error_code unused;
-      const bool file = path.is_relative() && fs::is_regular_file(from / path, unused);
-      moved.append(rest, m[0].first);
-      moved += file ? "\"" + fs::absolute(from / path).lexically_normal().lexically_relative(to).generic_string() + "\""
-                    : m[0].str();
-    }
-    moved.append(rest, line.cend());
-    line = moved;
-  }
-}
-
-/// How many brackets a line leaves open.
-int open_brackets(const std::string& line) {
-  int open = 0;
-  for (const char c : line.substr(0, line.find('#'))) open += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-  return open;
-}
-
-/// Puts keys right below the header on line `header` (from 1), and makes comments of those that were set before and of
-/// the others in `without`.
-bool set_keys(std::vector<std::string>& lines, int header, const std::vector<std::pair<std::string, std::string>>& keys,
-              std::vector<std::string> without = {}) {
-  const std::size_t first = static_cast<std::size_t>(header) - 1;
-  if (header < 1 || first >= lines.size() || !is_header(lines[first])) return false;
-  for (const auto& [key, value] : keys) without.push_back(key);
-  int open = 0;
-  for (std::size_t k = first + 1; k < lines.size() && (open > 0 || !is_header(lines[k])); ++k) {
-    const bool drop = open > 0 || std::any_of(without.begin(), without.end(),
-                                              [&](const std::string& key) { return sets(lines[k], key); });
-    if (!drop) continue;
-    open += open_brackets(lines[k]);
-    lines[k] = "# " + lines[k];
-  }
-  for (const auto& [key, value] : keys) lines[first] += "\n" + key + " = " + value;
-  return true;
+/// The keys of a surface's table that a setting changes; none where the surface stays as it is.
+Keys keys_of(const Prepared& p, std::size_t surface, const AccuracySetting& setting) {
+  const SurfaceDef& def = p.scene.surfaces[surface];
+  const auto& blend = p.notes[surface].blend;
+  Keys keys;
+  if (changes_mesh(p, surface, setting))
+    keys = {{"shape", "\"mesh\""}, {"file", fmt::format("\"{}.ply\"", def.name)}, {"units", "\"m\""}};
+  if ((blend || !keys.empty()) && setting.degree > 0) keys.emplace_back("degree", std::to_string(setting.degree));
+  if (blend && setting.radius_factor > 0)
+    keys.emplace_back("fit_radius",
+                      fmt::format("{}", setting.radius_factor * blend->facts().fit_radius / p.scene.length_unit));
+  return keys;
 }
 
 /// The mesh as its file would have it: in the surface's own frame, in metres.
-std::string write_own_mesh(const Prepared& p, std::size_t surface, const AccuracySetting& setting,
-                           const fs::path& file) {
+std::string own_mesh(const Prepared& p, std::size_t surface, const AccuracySetting& setting) {
   Mesh mesh = mesh_of(p, surface, setting);
   const SurfaceDef& def = p.scene.surfaces[surface];
   const Pose back = def.placement.inverse();
   for (Vec3& v : mesh.vertices) v = back * v;
   if (def.inside)
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  return write_mesh(mesh, file.string(), 1, "cut by genu accuracy: " + def.name);
+  return ply_bytes(mesh, 1, "cut by genu accuracy: " + def.name);
 }
+
+class Text {
+ public:
+  explicit Text(const std::string& text) {
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines_.push_back(line);
+  }
+
+  /// Puts keys below the header of a table, in the place of those it has; those of formulas go if a mesh comes. False
+  /// where the table has no header.
+  bool set(const TomlNode& table, const Keys& keys) {
+    std::string& header = lines_[at(table.where.line - 1)];
+    const auto first = header.find_first_not_of(" \t");
+    if (first == std::string::npos || header[first] != '[') return false;
+    const bool mesh = keys[0].first == "shape";
+    for (const TomlNode& member : table.children) {
+      const bool again = std::any_of(keys.begin(), keys.end(), [&](const auto& k) { return k.first == member.key; });
+      const bool formula = std::find(kOfFormulas.begin(), kOfFormulas.end(), member.key) != kOfFormulas.end();
+      if (again || (mesh && formula)) comment_out(member);
+    }
+    for (const auto& [key, value] : keys) header += "\n" + key + " = " + value;
+    return true;
+  }
+
+  std::string whole() const {
+    std::string out;
+    for (const std::string& line : lines_) out += line + "\n";
+    return out;
+  }
+
+ private:
+  /// The last line of a value; a bracket may stand alone on the one after its last element.
+  int last_line(const TomlNode& node) const {
+    int last = node.where.line;
+    for (const TomlNode& child : node.children) last = std::max(last, last_line(child));
+    if (node.kind != TomlNode::Kind::array) return last;
+    for (int k = last; k < static_cast<int>(lines_.size()); ++k) {
+      const auto first = lines_[at(k)].find_first_not_of(" \t,]");
+      if (lines_[at(k)].find(']') == std::string::npos || first == 0) break;
+      if (first != std::string::npos && lines_[at(k)][first] != '#') break;
+      last = k + 1;
+    }
+    return last;
+  }
+
+  void comment_out(const TomlNode& member) {
+    const int last = last_line(member);
+    for (int k = member.key_where.line; k <= last; ++k) lines_[at(k - 1)].insert(0, "# ");
+  }
+
+  std::vector<std::string> lines_;
+};
 
 }  // namespace
 
-std::string write_chosen_scene(const std::string& file, const Prepared& p, const AccuracySetting& setting,
-                               const std::string& folder) {
-  std::vector<std::string> lines = lines_of(file);
-  move_paths(lines, fs::absolute(file).parent_path(), fs::absolute(folder).lexically_normal());
+std::vector<std::pair<std::string, std::string>> chosen_scene(const std::string& file, const Prepared& p,
+                                                              const AccuracySetting& setting, const std::string& folder,
+                                                              Diagnostics& out) {
+  const std::string moved = with_values(file, p.scene, {}, folder, out);
+  const auto document = parse_toml(moved, file, out);
+  if (!document) return {};
+  const auto refuse = [&](const std::string& key, const SourceLocation& where) {
+    out.add({.file = file,
+             .line = where.line,
+             .column = where.column,
+             .key = key,
+             .found = {},
+             .rule = "is not written as a table with a header of its own, and cannot be written anew: leave out "
+                     "--target"});
+  };
+  Text text(moved);
+  std::vector<std::pair<std::string, std::string>> files;
   for (std::size_t i = 0; i < p.scene.surfaces.size(); ++i) {
     const SurfaceDef& def = p.scene.surfaces[i];
-    const bool mesh = def.shape == SurfaceDef::Shape::mesh;
-    // What with_setting() leaves as it is.
-    if (!mesh && (p.surfaces[i]->is_unbounded() || !has_closed_forms_alone(p))) continue;
-    std::vector<std::pair<std::string, std::string>> keys;
-    if (mesh ? setting.edge_factor > 1 : setting.edge_factor > 0) {
-      const std::string name = def.name + ".ply";
-      if (const std::string error = write_own_mesh(p, i, setting, fs::path(folder) / name); !error.empty())
-        return error;
-      keys = {{"shape", "\"mesh\""}, {"file", "\"" + name + "\""}, {"units", "\"m\""}};
-    }
-    if ((p.notes[i].blend || !keys.empty()) && setting.degree > 0)
-      keys.emplace_back("degree", std::to_string(setting.degree));
-    if (p.notes[i].blend && setting.radius_factor > 0)
-      keys.emplace_back(
-          "fit_radius",
-          fmt::format("{:.17g}", setting.radius_factor * p.notes[i].blend->facts().fit_radius / p.scene.length_unit));
-    if (!keys.empty() &&
-        !set_keys(lines, def.where.line, keys, {"radius", "radii", "major_radius", "minor_radius", "chart", "terms"}))
-      return "surface." + def.name +
-             " is not written as a table with a header of its own: its setting cannot be written";
+    const Keys keys = keys_of(p, i, setting);
+    if (keys.empty()) continue;
+    if (!text.set(*document->member("surface")->member(def.name), keys))
+      refuse("surface." + def.name, def.where);
+    else if (changes_mesh(p, i, setting))
+      files.emplace_back(def.name + ".ply", own_mesh(p, i, setting));
   }
-  std::string text;
-  for (const std::string& line : lines) {
-    std::smatch m;
-    static const std::regex increments("^(\\s*increments\\s*=\\s*)([0-9_]+)(.*)$");
-    if (setting.increments > 0 && std::regex_match(line, m, increments))
-      text += m[1].str() + std::to_string(std::lround(setting.increments * std::stod(m[2].str()))) + m[3].str() + "\n";
-    else
-      text += line + "\n";
-  }
-  return write_file_atomically(fs::path(folder) / "scene.toml", text);
+  for (const LayerDef& layer : p.scene.layers)
+    if (setting.layer_tolerance > 0 && layer.quadrature == LayerDef::Quadrature::smooth &&
+        !text.set(*document->member("contact")->member(layer.pair.name),
+                  {{"tolerance", fmt::format("{}", setting.layer_tolerance)}}))
+      refuse("contact." + layer.pair.name, layer.pair.where);
+  files.emplace_back("scene.toml", text.whole());
+  return files;
 }
 
 }  // namespace genu
