@@ -1,10 +1,11 @@
-// Dortmans' knee with its tori in closed form or as meshes of a given size, at a solved pose.
+// Dortmans' knee with its tori in closed form or as meshes of a given size, bent from 30 to 60 deg by degrees.
 #pragma once
 
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
@@ -56,7 +57,7 @@ class BenchKnee {
     search_seconds_ = timer.seconds();
     solver_ = std::make_unique<ContactSetSolver>(p.model, *field_, options_.newton);
     walker_ = std::make_unique<Walker>(*solver_, options_, no_event_);
-    find_start();
+    find_path();
   }
   BenchKnee(const BenchKnee&) = delete;
   BenchKnee& operator=(const BenchKnee&) = delete;
@@ -66,26 +67,67 @@ class BenchKnee {
   double build_seconds() const { return build_seconds_; }    ///< of both condyles
   double search_seconds() const { return search_seconds_; }  ///< for what the contact search prepares once
 
-  /// From the solved pose at 30 deg to 31 deg: prediction, Newton, the look at both surface pairs, the certificate and
-  /// the eigenvalues at the end; a degree of 70, as in the scene. False if that took more than one step.
-  bool warm_pose() {
-    walker_->begin(way_, 1, start_, start_report_);
+  static constexpr int kPoses = 30;
+
+  /// A pose each degree from 31 to 60 deg as a run walks it: prediction, Newton, the look at both surface pairs, the
+  /// certificate, what happens on the way, the eigenvalues at the end. False if a degree took more than one step.
+  bool walk() {
+    walker_->begin(way_, 1, path_[0].pose, path_[0].report);
     const int before = walker_->substeps();
-    return walker_->walk_to(kDegree) && walker_->substeps() == before + 1;
+    for (int k = 1; k <= kPoses; ++k)
+      if (!walker_->walk_to(k * kDegree)) return false;
+    return walker_->substeps() == before + kPoses;
   }
 
-  /// Newton alone over the same degree, from the pose at 30 deg, contacts given.
-  bool newton_only() {
-    State state = start_.state;
-    const NewtonReport report = solver_->newton().solve(state, way_.target(kDegree), options_.newton);
-    iterations_ = report.iterations;
-    return report.converged();
+  /// Of each of these poses the solve alone: prediction, Newton, the path's tangent, and the checks of the contacts
+  /// that are held.
+  bool solve() {
+    prediction_->forget();
+    Correction tangent = path_[0].tangent;
+    iterations_ = 0;
+    for (int k = 0; k < kPoses; ++k) {
+      const Target target = way_.target((k + 1) * kDegree);
+      if (!prediction_->at(path_[k].pose.state, tangent, kDegree, state_)) return false;
+      const NewtonReport report = solver_->newton().solve(state_, target, options_.newton);
+      if (!report.converged()) return false;
+      iterations_ += report.iterations;
+      find_tangent(state_, target, next_);
+      prediction_->went_on(kDegree, tangent, next_);
+      std::swap(tangent, next_);
+      findings_ = {};
+      inspector_->inspect_held(state_, findings_);
+      if (!findings_.none()) return false;
+    }
+    return true;
   }
-  int iterations() const { return iterations_; }
+
+  /// Of each of these poses the search of all surface pairs for contact: no overlap anywhere.
+  bool certify() {
+    for (int k = 1; k <= kPoses; ++k) field_->survey(path_[k].pose.state, survey_);
+    return !survey_.minima.empty();
+  }
+
+  /// Of each of these poses the eigenvalues of the tangent stiffness, from a linearization at hand.
+  bool judge_stability() {
+    bool stable = true;
+    for (int k = 1; k <= kPoses; ++k)
+      stable = assess_stability(path_[k].linearization, prepared_->model.scales.length).smallest > 0 && stable;
+    return stable;
+  }
+
+  /// Newton's iterations of the last solve(), a pose.
+  double iterations() const { return static_cast<double>(iterations_) / kPoses; }
 
  private:
   static constexpr double kFlexion = 30 * units::kDegree, kRange = 70 * units::kDegree;
   static constexpr double kDegree = 1.0 / 70;  ///< of `way_`
+
+  struct Solved {
+    Balanced pose;
+    PoseReport report;
+    Linearization linearization;
+    Correction tangent;
+  };
 
   StepPlan flexion(double from, double to) const {
     StepPlan plan;
@@ -93,7 +135,15 @@ class BenchKnee {
     return plan;
   }
 
-  void find_start() {
+  /// At a pose that Newton has just solved.
+  void find_tangent(const State& state, const Target& target, Correction& out) {
+    const Target rate = way_.rate();
+    solver_->newton().step().solve_rates(load_rate(prepared_->model, state, target, rate),
+                                         constraint_rate(rate, solver_->newton().linearization().constraint.size()),
+                                         out);
+  }
+
+  void find_path() {
     way_ = flexion(kFlexion, kFlexion + kRange);
     Balanced pose;
     pose.state = reference_state(prepared_->model);
@@ -104,8 +154,18 @@ class BenchKnee {
     walker_->begin(way, 1, pose, cold);
     for (int k = 1; k <= 30; ++k)
       if (!walker_->walk_to(k / 30.0)) return;
-    start_ = walker_->pose();
-    start_report_ = walker_->report();
+    walker_->begin(way_, 1, Balanced(walker_->pose()), PoseReport(walker_->report()));
+    for (int k = 0; k <= kPoses; ++k) {
+      if (!walker_->walk_to(k * kDegree)) return;
+      Solved solved{walker_->pose(), walker_->report(), {}, {}};
+      const Target target = way_.target(k * kDegree);
+      if (!solver_->newton().solve(solved.pose.state, target, options_.newton).converged()) return;
+      solved.linearization = solver_->newton().linearization();
+      find_tangent(solved.pose.state, target, solved.tangent);
+      path_.push_back(std::move(solved));
+    }
+    prediction_ = std::make_unique<PathPrediction>(prepared_->model);
+    inspector_ = std::make_unique<ContactInspector>(prepared_->model, *field_);
     good_ = true;
   }
 
@@ -116,8 +176,13 @@ class BenchKnee {
   std::unique_ptr<ContactSetSolver> solver_;
   std::unique_ptr<Walker> walker_;
   StepPlan way_;
-  Balanced start_;
-  PoseReport start_report_;
+  std::vector<Solved> path_;  // kPoses + 1
+  std::unique_ptr<PathPrediction> prediction_;
+  std::unique_ptr<ContactInspector> inspector_;
+  State state_;
+  Correction next_;
+  Findings findings_;
+  Survey survey_;
   std::size_t triangles_ = 0;
   double build_seconds_ = 0, search_seconds_ = 0;
   int iterations_ = 0;

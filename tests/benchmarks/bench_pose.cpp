@@ -1,6 +1,6 @@
 // build/bin/bench_pose [--benchmark_out=FILE --benchmark_out_format=json]
 //   1. the dense 17 x 17 solve of a pose with two contacts, as a yardstick for the machine
-//   2. a warm pose of Dortmans' knee, one degree from its neighbour: closed form, then meshes of 1e3 to 1e6 triangles
+//   2. warm poses of Dortmans' knee, a degree apart, in parts: closed form, then meshes of 1e3 to 1e6 triangles
 //   3. reading an STL file and building its surface, for a triangle
 //   4. a table of the ratios
 #include <sys/resource.h>
@@ -67,20 +67,15 @@ void note(benchmark::State& state, const BenchKnee& k) {
   state.counters["peak_MB"] = peak_memory_mb();
 }
 
-void warm_pose(benchmark::State& state, std::size_t triangles) {
+/// Part of the work of the poses from 31 to 60 deg, a pose.
+using Part = bool (BenchKnee::*)();
+void part_of_pose(benchmark::State& state, std::size_t triangles, Part part) {
   BenchKnee& k = knee(triangles);
   if (!k.good()) return state.SkipWithError("the knee was not solved");
   note(state, k);
-  for (auto _ : state)
-    if (!k.warm_pose()) return state.SkipWithError("a degree took more than one step");
-}
-
-void newton_only(benchmark::State& state, std::size_t triangles) {
-  BenchKnee& k = knee(triangles);
-  if (!k.good()) return state.SkipWithError("the knee was not solved");
-  for (auto _ : state)
-    if (!k.newton_only()) return state.SkipWithError("Newton did not converge");
-  state.counters["iterations"] = k.iterations();
+  while (state.KeepRunningBatch(BenchKnee::kPoses))
+    if (!(k.*part)()) return state.SkipWithError("a degree was not solved in one step");
+  if (part == &BenchKnee::solve) state.counters["iterations"] = k.iterations();
 }
 
 void read_stl(benchmark::State& state, std::size_t triangles) {
@@ -147,12 +142,19 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RegisterBenchmark("dense_17x17", dense_solve)->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("newton_closed_form", newton_only, std::size_t{0})->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("pose_closed_form", warm_pose, std::size_t{0})->Unit(benchmark::kMicrosecond);
+  const auto add = [](const std::string& name, std::size_t triangles, Part part) {
+    benchmark::RegisterBenchmark(name.c_str(), part_of_pose, triangles, part)->Unit(benchmark::kMicrosecond);
+  };
+  const auto add_all = [&](const std::string& name, std::size_t triangles) {
+    add("solve_" + name, triangles, &BenchKnee::solve);
+    add("certificate_" + name, triangles, &BenchKnee::certify);
+    add("stability_" + name, triangles, &BenchKnee::judge_stability);
+    add("pose_" + name, triangles, &BenchKnee::walk);
+  };
+  add_all("closed_form", 0);
   for (const std::size_t size : kSizes) {
     const std::string name = fmt::format("mesh_{:.0e}", static_cast<double>(size));
-    benchmark::RegisterBenchmark(("newton_" + name).c_str(), newton_only, size)->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("pose_" + name).c_str(), warm_pose, size)->Unit(benchmark::kMicrosecond);
+    add_all(name, size);
     benchmark::RegisterBenchmark(("read_stl_" + name).c_str(), read_stl, size)->Unit(benchmark::kMillisecond);
   }
   Reporter reporter;

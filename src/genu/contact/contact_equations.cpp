@@ -7,13 +7,6 @@
 namespace genu {
 namespace {
 
-/// d(a . x)/d twist for a fixed direction a and a point x carried by a body with origin o: [a, (x - o) x a].
-Eigen::Matrix<double, 1, 6> point_row(const Vec3& a, const Vec3& arm) {
-  Eigen::Matrix<double, 1, 6> row;
-  row << a.transpose(), arm.cross(a).transpose();
-  return row;
-}
-
 /// Closure and tangency rows over the surface columns; tangency scaled by the length, so that every entry is a pure
 /// number of order 1.
 Mat4 scaled_block(const ContactBlock& block, double length) {
@@ -21,6 +14,8 @@ Mat4 scaled_block(const ContactBlock& block, double length) {
   local << block.d_surface.topRows<2>(), length * block.d_surface.bottomRows<2>();
   return local;
 }
+
+double one_norm(const Mat4& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); }
 
 /// The same rows over the bodies' twists.
 Eigen::Matrix<double, 4, 12> scaled_twist(const ContactBlock& block, double length) {
@@ -31,100 +26,144 @@ Eigen::Matrix<double, 4, 12> scaled_twist(const ContactBlock& block, double leng
 
 }  // namespace
 
-void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
-                      ContactBlock& out) {
-  const Vec3 arm_a = X_Wa.R * contact.a.p, arm_b = X_Wb.R * contact.b.p;
-  const Vec3 n_a = X_Wa.R * contact.a.n, n_b = X_Wb.R * contact.b.n;
-  const Mat32 T_a = X_Wa.R * contact.a.T, T_b = X_Wb.R * contact.b.T;
-  const Vec3 apart = (arm_a + X_Wa.p) - (arm_b + X_Wb.p);  // x_A - x_B
-  const Mat2 turn = T_a.transpose() * T_b;
-  const double opposed = n_a.dot(n_b);  // -1 at a solution
+namespace {
 
-  out.residual << T_a.transpose() * apart, -n_a.dot(apart), T_a.transpose() * n_b;
+/// What both the residual and the derivatives are made of, in world axes.
+struct ContactFrame {
+  Vec3 arm_a, arm_b;  ///< from each body's origin to its point
+  Vec3 n_a, n_b;
+  Mat32 T_a, T_b;
+  Vec3 apart;  ///< x_A - x_B
 
-  // x_A moves with a, x_B with b; n_A and T_A turn with a and along A (parallel transport: dt = n (S ds)),
-  // n_B turns with b and along B. The rotation of T_A and n_A acts on `apart`, which vanishes at a solution only.
-  for (int i = 0; i < 2; ++i) {
-    const Vec3 t = T_a.col(i);
-    out.d_twist.block<1, 6>(i, 0) = point_row(t, arm_a);
-    out.d_twist.block<1, 3>(i, 3) += t.cross(apart).transpose();
-    out.d_twist.block<1, 6>(i, 6) = -point_row(t, arm_b);
-    const Vec3 lever = t.cross(n_b);
-    out.d_twist.block<1, 12>(3 + i, 0).setZero();
-    out.d_twist.block<1, 3>(3 + i, 3) = lever.transpose();
-    out.d_twist.block<1, 3>(3 + i, 9) = -lever.transpose();
+  ContactFrame(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact)
+      : arm_a(X_Wa.R * contact.a.p),
+        arm_b(X_Wb.R * contact.b.p),
+        n_a(X_Wa.R * contact.a.n),
+        n_b(X_Wb.R * contact.b.n),
+        T_a(X_Wa.R * contact.a.T),
+        T_b(X_Wb.R * contact.b.T),
+        apart((arm_a + X_Wa.p) - (arm_b + X_Wb.p)) {}
+};
+
+/// x_A moves with a, x_B with b; n_A and T_A turn with a, n_B with b: d(t . (x_A - x_B)) = t . v_a + (x_B - o_a) x t .
+/// w_a - t . v_b - (arm_b x t) . w_b, as the turn of t acts on x_A - x_B, which vanishes at a solution only.
+void set_twist_rows(const ContactFrame& f, WhichMove moves, ContactBlock& out) {
+  const Vec3 t[2] = {f.T_a.col(0), f.T_a.col(1)}, tip = f.arm_a - f.apart;
+  const Vec3 lever[2] = {t[0].cross(f.n_b), t[1].cross(f.n_b)};
+  if (moves.a) {
+    auto rows = out.d_twist.leftCols<6>();
+    rows.row(0) << t[0].transpose(), tip.cross(t[0]).transpose();
+    rows.row(1) << t[1].transpose(), tip.cross(t[1]).transpose();
+    rows.row(2) << -f.n_a.transpose(), -tip.cross(f.n_a).transpose();
+    rows.row(3) << Vec3::Zero().transpose(), lever[0].transpose();
+    rows.row(4) << Vec3::Zero().transpose(), lever[1].transpose();
   }
-  out.d_twist.block<1, 6>(2, 0) = -point_row(n_a, arm_a);
-  out.d_twist.block<1, 3>(2, 3) -= n_a.cross(apart).transpose();
-  out.d_twist.block<1, 6>(2, 6) = point_row(n_a, arm_b);
-
-  const double normal_apart = n_a.dot(apart);
-  const Vec2 tangential_apart = T_a.transpose() * apart;
-  out.d_surface.block<2, 2>(0, 0) = Mat2::Identity() + normal_apart * contact.a.S;
-  out.d_surface.block<2, 2>(0, 2) = -turn;
-  out.d_surface.block<1, 2>(2, 0) = tangential_apart.transpose() * contact.a.S;
-  out.d_surface.block<1, 2>(2, 2) = n_a.transpose() * T_b;
-  out.d_surface.block<2, 2>(3, 0) = opposed * contact.a.S;
-  out.d_surface.block<2, 2>(3, 2) = -turn * contact.b.S;
-
-  // The force acts along n_A at x_A: +n_A on b, -n_A on a.
-  const Vec3 arm_b_of_a = arm_a + X_Wa.p - X_Wb.p;  // x_A seen from b's origin
-  out.direction << -n_a, -arm_a.cross(n_a), n_a, arm_b_of_a.cross(n_a);
-
-  const Mat3 dn_da = -skew(n_a);           // d n_A / d w_a
-  const Mat32 dn_ds = -T_a * contact.a.S;  // d n_A / d s_A
-  Eigen::Matrix<double, 3, 6> dx_da;       // d x_A / d twist_a
-  dx_da << Mat3::Identity(), -skew(arm_a);
-  const Mat3 N = skew(n_a);
-  out.wrench_d_twist.setZero();
-  out.wrench_d_surface.setZero();
-  auto twist = [&](int row, int column) { return out.wrench_d_twist.block<3, 3>(row, column); };
-  // on a: [-n, -arm_a x n]; arm_a turns with w_a alone, so the whole moment turns: d = w_a x (arm_a x n)
-  twist(0, 3) = -dn_da;
-  twist(3, 3) = skew(arm_a.cross(n_a));
-  // on b: [n, (x_A - o_b) x n]
-  twist(6, 3) = dn_da;
-  out.wrench_d_twist.block<3, 6>(9, 0) = -N * dx_da;
-  twist(9, 3) += skew(arm_b_of_a) * dn_da;
-  twist(9, 6) = N;
-  out.wrench_d_surface.block<3, 2>(0, 0) = -dn_ds;
-  out.wrench_d_surface.block<3, 2>(3, 0) = N * T_a - skew(arm_a) * dn_ds;
-  out.wrench_d_surface.block<3, 2>(6, 0) = dn_ds;
-  out.wrench_d_surface.block<3, 2>(9, 0) = -N * T_a + skew(arm_b_of_a) * dn_ds;
-  out.wrench_d_twist *= force;
-  out.wrench_d_surface *= force;
+  if (moves.b) {
+    auto rows = out.d_twist.rightCols<6>();
+    rows.row(0) << -t[0].transpose(), -f.arm_b.cross(t[0]).transpose();
+    rows.row(1) << -t[1].transpose(), -f.arm_b.cross(t[1]).transpose();
+    rows.row(2) << f.n_a.transpose(), f.arm_b.cross(f.n_a).transpose();
+    rows.row(3) << Vec3::Zero().transpose(), -lever[0].transpose();
+    rows.row(4) << Vec3::Zero().transpose(), -lever[1].transpose();
+  }
 }
 
-bool EliminatedContact::factor(const ContactBlock& block, double length) {
+/// n_A and T_A turn along A (parallel transport: dt = n (S ds)), n_B along B.
+void set_surface_columns(const ContactFrame& f, const ContactGeometry& contact, const Mat2& turn, ContactBlock& out) {
+  out.d_surface.block<2, 2>(0, 0) = Mat2::Identity() + f.n_a.dot(f.apart) * contact.a.S;
+  out.d_surface.block<2, 2>(0, 2) = -turn;
+  out.d_surface.block<1, 2>(2, 0) = (f.T_a.transpose() * f.apart).transpose() * contact.a.S;
+  out.d_surface.block<1, 2>(2, 2) = f.n_a.transpose() * f.T_b;
+  out.d_surface.block<2, 2>(3, 0) = f.n_a.dot(f.n_b) * contact.a.S;
+  out.d_surface.block<2, 2>(3, 2) = -turn * contact.b.S;
+}
+
+/// The force acts along n_A at x_A: on a [-n, -arm_a x n], on b [n, r x n] with r = x_A - o_b.
+void set_wrench(const ContactFrame& f, const ContactGeometry& contact, const Vec3& r, double force, WhichMove moves,
+                ContactBlock& out) {
+  const Vec3 moment_a = f.arm_a.cross(f.n_a);
+  out.direction << -f.n_a, -moment_a, f.n_a, r.cross(f.n_a);
+  const Mat3 N = force * skew(f.n_a);             // dn = -[n]x w_a
+  const Mat32 dn = -force * f.T_a * contact.a.S;  // by ds_A
+  auto twist = [&](int row, int column) { return out.wrench_d_twist.block<3, 3>(row, column); };
+  if (moves.a) {
+    // arm_a turns with w_a alone, so the whole moment turns: d = w_a x (arm_a x n)
+    out.wrench_d_twist.block<6, 3>(0, 0).setZero();
+    twist(0, 3) = N;
+    twist(3, 3) = skew(force * moment_a);
+  }
+  if (moves.b) {
+    out.wrench_d_twist.block<6, 6>(6, 6).setZero();
+    twist(9, 6) = N;
+  }
+  if (moves.a && moves.b) {
+    // d x_A = v_a - arm_a x w_a
+    out.wrench_d_twist.block<6, 6>(0, 6).setZero();
+    twist(6, 0).setZero();
+    twist(6, 3) = -N;
+    twist(9, 0) = -N;
+    twist(9, 3) = N * skew(f.arm_a) - skew(r) * N;
+  }
+  const Mat32 moved = N * f.T_a;
+  out.wrench_d_surface.rightCols<2>().setZero();
+  out.wrench_d_surface.block<3, 2>(0, 0) = -dn;
+  out.wrench_d_surface.block<3, 2>(3, 0) = moved - skew(f.arm_a) * dn;
+  out.wrench_d_surface.block<3, 2>(6, 0) = dn;
+  out.wrench_d_surface.block<3, 2>(9, 0) = skew(r) * dn - moved;
+}
+
+}  // namespace
+
+void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
+                      ContactBlock& out, WhichMove moves) {
+  const ContactFrame f(X_Wa, X_Wb, contact);
+  out.residual << f.T_a.transpose() * f.apart, -f.n_a.dot(f.apart), f.T_a.transpose() * f.n_b;
+  set_twist_rows(f, moves, out);
+  set_surface_columns(f, contact, f.T_a.transpose() * f.T_b, out);
+  set_wrench(f, contact, f.arm_b + f.apart, force, moves, out);
+}
+
+bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMove moves) {
   length_ = length;
-  const Eigen::PartialPivLU<Mat4> lu(scaled_block(block, length));
-  // A pivot that is exactly zero makes rcond() meaningless, so look at the pivots first.
-  rcond = lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0 ? lu.rcond() : 0;
-  if (!(rcond > kSingular)) return false;
-  inverse_ = lu.inverse();
-  condense(block);
+  const Mat4 scaled = scaled_block(block, length);
+  // By cofactors, whose digits one step of Newton's method for the inverse makes up for.
+  inverse_ = scaled.inverse();
+  inverse_ = (inverse_ * (2 * Mat4::Identity() - scaled * inverse_)).eval();
+  rcond = 1 / (one_norm(scaled) * one_norm(inverse_));
+  if (!(rcond > kSingular)) {
+    rcond = 0;
+    return false;
+  }
+  condense(block, moves);
   return true;
 }
 
-void EliminatedContact::factor_minimum_norm(const ContactBlock& block, double length) {
+void EliminatedContact::factor_minimum_norm(const ContactBlock& block, double length, WhichMove moves) {
   length_ = length;
   const SingularValues svd = singular_values(scaled_block(block, length), LeftVectors::all);
   const Eigen::Index rank = (svd.values.array() > kSingular * svd.values[0]).count();
   inverse_.setZero();
   for (Eigen::Index k = 0; k < rank; ++k) inverse_ += svd.V.col(k) / svd.values[k] * svd.U.col(k).transpose();
-  condense(block);
+  condense(block, moves);
   closure = svd.U.rightCols(4 - rank).transpose() * scaled_twist(block, length);
 }
 
-void EliminatedContact::condense(const ContactBlock& block) {
-  const Eigen::Matrix<double, 4, 12> twist = scaled_twist(block, length_);
+void EliminatedContact::condense(const ContactBlock& block, WhichMove moves) {
   closure.resize(0, 12);
   gap_surface_ = block.d_surface.row(2);
   wrench_surface_ = block.wrench_d_surface;
-  surface_gain.noalias() = -inverse_ * twist;
-  gap_gradient = (block.d_twist.row(2) + gap_surface_ * surface_gain).transpose();
-  stiffness = block.wrench_d_twist;
-  stiffness.noalias() += wrench_surface_ * surface_gain;
+  for (int j = 0; j < 2; ++j) {
+    if (!moves[j]) continue;
+    Eigen::Matrix<double, 4, 6> twist;
+    twist << block.d_twist.block<2, 6>(0, 6 * j), length_ * block.d_twist.block<2, 6>(3, 6 * j);
+    const Eigen::Matrix<double, 4, 6> gain = -inverse_.lazyProduct(twist);
+    surface_gain.middleCols<6>(6 * j) = gain;
+    gap_gradient.segment<6>(6 * j) = (block.d_twist.block<1, 6>(2, 6 * j) + gap_surface_.lazyProduct(gain)).transpose();
+    for (int i = 0; i < 2; ++i)
+      if (moves[i])
+        stiffness.block<6, 6>(6 * i, 6 * j) =
+            block.wrench_d_twist.block<6, 6>(6 * i, 6 * j) + wrench_surface_.middleRows<6>(6 * i).lazyProduct(gain);
+  }
   set_residual(block.residual);
 }
 

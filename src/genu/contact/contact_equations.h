@@ -9,6 +9,7 @@
 #pragma once
 
 #include "genu/core/pose.h"
+#include "genu/core/which_move.h"
 #include "genu/geometry/surface.h"
 
 namespace genu {
@@ -23,17 +24,18 @@ struct ContactGeometry {
 /// Residual and derivatives of one contact. Twist columns: [v_a, w_a, v_b, w_b] in world axes, each about its body's
 /// origin; surface columns: [ds_A, ds_B]. Rows of `residual`: closure 0-1, gap 2, tangency 3-4.
 struct ContactBlock {
-  Vec5 residual;  ///< m, m, m, 1, 1
-  Eigen::Matrix<double, 5, 12> d_twist;
-  Eigen::Matrix<double, 5, 4> d_surface;
-  Vec12 direction;       ///< wrench on [a; b] of a unit normal force, about each body's origin
-  Mat12 wrench_d_twist;  ///< of force * direction
-  Eigen::Matrix<double, 12, 4> wrench_d_surface;
+  Vec5 residual = Vec5::Zero();  ///< m, m, m, 1, 1
+  Eigen::Matrix<double, 5, 12> d_twist = Eigen::Matrix<double, 5, 12>::Zero();
+  Eigen::Matrix<double, 5, 4> d_surface = Eigen::Matrix<double, 5, 4>::Zero();
+  Vec12 direction = Vec12::Zero();       ///< wrench on [a; b] of a unit normal force, about each body's origin
+  Mat12 wrench_d_twist = Mat12::Zero();  ///< of force * direction
+  Eigen::Matrix<double, 12, 4> wrench_d_surface = Eigen::Matrix<double, 12, 4>::Zero();
 };
 
-/// Evaluates the block for the normal force `force` (N, positive pushes the bodies apart).
+/// Evaluates the block for the normal force `force` (N, positive pushes the bodies apart). Derivatives by the twist of
+/// a body that does not move, and of the wrench on it, are left as they were.
 void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
-                      ContactBlock& out);
+                      ContactBlock& out, WhichMove moves = {});
 
 /// The same contact with its four surface coordinates eliminated by the closure and tangency rows:
 /// ds = surface_offset + surface_gain * twist.
@@ -44,13 +46,14 @@ class EliminatedContact {
 
   /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. Returns false where it is singular to
   /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the
-  /// dense route serves then.
-  bool factor(const ContactBlock& block, double length);
+  /// dense route serves then. Gradient, gain and stiffness over a body that does not move are left as
+  /// they were.
+  bool factor(const ContactBlock& block, double length, WhichMove moves = {});
 
   /// The same where the block is singular (the surfaces conform along a line or an area): surface coordinates move by
   /// the least that the rows determine, and what no motion along the surfaces can make up for is left in `closure`.
   /// For stability only, where the undetermined motion changes no force to first order.
-  void factor_minimum_norm(const ContactBlock& block, double length);
+  void factor_minimum_norm(const ContactBlock& block, double length, WhichMove moves = {});
 
   /// Sets gap, surface_offset and wrench_offset for the given residual, which may be that of another state.
   void set_residual(const Vec5& residual);
@@ -61,12 +64,12 @@ class EliminatedContact {
   Vec12 wrench_offset = Vec12::Zero();  ///< change of the wrench that the surface offset alone causes
   Mat12 stiffness = Mat12::Zero();      ///< d wrench / d twist
   Vec4 surface_offset = Vec4::Zero();   ///< m
-  Eigen::Matrix<double, 4, 12> surface_gain;
+  Eigen::Matrix<double, 4, 12> surface_gain = Eigen::Matrix<double, 4, 12>::Zero();
   /// At most 4 x 12, rows to be held at 0: conforming surfaces let no motion happen that would part them to a point.
   Eigen::Matrix<double, Eigen::Dynamic, 12, 0, 4, 12> closure;
 
  private:
-  void condense(const ContactBlock& block);
+  void condense(const ContactBlock& block, WhichMove moves);
 
   Mat4 inverse_;  ///< of the scaled 4x4 block
   double length_ = 1;

@@ -13,9 +13,9 @@ struct Torus {
   double R, r;
 
   bool project(const Vec3& x, SurfacePoint& out) const {
-    const double rho = std::hypot(x.x(), x.y());
+    const double rho = x.head<2>().norm();
     if (!(rho > kAmbiguous * R) || !x.allFinite()) return false;
-    const double tube = std::hypot(rho - R, x.z());
+    const double tube = Vec2(rho - R, x.z()).norm();
     if (!(tube > kAmbiguous * r)) return false;
     const double ex = x.x() / rho, ey = x.y() / rho;
     const double c = (rho - R) / tube, s = x.z() / tube;
@@ -28,7 +28,7 @@ struct Torus {
     return true;
   }
 
-  std::optional<double> gap(const Vec3& x) const { return std::hypot(std::hypot(x.x(), x.y()) - R, x.z()) - r; }
+  std::optional<double> gap(const Vec3& x) const { return Vec2(x.head<2>().norm() - R, x.z()).norm() - r; }
 
   Mesh start_mesh(double edge, const Vec3&, double) const {
     const double local = affordable_edge(graded_edge(edge, std::min(r, R - r)), 4 * kPi * kPi * R * r);

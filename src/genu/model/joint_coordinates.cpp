@@ -44,15 +44,18 @@ Pose JointCoordinates::pose_from(const JointValues& q) const {
 Vec3 JointCoordinates::angles(const Mat3& R, const Vec3& near, double branch) const {
   const Vec3 g = R * a_[2];
   const double g1 = g.dot(a_[0]), g2 = branch * g.dot(a_[1]), g3 = branch * g.dot(a12_);
-  const double cos_beta = std::hypot(g2, g3);
+  const double cos_beta = std::sqrt(g2 * g2 + g3 * g3);
   constexpr double kUndecided = 1e-14;  // below, q0 is rounding noise; replacing it turns R by less than pi * this
   const bool undecided = cos_beta < kUndecided;
 
   Vec3 q;
   q[0] = undecided ? near[0] : unwind(std::atan2(-g2, g3), near[0]);
   q[1] = unwind(std::atan2(g1, branch * cos_beta) - offset_, near[1]);
-  const Vec3 rest = exp_rotation(-q[1] * a_[1]) * (exp_rotation(-q[0] * a_[0]) * (R * a_[1]));  // R3 a2
-  q[2] = unwind(std::atan2(rest.dot(a_[2].cross(a_[1])), rest.dot(a_[1])), near[2]);
+  // R3 a2 = R2^T R1^T (R a2): seen from a2 and a3 x a2, the angle that is left.
+  const double s0 = undecided ? std::sin(q[0]) : -g2 / cos_beta, c0 = undecided ? std::cos(q[0]) : g3 / cos_beta;
+  const Vec3 v = R * a_[1];
+  const double v1 = v.dot(a_[0]), v2 = v.dot(a_[1]), v3 = v.dot(a12_);
+  q[2] = unwind(std::atan2(g1 * (c0 * v3 - s0 * v2) - branch * cos_beta * v1, c0 * v2 + s0 * v3), near[2]);
   if (undecided) {  // only q0 + sign q2 is known: share what is missing to it
     const double half = (q[2] - near[2]) / 2;
     q[2] -= half;
@@ -63,8 +66,11 @@ Vec3 JointCoordinates::angles(const Mat3& R, const Vec3& near, double branch) co
 
 JointValues JointCoordinates::coordinates(const Pose& X_PC, const JointValues& near) const {
   const Vec3 wanted(near[0], near[1], near[2]);
-  const Vec3 one = angles(X_PC.R, wanted, 1), other = angles(X_PC.R, wanted, -1);
-  const Vec3& q = (other - wanted).squaredNorm() < (one - wanted).squaredNorm() ? other : one;
+  Vec3 q = angles(X_PC.R, wanted, 1);
+  // The first angles of both solutions are half a turn apart: one within a quarter is the nearer one.
+  constexpr double kQuarter = std::numbers::pi / 2;
+  if (const double apart = (q - wanted).squaredNorm(); !(apart < kQuarter * kQuarter))
+    if (const Vec3 other = angles(X_PC.R, wanted, -1); (other - wanted).squaredNorm() < apart) q = other;
   const Vec3 t = (X_PC.p + parent_centre_) - X_PC.R * child_centre_;
   return {q[0], q[1], q[2], t[0], t[1], t[2]};
 }
@@ -76,7 +82,8 @@ JointPoint JointCoordinates::evaluate(const Pose& X_WP, const Pose& X_WC, const 
   out.values_ = coordinates({X_WP.R.transpose() * X_WC.R, X_WP.R.transpose() * out.offset_}, near);
   out.arm_ = -(X_WC.R * child_centre_);
   out.offset_ += out.arm_;
-  const Vec3 b1 = X_WP.R * a_[0], b2 = X_WP.R * (exp_rotation(out.values_[0] * a_[0]) * a_[1]), b3 = X_WC.R * a_[2];
+  const Vec3 floating = std::cos(out.values_[0]) * a_[1] + std::sin(out.values_[0]) * a12_;
+  const Vec3 b1 = X_WP.R * a_[0], b2 = X_WP.R * floating, b3 = X_WC.R * a_[2];
   out.axes_ << b1, b2, b3;
   const double det = b1.dot(b2.cross(b3));
   out.gimbal_sine_ = std::abs(det);

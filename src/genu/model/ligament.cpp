@@ -51,30 +51,30 @@ Mat3 line_stiffness(const Ligament& ligament, const PullLine& line, const TwoBod
   return across * Mat3::Identity() + (line.stiffness - across) * (u * u.transpose());
 }
 
-/// The derivative of the wrenches for k = dt/dd.
-void set_stiffness(const PullLine& line, const Mat3& k, TwoBodyWrench& out) {
-  const Mat3 s_A = skew(line.r_A), s_B = skew(line.r_B);
-  const Mat3 k_A = k * s_A, k_B = k * s_B;
-  const auto fill = [&](int row, int column, double sign, const Mat3& s_row, const Mat3& k_row, const Mat3& k_column) {
-    // J_row^T k J_column, block by block; [r_row]x k = -(k [r_row]x)^T
-    out.stiffness.block<3, 3>(row, column) = sign * k;
-    out.stiffness.block<3, 3>(row, column + 3) = -sign * k_column;
-    out.stiffness.block<3, 3>(row + 3, column) = -sign * k_row.transpose();
-    out.stiffness.block<3, 3>(row + 3, column + 3) = -sign * (s_row * k_column);
-  };
-  fill(0, 0, -1, s_A, k_A, k_A);
-  fill(0, 6, 1, s_A, k_A, k_B);
-  fill(6, 0, 1, s_B, k_B, k_A);
-  fill(6, 6, -1, s_B, k_B, k_B);
+/// The derivative of the wrenches for k = dt/dd: J_row^T k J_column, block by block; [r_row]x k = -(k [r_row]x)^T.
+void set_stiffness(const PullLine& line, const Mat3& k, WhichMove moves, TwoBodyWrench& out) {
+  const Mat3 s[2] = {skew(line.r_A), skew(line.r_B)};
+  const Mat3 turned[2] = {k * s[0], k * s[1]};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      if (!moves[i] || !moves[j]) continue;
+      const double sign = i == j ? -1 : 1;
+      auto block = out.stiffness.block<6, 6>(6 * i, 6 * j);
+      block.topLeftCorner<3, 3>() = sign * k;
+      block.topRightCorner<3, 3>() = -sign * turned[j];
+      block.bottomLeftCorner<3, 3>() = -sign * turned[i].transpose();
+      block.bottomRightCorner<3, 3>() = -sign * s[i].lazyProduct(turned[j]);
+    }
   // The lever arms turn with their bodies: (w x r) x t = [t]x [r]x w.
   const Mat3 t = skew(line.t);
-  out.stiffness.block<3, 3>(3, 3) += t * s_A;
-  out.stiffness.block<3, 3>(9, 9) -= t * s_B;
+  if (moves.a) out.stiffness.block<3, 3>(3, 3) += t.lazyProduct(s[0]);
+  if (moves.b) out.stiffness.block<3, 3>(9, 9) -= t.lazyProduct(s[1]);
 }
 
 }  // namespace
 
-void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out) const {
+void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
+                        WhichMove moves) const {
   PullLine line;
   line.r_A = X_WA.R * p_A;
   line.r_B = X_WB.R * p_B;
@@ -85,7 +85,7 @@ void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, doub
   const double across = out.length > 0 ? tension / out.length : 0;
   line.t = tension * u;
   set_wrenches(line, out);
-  set_stiffness(line, across * Mat3::Identity() + (along - across) * (u * u.transpose()), out);
+  set_stiffness(line, across * Mat3::Identity() + (along - across) * (u * u.transpose()), moves, out);
 }
 
 bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
@@ -93,13 +93,13 @@ bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench
   return pull(*this, X_WA, X_WB, LigamentLaw::kByLength, line, out);
 }
 
-bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece) const {
+bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece, WhichMove moves) const {
   PullLine line;
   if (!pull(*this, X_WA, X_WB, piece, line, out)) {
     out.stiffness.setZero();
     return false;
   }
-  set_stiffness(line, line_stiffness(*this, line, out), out);
+  set_stiffness(line, line_stiffness(*this, line, out), moves, out);
   return true;
 }
 

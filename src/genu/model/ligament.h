@@ -10,6 +10,7 @@
 
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
+#include "genu/core/which_move.h"
 #include "genu/model/ligament_law.h"
 
 namespace genu {
@@ -34,7 +35,8 @@ struct TautLine {
 
   /// Wrenches and their stiffness for a tension (N) that changes by `along` N for a metre of this line's length; fills
   /// length and force too. 0 where the ends meet: the line has no direction there.
-  void evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out) const;
+  void evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
+                WhichMove moves = {}) const;
 
   /// m
   double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
@@ -48,8 +50,10 @@ struct Ligament {
   /// Wrenches, stiffness and what the results show, for the poses of A and B in the world (either may be fixed: pass
   /// its pose and ignore its part). Returns false where the ligament is slack: everything but length and strain is then
   /// 0. Where the ends meet and the law still has a force, its direction is undefined: wrench and stiffness are 0
-  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece.
-  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength) const;
+  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece. What a
+  /// body that does not `move` would add to the stiffness is left as it was.
+  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength,
+                WhichMove moves = {}) const;
 
   /// The same without the stiffness, which is left as it was.
   bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;

@@ -28,6 +28,8 @@ class TwoBodyScatter {
           out.block<6, 6>(6 * index_[i], 6 * twists.index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
   }
 
+  WhichMove which_move() const { return {index_[0] >= 0, index_[1] >= 0}; }
+
  private:
   static int moving(const JointModel& model, int body) { return body < 0 ? -1 : model.bodies[at(body)].moving; }
 
@@ -35,10 +37,10 @@ class TwoBodyScatter {
 };
 
 void add_straight(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, int piece,
-                  Linearization& out) {
-  TwoBodyWrench pull;
-  if (!l.ligament.evaluate(state.poses[at(l.body_a)], state.poses[at(l.body_b)], pull, piece)) return;
+                  TwoBodyWrench& pull, Linearization& out) {
   const TwoBodyScatter scatter(model, l.body_a, l.body_b);
+  if (!l.ligament.evaluate(state.poses[at(l.body_a)], state.poses[at(l.body_b)], pull, piece, scatter.which_move()))
+    return;
   Vec12 wrench;
   wrench << pull.on_a, pull.on_b;
   scatter.add_wrench(wrench, out.wrench);
@@ -53,8 +55,8 @@ void add_chain(const JointModel& model, const JointModel::LigamentBetween& l, co
   out.length_gradient.setZero(out.wrench.size());
   for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
     if (model.bodies[at(body_a)].moving == model.bodies[at(body_b)].moving) return;  // its length is constant
-    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], 1, 0, pull);
     const TwoBodyScatter scatter(model, body_a, body_b);
+    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], 1, 0, pull, scatter.which_move());
     wrench << -pull.on_a, -pull.on_b;
     scatter.add_wrench(wrench, out.length_gradient);
     pull.stiffness *= tension.force;
@@ -76,6 +78,7 @@ void add_held_ligament(const JointModel& model, const JointModel::LigamentBetwee
 }
 
 void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {
+  TwoBodyWrench pull;
   auto piece = state.pieces.begin();
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
@@ -84,7 +87,7 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
     if (has_piece && piece->held)
       add_held_ligament(model, l, state, *piece, first_held++, out);
     else if (l.via.empty())
-      add_straight(model, l, state, k, out);
+      add_straight(model, l, state, k, pull, out);
     else if (const LawValue tension = l.ligament.law.evaluate(ligament_length(l, state.poses), k);
              tension.force != 0 || tension.stiffness != 0)
       add_chain(model, l, state, tension, out);
@@ -182,9 +185,9 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
     const auto& pair = model.pairs[at(contact.pair)];
     ContactBlock& block = out.contacts[c];
     out.contact_bodies[c] = {model.bodies[at(pair.body_a)].moving, model.bodies[at(pair.body_b)].moving};
-    evaluate_contact(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry, contact.force,
-                     block);
     const TwoBodyScatter scatter(model, pair.body_a, pair.body_b);
+    evaluate_contact(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry, contact.force, block,
+                     scatter.which_move());
     scatter.add_wrench(contact.force * block.direction, out.wrench);
     scatter.add_stiffness(block.wrench_d_twist, out.stiffness);
   }

@@ -73,8 +73,10 @@ class ContactInspector {
   /// Whether a contact of `state` is this candidate.
   bool held(const State& state, const Candidate& candidate) const;
 
- private:
+  /// Of that, what concerns the contacts that are held, one by one: their forces, edges and relative curvature.
   void inspect_held(const State& state, Findings& out);
+
+ private:
   void look_for_merged(const State& state, Findings& out) const;
   void look_beside(const State& state, int contact, Findings& out);
   void look_everywhere(const State& state, Findings& out);

@@ -4,7 +4,12 @@
 #include <array>
 #include <cstddef>
 
+#include "genu/core/which_move.h"
+
 namespace genu {
+
+/// Of two bodies, by their indices among those that move.
+inline WhichMove which_move(const std::array<int, 2>& bodies) { return {bodies[0] >= 0, bodies[1] >= 0}; }
 
 /// add(from, to) for each such block: where it begins in the row of the pair, and in that of all moving bodies.
 template <typename Add>

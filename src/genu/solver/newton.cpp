@@ -38,6 +38,12 @@ double Newton::admissible_fraction(const Correction& correction, const NewtonOpt
   return 1 / excess;
 }
 
+/// Of the step that the Jacobian at hand would take from there.
+double Newton::simplified_norm(const Target& target) {
+  step_.solve(there_, simplified_);
+  return step_.norm(simplified_, target);
+}
+
 bool Newton::advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report) {
   const double full = step_.norm(correction_, target);
   report.outcome = NewtonReport::Outcome::no_descent;
@@ -50,11 +56,9 @@ bool Newton::advance(const Target& target, const NewtonOptions& options, double 
     if (asked_to_stop(options.cancelled)) return false;
     const double next = step_.residual(there_, target);
     if (!std::isfinite(next)) continue;
-    step_.solve(there_, simplified_);
-    const double simplified = step_.norm(simplified_, target);
-    // Monotone in the natural level function, or so small already that only rounding is left to compare.
-    if (simplified <= (1 - damping / 4) * full || next <= options.residual_tolerance ||
-        (next <= options.residual_floor && next <= residual)) {
+    // So small already that only rounding is left to compare, or monotone in the natural level function.
+    if (next <= options.residual_tolerance || (next <= options.residual_floor && next <= residual) ||
+        simplified_norm(target) <= (1 - damping / 4) * full) {
       std::swap(current_, trial_);
       std::swap(here_, there_);
       return true;
@@ -84,7 +88,14 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
   current_ = state;
   fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);
-  double residual = step_.residual(here_, target);
+  double residual = step_.residual(here_, target), last = 0;
+  const auto factor = [&] {
+    if (!step_.factor(here_, target, options.route)) return false;
+    report.rcond = step_.linear().rcond();
+    report.full_rank = step_.linear().full_rank();
+    report.minimum_norm = step_.linear().minimum_norm();
+    return true;
+  };
   for (;; ++report.iterations) {
     if (asked_to_stop(options.cancelled)) return;
     report.residual_history[0] = report.residual_history[1];
@@ -92,10 +103,9 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
     report.residual_history[2] = report.residual = residual;
     if (!std::isfinite(residual)) return;
     const bool solved = residual <= options.residual_tolerance;
-    if (!step_.factor(here_, target, options.route)) return;
-    report.rcond = step_.linear().rcond();
-    report.full_rank = step_.linear().full_rank();
-    report.minimum_norm = step_.linear().minimum_norm();
+    // With the Jacobian that took it from `last` to here the residual falls about as much again, but for a factor of 2.
+    const bool same_again = !solved && 2 * residual * residual <= options.residual_tolerance * last;
+    if (!same_again && !factor()) return;
     if (solved) break;
     if (report.iterations == options.max_iterations) {
       report.outcome = NewtonReport::Outcome::iterations_used_up;
@@ -103,17 +113,18 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
     }
     step_.solve(here_, correction_);
     if (!advance(target, options, residual, report)) {
-      if (residual <= options.residual_floor) break;
-      return;
+      if (residual > options.residual_floor || (same_again && !factor())) return;
+      break;
     }
     const double next = step_.residual(here_, target);
     // Rounding ends the fall: below the floor a step that no longer halves the residual is the last one.
     if (next > 0.5 * residual && next <= options.residual_floor) {
       report.residual = next;
       ++report.iterations;
-      if (!step_.factor(here_, target, options.route)) return;
+      if (!factor()) return;
       break;
     }
+    last = residual;
     residual = next;
   }
   report.outcome = NewtonReport::Outcome::converged;

@@ -53,13 +53,14 @@ class Newton {
   /// failure `state` is left as it was.
   NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
 
-  /// After a converged solve: the linearization at the solution.
+  /// After a converged solve: the linearization at the solution, which step() has factored.
   const Linearization& linearization() const { return here_; }
   NewtonStep& step() { return step_; }
 
  private:
   void solve_as_fine(State& state, const Target& target, const NewtonOptions& options, NewtonReport& report);
   double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
+  double simplified_norm(const Target& target);
   bool advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report);
 
   const JointModel* model_;

@@ -54,7 +54,7 @@ bool NewtonStep::eliminate(const Linearization& at) {
   eliminated_.resize(at.contacts.size());
   bool regular = true;
   for (std::size_t c = 0; c < at.contacts.size(); ++c)
-    regular = eliminated_[c].factor(at.contacts[c], model_->scales.length) && regular;
+    regular = eliminated_[c].factor(at.contacts[c], model_->scales.length, which_move(at.contact_bodies[c])) && regular;
   return regular;
 }
 
@@ -64,11 +64,12 @@ void NewtonStep::assemble_eliminated(const Linearization& at) {
     const auto k = static_cast<std::size_t>(c);
     const EliminatedContact& contact = eliminated_[k];
     // `stiffness` of the linearization holds the contact's part with its points held; replace it by the whole.
-    const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
+    const Mat12 &whole = contact.stiffness, &held = at.contacts[k].wrench_d_twist;
     const int row = twists_ + constraints_ + c;
     for_moving(bodies_[k], [&](int from, int to) {
-      for_moving(bodies_[k],
-                 [&](int from2, int to2) { matrix_.block<6, 6>(to, to2) += added.block<6, 6>(from, from2); });
+      for_moving(bodies_[k], [&](int from2, int to2) {
+        matrix_.block<6, 6>(to, to2) += whole.block<6, 6>(from, from2) - held.block<6, 6>(from, from2);
+      });
       matrix_.block<6, 1>(to, row) = at.contacts[k].direction.segment<6>(from);
       matrix_.block<1, 6>(row, to) = contact.gap_gradient.segment<6>(from).transpose();
     });

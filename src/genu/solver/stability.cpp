@@ -23,10 +23,17 @@ VecX metric(Eigen::Index n) {
 }
 
 /// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
-double size_of_terms(const ContactBlock& block, const EliminatedContact& contact) {
-  const VecX unit = metric(12);
-  return (unit.asDiagonal() * (contact.stiffness.cwiseAbs() + block.wrench_d_twist.cwiseAbs()) * unit.asDiagonal())
-      .norm();
+double size_of_terms(const ContactBlock& block, const EliminatedContact& contact, WhichMove moves) {
+  const Vec6 unit = metric(6);
+  double squares = 0;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      if (!moves[i] || !moves[j]) continue;
+      const auto whole = contact.stiffness.block<6, 6>(6 * i, 6 * j),
+                 held = block.wrench_d_twist.block<6, 6>(6 * i, 6 * j);
+      squares += (unit.asDiagonal() * (whole.cwiseAbs() + held.cwiseAbs()) * unit.asDiagonal()).squaredNorm();
+    }
+  return std::sqrt(squares);
 }
 
 /// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
@@ -43,8 +50,10 @@ double tangent(const Linearization& at, double length_scale, MatX& stiffness, Ma
   for (Eigen::Index c = 0; c < contacts; ++c) {
     const auto k = static_cast<std::size_t>(c);
     EliminatedContact contact;
-    if (!contact.factor(at.contacts[k], length_scale)) contact.factor_minimum_norm(at.contacts[k], length_scale);
-    terms += size_of_terms(at.contacts[k], contact);
+    const WhichMove moves = which_move(at.contact_bodies[k]);
+    if (!contact.factor(at.contacts[k], length_scale, moves))
+      contact.factor_minimum_norm(at.contacts[k], length_scale, moves);
+    terms += size_of_terms(at.contacts[k], contact, moves);
     const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
     for_moving(at.contact_bodies[k], [&](int from, int to) {
       held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();

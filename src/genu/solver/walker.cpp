@@ -17,8 +17,6 @@ namespace {
 constexpr double kFarthest = 0.25;
 constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a substep is not seen
 
-constexpr double kSmoothlyBent = 0.2;  // of the tangent, over a substep: more is a kink, or the way to a limit point
-
 }  // namespace
 
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
@@ -31,25 +29,25 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
   stepped_over_ = crowd_ = 0;
   crowd_from_ = 0;
   tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
+  prediction_.forget();
   accept(0, std::move(pose), report);
 }
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
   linearize(solver_.model(), state, plan_.target(t), here_);
-  compute_tangent(here_, state, t, out);
+  if (solver_.newton().step().factor(here_, plan_.target(t)))
+    compute_tangent(here_, state, t, out);
+  else
+    out.motion.resize(0, 0, 0), out.stability = assess_stability(here_, solver_.model().scales.length);
 }
 
-void Walker::compute_tangent(const Linearization& here, const State& state, double t, Tangent& out) {
+void Walker::compute_tangent(const Linearization& factored, const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
   const Target target = plan_.target(t), rate = plan_.rate();
-  out.stability = assess_stability(here, model.scales.length);
-  NewtonStep& step = solver_.newton().step();
-  if (!step.factor(here, target)) {
-    out.motion.resize(0, 0, 0);
-    return;
-  }
-  step.solve_rates(load_rate(model, state, target, rate), constraint_rate(rate, here.constraint.size()), out.motion);
+  out.stability = assess_stability(factored, model.scales.length);
+  solver_.newton().step().solve_rates(load_rate(model, state, target, rate),
+                                      constraint_rate(rate, factored.constraint.size()), out.motion);
 }
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report, bool leaps) {
@@ -78,13 +76,10 @@ bool Walker::pass(double t, Attempt trial) {
 }
 
 void Walker::take(double t, Balanced pose, const PoseReport& report) {
-  bends_ = t > t_ && same_contacts(pose_.state, pose.state) && tangent_.motion.matches(next_.motion);
-  if (bends_) {
-    bend_ = next_.motion;
-    bend_.add(-1, tangent_.motion);
-    bend_span_ = t - t_;
-    bends_ = speed(bend_) <= kSmoothlyBent * std::min(speed(tangent_.motion), speed(next_.motion));
-  }
+  if (t > t_ && same_contacts(pose_.state, pose.state))
+    prediction_.went_on(t - t_, tangent_.motion, next_.motion);
+  else
+    prediction_.forget();
   t_ = t;
   inside_ = std::numeric_limits<double>::infinity();
   pose_ = std::move(pose);
@@ -99,9 +94,7 @@ Walker::Attempt Walker::attempt(double t) {
   Attempt out;
   out.pose = pose_;
   const bool predictable = tangent_.motion.twist.size() > 0 && tangent_.motion.twist.allFinite();
-  Correction motion = tangent_.motion;
-  if (predictable && bends_) motion.add(0.5 * (t - t_) / bend_span_, bend_);
-  if (predictable && retract(solver_.model(), pose_.state, motion, t - t_, out.predicted))
+  if (predictable && prediction_.at(pose_.state, tangent_.motion, t - t_, out.predicted))
     out.pose.state = out.predicted;
   else
     out.predicted = pose_.state;
@@ -110,22 +103,13 @@ Walker::Attempt Walker::attempt(double t) {
   return out;
 }
 
-double Walker::speed(const Correction& motion) const {
-  const double L = solver_.model().scales.length;
-  const VecX& twist = motion.twist;
-  double sum = 0;
-  for (Eigen::Index i = 0; i < twist.size(); i += 6)
-    sum += twist.segment<3>(i).norm() / L + twist.segment<3>(i + 3).norm();
-  return sum;
-}
-
 bool Walker::passes_a_fold(const Tangent& next, double h) const {
   // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
   // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
   // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
   // differ by less than this: for a cubic one of the two tests notices then.
   constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
-  const double before = speed(tangent_.motion), after = speed(next.motion);
+  const double before = path_speed(solver_.model(), tangent_.motion), after = path_speed(solver_.model(), next.motion);
   if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
   return std::max(before, after) > kRatio * std::min(before, after);
 }
@@ -141,7 +125,7 @@ bool Walker::jumped(const State& state, double h) const {
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
   return distance(solver_.model(), pose_.state, state) >
-         std::min(kFactor * h * speed(tangent_.motion), kFarthest) + kSlack;
+         std::min(kFactor * h * path_speed(solver_.model(), tangent_.motion), kFarthest) + kSlack;
 }
 
 bool Walker::walk_to(double t_end) {
@@ -149,7 +133,7 @@ bool Walker::walk_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min({h, kLongestStep, kFarthest / std::max(speed(tangent_.motion), 1e-300)});
+    h = std::min({h, kLongestStep, kFarthest / std::max(path_speed(solver_.model(), tangent_.motion), 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";

@@ -7,13 +7,19 @@
 #include "genu/solver/event_newton.h"
 #include "genu/solver/law_events.h"
 #include "genu/solver/path.h"
+#include "genu/solver/path_prediction.h"
 
 namespace genu {
 
 class Walker {
  public:
   Walker(ContactSetSolver& solver, const PathOptions& options, const std::function<void(PathEvent)>& event)
-      : solver_(solver), options_(options), event_(event), law_events_(solver.model()), event_newton_(solver.model()) {}
+      : solver_(solver),
+        options_(options),
+        event_(event),
+        prediction_(solver.model()),
+        law_events_(solver.model()),
+        event_newton_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose that is solved there.
   void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
@@ -73,7 +79,6 @@ class Walker {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
-  double speed(const Correction& motion) const;
   bool passes_a_fold(const Tangent& next, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
   bool jumped(const State& state, double h) const;
@@ -106,8 +111,8 @@ class Walker {
   /// `leaps`: no path leads from the pose before to this one.
   std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
   void compute_tangent(const State& state, double t, Tangent& out);
-  /// Of a pose whose linearization is known: the last that was solved.
-  void compute_tangent(const Linearization& here, const State& state, double t, Tangent& out);
+  /// Of a pose whose linearization Newton's step has factored: the last that was solved.
+  void compute_tangent(const Linearization& factored, const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
   ContactSetSolver& solver_;
@@ -119,10 +124,8 @@ class Walker {
   Balanced pose_;
   PoseReport report_, failure_;
   Tangent tangent_, next_, between_;
-  bool bends_ = false;    // whether the last substep tells how the tangent changes:
-  Correction bend_;       // by that much
-  double bend_span_ = 0;  // over that much of t
-  int driven_ = -1;       // the prescribed coordinate that alone varies over the step
+  PathPrediction prediction_;
+  int driven_ = -1;  // the prescribed coordinate that alone varies over the step
   Linearization here_;
   std::pair<double, double> snap_{0, 0};
   std::string law_jump_;
