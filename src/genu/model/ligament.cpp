@@ -42,33 +42,51 @@ bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piec
   return true;
 }
 
-/// dt/dd: along the line the law's stiffness, across it the tension's.
-Mat3 line_stiffness(const Ligament& ligament, const PullLine& line, const TwoBodyWrench& out) {
-  if (ligament.law.slack_length() == 0) return line.stiffness * Mat3::Identity();
-  if (out.length == 0) return Mat3::Zero();
-  const Vec3 u = line.d / out.length;
-  const double across = out.force / out.length;
-  return across * Mat3::Identity() + (line.stiffness - across) * (u * u.transpose());
+/// Adds factor [r]x, number by number.
+template <typename Block>
+void add_cross(double factor, const Vec3& r, Block block) {
+  block(0, 1) -= factor * r.z(), block(1, 0) += factor * r.z();
+  block(0, 2) += factor * r.y(), block(2, 0) -= factor * r.y();
+  block(1, 2) -= factor * r.x(), block(2, 1) += factor * r.x();
 }
 
-/// The derivative of the wrenches for k = dt/dd: J_row^T k J_column, block by block; [r_row]x k = -(k [r_row]x)^T.
-void set_stiffness(const PullLine& line, const Mat3& k, WhichMove moves, TwoBodyWrench& out) {
-  const Mat3 s[2] = {skew(line.r_A), skew(line.r_B)};
-  const Mat3 turned[2] = {k * s[0], k * s[1]};
+/// The derivative of the wrenches where dt/dd = across 1 + extra u u^T, block by block: J_row^T (dt/dd) J_column, with
+/// J^T u = [u; r x u] and [a]x [b]x = b a^T - (a . b) 1. Number by number: what is stored by ones and read by pairs
+/// makes the processor wait.
+void set_stiffness(const PullLine& line, const Vec3& u, double across, double extra, WhichMove moves,
+                   TwoBodyWrench& out) {
+  const Vec3 r[2] = {line.r_A, line.r_B}, g[2] = {r[0].cross(u), r[1].cross(u)};
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       if (!moves[i] || !moves[j]) continue;
-      const double sign = i == j ? -1 : 1;
+      const double k = i == j ? -extra : extra, c = i == j ? -across : across, both = c * r[i].dot(r[j]);
       auto block = out.stiffness.block<6, 6>(6 * i, 6 * j);
-      block.topLeftCorner<3, 3>() = sign * k;
-      block.topRightCorner<3, 3>() = -sign * turned[j];
-      block.bottomLeftCorner<3, 3>() = -sign * turned[i].transpose();
-      block.bottomRightCorner<3, 3>() = -sign * s[i].lazyProduct(turned[j]);
+      for (int n = 0; n < 3; ++n)
+        for (int m = 0; m < 3; ++m) {
+          block(m, n) = k * u[m] * u[n] + (m == n ? c : 0);
+          block(m, n + 3) = k * u[m] * g[j][n];
+          block(m + 3, n) = k * g[i][m] * u[n];
+          block(m + 3, n + 3) = k * g[i][m] * g[j][n] - c * r[j][m] * r[i][n] + (m == n ? both : 0);
+        }
+      add_cross(-c, r[j], block.topRightCorner<3, 3>());
+      add_cross(c, r[i], block.bottomLeftCorner<3, 3>());
     }
   // The lever arms turn with their bodies: (w x r) x t = [t]x [r]x w.
-  const Mat3 t = skew(line.t);
-  if (moves.a) out.stiffness.block<3, 3>(3, 3) += t.lazyProduct(s[0]);
-  if (moves.b) out.stiffness.block<3, 3>(9, 9) -= t.lazyProduct(s[1]);
+  for (int i = 0; i < 2; ++i) {
+    if (!moves[i]) continue;
+    const double sign = i == 0 ? 1 : -1, along = r[i].dot(line.t);
+    auto block = out.stiffness.block<3, 3>(6 * i + 3, 6 * i + 3);
+    for (int n = 0; n < 3; ++n)
+      for (int m = 0; m < 3; ++m) block(m, n) += sign * (r[i][m] * line.t[n] - (m == n ? along : 0));
+  }
+}
+
+/// Along the line the law's stiffness, across it the tension's.
+void set_stiffness(const Ligament& ligament, const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
+  const Vec3 u = out.length > 0 ? Vec3(line.d / out.length) : Vec3::Zero();
+  if (ligament.law.slack_length() == 0) return set_stiffness(line, u, line.stiffness, 0, moves, out);
+  const double across = out.length > 0 ? out.force / out.length : 0;
+  set_stiffness(line, u, across, out.length > 0 ? line.stiffness - across : 0, moves, out);
 }
 
 }  // namespace
@@ -85,7 +103,7 @@ void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, doub
   const double across = out.length > 0 ? tension / out.length : 0;
   line.t = tension * u;
   set_wrenches(line, out);
-  set_stiffness(line, across * Mat3::Identity() + (along - across) * (u * u.transpose()), moves, out);
+  set_stiffness(line, u, across, along - across, moves, out);
 }
 
 bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
@@ -99,7 +117,7 @@ bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, 
     out.stiffness.setZero();
     return false;
   }
-  set_stiffness(line, line_stiffness(*this, line, out), moves, out);
+  set_stiffness(*this, line, moves, out);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 
 #include "genu/core/types.h"
+#include "genu/solver/small_lu.h"
 
 namespace genu {
 
@@ -32,14 +33,12 @@ class ScaledSolver {
   bool minimum_norm() const { return minimum_norm_; }
 
  private:
-  double rcond_at_least(const MatX& matrix);
-
+  SmallLu small_;
   Eigen::PartialPivLU<MatX> lu_;
   Eigen::CompleteOrthogonalDecomposition<MatX> cod_;
-  VecX bound_;
   double rcond_ = 0;
   Eigen::Index rank_ = 0;
-  bool minimum_norm_ = false;
+  bool minimum_norm_ = false, surely_regular_ = false;
 };
 
 }  // namespace genu

@@ -1,0 +1,33 @@
+// LU with partial pivoting for matrices as small as those of a Newton step, where a blocked one spends its time on
+// being general. It says how regular the matrix surely is, at the cost of one more solve.
+#pragma once
+
+#include <vector>
+
+#include "genu/core/types.h"
+
+namespace genu {
+
+class SmallLu {
+ public:
+  /// Factors a square matrix; returns what its reciprocal condition (in row sums) is at least, 0 where nothing is
+  /// known.
+  double factor(const MatX& matrix);
+
+  /// After factor() > 0.
+  void solve(const VecX& rhs, VecX& x) const;
+
+ private:
+  bool eliminate();
+  double largest_of_inverse();
+  double* column(int j) { return entries_.data() + static_cast<std::ptrdiff_t>(j) * n_; }
+  const double* column(int j) const { return entries_.data() + static_cast<std::ptrdiff_t>(j) * n_; }
+
+  int n_ = 0;
+  std::vector<double> entries_;  // L below the diagonal, which is 1, and U
+  std::vector<double> inverse_;  // of the pivots
+  std::vector<double> bound_;
+  std::vector<int> pivots_;
+};
+
+}  // namespace genu
