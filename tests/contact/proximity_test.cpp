@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -269,6 +270,52 @@ TEST(Proximity, NearSamplesAreAllThatOverlap) {
   }
   EXPECT_NEAR(area, 2 * M_PI * 0.02 * depth, 0.05 * area);
   EXPECT_NEAR(volume, M_PI * 0.02 * depth * depth, 0.05 * volume);
+}
+
+/// A floor with two wells of equal depth, `apart` (m), each with the curvatures `along` and `across` (1/m), turned by
+/// `angle` and moved by `offset`, looked at from above by a plane that dips `depth` (m) into both and leans by `tilt`.
+struct TwoBumps {
+  double apart, along, across, angle, depth, tilt;
+  Vec2 offset;
+
+  std::unique_ptr<Surface> floor() const {
+    // along / (2 apart^2) (x^2 - apart^2 / 4)^2 + across / 2 y^2, downward: bumps
+    const double a = along / (2 * apart * apart), h = apart * apart / 4;
+    return make_polynomial({exp_rotation({0, 0, angle}), {offset.x(), offset.y(), 0}},
+                           {{4, 0, -a}, {2, 0, 2 * a * h}, {0, 0, -a * h * h}, {0, 2, -across / 2}}, false);
+  }
+  Pose plane() const { return {exp_rotation({3.14159265358979312, tilt, 0}), {0, 0, -depth}}; }
+};
+
+// What lies on the slope of a known contact is not looked at again: no second contact may be lost by that.
+TEST(Proximity, TwoContactsAtAnyDistanceAndCurvatureAreBothFound) {
+  std::mt19937 random(11);
+  const auto between = [&](double low, double high) {
+    return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
+  };
+  const double spacing = kOptions.spacing;
+  int found = 0;
+  for (int k = 0; k < 200; ++k) {
+    TwoBumps t{between(0.6, 5) * spacing,
+               between(0.02, 0.5) / spacing,
+               between(0.02, 0.5) / spacing,
+               between(0.1, 6.3),
+               0,
+               0,
+               {between(0.1, 1) * spacing, between(0.1, 1) * spacing}};
+    // Both reach through the plane; the saddle between them is along apart^2 / 32 below.
+    t.depth = between(1e-5, 1) * t.along * t.apart * t.apart / 32;
+    t.tilt = 0.2 * t.depth / (t.apart + spacing);
+    const auto floor = t.floor(), ceiling = make_plane(t.plane(), false);
+    Proximity proximity(*ceiling, *floor, {.spacing = spacing, .reach = 8 * spacing});
+    ProximityScan scan;
+    proximity.scan({}, 0.2 * spacing, scan);
+    const auto through = std::count_if(scan.minima.begin(), scan.minima.end(), [](auto& m) { return m.gap < 0; });
+    EXPECT_EQ(through, 2) << k << ": " << t.apart / spacing << " spacings apart, curvature " << t.along * spacing
+                          << " along and " << t.across * spacing << " across, " << t.depth / spacing << " deep";
+    found += through == 2;
+  }
+  std::printf("%d of 200 pairs of contacts found\n", found);
 }
 
 TEST(Proximity, ProbesFindTheTwinNextDoor) {

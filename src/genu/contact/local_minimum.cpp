@@ -139,7 +139,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     jet = next;
     settled = jet.gradient.norm() <= 1e-9;
   }
-  return Descent{{{jet.a, jet.b}, jet.value}, settled};
+  return Descent{{{jet.a, jet.b}, jet.value}, settled, 0.5 * (jet.hessian + jet.hessian.transpose())};
 }
 
 }  // namespace genu

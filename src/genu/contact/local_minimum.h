@@ -23,6 +23,7 @@ struct Descent {
   LocalMinimum minimum;
   /// The gradient vanished. False at the edge of what is known, where the gap still falls outward.
   bool settled = false;
+  Mat2 bend = Mat2::Zero();  ///< the gap's second derivatives over B's tangent plane, 1/m
 };
 
 /// When a descent need not be finished; by default it always is.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "genu/core/decompositions.h"
+
 namespace genu {
 namespace {
 
@@ -71,6 +73,9 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
   build_groups();
 }
+
+/// Whether the gap rises from a minimum in every direction, by half a hundredth of the spacing over one spacing.
+bool Proximity::is_bowl(const Mat2& bend) const { return symmetric_eigen(bend).values[0] * spacing_ >= 0.01; }
 
 Proximity::Group Proximity::sphere_round(int first, int last, int& axis) const {
   Vec3 low = Vec3::Constant(kInfinity), high = -low;
@@ -202,6 +207,24 @@ bool Proximity::lowest_of_neighbours(int sample) const {
   return true;
 }
 
+/// Whether the gap at a sample is what the curvature at a known minimum makes it. A second minimum that reaches as deep
+/// as the known one lowers the samples next to it by more: it lies where the bowl has risen by a four-hundredth of the
+/// spacing and more.
+bool Proximity::slopes_to_known(int sample) const {
+  constexpr double kNearest = 0.5, kFarthest = 3;  // of the spacing
+  constexpr double kShare = 0.05;                  // of the rise
+  for (std::size_t k = 0; k < raw_.size(); ++k) {
+    const SurfacePoint& from = raw_[k].contact.b;
+    const Vec3 away = samples_.points[at(sample)] - from.p;
+    const double distance = away.norm();
+    if (distance < kNearest * spacing_ || distance > kFarthest * spacing_) continue;
+    const Vec2 d = from.T.transpose() * away;
+    const double rise = 0.5 * d.dot(bends_[k] * d);
+    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kShare * rise) return true;
+  }
+  return false;
+}
+
 void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out) {
   // A minimum between samples can hide beside a deeper one a few samples away: near contact every sample is a start,
   // not only the lowest among its neighbours. Most starts end after one evaluation, their model being hopeless or
@@ -216,10 +239,12 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);
   });
   raw_.clear();
+  bends_.clear();
   // Surfaces with more minima than this conform: what is not looked at still counts in the samples' gaps.
   constexpr std::size_t kMostMinima = 500;
   for (const int sample : starts_) {
     if (raw_.size() >= kMostMinima) break;
+    if (slopes_to_known(sample)) continue;
     const auto i = static_cast<std::size_t>(sample);
     const DescentLimits limits{spacing_, &raw_, kMerge * spacing_,
                                lowest_of_neighbours(sample) ? window : kHopeless * spacing_};
@@ -229,6 +254,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     // A minimum past the edge matters only where the surface inside its edge is already reached.
     if (descent->settled && edge_distance(found.contact) >= 0) {
       raw_.push_back(descent->minimum);
+      bends_.push_back(is_bowl(descent->bend) ? descent->bend : Mat2::Zero());
       insert_distinct(out.minima, found, kSamePoint * spacing_);
     } else if (gap_[i] < 0) {
       insert_distinct(out.edge, found, kSamePoint * spacing_);

@@ -83,6 +83,8 @@ class Proximity {
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
   void find_minima(const Pose& X_qs, double window, ProximityScan& out);
   bool lowest_of_neighbours(int sample) const;
+  bool is_bowl(const Mat2& bend) const;
+  bool slopes_to_known(int sample) const;
   double far_clearance(const Group& group, const FarDistance::Nearest& nearest) const;
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
@@ -108,6 +110,7 @@ class Proximity {
   std::vector<int> measured_;      // the samples that have one
   std::vector<int> starts_;        // of descents, by gap
   std::vector<LocalMinimum> raw_;  // as descended: a of the asked surface, b of the sampled one
+  std::vector<Mat2> bends_;        // of each: the gap's second derivatives over b's tangent plane, 1/m
 };
 
 }  // namespace genu
