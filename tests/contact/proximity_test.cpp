@@ -318,6 +318,25 @@ TEST(Proximity, TwoContactsAtAnyDistanceAndCurvatureAreBothFound) {
   std::printf("%d of 200 pairs of contacts found\n", found);
 }
 
+TEST(Proximity, InAValleyProbesAlongItsBottomFindTheTwin) {
+  const double spacing = kOptions.spacing;
+  for (const double angle : {0.0, 0.4, 1.3, 2.9}) {
+    TwoBumps t{1.5 * spacing, 2e-3 / spacing, 0.02 / spacing, angle, 1e-8, 0, {0.2 * spacing, 0.1 * spacing}};
+    const auto floor = t.floor(), ceiling = make_plane(t.plane(), false);
+    Proximity proximity(*ceiling, *floor, {.spacing = spacing, .reach = 8 * spacing});
+    ProximityScan scan;
+    proximity.scan({}, 0.2 * spacing, scan);
+    ASSERT_FALSE(scan.minima.empty());
+    std::vector<LocalMinimum> found;
+    for (const double radius : {0.3, 0.8, 1.6, 3.0})
+      proximity.probe_around({}, scan.minima[0].contact, radius * spacing, 1.2e-2 / spacing, found);
+    double farthest = 0;
+    for (const LocalMinimum& m : found)
+      farthest = std::max(farthest, (m.contact.b.p - scan.minima[0].contact.b.p).norm());
+    EXPECT_NEAR(farthest, t.apart, 1e-3 * t.apart) << angle;
+  }
+}
+
 TEST(Proximity, ProbesFindTheTwinNextDoor) {
   const auto bumps = wavy(), top = ceiling(0.45e-3);
   Proximity proximity(*top, *bumps, kOptions);
@@ -325,7 +344,7 @@ TEST(Proximity, ProbesFindTheTwinNextDoor) {
   proximity.scan({}, 5e-4, scan);
   ASSERT_EQ(scan.minima.size(), 5u);
   std::vector<LocalMinimum> found;
-  for (const LocalMinimum& m : scan.minima) proximity.probe_around({}, m.contact, 6e-3, found);
+  for (const LocalMinimum& m : scan.minima) proximity.probe_around({}, m.contact, 6e-3, 1e3, found);
   std::size_t known = 0;
   for (const LocalMinimum& m : found)
     for (const LocalMinimum& s : scan.minima) known += (m.contact.b.p - s.contact.b.p).norm() < 2e-6 ? 1 : 0;

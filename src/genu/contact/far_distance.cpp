@@ -28,10 +28,11 @@ using Bvh = fcl::BVHModel<fcl::OBBRSSd>;
 constexpr double kInside = 0.5, kBehindEdge = 0.2;
 
 /// How far a point may go (m) until its winding number can reach kBehindEdge: away from the surface, which is
-/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3 sup|w| / (distance
-/// - r) (Gilbarg and Trudinger 2001, section 2.7), and sup|w| is about 1.
+/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3/2 sup|w| /
+/// (distance
+/// - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26), and sup|w| is about 1.
 double same_side(double winding, double distance) {
-  return winding < kBehindEdge ? distance * -std::expm1((winding - kBehindEdge) / 3) : 0;
+  return winding < kBehindEdge ? distance * -std::expm1((winding - kBehindEdge) / 1.5) : 0;
 }
 
 /// Without the triangles that have no area, to rounding: the nearest point on one has no side.

@@ -69,6 +69,7 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
+  memory_.resize(samples_.points.size());
   swallowed_.emplace(*queried_, *sampled_, samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
   build_groups();
@@ -126,60 +127,75 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
       open_.push_back(group.children);
       continue;
     }
-    for (int k = group.first; k < group.last; ++k) visit(order_[at(k)]);
+    for (int k = group.first; k < group.last; ++k) {
+      const int i = order_[at(k)];
+      const Memory& known = memory_[at(i)];
+      if (known.clearance - (X_qs * samples_.points[at(i)] - known.at).norm() > window) continue;
+      visit(i);
+    }
   }
 }
 
-/// Of a group whose middle is beyond the band. What is far from an open sheet may be in front of it as well as behind:
-/// all of a group is where its middle is only if it is small against its distance, as the groups without children are
-/// taken to be.
-double Proximity::far_clearance(const Group& group, const FarDistance::Nearest& nearest) const {
-  const double of_side = group.children >= 0 ? nearest.same_side - group.radius : nearest.same_side;
-  return std::min(nearest.distance - group.radius - reserve_, of_side);
+/// Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the distance
+/// is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
+double Proximity::near_clearance(double gap) const {
+  constexpr double kFirstOrder = 2.0 / 3;
+  return queried_->knows_distance() ? gap : kFirstOrder * gap;
+}
+
+/// Of what lies within `radius` of a point beyond the band. What is far from an open sheet may be in front of it as
+/// well as behind: all of a `large` group is where its middle is only if it is small against its distance, as those
+/// without children are taken to be.
+double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radius, bool large) const {
+  return std::min(nearest.distance - radius - reserve_, large ? nearest.same_side - radius : nearest.same_side);
 }
 
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
-  if (group.clearance - largest_motion(group.measured, X_qs, group.centre, group.radius) > window) return true;
+  const double moved = largest_motion(group.measured, X_qs, group.centre, group.radius);
+  if (group.clearance - moved > window) return true;
+  if (group.clearance + moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
   const auto gap = queried_->is_global() && !queried_->knows_distance() ? std::nullopt : queried_->gap(centre);
-  // Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the
-  // distance is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
-  constexpr double kFirstOrder = 2.0 / 3;
-  if (gap && queried_->knows_distance())
-    group.clearance = *gap - group.radius;
-  else if (gap)
-    group.clearance = kFirstOrder * *gap - group.radius;
+  if (gap)
+    group.clearance = near_clearance(*gap) - group.radius;
   else
-    group.clearance = far_clearance(group, far_.nearest(centre));
+    group.clearance = far_clearance(far_.nearest(centre), group.radius, group.children >= 0);
   return group.clearance > window;
 }
 
-double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) const {
+double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   const auto i = static_cast<std::size_t>(sample);
   const Vec3 x = X_qs * samples_.points[i];
   const Vec3 normal = X_qs.R * samples_.normals[i];
+  Memory& memory = memory_[i];
+  memory.at = x;
   if (const auto gap = queried_->gap(x)) {
+    memory.clearance = near_clearance(*gap);
     SurfacePoint foot;
     if (direction == nullptr && *gap > 0) return *gap;
     if (!queried_->project(x, foot)) return kInfinity;
     if (direction != nullptr) *direction = foot.n;
     // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
     if (*gap < 0 && (foot.n.dot(normal) > kFacingSameWay || queried_->edge_distance(foot.p) < 0))
-      return doubtful_gap(x, *gap);
+      return doubtful_gap(x, *gap, memory);
     return *gap;
   }
   const FarDistance::Nearest nearest = far_.nearest(x);
+  memory.clearance = far_clearance(nearest, 0, false);
   if (direction != nullptr) *direction = nearest.direction;
   return nearest.distance;
 }
 
 /// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
 /// then the point is inside, as all of a small body may be that a large one has swallowed.
-double Proximity::doubtful_gap(const Vec3& x, double gap) const {
-  constexpr double kShallow = 0.05;  // of the spacing: facets lie off the smooth surface
-  const double facets = far_.nearest(x).distance;
-  return facets < -kShallow * spacing_ ? std::max(gap, facets) : kInfinity;
+double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const {
+  if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
+  const double shallow = 0.05 * spacing_;  // facets lie off the smooth surface
+  const FarDistance::Nearest facets = far_.nearest(x);
+  memory.doubted_at = x;
+  memory.doubt = std::min(facets.distance + shallow, facets.same_side);
+  return facets.distance < -shallow ? std::max(gap, facets.distance) : kInfinity;
 }
 
 void Proximity::measure(const Pose& X_qs, double window) {
@@ -316,13 +332,17 @@ double Proximity::edge_distance(const ContactGeometry& contact) const {
                   sampled_->edge_distance(b ? contact.b.p : contact.a.p));
 }
 
-void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius,
+void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius, double steep,
                              std::vector<LocalMinimum>& out) const {
   const Pose X_qs = query_from_samples(X_ab);
-  const SurfacePoint& from = samples_b_ ? contact.b : contact.a;
-  constexpr int kDirections = 8;
-  for (int k = 0; k < kDirections; ++k) {
-    const double angle = 2 * M_PI * k / kDirections;
+  const SurfacePoint &from = samples_b_ ? contact.b : contact.a, &other = samples_b_ ? contact.a : contact.b;
+  const Mat2 turn = (X_qs.R * from.T).transpose() * other.T;
+  const SymmetricEigen<2> bend = symmetric_eigen(Mat2(-(from.S + turn * other.S * turn.transpose())));
+  constexpr int kRound = 8;
+  const int directions = bend.values[1] > steep ? 2 : kRound;
+  const double first = std::atan2(bend.vectors(1, 0), bend.vectors(0, 0));
+  for (int k = 0; k < directions; ++k) {
+    const double angle = first + 2 * M_PI * k / directions;
     SurfacePoint start;
     if (!sampled_->retract(from, radius * Vec2(std::cos(angle), std::sin(angle)), start)) continue;
     const auto descent = descend(X_qs, start.p);

@@ -61,8 +61,10 @@ class Proximity {
   /// The local minimum nearest to `contact` at the pose X_ab; empty when it has left what is known.
   std::optional<Descent> follow(const Pose& X_ab, const ContactGeometry& contact) const;
 
-  /// Minima reached from points around `contact`, `radius` (m) away: finds the twin of a contact about to split.
-  void probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius,
+  /// Minima reached from points around `contact`, `radius` (m) away: finds the twin of a contact about to split. Where
+  /// the gap bends by more than `steep` (1/m) one way, from two points the other way: what else there is in a valley
+  /// lies along its bottom.
+  void probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius, double steep,
                     std::vector<LocalMinimum>& out) const;
 
   /// Smallest distance (m) of the contact's points to the edges of their patches; negative outside.
@@ -79,17 +81,25 @@ class Proximity {
     Pose measured;
   };
 
+  /// What is known of a sample from where it was when it was looked at, in the frame of the asked surface.
+  struct Memory {
+    Vec3 at = Vec3::Zero(), doubted_at = Vec3::Zero();
+    double clearance = -1;  ///< m: clear of the surface by that much
+    double doubt = -1;      ///< m: by facets outside by that much, whatever the smooth surface says of its wrong side
+  };
+
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
   void find_minima(const Pose& X_qs, double window, ProximityScan& out);
   bool lowest_of_neighbours(int sample) const;
   bool is_bowl(const Mat2& bend) const;
   bool slopes_to_known(int sample) const;
-  double far_clearance(const Group& group, const FarDistance::Nearest& nearest) const;
+  double near_clearance(double gap) const;
+  double far_clearance(const FarDistance::Nearest& nearest, double radius, bool large) const;
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
-  double sample_gap(const Pose& X_qs, int sample, Vec3* direction) const;
-  double doubtful_gap(const Vec3& x, double gap) const;
+  double sample_gap(const Pose& X_qs, int sample, Vec3* direction);
+  double doubtful_gap(const Vec3& x, double gap, Memory& memory) const;
   void build_groups();
   Group sphere_round(int first, int last, int& axis) const;
   template <typename Visit>
@@ -106,6 +116,7 @@ class Proximity {
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;
+  std::vector<Memory> memory_;     // of each sample
   std::vector<double> gap_;        // of each sample at the last measurement; infinity where clear
   std::vector<int> measured_;      // the samples that have one
   std::vector<int> starts_;        // of descents, by gap

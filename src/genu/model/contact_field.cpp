@@ -121,8 +121,8 @@ std::optional<Descent> ContactField::follow(const State& state, int pair, const 
 }
 
 void ContactField::probe_around(const State& state, int pair, const ContactGeometry& contact, double radius,
-                                std::vector<LocalMinimum>& out) const {
-  pairs_[at(pair)].probe_around(relative(state, pair), contact, radius, out);
+                                double steep, std::vector<LocalMinimum>& out) const {
+  pairs_[at(pair)].probe_around(relative(state, pair), contact, radius, steep, out);
 }
 
 double ContactField::edge_distance(int pair, const ContactGeometry& contact) const {

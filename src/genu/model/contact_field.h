@@ -39,7 +39,7 @@ class ContactField {
   std::optional<Descent> follow(const State& state, int pair, const ContactGeometry& contact) const;
 
   /// Further minima hidden next to a contact between the samples.
-  void probe_around(const State& state, int pair, const ContactGeometry& contact, double radius,
+  void probe_around(const State& state, int pair, const ContactGeometry& contact, double radius, double steep,
                     std::vector<LocalMinimum>& out) const;
 
   double edge_distance(int pair, const ContactGeometry& contact) const;

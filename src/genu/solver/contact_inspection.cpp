@@ -14,6 +14,7 @@ namespace {
 // Below this relative curvature, in 1/spacing, a contact may be about to split: look around it, the samples may miss
 // its twin.
 constexpr double kNearSplit = 3e-3;
+constexpr double kSteep = 4 * kNearSplit;
 constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
 // Samples overlap by at most this part of the characteristic length beyond the deepest refined minimum, or something
 // else is wrong: samples lie on the surfaces to rounding, and each that overlaps starts a descent.
@@ -127,7 +128,7 @@ void ContactInspector::look_beside(const State& state, int i, Findings& out) {
   if (least > kNearSplit / spacing) return;
   beside_.clear();
   for (const double radius : kProbeRadii)
-    field_->probe_around(state, contact.pair, contact.geometry, radius * spacing, beside_);
+    field_->probe_around(state, contact.pair, contact.geometry, radius * spacing, kSteep / spacing, beside_);
   bool lower = false;
   for (const LocalMinimum& m : beside_) {
     if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, same_contact())) continue;

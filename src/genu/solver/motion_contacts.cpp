@@ -19,7 +19,8 @@ constexpr double kOverlapping = 1e-6;  // of the length scale: what overlaps at 
 constexpr double kOfClearance = 0.9;   // of the gap between them, the same
 constexpr double kExplained = 1e-6;    // of the length scale: samples overlap by no more than minima do
 constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
-constexpr double kHasTwins = 1.2e-2;   // of the same: below, another contact may be born beside one at any step
+constexpr double kSteepAcross = 1.2e-2;  // of the same: in a valley others lie along its bottom
+constexpr double kHasTwins = 1.2e-2;     // of the same: below, another contact may be born beside one at any step
 constexpr double kBeside[] = {0.3, 0.8, 1.6, 3};  // of the spacing: where others are born beside a contact
 constexpr double kOfTwins = 1e-3;                 // of `touching_`
 constexpr double kLate = 2;  // of `touching_`: an overlap by more was seen too late to tell when it began
@@ -184,7 +185,7 @@ bool MotionContacts::born_beside(const State& state, const ActiveContact& contac
   if (!bends_away(model_, state, contact, kMayConform / spacing)) return true;
   beside_.clear();
   for (const double radius : kBeside)
-    field_.probe_around(state, contact.pair, contact.geometry, radius * spacing, beside_);
+    field_.probe_around(state, contact.pair, contact.geometry, radius * spacing, kSteepAcross / spacing, beside_);
   return std::any_of(beside_.begin(), beside_.end(), [&](const LocalMinimum& m) {
     const Candidate candidate{contact.pair, m};
     return m.gap < -allowed_overlap(state, candidate) && !inspector_.held(state, candidate);
