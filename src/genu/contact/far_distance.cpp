@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
+#include <tbb/parallel_invoke.h>
 #include <Eigen/Geometry>
 
 #include "genu/contact/feature_normals.h"
@@ -21,7 +23,7 @@ namespace {
 // FCL tests triangles with an absolute 1e-15, which breaks small ones in metres: it is fed millimetres.
 constexpr double kMillimetres = 1e3;
 
-using Bvh = fcl::BVHModel<fcl::OBBRSSd>;
+using Bvh = fcl::BVHModel<fcl::RSSd>;
 
 // Winding numbers from which on a point is inside: between pieces, and behind the edge of an open sheet. Behind the
 // edge of a flat one it is at most 1/4, at right angles; behind one that bends round, as a condyle's does, more.
@@ -68,7 +70,11 @@ bool pieces_may_meet(const Mesh& mesh) {
 }  // namespace
 
 struct FarDistance::Triangles {
-  explicit Triangles(Mesh m) : mesh(with_area(std::move(m))), normals(mesh) {
+  explicit Triangles(Mesh m) : mesh(with_area(std::move(m))) {
+    tbb::parallel_invoke([this] { build_tree(); }, [this] { tell_sides(); });
+  }
+
+  void build_tree() {
     std::vector<Vec3> vertices;
     std::vector<fcl::Triangle> triangles;
     vertices.reserve(mesh.vertices.size());
@@ -77,17 +83,21 @@ struct FarDistance::Triangles {
     for (const auto& t : mesh.triangles)
       triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
                              static_cast<std::size_t>(t[2]));
-    // The nearest point of one sheet tells the side for certain. At the edge of a hole it tells nothing, and between
-    // pieces that run into each other it may lie on the one whose outside x is.
-    entangled = pieces_may_meet(mesh);
-    if (normals.any_open() || entangled) winding = std::make_unique<WindingNumber>(mesh);
     bvh->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
     bvh->addSubModel(vertices, triangles);
     bvh->endModel();
   }
 
+  /// The nearest point of one sheet tells the side for certain. At the edge of a hole it tells nothing, and between
+  /// pieces that run into each other it may lie on the one whose outside x is.
+  void tell_sides() {
+    normals.emplace(mesh);
+    entangled = pieces_may_meet(mesh);
+    if (normals->any_open() || entangled) winding = std::make_unique<WindingNumber>(mesh);
+  }
+
   Mesh mesh;
-  FeatureNormals normals;
+  std::optional<FeatureNormals> normals;
   std::unique_ptr<WindingNumber> winding;  // where the nearest point does not tell the side for certain
   bool entangled = false;                  // which is everywhere
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
@@ -122,7 +132,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   const Vec3 away = x - on_mesh;
   const double distance = away.norm();
   bool open = false;
-  const Vec3 normal = triangles_->normals.at(result.b1, on_mesh, open).normalized();
+  const Vec3 normal = triangles_->normals->at(result.b1, on_mesh, open).normalized();
   out.beyond_edge = open;
   double side = open || away.dot(normal) >= 0 ? 1.0 : -1.0;
   out.same_side = std::numeric_limits<double>::infinity();
