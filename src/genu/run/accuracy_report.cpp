@@ -1,5 +1,6 @@
 // What accuracy costs in time, as text, table and diagram.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,14 +11,29 @@
 namespace genu {
 namespace {
 
+constexpr std::array<const char*, kAccuracyEffects> kPartColumns = {"us_search", "us_contact_equations",
+                                                                    "us_ligaments"};
+constexpr double kRounding = 1e-9;  // errors below it, in their unit, are drawn and compared as this
+
+/// Degrees have a colour each.
+std::string series_of(const AccuracySetting& s) {
+  if (s.knob != AccuracySetting::Knob::mesh || s.degree == 0) return to_string(s.knob);
+  return fmt::format("edge length, degree {}", s.degree);
+}
+
 std::vector<WorkPanel> panels_of(const AccuracyReport& report) {
   std::vector<WorkPanel> panels;
   for (std::size_t g = 0; g < report.groups.size(); ++g) {
     const AccuracyGroup& group = report.groups[g];
     WorkPanel panel{group.name + " [" + group.unit + "]", {}, 0};
     if (const auto t = report.targets.find(group.unit); t != report.targets.end()) panel.target = t->second;
-    for (const AccuracyPoint& p : report.points)
-      if (p.complete()) panel.points.push_back({p.name, to_string(p.setting.knob), p.pose_seconds, p.errors[g]});
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+      const AccuracyPoint& p = report.points[i];
+      if (!p.complete()) continue;
+      const double error = std::isnan(p.errors[g]) ? p.errors[g] : std::max(p.errors[g], kRounding);
+      panel.points.push_back(
+          {p.name, series_of(p.setting), p.pose_seconds, error, static_cast<int>(i) == report.chosen});
+    }
     panels.push_back(std::move(panel));
   }
   return panels;
@@ -27,6 +43,7 @@ ResultTable table_of(const AccuracyReport& report) {
   ResultTable table;
   for (const char* column : {"varied", "setting", "solved", "build_ms", "us_a_pose", "spread"})
     table.add_column(column);
+  for (const char* column : kPartColumns) table.add_column(column);
   for (const AccuracyGroup& g : report.groups) table.add_column(g.name + "_" + g.unit);
   table.add_column("front");
   std::vector<std::vector<bool>> fronts;
@@ -41,6 +58,7 @@ ResultTable table_of(const AccuracyReport& report) {
     table.set("build_ms", 1e3 * p.build_seconds);
     table.set("us_a_pose", 1e6 * p.pose_seconds);
     table.set("spread", p.spread);
+    for (std::size_t k = 0; k < kAccuracyEffects; ++k) table.set(kPartColumns[k], 1e6 * p.effect_seconds[k]);
     std::string front;
     for (std::size_t g = 0; g < report.groups.size(); ++g) {
       table.set(report.groups[g].name + "_" + report.groups[g].unit, p.errors[g]);
@@ -52,12 +70,16 @@ ResultTable table_of(const AccuracyReport& report) {
   return table;
 }
 
+std::string microseconds(const AccuracyPoint& p, double seconds) {
+  return p.complete() ? fmt::format("{:.1f}", 1e6 * seconds) : "-";
+}
+
 }  // namespace
 
 std::string to_text(const AccuracyReport& report) {
   const ResultTable table = table_of(report);
   std::string out = "errors are the largest of any row, from " + report.reference + "\n\n";
-  std::vector<std::string> head = {"varied", "setting", "solved", "build ms", "us a pose"};
+  std::vector<std::string> head = {"varied", "setting", "solved", "build ms", "us a pose", "search"};
   for (const AccuracyGroup& g : report.groups) head.push_back(g.name + " " + g.unit);
   head.push_back("");
   std::vector<std::vector<std::string>> rows = {head};
@@ -65,8 +87,9 @@ std::string to_text(const AccuracyReport& report) {
     const AccuracyPoint& p = report.points[i];
     const bool again = i > 0 && report.points[i - 1].setting.knob == p.setting.knob;
     std::vector<std::string> row = {
-        again ? "" : to_string(p.setting.knob), p.name, fmt::format("{}/{}", p.solved, p.asked),
-        fmt::format("{:.1f}", 1e3 * p.build_seconds), fmt::format("{:.1f}", 1e6 * p.pose_seconds)};
+        again ? "" : to_string(p.setting.knob),  p.name,
+        fmt::format("{}/{}", p.solved, p.asked), fmt::format("{:.1f}", 1e3 * p.build_seconds),
+        microseconds(p, p.pose_seconds),         microseconds(p, p.effect_seconds[0])};
     for (const double e : p.errors) row.push_back(std::isfinite(e) ? fmt::format("{:.2e}", e) : "-");
     const auto front = std::get<std::string>(table.at(i, table.column_index("front")));
     row.push_back(static_cast<int>(i) == report.chosen ? "<- chosen" : front.empty() ? "" : "*");
@@ -89,10 +112,14 @@ std::string to_text(const AccuracyReport& report) {
           "  {:<12}{} of the finest mesh: {:.2g} {} (uncertain by {:.1g}{})\n", "finest", g.name, g.finest_error,
           g.unit, g.finest_uncertainty,
           g.order > 0 ? fmt::format("; order {:.1f}", g.order) : ", no order is seen: noise and features decide");
-  std::string stages;
+  std::string stages, parts;
   for (const auto& [name, seconds] : report.stages)
     stages += fmt::format("{}{} {:.3f} s", stages.empty() ? "" : ", ", name, seconds);
-  out += fmt::format("  {:<12}{}\n", "as it is", stages);
+  const AccuracyPoint& own = report.points[0];
+  for (std::size_t k = 0; k < kAccuracyEffects; ++k)
+    parts += fmt::format("{}{} {:.1f}", k == 0 ? "" : ", ", kAccuracyEffectNames[k], 1e6 * own.effect_seconds[k]);
+  out += fmt::format("  {:<12}{}\n  {:<12}of {:.1f} us a pose: {}\n", "as it is", stages, "", 1e6 * own.pose_seconds,
+                     parts);
   out += fmt::format("  {:<12}{} rounds, medians, on {}{}\n", "times", report.rounds, report.machine,
                      report.noisy ? "; THE MACHINE WAS TOO BUSY to tell times apart: try again" : "");
   return out + fmt::format("  {:<12}{}\n", "answer", report.sentence);
@@ -101,7 +128,17 @@ std::string to_text(const AccuracyReport& report) {
 std::string to_csv(const AccuracyReport& report) { return table_of(report).to_csv(); }
 
 std::string to_svg(const AccuracyReport& report) {
-  return to_svg(report.title + ", " + report.machine, panels_of(report));
+  WorkPicture picture{report.title, panels_of(report), {}};
+  if (!report.targets.empty()) picture.words.push_back("dashed: the error that is allowed");
+  if (report.chosen >= 0) picture.words.push_back("ring: chosen, " + report.points[at(report.chosen)].name);
+  const auto tiny = [](const AccuracyPoint& p) {
+    return p.complete() && std::any_of(p.errors.begin(), p.errors.end(), [](double e) { return e < kRounding; });
+  };
+  if (std::any_of(report.points.begin(), report.points.end(), tiny))
+    picture.words.push_back(fmt::format("errors below {0:g} are drawn as {0:g}", kRounding));
+  picture.words.push_back(fmt::format("{}; medians of {} rounds{}", report.machine, report.rounds,
+                                      report.noisy ? "; the machine was too busy to tell times apart" : ""));
+  return to_svg(picture);
 }
 
 }  // namespace genu
