@@ -29,12 +29,12 @@ struct LogAxis {
   double from, to;  // pixels
 
   LogAxis(double smallest, double largest, double at_low, double at_high) : from(at_low), to(at_high) {
-    constexpr int kFewDecades = 2;
+    constexpr double kFewDecades = 100;
     const int low = static_cast<int>(std::floor(std::log10(smallest))),
               high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(largest))));
     for (int k = low; k <= high; ++k)
       for (const double times : {1.0, 2.0, 5.0}) {
-        if (times > 1 && (k == high || high - low > kFewDecades)) continue;
+        if (times > 1 && (k == high || largest > kFewDecades * smallest)) continue;
         lines.push_back(times * std::pow(10.0, k));
       }
     // No empty stretch at either end.
@@ -61,12 +61,20 @@ std::string text(double x, double y, const char* how, const std::string& words) 
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", x, y, how, svg_escaped(words));
 }
 
-std::vector<std::string> series_names(const std::vector<WorkPanel>& panels) {
-  std::vector<std::string> names;
-  for (const WorkPanel& panel : panels)
+/// Those that the picture names first, then others as they come.
+std::vector<std::string> series_names(const WorkPicture& picture) {
+  std::vector<std::string> names = picture.series;
+  for (const WorkPanel& panel : picture.panels)
     for (const WorkPoint& p : panel.points)
       if (std::find(names.begin(), names.end(), p.series) == names.end()) names.push_back(p.series);
   return names;
+}
+
+bool is_drawn(const WorkPicture& picture, const std::string& series) {
+  const auto of_it = [&](const WorkPoint& p) { return p.series == series; };
+  return std::any_of(picture.panels.begin(), picture.panels.end(), [&](const WorkPanel& panel) {
+    return std::any_of(panel.points.begin(), panel.points.end(), of_it);
+  });
 }
 
 const char* colour_of(const std::vector<std::string>& names, const std::string& series) {
@@ -187,7 +195,7 @@ std::vector<bool> pareto_front(const std::vector<WorkPoint>& points) {
 }
 
 std::string to_svg(const WorkPicture& picture) {
-  const std::vector<std::string> names = series_names(picture.panels);
+  const std::vector<std::string> names = series_names(picture);
   const std::size_t columns = std::min(kColumns, std::max<std::size_t>(1, picture.panels.size())),
                     rows = (picture.panels.size() + columns - 1) / columns;
   const double across = kMarginLeft + kSide + kMarginRight, down = kHeight + kBelow,
@@ -197,7 +205,8 @@ std::string to_svg(const WorkPicture& picture) {
     panels += draw_panel(picture.panels[i], names, kMarginLeft + static_cast<double>(i % columns) * across,
                          kMarginTop + static_cast<double>(i / columns) * down);
   Legend legend(kMarginTop + static_cast<double>(rows) * down - 10, width);
-  for (const std::string& name : names) legend.add(colour_of(names, name), name);
+  for (const std::string& name : names)
+    if (is_drawn(picture, name)) legend.add(colour_of(names, name), name);
   legend.end_line();
   std::vector<std::string> words = picture.words;
   words.insert(words.begin(), "grey line: no other setting is both faster and more exact");

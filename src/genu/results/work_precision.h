@@ -29,7 +29,8 @@ std::vector<bool> pareto_front(const std::vector<WorkPoint>& points);
 struct WorkPicture {
   std::string title;
   std::vector<WorkPanel> panels;
-  std::vector<std::string> words;  ///< lines below it
+  std::vector<std::string> words;   ///< lines below it
+  std::vector<std::string> series;  ///< for which the first colours are kept, drawn or not
 };
 
 /// The same picture gives the same bytes.

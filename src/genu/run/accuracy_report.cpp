@@ -21,6 +21,16 @@ std::string series_of(const AccuracySetting& s) {
   return fmt::format("edge length, degree {}", s.degree);
 }
 
+/// The same colours in every picture.
+std::vector<std::string> series_in_order() {
+  using Knob = AccuracySetting::Knob;
+  std::vector<std::string> names = {series_of({})};
+  for (const int degree : {2, 3, 4}) names.push_back(series_of({.knob = Knob::mesh, .degree = degree}));
+  for (const Knob knob : {Knob::radius, Knob::tolerance, Knob::increments, Knob::model, Knob::layer, Knob::mesh})
+    names.push_back(to_string(knob));
+  return names;
+}
+
 std::vector<WorkPanel> panels_of(const AccuracyReport& report) {
   std::vector<WorkPanel> panels;
   for (std::size_t g = 0; g < report.groups.size(); ++g) {
@@ -128,7 +138,7 @@ std::string to_text(const AccuracyReport& report) {
 std::string to_csv(const AccuracyReport& report) { return table_of(report).to_csv(); }
 
 std::string to_svg(const AccuracyReport& report) {
-  WorkPicture picture{report.title, panels_of(report), {}};
+  WorkPicture picture{report.title, panels_of(report), {}, series_in_order()};
   if (!report.targets.empty()) picture.words.push_back("dashed: the error that is allowed");
   if (report.chosen >= 0) picture.words.push_back("ring: chosen, " + report.points[at(report.chosen)].name);
   const auto tiny = [](const AccuracyPoint& p) {
