@@ -1,6 +1,8 @@
 // The choice among made-up errors and times.
 #include "genu/run/accuracy_choice.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace genu {
@@ -78,6 +80,22 @@ TEST(AccuracyChoice, AToleranceOfAnotherMeshIsNotOfThisOne) {
   EXPECT_EQ(report.chosen, 1);
 }
 
+/// The finest meshes may take too long: that says nothing against coarser ones.
+TEST(AccuracyChoice, AFinerMeshThatWasCalledOffIsNoReasonAgainstThisOne) {
+  AccuracyReport report = report_of({{{}, 0, 10}, {mesh(1), 1e-3, 900, false}, {mesh(2), 5e-3, 50}}, 0.01);
+  choose(report, true, 1e-12);
+  EXPECT_EQ(report.chosen, -1) << "the finer one is lost: the coarser one may be so by chance";
+  report.points[1].called_off = true;
+  choose(report, true, 1e-12);
+  EXPECT_EQ(report.chosen, 2);
+  report.points[1].errors = {std::numeric_limits<double>::quiet_NaN()};
+  choose(report, true, 1e-12);
+  EXPECT_EQ(report.chosen, 2) << "called off before its first pose";
+  report.points[1].errors = {0.02};
+  choose(report, true, 1e-12);
+  EXPECT_EQ(report.chosen, -1) << "what it had solved by then is off by too much";
+}
+
 TEST(AccuracyChoice, OfClosedFormsWithATargetAMeshIsTaken) {
   const std::vector<Made> made = {{{}, 0, 10}, {mesh(1), 1e-3, 50}, {tolerance(1e-8), 1e-7, 5}};
   AccuracyReport with = report_of(made, 0.01), without = report_of(made, 0);
@@ -85,6 +103,9 @@ TEST(AccuracyChoice, OfClosedFormsWithATargetAMeshIsTaken) {
   EXPECT_EQ(with.chosen, 1);
   choose(without, true, 1e-12);
   EXPECT_EQ(without.chosen, 2) << "an error of 1e-7 mm is none";
+  AccuracyReport unmeshed = report_of({{{}, 0, 10}, {tolerance(1e-8), 1e-7, 9.5}}, 0.01);
+  choose(unmeshed, true, 1e-12);
+  EXPECT_EQ(unmeshed.chosen, 0) << "no mesh was tried: what is exact keeps the target";
 }
 
 TEST(AccuracyChoice, AToleranceMendsASceneWhoseOwnIsTooCoarse) {

@@ -129,6 +129,17 @@ TEST_F(Accuracy, TheChosenSceneIsAsExactAsWasSaid) {
         << group.name;
 }
 
+/// Once all settings are solved the time that was asked for counts, and one round is enough to choose.
+TEST_F(Accuracy, OneRoundHasTheTolerancesOfTheChosenMeshToo) {
+  ASSERT_EQ(run_accuracy(knee(), std::nullopt, {{"0.005mm"}, 9, 0}, {}, out_, report_, own_), kExitOk);
+  EXPECT_EQ(report_.rounds, 1);
+  EXPECT_NE(to_text(report_).find("nothing tells how far to trust it"), std::string::npos);
+  int joined = 0;
+  for (const AccuracyPoint& p : report_.points)
+    if (p.setting.tolerance > 0 && p.setting.edge_factor > 0) ++joined;
+  EXPECT_EQ(joined, 3);
+}
+
 /// The tolerance that was solved with is the one that is written, wherever the file says its own.
 TEST_F(Accuracy, AChosenToleranceIsWrittenAndAsExactAsWasSaid) {
   const std::string text = test::read_file(knee());

@@ -88,6 +88,7 @@ const Trial& finest_of(const std::vector<Trial>& trials) {
 AccuracyPoint point_of(const Prepared& p, const Trial& trial, const Trial& finest,
                        const std::vector<AccuracyGroup>& groups) {
   AccuracyPoint out{trial.setting, describe(p, trial.setting), {}, trial.solved, trial.asked, trial.build_seconds};
+  out.called_off = trial.called_off && !trial.complete();
   const double stretch = trial.setting.increments > 0 ? trial.setting.increments : 1;
   for (const AccuracyGroup& group : groups) {
     const double off = largest_difference(finest.poses, trial.poses, group.columns, stretch);
@@ -110,7 +111,7 @@ void compare(const Prepared& p, const std::vector<Trial>& trials, AccuracyReport
     if (trial.seconds.size() >= kFewestRounds) spreads.push_back(report.points.back().spread);
   }
   report.noisy = median(spreads) > kNoisy;
-  choose(report, has_closed_forms_alone(p) && mesh_unit(p) > 0, p.scene.solver.tolerance);
+  choose(report, has_closed_forms_alone(p), p.scene.solver.tolerance);
 }
 
 /// The files beside the scene's own results.

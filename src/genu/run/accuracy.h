@@ -31,6 +31,10 @@ struct AccuracyGroup {
 inline constexpr std::size_t kAccuracyEffects = 3;
 extern const std::array<const char*, kAccuracyEffects> kAccuracyEffectNames;
 
+/// A setting is called off after so many times as long as the scene as it is takes, but not
+/// within a few seconds: more is of no use to anyone.
+inline constexpr double kPatience = 20, kPatienceToSaveTime = 4, kShortest = 5;  // kShortest: s
+
 /// Of the last time it was solved, about (model/effect_meter.h).
 double effect_seconds(const Prepared& prepared, std::size_t effect);
 
@@ -43,6 +47,7 @@ struct AccuracyPoint {
   double pose_seconds = 0;     ///< median
   double spread = 0;           ///< of the rounds: what the middle half of them lies within, over the median
   std::array<double, kAccuracyEffects> effect_seconds{};  ///< of a pose's, medians
+  bool called_off = false;  ///< it took many times as long as the scene as it is: what is not solved might be
   bool complete() const { return solved == asked; }
 };
 

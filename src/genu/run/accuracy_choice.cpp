@@ -28,19 +28,30 @@ std::optional<std::pair<double, std::string>> target_of(const std::string& text)
   return std::nullopt;
 }
 
+/// The largest error that is allowed: the target, or without one near the smallest of all.
+double allowed(const AccuracyReport& report, std::size_t group) {
+  constexpr double kWithin = 2, kExact = 1e-6;
+  const auto target = report.targets.find(report.groups[group].unit);
+  if (target != report.targets.end()) return target->second;
+  double smallest = std::numeric_limits<double>::infinity();
+  if (!report.targets.empty()) return smallest;
+  for (const AccuracyPoint& p : report.points)
+    if (p.complete() && p.errors[group] >= 0) smallest = std::min(smallest, p.errors[group]);
+  return std::max(kWithin * smallest, kExact);
+}
+
 bool keeps(const AccuracyReport& report, const AccuracyPoint& point) {
-  for (std::size_t g = 0; g < report.groups.size(); ++g) {
-    if (!(point.errors[g] >= 0)) return false;
-    const auto target = report.targets.find(report.groups[g].unit);
-    if (target != report.targets.end() && point.errors[g] > target->second) return false;
-    if (!report.targets.empty()) continue;
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const AccuracyPoint& p : report.points)
-      if (p.complete() && p.errors[g] >= 0) smallest = std::min(smallest, p.errors[g]);
-    constexpr double kWithin = 2, kExact = 1e-6;
-    if (point.errors[g] > std::max(kWithin * smallest, kExact)) return false;
-  }
+  for (std::size_t g = 0; g < report.groups.size(); ++g)
+    if (!(point.errors[g] >= 0) || point.errors[g] > allowed(report, g)) return false;
   return point.complete();
+}
+
+/// Whether what was solved until it was called off says nothing against it.
+bool may_keep(const AccuracyReport& report, const AccuracyPoint& point) {
+  if (!point.called_off) return keeps(report, point);
+  for (std::size_t g = 0; g < report.groups.size(); ++g)
+    if (point.errors[g] > allowed(report, g)) return false;
+  return true;
 }
 
 /// Errors of one coarse mesh may cancel by chance: those of the finer ones with the same degree have to be as small.
@@ -49,7 +60,7 @@ bool finer_keep_too(const AccuracyReport& report, const AccuracyPoint& point) {
   return s.knob != AccuracySetting::Knob::mesh ||
          std::all_of(report.points.begin(), report.points.end(), [&](const AccuracyPoint& other) {
            const AccuracySetting& o = other.setting;
-           return o.knob != s.knob || o.degree != s.degree || o.edge_factor >= s.edge_factor || keeps(report, other);
+           return o.knob != s.knob || o.degree != s.degree || o.edge_factor >= s.edge_factor || may_keep(report, other);
          });
 }
 
@@ -140,6 +151,9 @@ bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnost
 }
 
 void choose(AccuracyReport& report, bool closed_forms, double own_tolerance) {
+  // Layers on closed forms are summed over these alone.
+  closed_forms = closed_forms && std::any_of(report.points.begin(), report.points.end(),
+                                             [](const auto& p) { return p.setting.edge_factor > 0; });
   report.chosen = best(report, closed_forms, false);
   if (report.chosen >= 0)
     report.chosen = with_tolerance(report, report.chosen, closed_forms);

@@ -81,7 +81,13 @@ ResultTable table_of(const AccuracyReport& report) {
 }
 
 std::string microseconds(const AccuracyPoint& p, double seconds) {
-  return p.complete() ? fmt::format("{:.1f}", 1e6 * seconds) : "-";
+  return p.complete() ? fmt::format("{:.1f}", 1e6 * seconds) : p.called_off ? "called off" : "-";
+}
+
+/// How far times can be trusted.
+const char* trust(const AccuracyReport& report) {
+  if (report.rounds < 2) return "; nothing tells how far to trust it: ask for more --rounds and --seconds";
+  return report.noisy ? "; THE MACHINE WAS TOO BUSY to tell times apart: try again" : "";
 }
 
 }  // namespace
@@ -99,7 +105,7 @@ std::string to_text(const AccuracyReport& report) {
     std::vector<std::string> row = {
         again ? "" : to_string(p.setting.knob),  p.name,
         fmt::format("{}/{}", p.solved, p.asked), fmt::format("{:.1f}", 1e3 * p.build_seconds),
-        microseconds(p, p.pose_seconds),         microseconds(p, p.effect_seconds[0])};
+        microseconds(p, p.pose_seconds),         p.complete() ? microseconds(p, p.effect_seconds[0]) : "-"};
     for (const double e : p.errors) row.push_back(std::isfinite(e) ? fmt::format("{:.2e}", e) : "-");
     const auto front = std::get<std::string>(table.at(i, table.column_index("front")));
     row.push_back(static_cast<int>(i) == report.chosen ? "<- chosen" : front.empty() ? "" : "*");
@@ -115,7 +121,13 @@ std::string to_text(const AccuracyReport& report) {
                                            : fmt::format(" {:>{}} ", row[c], widths[c]);
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
-  out += "  *: no other setting is both faster and more exact, in one group at least\n\n";
+  out += "  *: no other setting is both faster and more exact, in one group at least\n";
+  if (std::any_of(report.points.begin(), report.points.end(), [](const auto& p) { return p.called_off; }))
+    out += fmt::format(
+        "  called off: it took {:g} times as long as the scene as it is (another tolerance: {:g} times), "
+        "and {:g} s at least\n",
+        kPatience, kPatienceToSaveTime, kShortest);
+  out += "\n";
   for (const AccuracyGroup& g : report.groups)
     if (g.finest_error > 0)
       out += fmt::format(
@@ -130,8 +142,8 @@ std::string to_text(const AccuracyReport& report) {
     parts += fmt::format("{}{} {:.1f}", k == 0 ? "" : ", ", kAccuracyEffectNames[k], 1e6 * own.effect_seconds[k]);
   out += fmt::format("  {:<12}{}\n  {:<12}of {:.1f} us a pose: {}\n", "as it is", stages, "", 1e6 * own.pose_seconds,
                      parts);
-  out += fmt::format("  {:<12}{} rounds, medians, on {}{}\n", "times", report.rounds, report.machine,
-                     report.noisy ? "; THE MACHINE WAS TOO BUSY to tell times apart: try again" : "");
+  out += fmt::format("  {:<12}{} round{}, medians, on {}{}\n", "times", report.rounds, report.rounds == 1 ? "" : "s",
+                     report.machine, trust(report));
   return out + fmt::format("  {:<12}{}\n", "answer", report.sentence);
 }
 
@@ -146,7 +158,8 @@ std::string to_svg(const AccuracyReport& report) {
   };
   if (std::any_of(report.points.begin(), report.points.end(), tiny))
     picture.words.push_back(fmt::format("errors below {0:g} are drawn as {0:g}", kRounding));
-  picture.words.push_back(fmt::format("{}; medians of {} rounds{}", report.machine, report.rounds,
+  picture.words.push_back(fmt::format("{}; medians of {} round{}{}", report.machine, report.rounds,
+                                      report.rounds == 1 ? "" : "s",
                                       report.noisy ? "; the machine was too busy to tell times apart" : ""));
   return to_svg(picture);
 }

@@ -19,6 +19,7 @@ bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* 
   ContactField field(trial.prepared->model);
   Solution solution = solve(*trial.prepared, field, mine);
   if (asked_to_stop(options.cancelled)) return false;
+  trial.called_off = timer.seconds() > most;
   trial.solved = solution.summary.poses_solved;
   trial.asked = solution.summary.poses_asked;
   if (trial.solved > 0) {
@@ -31,10 +32,8 @@ bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* 
   return true;
 }
 
-/// Called off after so many times as long as the scene as it is: more is of no use to anyone.
 double patience(const AccuracySetting& setting) {
-  constexpr double kForAnything = 20, kToSaveTime = 4;
-  return setting.knob == AccuracySetting::Knob::tolerance ? kToSaveTime : kForAnything;
+  return setting.knob == AccuracySetting::Knob::tolerance ? kPatienceToSaveTime : kPatience;
 }
 
 class Rounds {
@@ -44,11 +43,10 @@ class Rounds {
 
   /// One round over the trials from `first`. False where it is called off.
   bool run(std::size_t first) {
-    constexpr double kAtLeast = 2;  // s
     for (std::size_t i = first; i < trials_.size(); ++i) {
       Trial& trial = trials_[i];
       if (trial.asked > 0 && !trial.complete()) continue;  // what does not get there need not be timed
-      const double most = own_seconds_ > 0 ? std::max(kAtLeast, patience(trial.setting) * own_seconds_)
+      const double most = own_seconds_ > 0 ? std::max(kShortest, patience(trial.setting) * own_seconds_)
                                            : std::numeric_limits<double>::infinity();
       const Timer timer;
       if (!solve_once(trial, options_, most, own_seconds_ > 0 ? nullptr : &own_)) return false;
@@ -97,9 +95,12 @@ bool solve_all(std::vector<Trial>& trials, const AccuracyChoice& choice, const R
                const std::function<std::vector<Trial>(const std::vector<Trial>&)>& later, int& rounds, Solution& own) {
   const Timer timer;
   Rounds round(trials, choice, options, own);
-  for (rounds = 0; rounds < choice.rounds && (rounds < kFewestRounds || timer.seconds() < choice.seconds); ++rounds) {
+  bool joined = false;
+  for (rounds = 0; rounds == 0 || (rounds < choice.rounds && timer.seconds() < choice.seconds); ++rounds) {
     if (!round.run(0)) return rounds > 0;
-    if (rounds + 1 != std::min(choice.rounds, kFewestRounds)) continue;
+    const bool last = rounds + 1 >= choice.rounds || timer.seconds() >= choice.seconds;
+    if (joined || (!last && rounds + 1 < kFewestRounds)) continue;
+    joined = true;
     const std::size_t first = trials.size();
     for (Trial& trial : later(trials)) trials.push_back(std::move(trial));
     if (!round.run(first)) trials.resize(first);

@@ -19,6 +19,7 @@ struct Trial {
   double build_seconds = 0;
   ResultTable poses = {};
   int solved = 0, asked = 0;
+  bool called_off = false;                                         ///< it took too long: what is not solved might be
   std::vector<double> seconds = {};                                ///< a pose, of each round
   std::array<std::vector<double>, kAccuracyEffects> effects = {};  ///< of that, in each of accuracy_effects()
   bool complete() const { return solved == asked; }
