@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/run/chosen_scene.h"
 #include "run/scenes.h"
 
 namespace genu {
@@ -114,7 +115,7 @@ TEST_F(Accuracy, TheChosenSceneIsAsExactAsWasSaid) {
   ASSERT_EQ(run(scene, {"0.005mm", "0.01 deg"}), kExitOk) << test::messages(out_);
   ASSERT_GE(report_.chosen, 0);
   const AccuracyPoint& chosen = report_.points[static_cast<std::size_t>(report_.chosen)];
-  EXPECT_EQ(chosen.setting.knob, AccuracySetting::Knob::mesh);
+  EXPECT_GT(chosen.setting.edge_factor, 0);
   EXPECT_LE(worst(chosen, "position"), 0.005);
   EXPECT_LE(worst(chosen, "rotation"), 0.01);
   const ResultTable exact = own_.poses;
@@ -126,6 +127,71 @@ TEST_F(Accuracy, TheChosenSceneIsAsExactAsWasSaid) {
     EXPECT_NEAR(largest_difference(exact, written.poses, group.columns, 1), worst(chosen, group.name),
                 1e-3 * worst(chosen, group.name))
         << group.name;
+}
+
+/// Once all settings are solved the time that was asked for counts, and one round is enough to choose.
+TEST_F(Accuracy, OneRoundHasTheTolerancesOfTheChosenMeshToo) {
+  ASSERT_EQ(run_accuracy(knee(), std::nullopt, {{"0.005mm"}, 9, 0}, {}, out_, report_, own_), kExitOk);
+  EXPECT_EQ(report_.rounds, 1);
+  EXPECT_NE(to_text(report_).find("nothing tells how far to trust it"), std::string::npos);
+  int joined = 0;
+  for (const AccuracyPoint& p : report_.points)
+    if (p.setting.tolerance > 0 && p.setting.edge_factor > 0) ++joined;
+  EXPECT_EQ(joined, 3);
+}
+
+/// The tolerance that was solved with is the one that is written, wherever the file says its own.
+TEST_F(Accuracy, AChosenToleranceIsWrittenAndAsExactAsWasSaid) {
+  const std::string text = test::read_file(knee());
+  const std::size_t units = text.find("units = ");
+  const std::vector<std::string> scenes = {
+      text,
+      text + "\n[solver]\ntolerance = 1e-11 # fine\n",
+      text + "\n[solver]\n",
+      text.substr(0, units) + "solver = { tolerance = 1.0e-11 }\n" + text.substr(units),
+      text.substr(0, units) + "solver.tolerance = 1_0e-12\n" + text.substr(units),
+  };
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    SCOPED_TRACE(k);
+    Diagnostics out;
+    const std::string file = folder_.write("coarse.toml", scenes[k]);
+    const auto prepared = prepare(file, out);
+    ASSERT_TRUE(prepared) << test::messages(out);
+    const AccuracySetting setting{.tolerance = 1e-3};
+    const auto files = chosen_scene(file, *prepared, setting, folder_ / "out", out);
+    ASSERT_EQ(files.size(), 1u) << test::messages(out);
+    const auto written = parse_scene(files[0].second, "written.toml", out);
+    ASSERT_TRUE(written) << test::messages(out);
+    EXPECT_EQ(written->solver.tolerance, 1e-3);
+    EXPECT_EQ(k == 1, files[0].second.find("# fine") != std::string::npos);
+    const auto trial = with_setting(*prepared, setting);
+    ContactField field(trial->model);
+    EXPECT_EQ(solve(*trial, field, {}).poses.to_csv(), test::solved(*written).poses.to_csv());
+  }
+}
+
+TEST_F(Accuracy, CountsErrorsFromAFinerToleranceThanTheScenes) {
+  const std::string scene = folder_.write("coarse.toml", test::read_file(knee()) + "\n[solver]\ntolerance = 1e-3\n");
+  ASSERT_EQ(run(scene, {}), kExitOk) << test::messages(out_);
+  EXPECT_GT(worst(report_.points[0], "position"), 1e-5) << "its own tolerance is its error";
+  ASSERT_NE(point("tolerance 1e-12"), nullptr);
+  EXPECT_EQ(worst(*point("tolerance 1e-12"), "position"), 0);
+  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
+  EXPECT_EQ(point("tolerance 1e-03"), nullptr) << "that is the scene as it is";
+}
+
+TEST_F(Accuracy, TimeIsToldApart) {
+  ASSERT_EQ(run(knee(), {}), kExitOk) << test::messages(out_);
+  int disturbed = 0;  // by other programs, in the middle of what stands for sixteen calls
+  for (const AccuracyPoint& p : report_.points) {
+    double sum = 0;
+    for (const double seconds : p.effect_seconds) sum += seconds;
+    EXPECT_GT(sum, 0) << p.name;
+    if (sum > 1.1 * p.pose_seconds) ++disturbed;
+    EXPECT_EQ(p.effect_seconds[0] > 0, p.setting.modulus == 0) << p.name << ": layers search for nothing";
+  }
+  EXPECT_LE(disturbed, 3);
+  EXPECT_NE(to_csv(report_).find(",us_search,us_contact_equations,us_ligaments,"), std::string::npos);
 }
 
 TEST_F(Accuracy, SaysThatATargetIsOutOfReach) {
@@ -152,6 +218,15 @@ TEST_F(Accuracy, RefusesToWriteAnewWhatHasNoTableOfItsOwn) {
   EXPECT_GT(out_.items()[0].line, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   EXPECT_EQ(run(scene, {}), kExitOk) << "nothing is to be written anew: " << test::messages(out_);
+}
+
+TEST_F(Accuracy, RefusesToWriteATolerance) {
+  const std::string text = test::read_file(knee());
+  const std::string scene = folder_.write("inline.toml", "solver = {}\n" + text);
+  EXPECT_EQ(run(scene, {"0.01mm"}), kExitRefused);
+  ASSERT_EQ(out_.items().size(), 1u) << test::messages(out_);
+  EXPECT_EQ(out_.items()[0].key, "solver");
+  EXPECT_EQ(out_.items()[0].line, 1);
 }
 
 TEST_F(Accuracy, IsSilentAboutWhatWasCalledOff) {

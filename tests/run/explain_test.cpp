@@ -101,6 +101,12 @@ TEST(Explain, TheTorusKneeIsSeventeenEquations) {
   expect_said(text, "off           cartilage layer, loads");
 }
 
+TEST(Explain, NamesTheToleranceWhereItIsNotTheDefault) {
+  EXPECT_EQ(torus_knee().find("tolerance"), std::string::npos);
+  expect_said(torus_knee([](Scene& s) { s.solver.tolerance = 1e-8; }),
+              "  solver        tolerance 1e-08 in the place of 1e-12\n");
+}
+
 TEST(Explain, ArcLengthIsOneUnknownMore) {
   Diagnostics out;
   Scene scene = *read_scene(test::dortmans_file(), out);

@@ -170,6 +170,30 @@ TEST(RunScene, MetresAndMillimetresAreTheSameKnee) {
 
 /// Both bodies described in other frames: what is fixed moved by X, what moves turned about its origin. A pose (R, d)
 /// becomes (Q R Q', Q d + p) with X = (Q, p), so turned axes give the same angles.
+double worst_residual(const ResultTable& poses) {
+  double worst = 0;
+  for (std::size_t row = 0; row < poses.rows(); ++row) worst = std::max(worst, poses.number(row, "residual"));
+  return worst;
+}
+
+TEST(RunScene, PosesAreSolvedAsExactlyAsTheSceneAsksFor) {
+  const std::string text = read_file(test::dortmans_file());
+  const auto with = [&](const std::string& tolerance) {
+    return test::table_of(text + "\n[solver]\ntolerance = " + tolerance + "\n");
+  };
+  const ResultTable own = test::table_of(text), coarse = with("1e-5"), coarser = with("1e-3"), fine = with("1e-14");
+  EXPECT_EQ(SolverDef{}.tolerance, NewtonOptions{}.residual_tolerance);
+  EXPECT_EQ(own.to_csv(), with("1e-12").to_csv());
+  EXPECT_LE(worst_residual(own), 1e-12);
+  EXPECT_LE(worst_residual(coarse), 1e-5);
+  EXPECT_GT(worst_residual(coarse), 1e-8);
+  EXPECT_LE(worst_residual(coarser), 1e-3);
+  EXPECT_GT(worst_residual(coarser), worst_residual(coarse));
+  EXPECT_LT(worst_residual(fine), 1e-12);
+  EXPECT_GT(test::worst_difference(own, coarse, "knee.x_mm"), 1e-9);
+  EXPECT_LT(test::worst_difference(own, coarse, "knee.x_mm"), 1e-3);
+}
+
 TEST(RunScene, AKneeMovedInSpaceIsTheSameKnee) {
   const Scene here = dortmans();
   Scene there = here;

@@ -1,8 +1,9 @@
 // What each effect of a scene costs: how often it was evaluated, and about how long that took.
 //
 // An effect is a kind of term in the equations: ligaments, loads, contact and so on. A scene pays only for those it
-// names, and this is where that is counted. The time is of every sixteenth call and scaled: looking at the clock each
-// time would cost as much as the smaller terms do.
+// names, and this is where that is counted. The time of quick terms is of every sixteenth call and scaled: looking at
+// the clock each time would cost as much as they do. The first call, which may find nothing in the caches, and terms
+// that are slow are timed each time and never scaled.
 #pragma once
 
 #include <array>
@@ -34,25 +35,34 @@ class EffectMeter {
   void measure(Effect effect, std::size_t count, const Work& work) {
     Tally& tally = tallies_[static_cast<std::size_t>(effect)];
     tally.evaluations += static_cast<std::int64_t>(count);
-    if (tally.calls++ % kEvery != 0) return work();
+    if (!tally.begun || tally.sampled_seconds > kSlow * static_cast<double>(tally.timed)) {
+      tally.begun = true;
+      const ScopedTimer timing(tally.seconds);
+      return work();
+    }
+    if (tally.sampled++ % kEvery != 0) return work();
     ++tally.timed;
-    const ScopedTimer timing(tally.seconds);
+    const ScopedTimer timing(tally.sampled_seconds);
     work();
   }
 
   std::int64_t evaluations(Effect effect) const { return tallies_[static_cast<std::size_t>(effect)].evaluations; }
 
-  /// Estimated from the calls that were timed.
+  /// Of the calls that were timed, and about that of the others.
   double seconds(Effect effect) const {
     const Tally& tally = tallies_[static_cast<std::size_t>(effect)];
-    return tally.timed == 0 ? 0 : tally.seconds * static_cast<double>(tally.calls) / static_cast<double>(tally.timed);
+    if (tally.timed == 0) return tally.seconds;
+    return tally.seconds +
+           tally.sampled_seconds * static_cast<double>(tally.sampled) / static_cast<double>(tally.timed);
   }
 
  private:
   static constexpr std::int64_t kEvery = 16;
+  static constexpr double kSlow = 10e-6;  // s a call, beside which a look at the clock is nothing
   struct Tally {
-    std::int64_t evaluations = 0, calls = 0, timed = 0;
-    double seconds = 0;
+    std::int64_t evaluations = 0, sampled = 0, timed = 0;  // timed: of those that are sampled
+    double seconds = 0, sampled_seconds = 0;
+    bool begun = false;
   };
   std::array<Tally, kEffects> tallies_;
 };

@@ -1,5 +1,6 @@
 // What accuracy costs in time, as a self-contained SVG: error over time, both logarithmic, a panel for each group of
-// outputs, the settings that no other beats in both joined by a line. Knows nothing of joints.
+// outputs, the settings that no other beats in both joined by a line, the one that was chosen in
+// a ring. Knows nothing of joints.
 #pragma once
 
 #include <string>
@@ -12,6 +13,7 @@ struct WorkPoint {
   std::string series;  ///< settings of one kind share a colour
   double seconds = 0;  ///< a pose
   double error = 0;
+  bool chosen = false;  ///< gets a ring
 };
 
 struct WorkPanel {
@@ -24,7 +26,14 @@ struct WorkPanel {
 /// positive never are.
 std::vector<bool> pareto_front(const std::vector<WorkPoint>& points);
 
-/// The picture; the same panels give the same bytes.
-std::string to_svg(const std::string& title, const std::vector<WorkPanel>& panels);
+struct WorkPicture {
+  std::string title;
+  std::vector<WorkPanel> panels;
+  std::vector<std::string> words;   ///< lines below it
+  std::vector<std::string> series;  ///< for which the first colours are kept, drawn or not
+};
+
+/// The same picture gives the same bytes.
+std::string to_svg(const WorkPicture& picture);
 
 }  // namespace genu

@@ -8,15 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "genu/core/timer.h"
+#include "genu/run/accuracy_choice.h"
+#include "genu/run/accuracy_trials.h"
 #include "genu/run/chosen_scene.h"
 
 namespace genu {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNoisy = 0.5;    // spread of a setting's times, in the median over all settings
-constexpr int kFewestRounds = 2;  // to speak of a spread
+constexpr double kNoisy = 0.25;  // spread of a setting's times, in the median over all settings
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -55,81 +55,6 @@ std::vector<AccuracyGroup> groups_of(const Prepared& p, const ResultTable& poses
   return out;
 }
 
-/// "0.01mm" as (0.01, "mm"). Nothing for what is none.
-std::optional<std::pair<double, std::string>> target_of(const std::string& text) {
-  for (const char* unit : {"mm", "deg", "N"}) {
-    if (!ends_with(text, unit)) continue;
-    const std::string number = text.substr(0, text.size() - std::string(unit).size());
-    std::size_t used = 0;
-    double value = 0;
-    try {
-      value = std::stod(number, &used);
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
-    while (used < number.size() && number[used] == ' ') ++used;
-    if (used != number.size() || !std::isfinite(value) || !(value > 0)) return std::nullopt;
-    return std::pair(value, std::string(unit));
-  }
-  return std::nullopt;
-}
-
-/// One setting with all that solving it needs.
-struct Trial {
-  AccuracySetting setting;
-  std::optional<Prepared> prepared;
-  double build_seconds = 0;
-  ResultTable poses;
-  int solved = 0, asked = 0;
-  std::vector<double> seconds;  ///< a pose, of each round
-};
-
-double median(std::vector<double> values) {
-  if (values.empty()) return kNaN;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-/// Solves a trial once, for `most` seconds or about that long; its table and rows are those of the last time. False
-/// where it was called off: the trial is then as it was.
-bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* keep) {
-  RunOptions mine = options;
-  const Timer timer;
-  mine.path.newton.cancelled =
-      mine.cancelled = [&] { return timer.seconds() > most || asked_to_stop(options.cancelled); };
-  if (trial.setting.tolerance > 0) {
-    mine.path.newton.residual_tolerance = trial.setting.tolerance;
-    mine.path.newton.residual_floor = std::max(mine.path.newton.residual_floor, trial.setting.tolerance);
-  }
-  ContactField field(trial.prepared->model);
-  Solution solution = solve(*trial.prepared, field, mine);
-  if (asked_to_stop(options.cancelled)) return false;
-  trial.solved = solution.summary.poses_solved;
-  trial.asked = solution.summary.poses_asked;
-  if (trial.solved > 0) trial.seconds.push_back(solution.summary.seconds.back().second / trial.solved);  // "solving"
-  trial.poses = solution.poses;
-  if (keep != nullptr) *keep = std::move(solution);
-  return true;
-}
-
-/// Solves all trials in turn, round after round. False where it is called off before each has been solved once.
-bool solve_all(std::vector<Trial>& trials, const AccuracyChoice& choice, const RunOptions& options, int& rounds,
-               Solution& own) {
-  constexpr double kPatience = 20, kAtLeast = 2;  // times as long as the scene as it is, s: more is of no use to anyone
-  const Timer timer;
-  double most = std::numeric_limits<double>::infinity();
-  const int count = static_cast<int>(trials.size());
-  for (rounds = 0; rounds < choice.rounds && (rounds < kFewestRounds || timer.seconds() < choice.seconds); ++rounds)
-    for (int i = 0; i < count; ++i) {
-      Trial& trial = trials[at(i)];
-      if (rounds > 0 && trial.solved < trial.asked) continue;  // what does not get there need not be timed
-      if (!solve_once(trial, options, most, i == 0 && rounds == 0 ? &own : nullptr)) return rounds > 0;
-      if (i == 0) most = std::max(kAtLeast, kPatience * timer.seconds() / (rounds + 1));
-      if (options.varied_progress) options.varied_progress(rounds * count + i + 1, choice.rounds * count);
-    }
-  return true;
-}
-
 /// The finest solution's own error, from the meshes of the scene's own degree.
 void estimate_finest(const Prepared& p, const std::vector<Trial>& trials, std::vector<AccuracyGroup>& groups) {
   if (has_closed_forms_alone(p)) return;
@@ -147,110 +72,74 @@ void estimate_finest(const Prepared& p, const std::vector<Trial>& trials, std::v
   }
 }
 
+/// What errors are counted from: the scene as it is, or with a finer tolerance than it has.
+const Trial& finest_of(const std::vector<Trial>& trials) {
+  const Trial* finest = &trials[0];
+  double tolerance = trials[0].prepared->scene.solver.tolerance;
+  for (const Trial& t : trials)
+    if (t.setting.knob == AccuracySetting::Knob::tolerance && t.setting.edge_factor == 0 && t.complete() &&
+        t.setting.tolerance < tolerance) {
+      finest = &t;
+      tolerance = t.setting.tolerance;
+    }
+  return *finest;
+}
+
 AccuracyPoint point_of(const Prepared& p, const Trial& trial, const Trial& finest,
                        const std::vector<AccuracyGroup>& groups) {
-  AccuracyPoint out{trial.setting, describe(p, trial.setting), {}, trial.solved,
-                    trial.asked,   trial.build_seconds,        0,  0};
+  AccuracyPoint out{trial.setting, describe(p, trial.setting), {}, trial.solved, trial.asked, trial.build_seconds};
+  out.called_off = trial.called_off && !trial.complete();
   const double stretch = trial.setting.increments > 0 ? trial.setting.increments : 1;
   for (const AccuracyGroup& group : groups) {
     const double off = largest_difference(finest.poses, trial.poses, group.columns, stretch);
     out.errors.push_back(std::hypot(off, group.finest_error));
   }
-  out.pose_seconds = median(trial.seconds);
-  const auto [low, high] = std::minmax_element(trial.seconds.begin(), trial.seconds.end());
-  if (!trial.seconds.empty()) out.spread = (*high - *low) / out.pose_seconds;
+  out.pose_seconds = trial.complete() ? median(trial.seconds) : kNaN;  // else most of the time is of poses not found
+  out.spread = spread(trial.seconds);
+  for (std::size_t k = 0; k < kAccuracyEffects; ++k) out.effect_seconds[k] = median(trial.effects[k]);
   return out;
 }
 
-bool keeps(const AccuracyReport& report, const AccuracyPoint& point) {
-  for (std::size_t g = 0; g < report.groups.size(); ++g) {
-    if (!(point.errors[g] >= 0)) return false;
-    const auto target = report.targets.find(report.groups[g].unit);
-    if (target != report.targets.end() && point.errors[g] > target->second) return false;
-    if (!report.targets.empty()) continue;
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const AccuracyPoint& p : report.points)
-      if (p.complete() && p.errors[g] >= 0) smallest = std::min(smallest, p.errors[g]);
-    constexpr double kWithin = 2, kExact = 1e-6;
-    if (point.errors[g] > std::max(kWithin * smallest, kExact)) return false;
+/// Errors and times of all trials, and the one to be taken.
+void compare(const Prepared& p, const std::vector<Trial>& trials, AccuracyReport& report) {
+  report.groups = groups_of(p, trials[0].poses);
+  estimate_finest(p, trials, report.groups);
+  const Trial& finest = finest_of(trials);
+  std::vector<double> spreads;
+  for (const Trial& trial : trials) {
+    report.points.push_back(point_of(p, trial, finest, report.groups));
+    if (trial.seconds.size() >= kFewestRounds) spreads.push_back(report.points.back().spread);
   }
-  return point.complete();
+  report.noisy = median(spreads) > kNoisy;
+  choose(report, has_closed_forms_alone(p), p.scene.solver.tolerance);
 }
 
-/// Errors of one coarse mesh may cancel by chance: those of the finer ones with the same degree have to be as small.
-bool finer_keep_too(const AccuracyReport& report, const AccuracyPoint& point) {
-  const AccuracySetting& s = point.setting;
-  return s.knob != AccuracySetting::Knob::mesh ||
-         std::all_of(report.points.begin(), report.points.end(), [&](const AccuracyPoint& other) {
-           const AccuracySetting& o = other.setting;
-           return o.knob != s.knob || o.degree != s.degree || o.edge_factor >= s.edge_factor || keeps(report, other);
-         });
-}
-
-std::string time_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.3g} us", 1e6 * seconds);
-  return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
-}
-
-std::string errors_text(const AccuracyReport& report, const AccuracyPoint& point) {
-  std::string out;
-  for (std::size_t g = 0; g < report.groups.size(); ++g)
-    out += fmt::format("{}{:.2g} {} ({})",
-                       g == 0                          ? ""
-                       : g + 1 == report.groups.size() ? " and "
-                                                       : ", ",
-                       point.errors[g], report.groups[g].unit, report.groups[g].name);
-  return out;
-}
-
-bool eligible(const AccuracyReport& report, const AccuracyPoint& p, bool closed_forms) {
-  using Knob = AccuracySetting::Knob;
-  if (p.setting.knob == Knob::model) return false;       // another joint, not a less exact one
-  if (p.setting.knob == Knob::increments) return false;  // other rows are asked for
-  if (p.setting.knob == Knob::tolerance) return false;   // a scene does not say it
-  // Of closed forms it is the mesh that is asked for: as they are they are exact.
-  if (closed_forms && !report.targets.empty() && p.setting.knob != Knob::mesh) return false;
-  return keeps(report, p) && finer_keep_too(report, p);
-}
-
-/// The fastest; of those that are about as fast, the most exact.
-void choose(AccuracyReport& report, bool closed_forms) {
-  constexpr double kAsFast = 1.1;
-  double fastest = std::numeric_limits<double>::infinity(), smallest = fastest;
-  for (const AccuracyPoint& p : report.points)
-    if (eligible(report, p, closed_forms)) fastest = std::min(fastest, p.pose_seconds);
-  for (std::size_t i = 0; i < report.points.size(); ++i) {
-    const AccuracyPoint& p = report.points[i];
-    if (!eligible(report, p, closed_forms) || p.pose_seconds > kAsFast * fastest) continue;
-    double product = 1;
-    for (const double error : p.errors) product *= error;
-    if (report.chosen >= 0 && product >= smallest) continue;
-    smallest = product;
-    report.chosen = static_cast<int>(i);
-  }
-  if (report.chosen < 0) {
-    report.sentence = report.targets.empty() ? "No setting solves every pose: there is nothing to choose from."
-                                             : "No setting that was tried keeps the target and solves every pose.";
-    return;
-  }
-  const AccuracyPoint& p = report.points[at(report.chosen)];
-  report.sentence = fmt::format("{} cost {} a pose: {}.", errors_text(report, p), time_text(p.pose_seconds), p.name);
-}
-
-bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnostics& out) {
-  for (const std::string& text : choice.targets) {
-    const auto target = target_of(text);
-    if (!target) {
-      out.add({.file = {}, .key = "--target", .found = text, .rule = "must be a number > 0 with mm, deg or N: 0.01mm"});
-      continue;
-    }
-    if (!report.targets.emplace(target->second, target->first).second)
-      out.add({.file = {}, .key = "--target", .found = text, .rule = "is the second one in " + target->second});
-  }
-  return !out.has_errors();
+/// The files beside the scene's own results.
+std::vector<std::pair<std::string, std::string>> files_of(const AccuracyReport& report, const std::string& path,
+                                                          const Prepared& p, const std::string& folder,
+                                                          Diagnostics& out) {
+  std::vector<std::pair<std::string, std::string>> files = {{"accuracy.csv", to_csv(report)},
+                                                            {"accuracy.svg", to_svg(report)}};
+  if (report.targets.empty() || report.chosen < 0) return files;
+  for (auto& file : chosen_scene(path, p, report.points[at(report.chosen)].setting, folder, out))
+    files.push_back(std::move(file));
+  return files;
 }
 
 }  // namespace
+
+const std::array<const char*, kAccuracyEffects> kAccuracyEffectNames = {"search for contacts", "equations of contacts",
+                                                                        "ligaments"};
+
+double effect_seconds(const Prepared& prepared, std::size_t effect) {
+  constexpr std::array<std::array<Effect, 2>, kAccuracyEffects> kEffectsOf = {
+      {{Effect::contact_search, Effect::contact_search},
+       {Effect::rigid_contacts, Effect::layers},
+       {Effect::ligaments, Effect::ligaments}}};
+  const auto& [first, second] = kEffectsOf[effect];
+  const EffectMeter& meter = *prepared.model.meter;
+  return meter.seconds(first) + (second == first ? 0 : meter.seconds(second));
+}
 
 double largest_difference(const ResultTable& reference, const ResultTable& other,
                           const std::vector<std::string>& columns, double stretch) {
@@ -305,7 +194,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   }
   if (folder && !report.targets.empty()) {
     // Before an hour of solving: could every setting be written?
-    chosen_scene(path, *prepared, {.edge_factor = 3, .degree = 2, .layer_tolerance = 1e-2}, *folder, out);
+    chosen_scene(path, *prepared, {.edge_factor = 3, .degree = 2, .tolerance = 1e-5, .layer_tolerance = 1e-2}, *folder,
+                 out);
     if (out.has_errors()) return kExitRefused;
   }
   ContactField field(prepared->model);
@@ -317,38 +207,31 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   std::vector<Trial> trials;
   for (const AccuracySetting& setting : accuracy_settings(*prepared)) {
     if (asked_to_stop(options.cancelled)) return kExitIncomplete;
-    const Timer timer;
-    Trial trial{setting, with_setting(*prepared, setting), 0, {}, 0, 0, {}};
-    trial.build_seconds = timer.seconds();
-    if (trial.prepared) trials.push_back(std::move(trial));
+    if (auto trial = make_trial(*prepared, setting)) trials.push_back(std::move(*trial));
   }
-  if (!solve_all(trials, choice, options, report.rounds, own)) {
+  const auto tolerances = [&](const std::vector<Trial>& so_far) {
+    AccuracyReport of_these = report;
+    compare(*prepared, so_far, of_these);
+    std::vector<Trial> more;
+    for (const AccuracySetting& setting : tolerances_to_try(of_these))
+      if (auto trial = make_trial(*prepared, setting)) more.push_back(std::move(*trial));
+    return more;
+  };
+  if (!solve_all(trials, choice, options, tolerances, report.rounds, own)) {
     out.error(path, "interrupted before every setting was solved once: there is nothing to compare");
     return kExitIncomplete;
   }
-  report.groups = groups_of(*prepared, trials[0].poses);
+  compare(*prepared, trials, report);
   for (const auto& [unit, value] : report.targets)
     if (std::none_of(report.groups.begin(), report.groups.end(), [&, u = unit](const auto& g) { return g.unit == u; }))
       out.add({.file = {}, .key = "--target", .found = unit, .rule = "no output of this scene has this unit"});
   if (out.has_errors()) return kExitRefused;
-  estimate_finest(*prepared, trials, report.groups);
-  std::vector<double> spreads;
-  for (const Trial& trial : trials) {
-    report.points.push_back(point_of(*prepared, trial, trials[0], report.groups));
-    spreads.push_back(report.points.back().spread);
-  }
   report.stages = prepared->seconds;
   report.stages.push_back(own.summary.seconds.back());
-  report.noisy = report.rounds >= kFewestRounds && median(spreads) > kNoisy;
-  choose(report, has_closed_forms_alone(*prepared) && mesh_unit(*prepared) > 0);
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;
   if (!folder) return code;
   own.folder = folder_for(*folder, options, own.summary);
-  std::vector<std::pair<std::string, std::string>> files = {{"accuracy.csv", to_csv(report)},
-                                                            {"accuracy.svg", to_svg(report)}};
-  if (!report.targets.empty() && report.chosen >= 0)
-    for (auto& file : chosen_scene(path, *prepared, report.points[at(report.chosen)].setting, own.folder, out))
-      files.push_back(std::move(file));
+  const auto files = files_of(report, path, *prepared, own.folder, out);
   if (const std::string error = write_results(own.folder, *prepared, own, files); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;

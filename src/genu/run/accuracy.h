@@ -7,6 +7,7 @@
 // Times are medians over rounds in which every setting is solved once.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,17 @@ struct AccuracyGroup {
   double order = 0;               ///< with which errors fall with the edges; 0: none is seen
 };
 
+/// What time is told apart by: the search for contacts, the equations of contacts, ligaments.
+inline constexpr std::size_t kAccuracyEffects = 3;
+extern const std::array<const char*, kAccuracyEffects> kAccuracyEffectNames;
+
+/// A setting is called off after so many times as long as the scene as it is takes, but not
+/// within a few seconds: more is of no use to anyone.
+inline constexpr double kPatience = 20, kPatienceToSaveTime = 4, kShortest = 5;  // kShortest: s
+
+/// Of the last time it was solved, about (model/effect_meter.h).
+double effect_seconds(const Prepared& prepared, std::size_t effect);
+
 struct AccuracyPoint {
   AccuracySetting setting;
   std::string name;
@@ -33,7 +45,9 @@ struct AccuracyPoint {
   int solved = 0, asked = 0;   ///< rows
   double build_seconds = 0;    ///< all surfaces and the model
   double pose_seconds = 0;     ///< median
-  double spread = 0;           ///< of the rounds: (largest - smallest) / median
+  double spread = 0;           ///< of the rounds: what the middle half of them lies within, over the median
+  std::array<double, kAccuracyEffects> effect_seconds{};  ///< of a pose's, medians
+  bool called_off = false;  ///< it took many times as long as the scene as it is: what is not solved might be
   bool complete() const { return solved == asked; }
 };
 

@@ -128,7 +128,8 @@ std::vector<AccuracySetting> accuracy_settings(const Prepared& p) {
       if (fits || edge > 1) add({.edge_factor = edge, .degree = degree}, Knob::mesh);
   if (any_fit(p))
     for (const double radius : {0.8, 1.25}) add({.radius_factor = radius}, Knob::radius);
-  for (const double tolerance : {1e-3, 1e-5, 1e-8}) add({.tolerance = tolerance}, Knob::tolerance);
+  for (const double tolerance : {1e-3, 1e-5, 1e-8, SolverDef{}.tolerance})
+    if (tolerance != p.scene.solver.tolerance) add({.tolerance = tolerance}, Knob::tolerance);
   for (const double times : {0.25, 0.5, 2.0}) {
     const auto whole = [&](const StepPlan& step) {
       return step.increments * times >= 1 && std::fmod(step.increments * times, 1.0) == 0;
@@ -182,6 +183,7 @@ std::optional<Prepared> with_setting(const Prepared& p, const AccuracySetting& s
   Prepared out;
   out.scene = p.scene;
   change_layers(setting, out.scene);
+  if (setting.tolerance > 0) out.scene.solver.tolerance = setting.tolerance;
   if (setting.modulus > 0) make_layers(p, setting.modulus, out.scene);
   out.notes = p.notes;
   out.bones = p.bones;
@@ -197,6 +199,7 @@ std::optional<Prepared> with_setting(const Prepared& p, const AccuracySetting& s
   auto model = build_model(out.scene, out.surfaces, unused, out.bones);
   if (!model || unused.has_errors()) return std::nullopt;
   out.model = std::move(*model);
+  out.model.meter = std::make_shared<EffectMeter>();
   out.steps = p.steps;
   if (setting.increments > 0)
     for (StepPlan& step : out.steps)

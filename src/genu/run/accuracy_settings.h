@@ -20,6 +20,7 @@ struct AccuracySetting {
   double increments = 0;       ///< times as many
   double layer_tolerance = 0;  ///< of smooth layers
   double modulus = 0;          ///< Pa: of a layer summed over triangles, in the place of rigid contact
+  bool operator==(const AccuracySetting&) const = default;
 };
 const char* to_string(AccuracySetting::Knob knob);
 

@@ -67,6 +67,15 @@ class Text {
     return true;
   }
 
+  /// Puts another number in the place of one.
+  void set_number(const SourceLocation& where, const std::string& value) {
+    std::string& line = lines_[at(where.line - 1)];
+    const auto first = static_cast<std::size_t>(where.column) - 1;
+    line.replace(first, line.find_first_not_of("0123456789+-._eE", first) - first, value);
+  }
+
+  void append(const std::string& line) { lines_.push_back(line); }
+
   std::string whole() const {
     std::string out;
     for (const std::string& line : lines_) out += line + "\n";
@@ -95,6 +104,20 @@ class Text {
 
   std::vector<std::string> lines_;
 };
+
+/// False where the file has a [solver] that cannot be written anew.
+bool set_tolerance(const TomlNode& document, double tolerance, Text& text) {
+  const std::string value = fmt::format("{}", tolerance);
+  const TomlNode* solver = document.member("solver");
+  if (solver == nullptr) {
+    for (const std::string& line : {std::string(), std::string("[solver]"), "tolerance = " + value}) text.append(line);
+    return true;
+  }
+  const TomlNode* own = solver->member("tolerance");
+  if (own == nullptr) return text.set(*solver, {{"tolerance", value}});
+  text.set_number(own->where, value);
+  return true;
+}
 
 }  // namespace
 
@@ -129,6 +152,8 @@ std::vector<std::pair<std::string, std::string>> chosen_scene(const std::string&
         !text.set(*document->member("contact")->member(layer.pair.name),
                   {{"tolerance", fmt::format("{}", setting.layer_tolerance)}}))
       refuse("contact." + layer.pair.name, layer.pair.where);
+  if (setting.tolerance > 0 && !set_tolerance(*document, setting.tolerance, text))
+    refuse("solver", document->member("solver")->where);
   files.emplace_back("scene.toml", text.whole());
   return files;
 }

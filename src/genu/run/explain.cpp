@@ -81,6 +81,8 @@ class Explanation {
     bodies();
     joints();
     effects();
+    if (const double tolerance = scene_.solver.tolerance; tolerance != SolverDef{}.tolerance)
+      line("solver", fmt::format("tolerance {:g} in the place of {:g}", tolerance, SolverDef{}.tolerance));
     for (std::size_t i = 0; i < scene_.steps.size(); ++i) step(i);
     if (scene_.dynamics) motion(*scene_.dynamics);
     return out_;

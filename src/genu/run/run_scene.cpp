@@ -116,7 +116,15 @@ std::vector<LayerReport> report_layers(const Prepared& prepared, const State& st
 
 }  // namespace
 
+PathOptions path_options(const Scene& scene, const RunOptions& options) {
+  PathOptions path = options.path;
+  path.newton.residual_tolerance = scene.solver.tolerance;
+  path.newton.residual_floor = std::max(path.newton.residual_floor, scene.solver.tolerance);
+  return path;
+}
+
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options) {
+  const PathOptions how = path_options(prepared.scene, options);
   Solution out;
   RunSummary& s = out.summary;
   s = begin_summary(prepared);
@@ -140,7 +148,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
     out.records.push_back(std::move(record));
     if (options.progress) options.progress(static_cast<int>(out.records.size()), s.poses_asked);
   };
-  const PathResult path = follow_path(prepared.model, field, prepared.steps, options.path, observer);
+  const PathResult path = follow_path(prepared.model, field, prepared.steps, how, observer);
   s.effects = effects_of(prepared);
   s.iterations = path.iterations;
   s.substeps = path.substeps;
@@ -149,8 +157,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
   if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
   s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
-  if (s.poses_solved == 0)
-    s.bearable_loads = bearable_loads(prepared, field, stoppable(options.path.newton, options.cancelled));
+  if (s.poses_solved == 0) s.bearable_loads = bearable_loads(prepared, field, stoppable(how.newton, options.cancelled));
   s.locations = locate_contacts(prepared, out.records);
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
@@ -175,7 +182,7 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
   how.count = options.starts;
   how.angle = options.spread;
   how.translation *= options.spread / kStartSpread;
-  how.newton = options.path.newton;
+  how.newton = path_options(prepared.scene, options).newton;
   std::vector<JointValues> first = start_state(prepared.model).coordinates;
   if (!solution.records.empty() && solution.records.front().point.solved())
     first = solution.records.front().point.pose.state.coordinates;

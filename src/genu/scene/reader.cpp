@@ -146,6 +146,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_ligaments(context, root);
   read_loads(context, root);
   read_steps(context, root);
+  read_solver(context, root);
   read_dynamics(context, root);
   root.finish();
   check_scene(context);

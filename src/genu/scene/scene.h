@@ -269,6 +269,11 @@ struct StepDef {
   SourceLocation where;
 };
 
+/// How exactly the poses of steps are solved.
+struct SolverDef {
+  double tolerance = 1e-12;  ///< largest residual: forces over the force scale, lengths over the length scale, rad
+};
+
 /// Motion over time in the place of steps from one equilibrium to the next.
 struct DynamicsDef {
   struct Rate {
@@ -304,6 +309,7 @@ struct Scene {
   std::vector<LigamentDef> ligaments;
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
+  SolverDef solver;
   std::optional<DynamicsDef> dynamics;
   std::vector<SolidDef> solids;  ///< of a file for `genu mesh` alone
 };

@@ -1,0 +1,32 @@
+// [solver]: how exactly poses are solved.
+#include <fmt/format.h>
+
+#include "genu/scene/read_parts.h"
+
+namespace genu {
+
+namespace {
+
+// Rounding stops the fall some orders above the finer one. At the coarser one contacts are off by so much that the
+// certificate seldom lets a pose pass.
+constexpr double kFinest = 1e-14, kCoarsest = 1e-3;
+
+}  // namespace
+
+void read_solver(ReadContext& context, Section& root) {
+  const Item item = root.find("solver");
+  if (!is_table(context, item)) return;
+  Section section(context, item, "a solver");
+  const Item tolerance = section.find("tolerance");
+  const auto value = read_number(context, tolerance, positive(plain_rule({})));
+  if (value && (*value < kFinest || *value > kCoarsest))
+    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kFinest, kCoarsest));
+  else if (value)
+    context.scene.solver.tolerance = *value;
+  section.finish();
+  if (context.in_motion)
+    context.error(item.node->key_where, item.path, {},
+                  "is of poses solved step by step; a motion over time has a tolerance of its own in [dynamics]");
+}
+
+}  // namespace genu
