@@ -8,6 +8,7 @@
 // triangle, and a surface that lies inside the other as a whole through points of its own (swallowed.h).
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -77,7 +78,7 @@ class Proximity {
     int children = -1;  ///< index of the first of two, -1 for a leaf
     Vec3 centre;
     double radius = 0;
-    double clearance = -1;  ///< m, known at `measured`
+    double clearance = std::numeric_limits<double>::quiet_NaN();  ///< m, at `measured`; none before the first time
     Pose measured;
   };
 

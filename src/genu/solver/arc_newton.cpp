@@ -82,9 +82,7 @@ bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint&
     }
     const double before = report.residual;
     report.residual = step_.residual(here_, plan.target(point.t));
-    report.residual_history[0] = report.residual_history[1];
-    report.residual_history[1] = report.residual_history[2];
-    report.residual_history[2] = report.residual;
+    report.remember(report.residual, false);
     if (!std::isfinite(report.residual)) return false;
     const bool stalled = report.iterations > 1 && report.residual > 0.5 * before;
     const bool solved =

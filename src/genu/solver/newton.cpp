@@ -25,6 +25,15 @@ std::string to_string(NewtonReport::Outcome outcome) {
   return "";
 }
 
+void NewtonReport::remember(double next, bool simplified) {
+  for (int i = 0; i < 2; ++i) {
+    residual_history[i] = residual_history[i + 1];
+    simplified_history[i] = simplified_history[i + 1];
+  }
+  residual_history[2] = residual = next;
+  simplified_history[2] = simplified;
+}
+
 double Newton::admissible_fraction(const Correction& correction, const NewtonOptions& options) const {
   double excess = 1;
   const double size = model_->scales.size;
@@ -89,6 +98,7 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
   fit_multipliers(*model_, target, current_);
   linearize(*model_, current_, target, here_);
   double residual = step_.residual(here_, target), last = 0;
+  bool same_again = false;
   const auto factor = [&] {
     if (!step_.factor(here_, target, options.route)) return false;
     report.rcond = step_.linear().rcond();
@@ -98,13 +108,11 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
   };
   for (;; ++report.iterations) {
     if (asked_to_stop(options.cancelled)) return;
-    report.residual_history[0] = report.residual_history[1];
-    report.residual_history[1] = report.residual_history[2];
-    report.residual_history[2] = report.residual = residual;
+    report.remember(residual, same_again);
     if (!std::isfinite(residual)) return;
     const bool solved = residual <= options.residual_tolerance;
     // With the Jacobian that took it from `last` to here the residual falls about as much again, but for a factor of 2.
-    const bool same_again = !solved && 2 * residual * residual <= options.residual_tolerance * last;
+    same_again = !solved && 2 * residual * residual <= options.residual_tolerance * last;
     if (!same_again && !factor()) return;
     if (solved) break;
     if (report.iterations == options.max_iterations) {

@@ -32,12 +32,17 @@ struct NewtonReport {
   enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite, cancelled };
   Outcome outcome = Outcome::not_finite;
   int iterations = 0;
-  double residual = 0;                     ///< scaled, at the state returned
-  double rcond = 0;                        ///< of the last Jacobian, scaled
-  bool full_rank = true;                   ///< of the last Jacobian
-  bool minimum_norm = false;               ///< the last Jacobian was too ill-conditioned for LU
-  double residual_history[3] = {0, 0, 0};  ///< the last three, oldest first
+  double residual = 0;        ///< scaled, at the state returned
+  double rcond = 0;           ///< of the last Jacobian, scaled
+  bool full_rank = true;      ///< of the last Jacobian
+  bool minimum_norm = false;  ///< the last Jacobian was too ill-conditioned for LU
+  /// The last three residuals, oldest first, and whether the step to each was taken with the Jacobian of the one
+  /// before.
+  double residual_history[3] = {0, 0, 0};
+  bool simplified_history[3] = {false, false, false};
 
+  /// Adds a residual to those remembered.
+  void remember(double next, bool simplified);
   bool converged() const { return outcome == Outcome::converged; }
 };
 
