@@ -136,14 +136,16 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
   }
 }
 
-/// Inside the band the smooth gap is at hand, but is a distance to first order only: keep a third. Beyond, the distance
-/// is that of facets, which lie off the smooth surface by less than half of the samples' spacing.
-double Proximity::near_clearance(double gap) const {
+/// The distance of which a gap tells. Inside the band of a mesh it is one to first order only: keep a third. Closed
+/// forms that do not know their distance have a gap anywhere, but no band in which it is one.
+std::optional<double> Proximity::near_clearance(std::optional<double> gap) const {
   constexpr double kFirstOrder = 2.0 / 3;
-  return queried_->knows_distance() ? gap : kFirstOrder * gap;
+  if (!gap || queried_->knows_distance()) return gap;
+  return queried_->is_global() ? std::nullopt : std::optional(kFirstOrder * *gap);
 }
 
-/// Of what lies within `radius` of a point beyond the band. What is far from an open sheet may be in front of it as
+/// Of what lies within `radius` of a point beyond the band: the distance is that of facets, which lie off the smooth
+/// surface by less than half of the samples' spacing. What is far from an open sheet may be in front of it as
 /// well as behind: all of a `large` group is where its middle is only if it is small against its distance, as those
 /// without children are taken to be.
 double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radius, bool large) const {
@@ -153,12 +155,13 @@ double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radi
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   const double moved = largest_motion(group.measured, X_qs, group.centre, group.radius);
   if (group.clearance - moved > window) return true;
-  if (group.clearance + moved <= window) return false;
+  // It may be clear by now, if it went straight away; bodies in contact roll and slide.
+  constexpr double kAway = 0.25;
+  if (group.clearance + kAway * moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
-  const auto gap = queried_->is_global() && !queried_->knows_distance() ? std::nullopt : queried_->gap(centre);
-  if (gap)
-    group.clearance = near_clearance(*gap) - group.radius;
+  if (const auto clearance = near_clearance(queried_->gap(centre)))
+    group.clearance = *clearance - group.radius;
   else
     group.clearance = far_clearance(far_.nearest(centre), group.radius, group.children >= 0);
   return group.clearance > window;
@@ -171,7 +174,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   Memory& memory = memory_[i];
   memory.at = x;
   if (const auto gap = queried_->gap(x)) {
-    memory.clearance = near_clearance(*gap);
+    memory.clearance = near_clearance(gap).value_or(-1);
     SurfacePoint foot;
     if (direction == nullptr && *gap > 0) return *gap;
     if (!queried_->project(x, foot)) return kInfinity;

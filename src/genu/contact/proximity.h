@@ -95,7 +95,7 @@ class Proximity {
   bool lowest_of_neighbours(int sample) const;
   bool is_bowl(const Mat2& bend) const;
   bool slopes_to_known(int sample) const;
-  double near_clearance(double gap) const;
+  std::optional<double> near_clearance(std::optional<double> gap) const;
   double far_clearance(const FarDistance::Nearest& nearest, double radius, bool large) const;
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
