@@ -227,8 +227,8 @@ bool Proximity::lowest_of_neighbours(int sample) const {
 }
 
 /// Whether the gap at a sample is what the curvature at a known minimum makes it. A second minimum that reaches as deep
-/// as the known one lowers the samples next to it by more: it lies where the bowl has risen by a four-hundredth of the
-/// spacing and more.
+/// as the known one lowers the samples next to it by more: it lies where the bowl has risen by an eight-hundredth of
+/// the spacing and more.
 bool Proximity::slopes_to_known(int sample) const {
   constexpr double kNearest = 0.5, kFarthest = 3;  // of the spacing
   constexpr double kShare = 0.05;                  // of the rise

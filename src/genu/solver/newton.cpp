@@ -120,8 +120,15 @@ void Newton::solve_as_fine(State& state, const Target& target, const NewtonOptio
       return;
     }
     step_.solve(here_, correction_);
-    if (!advance(target, options, residual, report)) {
-      if (residual > options.residual_floor || (same_again && !factor())) return;
+    bool moved = advance(target, options, residual, report);
+    if (!moved && same_again) {
+      same_again = false;
+      if (!factor()) return;
+      step_.solve(here_, correction_);
+      moved = advance(target, options, residual, report);
+    }
+    if (!moved) {
+      if (residual > options.residual_floor) return;
       break;
     }
     const double next = step_.residual(here_, target);

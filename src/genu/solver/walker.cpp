@@ -36,10 +36,9 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
   if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
   linearize(solver_.model(), state, plan_.target(t), here_);
-  if (solver_.newton().step().factor(here_, plan_.target(t)))
-    compute_tangent(here_, state, t, out);
-  else
-    out.motion.resize(0, 0, 0), out.stability = assess_stability(here_, solver_.model().scales.length);
+  if (solver_.newton().step().factor(here_, plan_.target(t))) return compute_tangent(here_, state, t, out);
+  out.motion.resize(0, 0, 0);
+  out.stability = assess_stability(here_, solver_.model().scales.length);
 }
 
 void Walker::compute_tangent(const Linearization& factored, const State& state, double t, Tangent& out) {
