@@ -8,3 +8,5 @@ find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunmatrixdense sunlinsoldense)
 pkg_check_modules(FCL REQUIRED IMPORTED_TARGET fcl)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+find_package(cereal REQUIRED) # headers alone

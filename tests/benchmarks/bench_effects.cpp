@@ -1,5 +1,5 @@
 // What each effect adds to the unknowns and to the time of a pose, on one knee (two tori on two planes, seven
-// springs, meshes/dortmans1984, 0 to 70 deg): build/bin/bench_effects. The table of README.md.
+// springs, meshes/dortmans1984, 0 to 70 deg): build/bin/bench_effects. The table of docs/measured.md.
 #include <algorithm>
 #include <fstream>
 #include <sstream>

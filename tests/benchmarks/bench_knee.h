@@ -82,8 +82,8 @@ class BenchKnee {
   /// Of each of these poses the solve alone: prediction, Newton, the path's tangent, and the checks of the contacts
   /// that are held.
   bool solve() {
-    prediction_->forget();
     Correction tangent = path_[0].tangent;
+    prediction_->went_on(kDegree, tangent_before_, tangent);
     iterations_ = 0;
     for (int k = 0; k < kPoses; ++k) {
       const Target target = way_.target((k + 1) * kDegree);
@@ -137,14 +137,13 @@ class BenchKnee {
 
   /// At a pose that Newton has just solved.
   void find_tangent(const State& state, const Target& target, Correction& out) {
-    const Target rate = way_.rate();
-    solver_->newton().step().solve_rates(load_rate(prepared_->model, state, target, rate),
-                                         constraint_rate(rate, solver_->newton().linearization().constraint.size()),
-                                         out);
+    solver_->newton().step().solve_rates(load_rate(prepared_->model, state, target, rate_),
+                                         constraint_rate(rate_, path_constraints_), out);
   }
 
   void find_path() {
     way_ = flexion(kFlexion, kFlexion + kRange);
+    rate_ = way_.rate();
     Balanced pose;
     pose.state = reference_state(prepared_->model);
     pose.last_number.assign(prepared_->model.pairs.size(), 0);
@@ -160,13 +159,27 @@ class BenchKnee {
       Solved solved{walker_->pose(), walker_->report(), {}, {}};
       const Target target = way_.target(k * kDegree);
       if (!solver_->newton().solve(solved.pose.state, target, options_.newton).converged()) return;
+      if (!solver_->newton().factor_at_solution()) return;
       solved.linearization = solver_->newton().linearization();
+      path_constraints_ = solved.linearization.constraint.size();
       find_tangent(solved.pose.state, target, solved.tangent);
       path_.push_back(std::move(solved));
     }
+    if (!solve_before()) return;
     prediction_ = std::make_unique<PathPrediction>(prepared_->model);
     inspector_ = std::make_unique<ContactInspector>(prepared_->model, *field_);
     good_ = true;
+  }
+
+  /// The pose a degree before the first: a warm path knows two tangents.
+  bool solve_before() {
+    State state;
+    const Target target = way_.target(-kDegree);
+    if (!retract(prepared_->model, path_[0].pose.state, path_[0].tangent, -kDegree, state)) return false;
+    if (!solver_->newton().solve(state, target, options_.newton).converged()) return false;
+    if (!solver_->newton().factor_at_solution()) return false;
+    find_tangent(state, target, tangent_before_);
+    return true;
   }
 
   std::optional<Prepared> prepared_;
@@ -176,11 +189,13 @@ class BenchKnee {
   std::unique_ptr<ContactSetSolver> solver_;
   std::unique_ptr<Walker> walker_;
   StepPlan way_;
+  Target rate_;
   std::vector<Solved> path_;  // kPoses + 1
   std::unique_ptr<PathPrediction> prediction_;
   std::unique_ptr<ContactInspector> inspector_;
   State state_;
-  Correction next_;
+  Correction next_, tangent_before_;
+  Eigen::Index path_constraints_ = 0;
   Findings findings_;
   Survey survey_;
   std::size_t triangles_ = 0;

@@ -192,5 +192,18 @@ TEST_F(AtomicOutput, AWriteThatFailsHalfWayKeepsTheOldFile) {
   EXPECT_EQ(names_in(dir_), Names{"results.csv"});
 }
 
+TEST(WhyNotReplaced, OnlyWhatIsMarkedOrEmptyIsReplaced) {
+  const fs::path folder = fs::path(testing::TempDir()) / "genu-why-not-replaced";
+  fs::create_directories(folder);
+  EXPECT_EQ(why_not_replaced(folder / "new.json", "\"mark\":"), "");
+  for (const auto& [text, replaced] :
+       {std::pair{"", true}, std::pair{"{\"mark\": 1}", true}, std::pair{"format = 1", false}}) {
+    write(folder / "file", text);
+    EXPECT_EQ(why_not_replaced(folder / "file", "\"mark\":").empty(), replaced) << text;
+  }
+  EXPECT_NE(why_not_replaced(folder, "\"mark\":"), "") << "a folder";
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace genu

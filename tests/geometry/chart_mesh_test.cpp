@@ -55,5 +55,18 @@ TEST_P(ChartMeshes, LieOnTheSurfaceAndEndAtThePatch) {
 
 INSTANTIATE_TEST_SUITE_P(BothCharts, ChartMeshes, testing::Bool());
 
+TEST(ChartMesh, ASurfaceAsSteepAsAWallStaysAffordable) {
+  const ChartBox box{-2.3, 0.7, -0.013, 0.013};
+  for (const double steep : {1.0, 1e6, 1e16}) {
+    for (const bool cylindrical : {false, true}) {
+      const Mesh mesh = chart_mesh({cylindrical, Pose()}, box, {{0, 0, 0.02}, {2, 0, steep}}, false, 1e-3);
+      EXPECT_FALSE(mesh.triangles.empty());
+      EXPECT_LT(static_cast<double>(mesh.triangles.size()), 1.5 * kMaxChartTriangles) << steep;
+      for (const Vec3& v : mesh.vertices) ASSERT_TRUE(v.allFinite());
+    }
+  }
+  EXPECT_TRUE(chart_mesh({false, Pose()}, box, {{9, 9, 1e300}, {0, 9, 1e300}}, false, 1e-3).triangles.empty());
+}
+
 }  // namespace
 }  // namespace genu

@@ -62,7 +62,12 @@ TEST(PolynomialFit, TooFewOrDegenerateSamplesLowerTheDegree) {
   std::vector<HeightSample> line = samples_of(20, [](double u, double) { return u; });
   for (HeightSample& s : line) s.v = 0.001;
   EXPECT_EQ(PolynomialFit(line, kBox, 4).highest(), 0);  // nothing says how it changes with v
-  EXPECT_EQ(PolynomialFit({}, kBox, 4).highest(), -1);
+  const std::vector<HeightSample> none, one(1);
+  for (const auto* samples : {&none, &one}) {
+    const PolynomialFit fit(*samples, kBox, 4);
+    EXPECT_EQ(fit.highest(), -1);
+    EXPECT_TRUE(fit.scores(0, 0.004, 0.004).empty());  // nothing to leave out
+  }
 }
 
 TEST(PolynomialFit, LeftOutErrorIsThatOfRefitsWithoutTheFold) {

@@ -91,5 +91,52 @@ TEST(SurfaceDefaults, HaveNoEdgeAndSampleTheirTriangles) {
   EXPECT_NEAR(area, exact, 0.01 * exact);
 }
 
+/// Where the geodesic ends that begins as T ds, |ds| long: p'' = (p' . S p') n, by small steps of order 4 (Runge and
+/// Kutta) that are put back onto the surface.
+Vec3 geodesic_end(const Surface& surface, const SurfacePoint& from, const Vec2& ds) {
+  constexpr int kSteps = 50;
+  const double h = ds.norm() / kSteps;
+  Vec3 p = from.p, v = from.T * ds.normalized();
+  const auto bend = [&](const Vec3& x, const Vec3& along) -> Vec3 {
+    SurfacePoint at;
+    EXPECT_TRUE(surface.project(x, at));
+    const Vec2 w = at.T.transpose() * along;
+    return w.dot(at.S * w) * at.n;
+  };
+  for (int k = 0; k < kSteps; ++k) {
+    const Vec3 a1 = bend(p, v), a2 = bend(p + h / 2 * v, v + h / 2 * a1);
+    const Vec3 a3 = bend(p + h / 2 * v + h * h / 4 * a1, v + h / 2 * a2);
+    const Vec3 a4 = bend(p + h * v + h * h / 2 * a2, v + h * a3);
+    p += h * v + h * h / 6 * (a1 + a2 + a3);
+    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    SurfacePoint back;
+    EXPECT_TRUE(surface.project(p, back));
+    p = back.p;
+    v = (v - back.n.dot(v) * back.n).normalized();
+  }
+  return p;
+}
+
+TEST(DefaultRetract, EndsWhereTheGeodesicDoesButForTheFourthPower) {
+  const Plain surface;
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> angle(0, 2 * M_PI);
+  double worst[3] = {0, 0, 0};
+  for (int k = 0; k < 40; ++k) {
+    const double u = angle(random), v = angle(random), w = angle(random);
+    const Vec3 radial(std::cos(u), std::sin(u), 0);
+    SurfacePoint from, there;
+    ASSERT_TRUE(surface.project(0.015 * radial + 0.006 * (std::cos(v) * radial + std::sin(v) * Vec3::UnitZ()), from));
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 ds = 8e-4 / (1 << i) * Vec2(std::cos(w), std::sin(w));
+      ASSERT_TRUE(surface.retract(from, ds, there));
+      worst[i] = std::max(worst[i], (there.p - geodesic_end(surface, from, ds)).norm());
+    }
+  }
+  EXPECT_LT(worst[0], std::pow(8e-4, 4) / std::pow(0.005, 3));
+  EXPECT_NEAR(worst[0] / worst[1], 16, 3);
+  EXPECT_NEAR(worst[1] / worst[2], 16, 3);
+}
+
 }  // namespace
 }  // namespace genu

@@ -54,6 +54,13 @@ TEST(MonotoneTable, NeverFallsWherePointsRise) {
   EXPECT_GE(steepest_fall, -1e-10);
 }
 
+/// Widths 1 and 3, secants 2 and 6: alpha = (h1 + 2 h2) / (3 (h1 + h2)) = 7/12 goes with the left one, so that the
+/// slope is 2 * 6 / (7/12 * 6 + 5/12 * 2) = 36/13 (Fritsch and Butland 1984, (6) and (7); PCHIM of SLATEC).
+TEST(MonotoneTable, WeighsUnequalIntervalsAsThePaperDoes) {
+  EXPECT_NEAR(table({{0, 0}, {1, 2}, {4, 20}}).evaluate(1).slope, 36.0 / 13, 1e-14);
+  EXPECT_NEAR(table({{0, 0}, {3, 6}, {4, 12}}).evaluate(3).slope, 12.0 / (5.0 / 12 * 6 + 7.0 / 12 * 2), 1e-14);
+}
+
 TEST(MonotoneTable, SlopeAndIntegralAreTheCurves) {
   std::mt19937 generator(3);
   double worst_slope = 0, worst_integral = 0;

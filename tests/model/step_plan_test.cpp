@@ -47,6 +47,15 @@ TEST(StepPlan, AngleRangeLeavesTranslationsOut) {
   EXPECT_EQ(translation.angle_range(), 0);
 }
 
+TEST(StepPlan, VariesNothingWhereOnlyTimePasses) {
+  StepPlan plan = some_plan();
+  EXPECT_FALSE(plan.varies_nothing());
+  for (auto& p : plan.prescribed) p.to = p.from;
+  EXPECT_FALSE(plan.varies_nothing());  // a load does
+  for (auto& f : plan.factors) f.to = f.from;
+  EXPECT_TRUE(plan.varies_nothing());
+}
+
 TEST(PlanSteps, LoadsThatAreNotNamedKeepTheFactorOne) {
   Scene scene;
   scene.loads.resize(3);

@@ -12,6 +12,7 @@
 
 #include "genu/run/chosen_scene.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -121,7 +122,7 @@ TEST_F(Accuracy, TheChosenSceneIsAsExactAsWasSaid) {
   const ResultTable exact = own_.poses;
   Solution written;
   Diagnostics out;
-  ASSERT_EQ(run_scene(folder_ / "out/scene.toml", folder_ / "again", {}, out, &written), kExitOk)
+  ASSERT_EQ(test::judged_run(folder_ / "out/scene.toml", folder_ / "again", {}, out, &written), kExitOk)
       << test::messages(out);
   for (const AccuracyGroup& group : report_.groups)
     EXPECT_NEAR(largest_difference(exact, written.poses, group.columns, 1), worst(chosen, group.name),

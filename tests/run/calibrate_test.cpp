@@ -12,6 +12,7 @@
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "support/leskovar.h"
 
 namespace genu {
@@ -50,7 +51,8 @@ class Calibrate : public testing::Test {
 TEST_F(Calibrate, TheCommittedTargetIsThatOfTheTruth) {
   Diagnostics out;
   Solution truth;
-  ASSERT_EQ(run_scene(folder_.write("truth.toml", test::leskovar_truth()), folder_ / "out", {}, out, &truth), kExitOk);
+  ASSERT_EQ(test::judged_run(folder_.write("truth.toml", test::leskovar_truth()), folder_ / "out", {}, out, &truth),
+            kExitOk);
   std::istringstream lines(test::read_file(kTarget));
   std::string line;
   std::getline(lines, line);
@@ -89,7 +91,7 @@ TEST_F(Calibrate, FindsStiffnessAndDampingOfBothJoints) {
   EXPECT_NEAR(written->joints[0].stiffness * units::kDegree / kTruth[0], 1, 1e-6);
   EXPECT_NEAR(written->joints[1].damping * units::kDegree / kTruth[3], 1, 1e-6);
   Solution again;
-  ASSERT_EQ(run_scene(folder_ / "out/scene.toml", folder_ / "again", {}, out, &again), kExitOk);
+  ASSERT_EQ(test::judged_run(folder_ / "out/scene.toml", folder_ / "again", {}, out, &again), kExitOk);
   for (std::size_t row = 0; row < again.poses.rows(); ++row)
     EXPECT_NEAR(again.poses.number(row, "j1.angle_deg"), result_.solution.poses.number(row, "j1.angle_deg"), 6e-8)
         << "1e-9 rad, the tolerance: digits of the numbers choose other steps";
@@ -200,7 +202,8 @@ increments = 20
   };
   Diagnostics out;
   Solution truth;
-  ASSERT_EQ(run_scene(folder_.write("truth.toml", lever("0.3", "0.02")), folder_ / "truth", {}, out, &truth), kExitOk)
+  ASSERT_EQ(test::judged_run(folder_.write("truth.toml", lever("0.3", "0.02")), folder_ / "truth", {}, out, &truth),
+            kExitOk)
       << test::messages(out);
   std::filesystem::copy_file(folder_ / "truth/results.csv", folder_ / "target.csv");
   ASSERT_EQ(run(folder_.write("scene.toml", lever("0.2", "0.035")), folder_ / "target.csv",

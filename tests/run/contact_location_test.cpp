@@ -10,6 +10,7 @@
 #include "genu/geometry/stl_writer.h"
 #include "genu/run/run_scene.h"
 #include "geometry/blend_meshes.h"
+#include "support/judged.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -72,7 +73,7 @@ Solution run(const Mesh& mesh) {
   for (const Diagnostic& d : diagnostics.items()) ADD_FAILURE() << to_string(d);
   if (!prepared) return {};
   ContactField field(prepared->model);
-  return solve(*prepared, field, {});
+  return test::judged(*prepared, solve(*prepared, field, {}));
 }
 
 TEST(ContactLocation, OfExactSurfacesIsNotQualified) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "run/meshed_scene.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -13,7 +14,7 @@ TEST(ContactZones, PartContactsThatStayApart) {
   const auto prepared = prepare(test::meshed_scene(folder), out);
   ASSERT_TRUE(prepared);
   ContactField field(prepared->model);
-  const auto zones = contact_zones(*prepared, solve(*prepared, field, {}), 0.015);
+  const auto zones = contact_zones(*prepared, test::judged(*prepared, solve(*prepared, field, {})), 0.015);
   ASSERT_EQ(zones.size(), 2u);
   EXPECT_EQ(zones[0].name, "medial");
   EXPECT_EQ(zones[0].points_a.size(), zones[0].normals_b.size());

@@ -11,6 +11,7 @@
 #include "genu/run/run_motion.h"
 #include "genu/run/run_scene.h"
 #include "support/data.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -36,7 +37,7 @@ Counted count(const std::string& file) {
     counted.summary = solve_motion(*prepared, {}).summary;
   } else {
     ContactField field(prepared->model);
-    counted.summary = solve(*prepared, field, {}).summary;
+    counted.summary = test::judged(*prepared, solve(*prepared, field, {})).summary;
   }
   EXPECT_EQ(counted.summary.exit_code, kExitOk);
   for (const Effect effect : kEvery) {

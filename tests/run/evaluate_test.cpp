@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "tools/cli_scenes.h"
 
 namespace genu {
@@ -35,7 +36,7 @@ Twice run_and_evaluate(const std::string& scene) {
   const test::TemporaryFolder folder;
   Diagnostics out;
   Twice t;
-  EXPECT_EQ(run_scene(scene, folder / "run", {}, out, &t.solved), kExitOk) << messages(out);
+  EXPECT_EQ(test::judged_run(scene, folder / "run", {}, out, &t.solved), kExitOk) << messages(out);
   EXPECT_EQ(evaluate_scene(scene, folder / "run/results.csv", folder / "again", {}, out, &t.evaluated), kExitOk)
       << messages(out);
   EXPECT_EQ(read_file(folder / "again/results.csv"), t.evaluated.poses.to_csv());
@@ -85,7 +86,7 @@ TEST(Evaluate, PressureMapsOfARunAndOfItsPoses) {
   run.pressure_maps = again.pressure_maps = true;
   Solution solved;
   Evaluation evaluated;
-  ASSERT_EQ(run_scene(scene, folder / "run", run, out, &solved), kExitOk) << messages(out);
+  ASSERT_EQ(test::judged_run(scene, folder / "run", run, out, &solved), kExitOk) << messages(out);
   ASSERT_EQ(evaluate_scene(scene, folder / "run/results.csv", folder / "again", again, out, &evaluated), kExitOk);
   ASSERT_EQ(solved.pressure_files.size(), 1u);
   EXPECT_EQ(solved.pressure_files, evaluated.pressure_files);
@@ -96,7 +97,7 @@ TEST(Evaluate, PressureMapsOfARunAndOfItsPoses) {
       points += solved.poses.number(row, name.substr(10, name.size() - 14) + ".points");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + points);
   }
-  EXPECT_EQ(run_scene(scene, folder / "plain", {}, out, &solved), kExitOk);
+  EXPECT_EQ(test::judged_run(scene, folder / "plain", {}, out, &solved), kExitOk);
   EXPECT_FALSE(std::filesystem::exists(folder / ("plain/" + name)));
 }
 
@@ -155,7 +156,7 @@ TEST(Evaluate, DoesNotReplaceWhatItReads) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", test::kBall);
   Diagnostics out;
-  ASSERT_EQ(run_scene(scene, folder / "run", {}, out, nullptr), kExitOk);
+  ASSERT_EQ(test::judged_run(scene, folder / "run", {}, out, nullptr), kExitOk);
   const std::string before = read_file(folder / "run/results.csv");
   EXPECT_EQ(evaluate_scene(scene, folder / "run/results.csv", folder / "run", {}, out, nullptr), kExitRefused);
   EXPECT_NE(messages(out).find("would be lost with the folder"), std::string::npos) << messages(out);
@@ -166,7 +167,7 @@ TEST(Evaluate, StopsWhereItIsInterruptedAndKeepsTheRest) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", test::kBall);
   Diagnostics out;
-  ASSERT_EQ(run_scene(scene, folder / "run", {}, out, nullptr), kExitOk);
+  ASSERT_EQ(test::judged_run(scene, folder / "run", {}, out, nullptr), kExitOk);
   int asked = 0;
   EvaluateOptions options;
   options.cancelled = [&] { return ++asked > 2; };

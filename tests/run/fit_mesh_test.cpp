@@ -85,5 +85,22 @@ INSTANTIATE_TEST_SUITE_P(Knees, FitMeasured,
                                            "ssm/S001_Femur_Cartilage.ply", "ssm/S002_Femur_Cartilage.ply",
                                            "ssm/mean_Femur_Cartilage.ply"));
 
+/// Scraps of a mesh of which next to nothing, or nothing at all, looks the way that is asked for.
+TEST(FitMesh, ScrapsAreRefusedInEveryChart) {
+  const test::TemporaryFolder folder;
+  const std::string corners = "OFF\n6 2 0\n2 0 2\n4 3 2\n0 5 33\n1 4 10\n0 2 0\n2 4 3\n";
+  for (const std::string faces : {"3 0 1 2\n3 3 4 5\n", "3 2 1 0\n3 5 4 3\n", "3 0 1 5\n3 5 4 3\n"})
+    for (const auto cylindrical : {std::optional<bool>(false), std::optional<bool>(true), std::optional<bool>()})
+      for (const Vec3& facing : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, -1, 0)}) {
+        FitMeshRequest request;
+        request.file = folder.write("scrap.off", corners + faces);
+        request.cylindrical = cylindrical;
+        request.facing = facing;
+        Diagnostics out;
+        EXPECT_TRUE(fit_mesh(request, out).empty());
+        EXPECT_TRUE(out.has_errors());
+      }
+}
+
 }  // namespace
 }  // namespace genu

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "run/meshed_scene.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -24,7 +25,7 @@ TEST(FitScene, GivesTheKneeBack) {
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   ASSERT_TRUE(prepared);
   ContactField field(prepared->model);
-  const Solution solution = solve(*prepared, field, {});
+  const Solution solution = test::judged(*prepared, solve(*prepared, field, {}));
   EXPECT_EQ(solution.summary.exit_code, kExitOk);
   for (const auto& [name, worst] : pose_differences(prepared->scene, fits->solution.poses, solution.poses)) {
     std::printf("  %-20s %.2e\n", name.c_str(), worst);

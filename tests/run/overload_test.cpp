@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "support/scene_model.h"
 
 namespace genu {
@@ -23,7 +24,7 @@ TEST(Overload, IsToldFromAStartTooFarAway) {
     Diagnostics out;
     Solution solution;
     const std::string scene = folder.write("scene.toml", pressed_ball("10000", quadrature));
-    EXPECT_EQ(run_scene(scene, folder / "out", {}, out, &solution), kExitIncomplete) << test::messages(out);
+    EXPECT_EQ(test::judged_run(scene, folder / "out", {}, out, &solution), kExitIncomplete) << test::messages(out);
     ASSERT_EQ(solution.summary.poses_solved, 0);
     // From pi K d^2 (R - d / 6), d = 4 mm, the layer carries 2.6 kN at most.
     EXPECT_EQ(solution.summary.bearable_loads, 0.1) << quadrature;

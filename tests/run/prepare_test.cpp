@@ -6,6 +6,7 @@
 #include "genu/geometry/analytic.h"
 #include "genu/geometry/stl_writer.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "support/scene_model.h"
 
 namespace genu {
@@ -123,12 +124,32 @@ TEST(Prepare, APlateOnALayerStandsAsFarIn) {
             test::layer("c", "upper", "lower", quadrature) +
             test::load("press", "force = [0, 0, -100]\npoint = [-0.3, -0.2, 0]") +
             test::step("prescribe = { \"j.c\" = 0, \"j.x\" = 0, \"j.y\" = 0 }\nincrements = 1"));
-    ASSERT_EQ(run_scene(scene, folder / "out", {}, out, &solution), kExitOk)
+    ASSERT_EQ(test::judged_run(scene, folder / "out", {}, out, &solution), kExitOk)
         << test::messages(out) << (solution.summary.verdict.empty() ? "" : solution.summary.verdict.back());
     const double depth = kForce * kThickness / (kArea * kConfined);
     const Pose& plate = solution.records.back().point.pose.state.poses[1];
     EXPECT_NEAR(-plate.p.z() / depth, 1, quadrature.empty() ? 1e-2 : 1e-6) << quadrature;
     EXPECT_LT((plate.R - Mat3::Identity()).norm(), 1e-3) << quadrature;
+  }
+}
+
+/// Terms in another unit than the file's make a wall of a condyle, for which no memory is enough.
+TEST(Prepare, APolynomialLargerThanAJointIsRefusedWithItsPlace) {
+  const test::TemporaryFolder folder;
+  for (const std::string steep : {"1e3", "1e9", "1e20"}) {
+    Diagnostics out;
+    const auto p = prepare(folder.write("scene.toml", test::bone_on_ground() +
+                                                          test::surface("wall", "bone", "polynomial",
+                                                                        "chart = \"cylindrical\"\nterms = [[0, 0, 20], "
+                                                                        "[2, 0, " +
+                                                                            steep +
+                                                                            "]]\npatch = { theta = [-2.3, 0.7], z = "
+                                                                            "[-13, 13] }") +
+                                                          test::step("increments = 1")),
+                           out);
+    EXPECT_FALSE(p.has_value()) << steep;
+    EXPECT_NE(test::messages(out).find("surface.wall.patch: holds a surface of"), std::string::npos)
+        << test::messages(out);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/judged.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -47,7 +48,7 @@ std::string content(const std::string& file) {
 
 int run(const TemporaryFolder& folder, const std::string& text, const RunOptions& options, Diagnostics& out,
         Solution* solution = nullptr) {
-  return run_scene(folder.write("scene.toml", text), folder / "out", options, out, solution);
+  return test::judged_run(folder.write("scene.toml", text), folder / "out", options, out, solution);
 }
 
 TEST(RunMotion, WritesRowsAtMultiplesOfTheIntervalAndTheEnd) {

@@ -14,6 +14,7 @@
 #include "genu/geometry/stl_writer.h"
 #include "genu/scene/reader.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -28,7 +29,7 @@ Scene dortmans() {
 }
 
 int run(const std::string& scene, const std::string& folder, Diagnostics& out) {
-  return run_scene(scene, folder, {}, out, nullptr);
+  return test::judged_run(scene, folder, {}, out, nullptr);
 }
 
 TEST(RunScene, WritesTheSameBytesTwiceAndReplacesTheFolderAsAWhole) {
@@ -131,10 +132,11 @@ TEST(RunScene, ACancelledRunKeepsItsRows) {
   options.progress = [&](int done, int) { rows = done; };
   options.cancelled = [&] { return rows >= 10; };
   Solution solution;
-  EXPECT_EQ(run_scene(test::dortmans_file(), folder / "a", options, out, &solution), kExitIncomplete);
+  EXPECT_EQ(test::judged_run(test::dortmans_file(), folder / "a", options, out, &solution), kExitIncomplete);
   EXPECT_GE(solution.summary.poses_solved, 10);
   EXPECT_LT(solution.summary.poses_solved, 71);
-  EXPECT_TRUE(std::filesystem::exists(folder / "a/results.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.partial/results.partial.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));  // nobody takes a part for the whole
 }
 
 /// The scene's text with every length of it in metres.

@@ -8,6 +8,7 @@
 #include "genu/run/run_scene.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
+#include "support/judged.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
@@ -33,7 +34,9 @@ inline Solution solved(const Scene& scene) {
   p.model = std::move(*model);
   p.steps = plan_steps(p.scene);
   ContactField field(p.model);
-  return solve(p, field, {});
+  Solution solution = solve(p, field, {});
+  expect_judged_ok(scene, solution.poses);
+  return solution;
 }
 
 /// Solves a scene that has to be good, from its text.

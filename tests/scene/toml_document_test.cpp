@@ -58,6 +58,18 @@ TEST(TomlDocument, SyntaxErrorsHaveAPlace) {
   refused("\n\na = [1, 2\n", 3, 11);
 }
 
+TEST(TomlDocument, LettersBesideAKeyAreRefusedOneByOne) {
+  // toml++ looks for blanks there, in a table that forgot the letters between them.
+  for (char32_t c = 0xa1; c < 0x800; ++c) {
+    const std::string letter{static_cast<char>(0xc0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3f))};
+    Diagnostics out;
+    EXPECT_FALSE(parse_toml("a" + letter + " = 1\n", "t.toml", out)) << static_cast<unsigned>(c);
+    ASSERT_EQ(out.items().size(), 1u);
+    EXPECT_EQ(out.items()[0].line, 1);
+    EXPECT_EQ(out.items()[0].column, 2);
+  }
+}
+
 TEST(TomlDocument, DepthIsBounded) {
   std::string key = "a", nested = "b = ";
   for (int k = 0; k < 200000; ++k) key += ".a";

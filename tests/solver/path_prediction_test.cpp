@@ -8,23 +8,33 @@ namespace {
 
 using test::KnownMotion;
 
-/// The error of a prediction `h` beyond 0.4, with the tangents of there and, if asked, of 0.6 h before.
-double prediction_error(const JointModel& model, double h, bool two) {
-  const KnownMotion before(model, 0.4 - 0.6 * h), here(model, 0.4), there(model, 0.4 + h);
+/// The error of a prediction `h` beyond 0.4, with the tangents of there and of so many poses before, 0.6 h and more
+/// apart.
+double prediction_error(const JointModel& model, double h, int before) {
   PathPrediction prediction(model);
-  if (two) prediction.went_on(0.6 * h, before.tangent, here.tangent);
+  double t = 0.4 - h * (0.6 * before + 0.1 * (before - 1) * before / 2);
+  for (int k = before; k > 0; --k) {
+    const double span = h * (0.6 + 0.1 * (k - 1));
+    const KnownMotion from(model, t), to(model, t + span);
+    prediction.went_on(span, from.tangent, to.tangent);
+    t += span;
+  }
+  const KnownMotion here(model, 0.4), there(model, 0.4 + h);
   State found;
   EXPECT_TRUE(prediction.at(here.state, here.tangent, h, found));
   return distance(there, found);
 }
 
-TEST(PathPrediction, ErrsWithTheSquareOfTheStepAndWithTwoTangentsWithItsCube) {
+TEST(PathPrediction, ErrsWithOnePowerOfTheStepMoreForEachTangentItKnows) {
   const JointModel model = test::one_bone();
   for (const double h : {0.04, 0.02, 0.01}) {
-    EXPECT_NEAR(prediction_error(model, h, false) / prediction_error(model, h / 2, false), 4, 0.3) << h;
-    EXPECT_NEAR(prediction_error(model, h, true) / prediction_error(model, h / 2, true), 8, 0.8) << h;
-    EXPECT_LT(prediction_error(model, h, true), 0.1 * prediction_error(model, h, false)) << h;
+    EXPECT_NEAR(prediction_error(model, h, 0) / prediction_error(model, h / 2, 0), 4, 0.3) << h;
+    EXPECT_NEAR(prediction_error(model, h, 1) / prediction_error(model, h / 2, 1), 8, 0.8) << h;
+    EXPECT_NEAR(prediction_error(model, h, 2) / prediction_error(model, h / 2, 2), 16, 3) << h;
+    EXPECT_LT(prediction_error(model, h, 1), 0.1 * prediction_error(model, h, 0)) << h;
   }
+  EXPECT_LT(prediction_error(model, 0.01, 2), 0.5 * prediction_error(model, 0.01, 1));
+  EXPECT_LT(prediction_error(model, 0.01, 3), 0.5 * prediction_error(model, 0.01, 2));
 }
 
 TEST(PathPrediction, ForgetsAndDoesNotGoOnWithAKink) {
@@ -43,6 +53,21 @@ TEST(PathPrediction, ForgetsAndDoesNotGoOnWithAKink) {
   ASSERT_TRUE(kinked.at(here.state, here.tangent, h, third));
   EXPECT_EQ(one.poses, other.poses);
   EXPECT_EQ(one.poses, third.poses);
+}
+
+TEST(PathPrediction, ForgetsWhereOtherUnknownsAreHeld) {
+  const JointModel model = test::one_bone();
+  const double h = 0.02;
+  const KnownMotion before(model, 0.4 - h), here(model, 0.4);
+  PathPrediction fresh(model), changed(model);
+  changed.went_on(h, before.tangent, here.tangent);
+  Correction other = here.tangent;
+  other.multipliers.resize(3);
+  changed.went_on(h, other, here.tangent);
+  State one, same;
+  ASSERT_TRUE(fresh.at(here.state, here.tangent, h, one));
+  ASSERT_TRUE(changed.at(here.state, here.tangent, h, same));
+  EXPECT_EQ(one.poses, same.poses);
 }
 
 TEST(PathPrediction, SpeedCountsLengthsAndRadians) {

@@ -55,6 +55,17 @@ TEST(WrongArrows, CannotHideInAPathOrAnUnknownFolder) {
               ElementsAre(HasSubstr("newton.cpp:1:"), HasSubstr("no layer"), HasSubstr("no layer utils")));
 }
 
+TEST(WrongArrows, TheJudgeKnowsFilesOfMeshesAndNothingElseOfWhatItJudges) {
+  const SourceFile judge{"src/genu/judge/subject.cpp",
+                         {"#include \"genu/geometry/mesh_reader.h\"", "#include \"genu/scene/scene.h\"",
+                          "#include \"genu/geometry/surface.h\"", "#include \"genu/contact/layer_law.h\"",
+                          "#include \"genu/model/ligament_law.h\"", "#include \"genu/run/run_scene.h\""}};
+  EXPECT_THAT(wrong_arrows({judge}), ElementsAre(HasSubstr("judge -> geometry"), HasSubstr("judge -> contact"),
+                                                 HasSubstr("judge -> model"), HasSubstr("judge -> run")));
+  const SourceFile judged{"src/genu/run/run_scene.cpp", {"#include \"genu/judge/judge.h\""}};
+  EXPECT_THAT(wrong_arrows({judged}), SizeIs(1));
+}
+
 TEST(WrongArrows, RightOnesPass) {
   const SourceFile contact{"src/genu/contact/candidates.cpp",
                            {"#include \"genu/contact/candidates.h\"", "#include <vector>",

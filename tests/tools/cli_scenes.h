@@ -70,12 +70,23 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs `genu ARGUMENTS`; longer than 20 s counts as a hang (exit code 124).
+inline std::string last_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+/// Runs `genu ARGUMENTS`; longer than 120 s counts as a hang (exit code 124). Whatever does not end well ends with what
+/// to do next.
 inline Outcome genu(const std::string& arguments) {
   const TemporaryFolder folder;
   const int status = std::system(
       ("timeout 120 " GENU_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
+  const Outcome done{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"),
+                     read_file(folder / "err")};
+  if (done.exit_code >= 1 && done.exit_code <= 3) {
+    EXPECT_EQ(last_line(done.err).rfind("what to do: ", 0), 0u) << "genu " << arguments << "\n" << done.err;
+  }
+  return done;
 }
 
 }  // namespace genu::test

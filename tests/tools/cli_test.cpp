@@ -26,13 +26,37 @@ TEST(Cli, SolvesChecksAndMeshes) {
   const Outcome run = genu("run " + scene + " --out " + (folder / "deep/er/out"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "Every pose is solved and certified")) << run.out;
-  for (const char* file : {"results.csv", "events.csv", "curves.svg", "summary.json"})
+  EXPECT_TRUE(contains(run.out, "curves.svg, report.html, summary.json")) << run.out;
+  for (const char* file : {"results.csv", "events.csv", "curves.svg", "report.html", "summary.json"})
     EXPECT_TRUE(std::filesystem::file_size(folder / (std::string("deep/er/out/") + file)) > 0) << file;
   EXPECT_EQ(genu("run " + scene + " --quiet --out " + (folder / "out")).out, "");
   const Outcome check = genu("check " + scene);
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_TRUE(contains(check.out, "no errors"));
   EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
+}
+
+TEST(Cli, LeavesTheReportOutWhereItIsToldTo) {
+  TemporaryFolder folder;
+  const Outcome run = genu("run " + folder.write("ball.toml", kBall) + " --no-report --out " + (folder / "out"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_FALSE(contains(run.out, "report")) << run.out;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/report.html"));
+}
+
+TEST(Cli, ComparesResults) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), a = folder / "a", b = folder / "b";
+  ASSERT_EQ(genu("run " + scene + " --quiet --out " + a).exit_code, 0);
+  ASSERT_EQ(genu("run " + scene + " --quiet --no-report --out " + b).exit_code, 0);
+  const Outcome refused = genu("compare " + a + " " + b + " --out " + (folder / "both.html"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "b: holds no report.html")) << refused.err;
+  ASSERT_EQ(genu("run " + scene + " --quiet --out " + b).exit_code, 0);
+  const Outcome both = genu("compare " + a + " " + b + " --out " + (folder / "both.html"));
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_TRUE(contains(both.out, "both.html: 2 results compared")) << both.out;
+  EXPECT_EQ(genu("compare " + a + " --out " + (folder / "one.html")).exit_code, 2);
 }
 
 TEST(Cli, SearchesFromSeveralStarts) {

@@ -60,7 +60,7 @@ Instructions instructions(const std::string& scene) {
   const std::string profile = folder / "profile";
   const int status =
       std::system(("valgrind --tool=callgrind --callgrind-out-file=" + profile + " " GENU_PROGRAM " run " + scene +
-                   " --quiet --out " + (folder / "out") + " >/dev/null 2>&1")
+                   " --no-report" + " --quiet --out " + (folder / "out") + " >/dev/null 2>&1")
                       .c_str());
   EXPECT_EQ(status, 0);
   return read_profile(profile);

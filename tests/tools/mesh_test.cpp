@@ -109,6 +109,8 @@ TEST(MeshCommand, RefusesWithExitCode2) {
   EXPECT_EQ(run(scene + " no-such-surface" + out, log), 2);
   EXPECT_NE(test::read_file(log).find("no-such-surface"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(run(scene + " --edge 1 --out " + scene, log), 2) << "a file stands where the folder should";
+  EXPECT_EQ(test::read_file(scene), kScene);
 }
 
 /// The bones in meshes/leskovar2019 are what their file makes, and nothing is wrong with them.

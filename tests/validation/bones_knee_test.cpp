@@ -8,6 +8,7 @@
 #include "genu/geometry/solid_inertia.h"
 #include "motion_scene.h"
 #include "support/data.h"
+#include "support/judged.h"
 #include "support/leskovar.h"
 
 namespace genu {
@@ -35,7 +36,7 @@ Solution run_bones(const test::TemporaryFolder& folder, const std::string& secon
   for (const Diagnostic& d : out.items()) std::printf("%s\n", to_string(d).c_str());
   if (!p) return {};
   bodies = p->bodies;
-  return solve_motion(*p, {});
+  return test::judged(*p, solve_motion(*p, {}));
 }
 
 std::string in_place(const std::string& file) { return "file = \"" + file + "\""; }

@@ -12,6 +12,7 @@
 
 #include "genu/run/run_scene.h"
 #include "support/data.h"
+#include "support/judged.h"
 
 namespace genu {
 namespace {
@@ -88,7 +89,7 @@ TEST(DortmansKnee, OneRunGivesEveryColumnOfTheReference) {
   const auto prepared = prepare(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml", problems);
   ASSERT_TRUE(prepared) << to_string(problems.items().front());
   ContactField field(prepared->model);
-  const Solution solution = solve(*prepared, field, {});
+  const Solution solution = test::judged(*prepared, solve(*prepared, field, {}));
   EXPECT_EQ(solution.summary.exit_code, kExitOk);
   EXPECT_EQ(solution.poses.rows(), 71u);
 

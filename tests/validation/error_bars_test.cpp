@@ -11,6 +11,7 @@
 
 #include "genu/core/timer.h"
 #include "genu/run/run_scene.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/temporary_folder.h"
 
@@ -43,6 +44,7 @@ TimedRun run(const std::string& text, bool error_bars) {
   const Timer timer;
   EXPECT_EQ(run_scene(scene, folder / "out", options, out, &result.solution), kExitOk);
   result.seconds = timer.seconds();
+  test::expect_judged_ok(scene, result.solution.poses);
   EXPECT_EQ(told, asked);
   EXPECT_EQ(asked > 0, error_bars);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);

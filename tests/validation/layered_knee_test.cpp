@@ -8,6 +8,7 @@
 
 #include "genu/geometry/mesh_reader.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/layers.h"
 
@@ -32,6 +33,7 @@ Solution solve_text(const std::string& text) {
   Solution solution;
   run_scene(folder.write("scene.toml", text), folder / "out", {}, out, &solution);
   EXPECT_FALSE(out.has_errors()) << test::messages(out);
+  test::expect_judged_ok(folder / "scene.toml", solution.poses);
   return solution;
 }
 

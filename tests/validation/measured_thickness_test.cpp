@@ -6,6 +6,7 @@
 
 #include "run/scenes.h"
 #include "support/data.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 
 namespace genu {
@@ -45,7 +46,7 @@ TEST(MeasuredThickness, KneeOnItsOwnCartilage) {
     });
     EXPECT_EQ(warned, 4) << test::messages(out);
     ContactField field(prepared->model);
-    const Solution solution = solve(*prepared, field, {});
+    const Solution solution = test::judged(*prepared, solve(*prepared, field, {}));
     EXPECT_EQ(solution.summary.poses_solved, 4) << quadrature;
     for (std::size_t row = 0; row < solution.poses.rows(); ++row) {
       const auto of = [&](const std::string& column) { return solution.poses.number(row, "tibiofemoral." + column); };

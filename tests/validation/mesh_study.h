@@ -15,6 +15,7 @@
 #include "genu/geometry/stl_writer.h"
 #include "genu/run/build_surface.h"
 #include "genu/run/run_scene.h"
+#include "support/judged.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
@@ -57,6 +58,7 @@ class MeshStudy {
     const Timer timer;
     reference_ = solve(*exact_, field, {});
     exact_seconds_ = timer.seconds() / static_cast<double>(reference_.records.size());
+    test::expect_judged_ok(*exact_, reference_.poses);
   }
 
   bool good() const { return exact_ && reference_.summary.exit_code == kExitOk; }

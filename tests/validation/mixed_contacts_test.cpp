@@ -7,6 +7,7 @@
 #include "genu/contact/layer_law.h"
 #include "genu/run/evaluate.h"
 #include "run/scenes.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/scene_model.h"
 
@@ -61,6 +62,7 @@ TEST(MixedContacts, AKneeWithOneSoftCompartment) {
     Diagnostics out;
     Solution run;
     ASSERT_EQ(run_scene(scene, folder / "run", {}, out, &run), kExitOk) << test::messages(out);
+    test::expect_judged_ok(scene, run.poses);
     Evaluation given;
     ASSERT_EQ(evaluate_scene(scene, folder / "run/results.csv", folder / "given", {}, out, &given), kExitOk)
         << test::messages(out);
@@ -159,6 +161,7 @@ TEST(MixedContacts, TheMeasuredRigidKneeIsTheLimitToo) {
     Solution solution;
     EXPECT_EQ(run_scene(folder.write("scene.toml", scene), folder / "out", {}, out, &solution), kExitOk)
         << test::messages(out);
+    test::expect_judged_ok(folder / "scene.toml", solution.poses);
     return solution.poses;
   };
   const ResultTable rigid = table(text);

@@ -1,6 +1,7 @@
 // Coordinates whose motion is given, joints that meet their limits, and slow motion beside equilibrium.
 #include "genu/model/step_plan.h"
 #include "motion_scene.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 
 namespace genu {
@@ -131,7 +132,7 @@ increments = 40
 )"));
   p.steps = plan_steps(p.scene);
   ContactField field(p.model);
-  const ResultTable t = solve(p, field, {}).poses;
+  const ResultTable t = test::judged(p, solve(p, field, {})).poses;
   ASSERT_EQ(t.rows(), 41u);
   for (std::size_t row = 0; row < t.rows(); ++row) {
     const double moment = 1.5 * static_cast<double>(row), within = moment / 0.5;
@@ -156,7 +157,7 @@ ResultTable at_rest(const std::vector<double>& flexion) {
   Prepared p = test::prepared_motion(test::motion_scene(text));
   p.steps = plan_steps(p.scene);
   ContactField field(p.model);
-  return solve(p, field, {}).poses;
+  return test::judged(p, solve(p, field, {})).poses;
 }
 
 /// The flexion of the torus knee, the slower the nearer to equilibrium: what inertia costs falls with the square of the

@@ -13,6 +13,7 @@
 #include "genu/run/run_motion.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
+#include "support/judged.h"
 
 namespace genu::test {
 
@@ -44,6 +45,7 @@ inline Solution motion_of(const Scene& scene) {
   Solution s = solve_motion(prepared_motion(scene), {});
   EXPECT_EQ(s.summary.exit_code, kExitOk) << (s.summary.verdict.empty() ? "" : s.summary.verdict.front());
   EXPECT_LT(s.summary.motion->worst_residual, 1e-10) << "of the constraints, over the scale of length";
+  expect_judged_ok(scene, s.poses);
   return s;
 }
 inline Solution motion_of(const std::string& text) { return motion_of(motion_scene(text)); }

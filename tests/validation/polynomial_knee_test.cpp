@@ -14,6 +14,7 @@
 #include "genu/run/fit_scene.h"
 #include "knee_run.h"
 #include "mesh_study.h"
+#include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/ssm_scene.h"
 #include "support/temporary_folder.h"
@@ -34,7 +35,7 @@ KneeRun run_file(const std::string& path) {
   for (const Diagnostic& d : diagnostics.items()) ADD_FAILURE() << to_string(d);
   if (!run.prepared) return run;
   ContactField field(run.prepared->model);
-  run.solution = solve(*run.prepared, field, {});
+  run.solution = test::judged(*run.prepared, solve(*run.prepared, field, {}));
   return run;
 }
 

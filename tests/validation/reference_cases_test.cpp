@@ -13,6 +13,7 @@
 #include "genu/core/units.h"
 #include "genu/run/run_scene.h"
 #include "support/data.h"
+#include "support/judged.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -48,7 +49,7 @@ class SolvedCase {
     for (const Diagnostic& d : problems.items()) ADD_FAILURE() << to_string(d);
     if (!prepared_) return;
     ContactField field(prepared_->model);
-    solution_ = solve(*prepared_, field, {});
+    solution_ = test::judged(*prepared_, solve(*prepared_, field, {}));
   }
 
   bool good() const { return prepared_.has_value() && !solution_.records.empty(); }

@@ -13,6 +13,7 @@
 #include "genu/scene/reader.h"
 #include "support/edited_scene.h"
 #include "support/finite_difference.h"
+#include "support/judged.h"
 
 namespace genu::test {
 
@@ -38,7 +39,7 @@ inline SensitivityResult differentiated(const Prepared& p, const SensitivityChoi
   choose(p, choice, 9, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   ContactField field(p.model);
-  result.solution = solve(p, field, {});
+  result.solution = judged(p, solve(p, field, {}));
   EXPECT_EQ(result.solution.summary.exit_code, kExitOk);
   for (const std::string& sentence : result.solution.summary.verdict)
     if (result.solution.summary.exit_code != kExitOk) ADD_FAILURE() << sentence;

@@ -42,8 +42,8 @@ int compare(const AccuracyArguments& arguments) {
   if (code == kExitRefused || report.points.empty()) return code;
   fmt::print("{}\n{}", printable(report.title), to_text(report));
   if (code != kExitFailed && arguments.folder)
-    fmt::print("  {:<12}{}/accuracy.csv, accuracy.svg{}, and the scene's own results\n", "written", own.folder,
-               report.targets.empty() || report.chosen < 0 ? "" : ", scene.toml");
+    fmt::print("  {:<12}{}/accuracy.csv, accuracy.svg{}, report.html, and the scene's own results\n", "written",
+               own.folder, report.targets.empty() || report.chosen < 0 ? "" : ", scene.toml");
   return code;
 }
 

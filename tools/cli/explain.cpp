@@ -1,4 +1,6 @@
 // genu explain knee.toml: the system a scene asks for, before anything is solved.
+// genu explain ligaments: what the pages in docs/ say of a word: a section, a key, a column, a status.
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -11,20 +13,53 @@
 #include "genu/run/explain.h"
 #include "genu/run/run_scene.h"
 #include "genu/scene/reader.h"
+#include "genu/scene/words.h"
+#include "topics.h"
 
 namespace genu::cli {
+namespace {
+
+bool means_a_file(const std::string& word) {
+  std::error_code ignored;
+  return word.ends_with(".toml") || word.find('/') != std::string::npos ||
+         std::filesystem::is_regular_file(word, ignored);
+}
+
+int explain_scene(const std::string& file) {
+  Diagnostics diagnostics;
+  const auto scene = read_scene(file, diagnostics);
+  print(diagnostics);
+  if (scene) fmt::print("{}", explain(*scene));
+  return scene ? kExitOk : kExitRefused;
+}
+
+int explain_word(const std::string& word) {
+  const Topics topics = topics_of(help_pages());
+  if (word.empty()) {
+    fmt::print("{}", topic_list(topics));
+    return kOk;
+  }
+  const std::string text = explain_topic(topics, word);
+  if (text.empty())
+    return refuse(
+        fmt::format("\"{}\" is no topic and no scene file{}", word, did_you_mean(word, known_topics(topics))));
+  fmt::print("{}", text);
+  return kOk;
+}
+
+}  // namespace
 
 void add_explain(CLI::App& app, int& exit_code) {
-  auto file = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("explain", "Say what system a scene asks for: genu explain knee.toml");
-  command->add_option("SCENE", *file, "scene file (TOML)")->required();
-  command->callback([file, &exit_code] {
-    Diagnostics diagnostics;
-    const auto scene = read_scene(*file, diagnostics);
-    print(diagnostics);
-    if (scene) fmt::print("{}", explain(*scene));
-    exit_code = scene ? kExitOk : kExitRefused;
-  });
+  auto word = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "explain", "Say what system a scene asks for: genu explain knee.toml; or what a word means: genu explain gap");
+  command->add_option(
+      "SCENE_OR_TOPIC", *word,
+      "scene file (TOML), or a section, key, column, status, event or term; the list where it is left out");
+  command->footer(
+      "Examples: genu explain knee.toml\n          genu explain ligaments\n          genu explain over_edge");
+  command->callback(
+      [word, &exit_code] { exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(*word); });
 }
 
 }  // namespace genu::cli

@@ -227,8 +227,7 @@ void add_fit(CLI::App& app, int& exit_code) {
       "          genu fit --scene knee.toml --out fitted");
   command->callback([options, &exit_code] {
     if (options->mesh.empty() == options->scene.empty()) {
-      fmt::print(stderr, "genu fit: name a mesh file or --scene SCENE\n");
-      exit_code = kExitRefused;
+      exit_code = refuse("genu fit: name a mesh file or --scene SCENE");
     } else {
       exit_code = options->scene.empty() ? fit_one(*options) : fit_all(*options);
     }

@@ -13,6 +13,7 @@ void interrupt(int) { interrupted = true; }
 
 std::function<bool()> stop_on_interrupt() {
   std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   return [] { return interrupted.load(); };
 }
 

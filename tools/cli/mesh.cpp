@@ -114,11 +114,6 @@ void mesh_solids(const Scene& scene, const MeshOptions& options, double unit, st
   }
 }
 
-int refuse(const Diagnostics& problems) {
-  for (const Diagnostic& d : problems.items()) fmt::print(stderr, "{}\n", to_string(d));
-  return kRefused;
-}
-
 /// A file of the same name that someone else wrote, as the mesh a surface was measured on, is not replaced.
 void refuse_foreign(const std::string& path, Diagnostics& out) {
   std::error_code code;
@@ -156,8 +151,8 @@ int mesh_scene(const MeshOptions& options) {
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) {
-    fmt::print(stderr, "{}: cannot be made a folder: {}\n", options.folder, failure.message());
-    return kFailed;
+    problems.error(options.folder, "cannot be made a folder: " + failure.message());
+    return refuse(problems);
   }
   for (const Meshed& m : meshes) {
     const std::string path = path_of(m);

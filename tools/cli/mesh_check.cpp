@@ -45,18 +45,12 @@ std::string why_not_there(const std::string& from, const std::string& to) {
   return {};
 }
 
-int refuse_with_errors(const Diagnostics& problems) {
-  for (const Diagnostic& d : problems.items())
-    if (d.severity == Diagnostic::Severity::error) fmt::print(stderr, "{}\n", to_string(d));
-  return kRefused;
-}
-
 /// What was written, as whoever reads it gets it.
 int check_written(const std::string& file, double unit) {
   Diagnostics problems;
   MeshFileFacts facts;
   const std::optional<Mesh> mesh = read_mesh(file, unit, problems, &facts);
-  if (!mesh) return refuse_with_errors(problems);
+  if (!mesh) return refuse(problems);
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
   return examination.bad() ? kNotAllOk : kOk;
@@ -83,8 +77,7 @@ int repair(const std::string& from, Mesh mesh, double unit, const std::string& t
 int check_file(const std::string& file, const CheckOptions& options) {
   if (options.repairs)
     if (const std::string why = why_not_there(file, options.repaired); !why.empty()) {
-      fmt::print(stderr, "{}\n", printable(why));
-      return kRefused;
+      return refuse(why);
     }
   Diagnostics problems;  // the warnings among them are said below, a line each
   MeshFileFacts facts;
@@ -92,7 +85,7 @@ int check_file(const std::string& file, const CheckOptions& options) {
   double unit = options.unit == "m" ? 1.0 : 1e-3;
   std::optional<Mesh> mesh = options.unit.empty() ? read_mesh_of_some_unit(file, unit, problems, &facts)
                                                   : read_mesh(file, unit, problems, &facts);
-  if (!mesh) return refuse_with_errors(problems);
+  if (!mesh) return refuse(problems);
   fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), timer.seconds(), unit == 1 ? "m" : "mm",
              options.unit.empty() ? " (guessed from the size)" : "");
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
@@ -103,8 +96,7 @@ int check_file(const std::string& file, const CheckOptions& options) {
 
 int check_files(const CheckOptions& options) {
   if (options.repairs && options.files.size() > 1) {
-    fmt::print(stderr, "genu mesh-check: --repair mends one file at a time\n");
-    return kRefused;
+    return refuse("genu mesh-check: --repair mends one file at a time");
   }
   // What is refused counts most, then what could not be written, then flaws.
   int worst = kOk;

@@ -2,16 +2,40 @@
 
 #include <fmt/format.h>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 
 namespace genu::cli {
 
 void print(const Diagnostics& diagnostics, bool computed) {
-  for (const Diagnostic& d : diagnostics.items()) fmt::print(stderr, "{}\n", to_string(d));
+  for (const Diagnostic& d : diagnostics.items()) {
+    fmt::print(stderr, "{}\n", to_string(d));
+    if (d.severity == Diagnostic::Severity::error) advice().error(d);
+  }
   if (const std::size_t errors = diagnostics.count(Diagnostic::Severity::error); errors > 0)
     fmt::print(stderr, "{} error{}; {}\n", errors, errors == 1 ? "" : "s",
                computed ? "the results could not be kept" : "nothing was computed");
+}
+
+int refuse(const Diagnostics& problems) {
+  for (const Diagnostic& d : problems.items()) {
+    if (d.severity != Diagnostic::Severity::error) continue;
+    fmt::print(stderr, "{}\n", to_string(d));
+    advice().error(d);
+  }
+  return kRefused;
+}
+
+int refuse(const std::string& rule) {
+  Diagnostics problems;
+  problems.error({}, rule);
+  return refuse(problems);
+}
+
+void print_advice(int exit_code) {
+  if (exit_code == kOk) return;
+  for (const std::string& line : advice().lines(exit_code)) fmt::print(stderr, "what to do: {}\n", line);
 }
 
 }  // namespace genu::cli

@@ -1,11 +1,12 @@
 // genu run knee.toml --out out/knee
 //   1. read scene and meshes; refuse with every error at once
 //   2. solve pose after pose
-//   3. write results.csv, events.csv, curves.svg, summary.json; print a short table and the verdict
+//   3. write results.csv, events.csv, curves.svg, report.html, summary.json; print a short table and the verdict
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,9 +18,11 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
+#include "genu/run/checkpoint.h"
 #include "genu/run/run_scene.h"
 #include "progress.h"
 
@@ -116,15 +119,42 @@ struct RunArguments {
   std::string scene, folder;
   int starts = 0;
   double spread = 20;
-  bool error_bars = false, pressure_maps = false, quiet = false;
+  bool error_bars = false, pressure_maps = false, no_report = false, quiet = false, resume = false;
+  std::string save_failure;
+  double checkpoint = RunOptions().checkpoint_seconds;
 };
 
+/// Why the rows end where they do, for what is said of it last.
+void note_status(const ResultTable& poses) {
+  if (poses.rows() == 0 || !poses.has_column("status")) return;
+  advice().status(std::get<std::string>(poses.at(poses.rows() - 1, poses.column_index("status"))));
+}
+
+/// What a run that ended by an exception has left for --resume is said before anybody says that it ended.
+int run_and_tell(const RunArguments& arguments, const RunOptions& options, Diagnostics& diagnostics,
+                 Solution& solution) {
+  try {
+    return run_scene(arguments.scene, arguments.folder, options, diagnostics, &solution);
+  } catch (...) {
+    const std::string file = beside(arguments.folder, ".checkpoint");
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored))
+      fmt::print(stderr, "genu: rows computed until then are kept in {}; --resume goes on from there\n", file);
+    throw;
+  }
+}
+
 int run_scene_file(const RunArguments& arguments) {
-  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, quiet] = arguments;
+  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, no_report, quiet, resume, failure,
+               checkpoint] = arguments;
   RunOptions options;
   options.starts = starts;
   options.error_bars = error_bars;
   options.pressure_maps = pressure_maps;
+  options.resume = resume;
+  options.checkpoint_seconds = checkpoint;
+  options.save_failure = failure;
+  options.report = !no_report;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
   if (!quiet) {
@@ -134,9 +164,13 @@ int run_scene_file(const RunArguments& arguments) {
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Solution solution;
-  const int code = run_scene(scene, folder, options, diagnostics, &solution);
+  const int code = run_and_tell(arguments, options, diagnostics, solution);
   progress->finish();
   print(diagnostics, code == kExitFailed);
+  note_status(solution.poses);
+  const std::string mark = solution.summary.partial ? ".partial" : "";
+  if (!mark.empty() && !solution.summary.verdict.empty())
+    fmt::print(stderr, "{}\n", printable(solution.summary.verdict.front()));
   const bool any = solution.poses.rows() > 0;  // none where it was interrupted in the first pose
   if (code == kExitRefused || (code == kExitFailed && !any)) return code;
   if (!quiet) {
@@ -151,10 +185,11 @@ int run_scene_file(const RunArguments& arguments) {
     if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
     fmt::print("{}", to_text(solution.summary));
   }
-  if (code != kExitFailed && !quiet)
-    fmt::print("  {:<12}{}/results.csv, events.csv, {}{}{}curves.svg, summary.json\n", "written", solution.folder,
-               solution.starts ? "starts.csv, " : "", solution.error_bars ? "error_bars.csv, error_shares.csv, " : "",
-               listed(solution.pressure_files));
+  if ((code != kExitFailed || !mark.empty()) && !diagnostics.has_errors() && !quiet)
+    fmt::print("  {:<12}{}/results{}.csv, events{}.csv, {}{}{}curves.svg, {}summary.json\n", "written", solution.folder,
+               mark, mark, solution.starts ? "starts.csv, " : "",
+               solution.error_bars ? "error_bars.csv, error_shares.csv, " : "", listed(solution.pressure_files),
+               no_report ? "" : "report.html, ");
   return code;
 }
 
@@ -184,6 +219,20 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_flag("--pressure-maps", arguments->pressure_maps,
                     "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
                     "pressures_CONTACT.csv");
+  command->add_flag("--resume", arguments->resume,
+                    "go on from where an earlier run into DIR was killed or stopped (DIR.checkpoint); the results are "
+                    "those of an undisturbed run, to the byte");
+  constexpr double kMostSeconds = 86'400;
+  command
+      ->add_option("--checkpoint", arguments->checkpoint,
+                   "how many seconds apart what is computed is added to DIR.checkpoint; 0: wherever it can be")
+      ->check(number_within(0, kMostSeconds))
+      ->capture_default_str();
+  command->add_option("--save-failure", arguments->save_failure,
+                      "where not every pose is ok: write what it takes to see that again to this file, for genu "
+                      "reproduce; of meshes only what is needed, no names of folders");
+  command->add_flag("--no-report", arguments->no_report,
+                    "leave out report.html, the page that shows the joint and its results in a browser");
   command->add_flag("--quiet", arguments->quiet, "print errors only");
   command->callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
 }

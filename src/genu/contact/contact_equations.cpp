@@ -24,10 +24,6 @@ Eigen::Matrix<double, 4, 12> scaled_twist(const ContactBlock& block, double leng
   return twist;
 }
 
-}  // namespace
-
-namespace {
-
 /// What both the residual and the derivatives are made of, in world axes.
 struct ContactFrame {
   Vec3 arm_a, arm_b;  ///< from each body's origin to its point
@@ -43,7 +39,18 @@ struct ContactFrame {
         T_a(X_Wa.R * contact.a.T),
         T_b(X_Wb.R * contact.b.T),
         apart((arm_a + X_Wa.p) - (arm_b + X_Wb.p)) {}
+
+  Vec3 arm_b_to_a() const { return arm_b + apart; }  ///< from the origin of b to the point on A
 };
+
+void set_residual_rows(const ContactFrame& f, ContactBlock& out) {
+  out.residual << f.T_a.transpose() * f.apart, -f.n_a.dot(f.apart), f.T_a.transpose() * f.n_b;
+}
+
+/// The force acts along n_A at x_A: on a [-n, -arm_a x n], on b [n, r x n] with r = x_A - o_b.
+void set_direction(const ContactFrame& f, ContactBlock& out) {
+  out.direction << -f.n_a, -f.arm_a.cross(f.n_a), f.n_a, f.arm_b_to_a().cross(f.n_a);
+}
 
 /// x_A moves with a, x_B with b; n_A and T_A turn with a, n_B with b: d(t . (x_A - x_B)) = t . v_a + (x_B - o_a) x t .
 /// w_a - t . v_b - (arm_b x t) . w_b, as the turn of t acts on x_A - x_B, which vanishes at a solution only.
@@ -78,11 +85,10 @@ void set_surface_columns(const ContactFrame& f, const ContactGeometry& contact, 
   out.d_surface.block<2, 2>(3, 2) = -turn * contact.b.S;
 }
 
-/// The force acts along n_A at x_A: on a [-n, -arm_a x n], on b [n, r x n] with r = x_A - o_b.
-void set_wrench(const ContactFrame& f, const ContactGeometry& contact, const Vec3& r, double force, WhichMove moves,
-                ContactBlock& out) {
-  const Vec3 moment_a = f.arm_a.cross(f.n_a);
-  out.direction << -f.n_a, -moment_a, f.n_a, r.cross(f.n_a);
+/// Of force * direction, see set_direction().
+void set_wrench_derivatives(const ContactFrame& f, const ContactGeometry& contact, double force, WhichMove moves,
+                            ContactBlock& out) {
+  const Vec3 moment_a = f.arm_a.cross(f.n_a), r = f.arm_b_to_a();
   const Mat3 N = force * skew(f.n_a);             // dn = -[n]x w_a
   const Mat32 dn = -force * f.T_a * contact.a.S;  // by ds_A
   auto twist = [&](int row, int column) { return out.wrench_d_twist.block<3, 3>(row, column); };
@@ -117,10 +123,17 @@ void set_wrench(const ContactFrame& f, const ContactGeometry& contact, const Vec
 void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
                       ContactBlock& out, WhichMove moves) {
   const ContactFrame f(X_Wa, X_Wb, contact);
-  out.residual << f.T_a.transpose() * f.apart, -f.n_a.dot(f.apart), f.T_a.transpose() * f.n_b;
+  set_residual_rows(f, out);
+  set_direction(f, out);
   set_twist_rows(f, moves, out);
   set_surface_columns(f, contact, f.T_a.transpose() * f.T_b, out);
-  set_wrench(f, contact, f.arm_b + f.apart, force, moves, out);
+  set_wrench_derivatives(f, contact, force, moves, out);
+}
+
+void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, ContactBlock& out) {
+  const ContactFrame f(X_Wa, X_Wb, contact);
+  set_residual_rows(f, out);
+  set_direction(f, out);
 }
 
 bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMove moves) {

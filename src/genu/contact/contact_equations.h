@@ -37,6 +37,9 @@ struct ContactBlock {
 void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
                       ContactBlock& out, WhichMove moves = {});
 
+/// `residual` and `direction` alone; the derivatives are left as they were.
+void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, ContactBlock& out);
+
 /// The same contact with its four surface coordinates eliminated by the closure and tangency rows:
 /// ds = surface_offset + surface_gain * twist.
 class EliminatedContact {

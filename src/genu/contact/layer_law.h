@@ -21,7 +21,7 @@ struct LayerLaw {
   };
 
   /// Of the thickness: deeper, the logarithmic law goes on straight along its tangent, so that an iteration on its way
-  /// stays finite. A pose that ends there is not accepted.
+  /// stays finite. A run says which poses end there.
   static constexpr double kDeepest = 0.95;
 
   /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.

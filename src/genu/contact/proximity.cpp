@@ -63,6 +63,7 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
     : queried_(samples_second(a, b) ? &a : &b),
       sampled_(samples_second(a, b) ? &b : &a),
       samples_b_(samples_second(a, b)),
+      safeguards_(options.safeguards),
       spacing_(options.spacing),
       far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
       reserve_(0.5 * options.spacing) {
@@ -73,6 +74,14 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   swallowed_.emplace(*queried_, *sampled_, samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
   build_groups();
+}
+
+void Proximity::forget() {
+  for (Group& group : groups_) group.clearance = std::numeric_limits<double>::quiet_NaN(), group.measured = Pose{};
+  std::fill(memory_.begin(), memory_.end(), Memory{});
+  std::fill(gap_.begin(), gap_.end(), kInfinity);
+  measured_.clear();
+  swallowed_->forget();
 }
 
 /// Whether the gap rises from a minimum in every direction, by half a hundredth of the spacing over one spacing.
@@ -184,6 +193,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
       return doubtful_gap(x, *gap, memory);
     return *gap;
   }
+  if (safeguards_.lacks(Safeguard::far_side)) return kInfinity;
   const FarDistance::Nearest nearest = far_.nearest(x);
   memory.clearance = far_clearance(nearest, 0, false);
   if (direction != nullptr) *direction = nearest.direction;
@@ -295,7 +305,7 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
       deepest = sample;
     }
   }
-  out.swallowed = swallowed_->deepest(X_qs.inverse()).gap;
+  out.swallowed = safeguards_.has(Safeguard::swallowed) ? swallowed_->deepest(X_qs.inverse()).gap : 0;
   find_minima(X_qs, window, out);
   auto by_gap = [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; };
   std::stable_sort(out.minima.begin(), out.minima.end(), by_gap);
@@ -311,7 +321,7 @@ double Proximity::smallest_sample_gap(const Pose& X_ab) {
   double smallest = kInfinity;
   const Pose X_qs = query_from_samples(X_ab);
   visit_near(X_qs, 0, [&](int sample) { smallest = std::min(smallest, sample_gap(X_qs, sample, nullptr)); });
-  const double swallowed = swallowed_->deepest(X_qs.inverse()).gap;
+  const double swallowed = safeguards_.has(Safeguard::swallowed) ? swallowed_->deepest(X_qs.inverse()).gap : 0;
   return swallowed < 0 ? std::min(smallest, swallowed) : smallest;
 }
 

@@ -15,6 +15,7 @@
 #include "genu/contact/far_distance.h"
 #include "genu/contact/local_minimum.h"
 #include "genu/contact/swallowed.h"
+#include "genu/core/safeguards.h"
 
 namespace genu {
 
@@ -43,8 +44,12 @@ class Proximity {
     double reach = 0.1;
     Vec3 centre_a = Vec3::Zero();  ///< m: where the joint is, in the frame of a's body
     Vec3 centre_b = Vec3::Zero();  ///< the same in b's
+    Safeguards safeguards = {};
   };
   Proximity(const Surface& a, const Surface& b, const Options& options);
+
+  /// As if nothing had been looked at yet.
+  void forget();
 
   /// Looks at the whole pair at the relative pose X_ab for gaps below `window` (m).
   void scan(const Pose& X_ab, double window, ProximityScan& out);
@@ -109,6 +114,7 @@ class Proximity {
   const Surface* queried_;
   const Surface* sampled_;
   bool samples_b_;
+  Safeguards safeguards_;
   double spacing_;
   FarDistance far_;
   double reserve_;  // m: what facets may lie off the smooth surface

@@ -25,6 +25,11 @@ class Swallowed {
   /// The deepest of a few points that stand for the whole of the inner surface; X_oi is its frame in the outer's.
   Depth deepest(const Pose& X_oi);
 
+  /// As if nothing had been looked at yet.
+  void forget() {
+    for (Point& point : points_) point.clearance = -1;
+  }
+
  private:
   struct Point {
     Vec3 p;                 ///< m

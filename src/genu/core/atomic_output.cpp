@@ -156,4 +156,15 @@ std::string write_file_atomically(const fs::path& path, std::string_view content
   return failure(path, "cannot be written", code);
 }
 
+std::string why_not_replaced(const std::string& path, const std::string& mark) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) return {};
+  if (!std::filesystem::is_regular_file(status)) return path + ": is no file: choose another name";
+  std::ifstream in(path, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (content.empty() || content.find(mark) != std::string::npos) return {};
+  return path + ": is there already and was not written by this command: it will not be replaced; choose another name";
+}
+
 }  // namespace genu

@@ -46,4 +46,8 @@ bool folder_holds(const std::filesystem::path& folder, const std::filesystem::pa
 /// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
 std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Empty where no file `path` is, or it holds `mark`, which whoever asks writes into files of that kind. Else why it is
+/// not replaced: it may be all that somebody has of a scene, a mesh or another result.
+std::string why_not_replaced(const std::string& path, const std::string& mark);
+
 }  // namespace genu

@@ -57,7 +57,11 @@ Mesh chart_mesh(const SurfaceChart& chart, const ChartBox& box, const std::vecto
   double size_u = 0, size_v = 0;
   for (const double s : along_u) size_u += s / kSamples;
   for (const double s : along_v) size_v += s / kSamples;
-  const double cell = std::max(kCell * edge, std::sqrt(2 * size_u * size_v / kMaxChartTriangles));
+  if (!std::isfinite(size_u * size_v)) return {};  // it rises beyond all numbers
+  // The last: a surface as steep as a wall one way has two rows at least the other way.
+  constexpr double kMostLines = kMaxChartTriangles / 4.0;
+  const double cell = std::max(
+      {kCell * edge, std::sqrt(2 * size_u * size_v / kMaxChartTriangles), std::max(size_u, size_v) / kMostLines});
   const std::vector<double> s = lines(along_u, cell), t = lines(along_v, cell);
 
   const int columns = static_cast<int>(s.size()) - 1, rows = static_cast<int>(t.size()) - 1;

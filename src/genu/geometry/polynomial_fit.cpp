@@ -117,6 +117,7 @@ double PolynomialFit::rms(int degree) const {
 }
 
 std::vector<DegreeScore> PolynomialFit::scores(int lowest, double block_u, double block_v) const {
+  if (highest_ < lowest) return {};
   std::vector<DegreeScore> out;
   std::vector<std::vector<Index>> folds(kFolds);
   for (std::size_t k = 0; k < samples_.size(); ++k) {

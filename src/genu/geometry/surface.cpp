@@ -6,7 +6,10 @@
 namespace genu {
 
 bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
-  const Vec3 step = from.T * ds + 0.5 * ds.dot(from.S * ds) * from.n;
+  // A geodesic's first three derivatives: it bends along n by q, and n leans by -S ds as it goes.
+  const Vec2 leans = from.S * ds;
+  const double q = ds.dot(leans);
+  const Vec3 step = from.T * (ds - q / 6 * leans) + 0.5 * q * from.n;
   return project(from.p + step, out);
 }
 

@@ -43,8 +43,8 @@ class Surface {
   /// (outside the band of a meshed surface, at the centre of a sphere, ...); `out` is then unspecified.
   virtual bool project(const Vec3& x, SurfacePoint& out) const = 0;
 
-  /// The point reached from `from` by the tangent step ds (m): second order in ds, always on the surface.
-  /// The default follows the second-order expansion and projects.
+  /// The point reached from `from` by the tangent step ds (m): second order in ds, always on the surface. The default
+  /// is third order: it errs from the end of the geodesic that begins as ds, |ds| long, by the fourth power of ds.
   virtual bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const;
 
   /// Signed distance of x to the surface (m), positive on the outward side; first-order accurate near the surface

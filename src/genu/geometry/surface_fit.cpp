@@ -283,11 +283,11 @@ int Fitter::tame_degree(const PlacedFit& at, const PolynomialFit& fit, int degre
 }
 
 int Fitter::choose(const PlacedFit& at, std::vector<DegreeScore>& scores) const {
-  const PolynomialFit fit(at.samples, at.sampled, options_.degree.value_or(kHighestChosen));
   scores.clear();
+  if (at.samples.empty()) return -1;
+  const PolynomialFit fit(at.samples, at.sampled, options_.degree.value_or(kHighestChosen));
   if (options_.degree) return fit.highest() < *options_.degree ? -1 : *options_.degree;
-  const double radius = at.chart.cylindrical ? at.samples.front().h : 1;
-  scores = fit.scores(kLowestChosen, kBlock / radius, kBlock);
+  scores = fit.scores(kLowestChosen, kBlock / (at.chart.cylindrical ? at.samples.front().h : 1), kBlock);
   const int degree = choose_degree(scores, kFileRounding);
   return degree < 0 ? fit.highest() : tame_degree(at, fit, degree);
 }

@@ -70,7 +70,16 @@ Proximity ContactField::proximity_of(const Meeting& surfaces) const {
   options.reach = kSamplingReach * model_->scales.length;
   options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
   options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
+  options.safeguards = model_->safeguards;
   return {*surfaces.a, *surfaces.b, options};
+}
+
+void ContactField::forget() {
+  for (Proximity& pair : pairs_) pair.forget();
+  for (auto& pair : layer_pairs_)
+    if (pair) pair->forget();
+  layers_->each.clear();
+  layers_->buried.clear();
 }
 
 std::optional<ContactField::BuriedLayer> ContactField::buried(const State& state) {

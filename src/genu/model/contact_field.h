@@ -32,6 +32,9 @@ class ContactField {
   /// Candidates are looked for below this gap (m); open contacts beyond it are not followed.
   double window() const { return 0.2 * spacing_; }
 
+  /// As if nothing had been looked at yet: what comes out later depends on no earlier state, to the last bit.
+  void forget();
+
   /// Looks at the whole of every pair.
   void survey(const State& state, Survey& out);
 

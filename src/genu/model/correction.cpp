@@ -6,11 +6,15 @@ namespace {
 /// Turns the tangent basis of `to` into that of `from` carried along: a surface's own choice of basis may switch
 /// between two neighbouring points, and a residual seen in two bases cannot be compared.
 void carry_basis(const SurfacePoint& from, SurfacePoint& to) {
+  if (to.T == from.T) return;
+  // The shortest turn from one normal to the other: parallel transport along a geodesic but for the cube of its length.
   Mat32 carried;
-  carried.col(0) = (from.T.col(0) - to.n * to.n.dot(from.T.col(0))).normalized();
+  const double both = 1 + from.n.dot(to.n);
+  if (!(both > 0)) return;
+  carried.col(0) = from.T.col(0) - to.n.dot(from.T.col(0)) / both * (from.n + to.n);
   carried.col(1) = to.n.cross(carried.col(0));
   const Mat2 turn = to.T.transpose() * carried;
-  if (!turn.allFinite()) return;  // a quarter turn of the normal at once: keep the surface's own
+  if (!turn.allFinite()) return;  // half a turn of the normal at once: keep the surface's own
   to.S = turn.transpose() * to.S * turn;
   to.T = carried;
 }
@@ -35,6 +39,14 @@ void Correction::add(double factor, const Correction& other) {
   for (std::size_t c = 0; c < surface.size(); ++c) surface[c] += factor * other.surface[c];
   forces += factor * other.forces;
   parameter += factor * other.parameter;
+}
+
+void Correction::scale(double factor) {
+  twist *= factor;
+  multipliers *= factor;
+  for (Vec4& ds : surface) ds *= factor;
+  forces *= factor;
+  parameter *= factor;
 }
 
 void update_coordinates(const JointModel& model, State& state) {

@@ -20,6 +20,7 @@ struct Correction {
   bool matches(const Correction& other) const;
   /// Adds `factor` times one that matches.
   void add(double factor, const Correction& other);
+  void scale(double factor);
 };
 
 /// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`

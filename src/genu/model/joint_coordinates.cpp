@@ -76,12 +76,16 @@ JointValues JointCoordinates::coordinates(const Pose& X_PC, const JointValues& n
 }
 
 JointPoint JointCoordinates::evaluate(const Pose& X_WP, const Pose& X_WC, const JointValues& near) const {
+  const Pose X_PC{X_WP.R.transpose() * X_WC.R, X_WP.R.transpose() * (X_WC.p - X_WP.p)};
+  return derivatives(X_WP, X_WC, coordinates(X_PC, near));
+}
+
+JointPoint JointCoordinates::derivatives(const Pose& X_WP, const Pose& X_WC, const JointValues& values) const {
   JointPoint out;
   out.parent_ = X_WP.R;
-  out.offset_ = X_WC.p - X_WP.p;
-  out.values_ = coordinates({X_WP.R.transpose() * X_WC.R, X_WP.R.transpose() * out.offset_}, near);
+  out.values_ = values;
   out.arm_ = -(X_WC.R * child_centre_);
-  out.offset_ += out.arm_;
+  out.offset_ = X_WC.p - X_WP.p + out.arm_;
   const Vec3 floating = std::cos(out.values_[0]) * a_[1] + std::sin(out.values_[0]) * a12_;
   const Vec3 b1 = X_WP.R * a_[0], b2 = X_WP.R * floating, b3 = X_WC.R * a_[2];
   out.axes_ << b1, b2, b3;

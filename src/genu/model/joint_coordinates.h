@@ -89,6 +89,9 @@ class JointCoordinates {
   /// Values (chosen by `near` as in coordinates()) and derivatives, for poses in the world.
   JointPoint evaluate(const Pose& X_WP, const Pose& X_WC, const JointValues& near) const;
 
+  /// The same where the `values` are known to be those of the poses.
+  JointPoint derivatives(const Pose& X_WP, const Pose& X_WC, const JointValues& values) const;
+
  private:
   Vec3 angles(const Mat3& R, const Vec3& near, double branch) const;
 

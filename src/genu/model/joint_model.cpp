@@ -51,6 +51,9 @@ JointModel::Scales choose_scales(const JointModel& model) {
   };
   grow(model.pairs);
   grow(model.layers);
+  // What pulls may pull all at one place: then the surfaces say how large the joint is.
+  constexpr double kLeastShare = 0.01;
+  scales.length = std::max(scales.length, kLeastShare * scales.size);
 
   double force = 0;
   for (const auto* loads : {&model.loads, &model.weights})

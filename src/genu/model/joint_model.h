@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/core/safeguards.h"
 #include "genu/geometry/surface.h"
 #include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
@@ -82,7 +83,8 @@ struct JointModel {
   /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
   /// lengths never meet in one norm unscaled.
   struct Scales {
-    double length = 0.01;  ///< m: root mean square distance of what pulls at a body (ligaments, joints) from its mean
+    /// m: root mean square distance of what pulls at a body (ligaments, joints) from its mean; at least 0.01 of `size`
+    double length = 0.01;
     double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
     /// N: the largest load or weight, or what 1 % of strain (0.01 rad) costs in the stiffest ligament (joint)
     double force = 1;
@@ -106,6 +108,7 @@ struct JointModel {
   Scales scales;
   /// Counts what is evaluated, where a run asks for it; shared by copies of the model, not by threads.
   std::shared_ptr<EffectMeter> meter;
+  Safeguards safeguards;  ///< all of them, but in tests of what each is good for
 };
 
 /// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each

@@ -14,12 +14,13 @@ struct PullLine {
   double stiffness = 0;
 };
 
-void set_wrenches(const PullLine& line, TwoBodyWrench& out) {
-  out.on_a << line.t, line.r_A.cross(line.t);
-  out.on_b << -line.t, -line.r_B.cross(line.t);
+void set_wrenches(const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
+  if (moves.a) out.on_a << line.t, line.r_A.cross(line.t);
+  if (moves.b) out.on_b << -line.t, -line.r_B.cross(line.t);
 }
 
-bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, PullLine& line, TwoBodyWrench& out) {
+bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, WhichMove moves, PullLine& line,
+          TwoBodyWrench& out) {
   line.r_A = X_WA.R * ligament.p_A;
   line.r_B = X_WB.R * ligament.p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
@@ -38,7 +39,7 @@ bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piec
   out.energy = law.energy;
   line.stiffness = law.stiffness;
   line.t = out.length > 0 ? Vec3(law.force / out.length * line.d) : Vec3::Zero();
-  set_wrenches(line, out);
+  set_wrenches(line, moves, out);
   return true;
 }
 
@@ -91,29 +92,47 @@ void set_stiffness(const Ligament& ligament, const PullLine& line, WhichMove mov
 
 }  // namespace
 
-void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
-                        WhichMove moves) const {
-  PullLine line;
-  line.r_A = X_WA.R * p_A;
-  line.r_B = X_WB.R * p_B;
+namespace {
+
+/// Returns the direction from the end on A to that on B.
+Vec3 pull_with(const TautLine& taut, const Pose& X_WA, const Pose& X_WB, double tension, WhichMove moves,
+               PullLine& line, TwoBodyWrench& out) {
+  line.r_A = X_WA.R * taut.p_A;
+  line.r_B = X_WB.R * taut.p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
   out.length = line.d.norm();
   out.force = tension;
   const Vec3 u = out.length > 0 ? Vec3(line.d / out.length) : Vec3::Zero();
-  const double across = out.length > 0 ? tension / out.length : 0;
   line.t = tension * u;
-  set_wrenches(line, out);
+  set_wrenches(line, moves, out);
+  return u;
+}
+
+}  // namespace
+
+void TautLine::evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
+                        WhichMove moves) const {
+  PullLine line;
+  const Vec3 u = pull_with(*this, X_WA, X_WB, tension, moves, line, out);
+  const double across = out.length > 0 ? tension / out.length : 0;
   set_stiffness(line, u, across, along - across, moves, out);
 }
 
-bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
+void TautLine::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, double tension, TwoBodyWrench& out,
+                               WhichMove moves) const {
   PullLine line;
-  return pull(*this, X_WA, X_WB, LigamentLaw::kByLength, line, out);
+  pull_with(*this, X_WA, X_WB, tension, moves, line, out);
+}
+
+bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece,
+                               WhichMove moves) const {
+  PullLine line;
+  return pull(*this, X_WA, X_WB, piece, moves, line, out);
 }
 
 bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece, WhichMove moves) const {
   PullLine line;
-  if (!pull(*this, X_WA, X_WB, piece, line, out)) {
+  if (!pull(*this, X_WA, X_WB, piece, moves, line, out)) {
     out.stiffness.setZero();
     return false;
   }

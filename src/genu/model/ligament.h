@@ -38,6 +38,10 @@ struct TautLine {
   void evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
                 WhichMove moves = {}) const;
 
+  /// The same without the stiffness, which is left as it was.
+  void evaluate_wrench(const Pose& X_WA, const Pose& X_WB, double tension, TwoBodyWrench& out,
+                       WhichMove moves = {}) const;
+
   /// m
   double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
 };
@@ -50,13 +54,14 @@ struct Ligament {
   /// Wrenches, stiffness and what the results show, for the poses of A and B in the world (either may be fixed: pass
   /// its pose and ignore its part). Returns false where the ligament is slack: everything but length and strain is then
   /// 0. Where the ends meet and the law still has a force, its direction is undefined: wrench and stiffness are 0
-  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece. What a
-  /// body that does not `move` would add to the stiffness is left as it was.
+  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece. The
+  /// wrench on a body that does not `move`, and what it would add to the stiffness, are left as they were.
   bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength,
                 WhichMove moves = {}) const;
 
   /// The same without the stiffness, which is left as it was.
-  bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const;
+  bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength,
+                       WhichMove moves = {}) const;
 
   /// Distance of the ends, m.
   double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }

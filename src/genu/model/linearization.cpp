@@ -19,6 +19,10 @@ class TwoBodyScatter {
     for (int i = 0; i < 2; ++i)
       if (index_[i] >= 0) out.segment<6>(6 * index_[i]) += wrench.segment<6>(6 * i);
   }
+  void add_wrench(const Vec6& on_a, const Vec6& on_b, VecX& out) const {
+    if (index_[0] >= 0) out.segment<6>(6 * index_[0]) += on_a;
+    if (index_[1] >= 0) out.segment<6>(6 * index_[1]) += on_b;
+  }
   void add_stiffness(const Mat12& stiffness, MatX& out) const { add_stiffness(stiffness, *this, out); }
   /// The same where the wrench depends on the twists of two other bodies.
   void add_stiffness(const Mat12& stiffness, const TwoBodyScatter& twists, MatX& out) const {
@@ -36,34 +40,42 @@ class TwoBodyScatter {
   int index_[2];
 };
 
+/// A joint of a state whose coordinates are those of its poses.
+JointPoint point_of(const JointModel& model, const State& state, int index) {
+  const auto& joint = model.joints[at(index)];
+  return joint.coordinates.derivatives(state.poses[at(joint.parent)], state.poses[at(joint.child)],
+                                       state.coordinates[at(index)]);
+}
+
 void add_straight(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, int piece,
                   TwoBodyWrench& pull, Linearization& out) {
   const TwoBodyScatter scatter(model, l.body_a, l.body_b);
-  if (!l.ligament.evaluate(state.poses[at(l.body_a)], state.poses[at(l.body_b)], pull, piece, scatter.which_move()))
-    return;
-  Vec12 wrench;
-  wrench << pull.on_a, pull.on_b;
-  scatter.add_wrench(wrench, out.wrench);
-  scatter.add_stiffness(pull.stiffness, out.stiffness);
+  const Pose &X_WA = state.poses[at(l.body_a)], &X_WB = state.poses[at(l.body_b)];
+  const bool taut = out.derivatives ? l.ligament.evaluate(X_WA, X_WB, pull, piece, scatter.which_move())
+                                    : l.ligament.evaluate_wrench(X_WA, X_WB, pull, piece, scatter.which_move());
+  if (!taut) return;
+  scatter.add_wrench(pull.on_a, pull.on_b, out.wrench);
+  if (out.derivatives) scatter.add_stiffness(pull.stiffness, out.stiffness);
 }
 
 /// Many lines under one tension T(L), g = dL/dX: wrench = -T g, stiffness = -T' g g^T - T dg/dX.
 void add_chain(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
                const LawValue& tension, Linearization& out) {
   TwoBodyWrench pull;
-  Vec12 wrench;
   out.length_gradient.setZero(out.wrench.size());
   for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
     if (model.bodies[at(body_a)].moving == model.bodies[at(body_b)].moving) return;  // its length is constant
     const TwoBodyScatter scatter(model, body_a, body_b);
-    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], 1, 0, pull, scatter.which_move());
-    wrench << -pull.on_a, -pull.on_b;
-    scatter.add_wrench(wrench, out.length_gradient);
+    const Pose &X_WA = state.poses[at(body_a)], &X_WB = state.poses[at(body_b)];
+    out.derivatives ? line.evaluate(X_WA, X_WB, 1, 0, pull, scatter.which_move())
+                    : line.evaluate_wrench(X_WA, X_WB, 1, pull, scatter.which_move());
+    scatter.add_wrench(-pull.on_a, -pull.on_b, out.length_gradient);
+    if (!out.derivatives) return;
     pull.stiffness *= tension.force;
     scatter.add_stiffness(pull.stiffness, out.stiffness);
   });
   out.wrench -= tension.force * out.length_gradient;
-  if (tension.stiffness == 0) return;
+  if (!out.derivatives || tension.stiffness == 0) return;
   for (Eigen::Index j = 0; j < out.stiffness.cols(); ++j)
     if (out.length_gradient[j] != 0)
       out.stiffness.col(j) -= tension.stiffness * out.length_gradient[j] * out.length_gradient;
@@ -78,7 +90,7 @@ void add_held_ligament(const JointModel& model, const JointModel::LigamentBetwee
 }
 
 void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {
-  TwoBodyWrench pull;
+  TwoBodyWrench& pull = out.pull;
   auto piece = state.pieces.begin();
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
@@ -101,11 +113,12 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
   const LoadScale::Value scale = load_scale(load, state, time);
   const TwoBodyScatter scatter(model, load.body_a, load.body_b);
   scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
+  if (!out.derivatives) return;
   scatter.add_stiffness(factor * scale.factor * unit.stiffness, out.stiffness);
   if (scale.slope == 0 || !load.scale || !load.scale->coordinate()) return;
   // The pose changes the factor too: wrench times d factor / d q times grad q.
   const CoordinateRef& q = *load.scale->coordinate();
-  const JointPoint::Gradient gradient = joint_point(model, state, q.joint).gradient(q.index);
+  const JointPoint::Gradient gradient = point_of(model, state, q.joint).gradient(q.index);
   const auto& joint = model.joints[at(q.joint)];
   scatter.add_stiffness(factor * scale.slope * unit.wrench * gradient, TwoBodyScatter(model, joint.parent, joint.child),
                         out.stiffness);
@@ -133,14 +146,14 @@ void add_coordinate(const JointModel& model, const State& state, const JointPoin
   if (multiplier == 0) return;
   const TwoBodyScatter scatter(model, joint.parent, joint.child);
   scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
-  scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
+  if (out.derivatives) scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
 }
 
 void add_prescribed(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
     for_terms(model, target.prescribed[m].coordinate, [&](const CoordinateRef& c, double factor) {
-      add_coordinate(model, state, joint_point(model, state, c.joint), c, factor, row, out);
+      add_coordinate(model, state, point_of(model, state, c.joint), c, factor, row, out);
     });
     out.constraint(row) -= target.prescribed[m].value;
   }
@@ -151,7 +164,7 @@ void add_held(const JointModel& model, const State& state, const Target& target,
   JointPoint point;
   int evaluated = -1;
   for (const auto& held : model.held) {
-    if (held.coordinate.joint != evaluated) point = joint_point(model, state, evaluated = held.coordinate.joint);
+    if (held.coordinate.joint != evaluated) point = point_of(model, state, evaluated = held.coordinate.joint);
     add_coordinate(model, state, point, held.coordinate, 1, row, out);
     out.constraint(row++) -= held.value;
   }
@@ -167,13 +180,14 @@ void add_constraints(const JointModel& model, const State& state, const Target& 
 void add_joint_springs(const JointModel& model, const State& state, Linearization& out) {
   for (const auto& spring : model.joint_springs) {
     const auto& joint = model.joints[at(spring.joint)];
-    const JointPoint point = joint_point(model, state, spring.joint);
+    const JointPoint point = point_of(model, state, spring.joint);
     const JointPoint::Gradient gradient = point.gradient(0);
     const double angle = point.values()[0];
     const TwoBodyScatter scatter(model, joint.parent, joint.child);
     const double moment = spring.moment(angle);
     if (moment == 0 && spring.slope(angle) == 0) continue;
     scatter.add_wrench(moment * gradient.transpose(), out.wrench);
+    if (!out.derivatives) continue;
     scatter.add_stiffness(spring.slope(angle) * gradient.transpose() * gradient + moment * point.hessian(0),
                           out.stiffness);
   }
@@ -186,10 +200,11 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
     ContactBlock& block = out.contacts[c];
     out.contact_bodies[c] = {model.bodies[at(pair.body_a)].moving, model.bodies[at(pair.body_b)].moving};
     const TwoBodyScatter scatter(model, pair.body_a, pair.body_b);
-    evaluate_contact(state.poses[at(pair.body_a)], state.poses[at(pair.body_b)], contact.geometry, contact.force, block,
-                     scatter.which_move());
+    const Pose &X_Wa = state.poses[at(pair.body_a)], &X_Wb = state.poses[at(pair.body_b)];
+    out.derivatives ? evaluate_contact(X_Wa, X_Wb, contact.geometry, contact.force, block, scatter.which_move())
+                    : evaluate_contact_residual(X_Wa, X_Wb, contact.geometry, block);
     scatter.add_wrench(contact.force * block.direction, out.wrench);
-    scatter.add_stiffness(block.wrench_d_twist, out.stiffness);
+    if (out.derivatives) scatter.add_stiffness(block.wrench_d_twist, out.stiffness);
   }
 }
 
@@ -251,12 +266,14 @@ void place_own_origins(const JointModel& model, const State& state, VecX& out) {
 
 void stop_layers_when(const Cancelled& cancelled, Linearization& out) { memories_of(out).cancelled = cancelled; }
 
-void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out,
+               Derivatives wanted) {
+  out.derivatives = wanted == Derivatives::all || !model.layers.empty();  // layers give both at once
   const int n = 6 * model.moving_count;
   const auto held_from = static_cast<Eigen::Index>(constraint_count(model, target));
   const Eigen::Index m = held_from + held_count(state);
   out.wrench.setZero(n);
-  out.stiffness.setZero(n, n);
+  if (out.derivatives) out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);
   out.constraint.setZero(m);
   out.contacts.resize(state.contacts.size());
@@ -272,6 +289,7 @@ void linearize_forces(const JointModel& model, const State& state, const Target&
                       const VecX* twist) {
   const int n = 6 * model.moving_count;
   const Eigen::Index held = held_count(state);
+  out.derivatives = true;
   out.wrench.setZero(n);
   out.stiffness.setZero(n, n);
   out.gradient.setZero(held, n);
@@ -284,6 +302,7 @@ void linearize_forces(const JointModel& model, const State& state, const Target&
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out) {
   const int n = 6 * model.moving_count;
   const auto m = static_cast<Eigen::Index>(constraint_count(model, target));
+  out.derivatives = true;
   out.wrench.setZero(n);
   out.stiffness.setZero(n, n);
   out.gradient.setZero(m, n);

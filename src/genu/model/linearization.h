@@ -34,7 +34,9 @@ struct Linearization {
   double layer_damped = 0;           ///< W: what elastic layers take, in motion
   VecX layer_wrench;                 ///< 6B: what of `wrench` elastic layers exert; empty without any
   VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)
+  TwoBodyWrench pull;                ///< of the last straight ligament (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
+  bool derivatives = true;                         ///< false: those of an earlier state, or none
   /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
   /// they are the same for every body
   VecX own_origins;
@@ -46,8 +48,13 @@ JointPoint joint_point(const JointModel& model, const State& state, int joint);
 /// A load at the factor 1, scales not included.
 LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load);
 
-/// Evaluates residual and derivatives at `state`; `out` keeps its memory from call to call.
-void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out);
+enum class Derivatives { all, none };
+
+/// Evaluates residual and derivatives at `state`, whose coordinates are those of its poses (update_coordinates());
+/// `out` keeps its memory from call to call. With Derivatives::none the residuals alone, at a fraction of the cost:
+/// `stiffness` and those of `contacts` are then not to be used.
+void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out,
+               Derivatives wanted = Derivatives::all);
 
 /// Lets linearize() leave off while it sums elastic layers, once `cancelled` says so: the wrench is then not finite.
 void stop_layers_when(const Cancelled& cancelled, Linearization& out);

@@ -11,7 +11,7 @@ namespace {
 double inner_slope(double h_left, double h_right, double secant_left, double secant_right) {
   if (!(secant_left * secant_right > 0)) return 0;
   const double w_left = h_left + 2 * h_right, w_right = 2 * h_left + h_right;
-  return (w_left + w_right) / (w_right / secant_left + w_left / secant_right);
+  return (w_left + w_right) / (w_left / secant_left + w_right / secant_right);
 }
 
 /// Slope at an end: the parabola's through three points, limited so that the first interval stays monotone.

@@ -32,6 +32,11 @@ double StepPlan::angle_range() const {
   return range;
 }
 
+bool StepPlan::varies_nothing() const {
+  const auto held = [](const auto& x) { return x.from == x.to; };
+  return std::all_of(prescribed.begin(), prescribed.end(), held) && std::all_of(factors.begin(), factors.end(), held);
+}
+
 int StepPlan::only_driven() const {
   int driven = -1;
   for (std::size_t i = 0; i < prescribed.size(); ++i) {
@@ -58,6 +63,19 @@ std::vector<StepPlan> plan_steps(const Scene& scene) {
     steps.push_back(std::move(plan));
   }
   return steps;
+}
+
+StepPlan approach_to(const StepPlan& step, const JointModel& model, const State& state,
+                     const std::vector<double>& factors) {
+  StepPlan plan = step;
+  for (auto& p : plan.prescribed) {
+    p.to = p.from;
+    p.from = quantity_value(model, state.coordinates, p.coordinate);
+  }
+  for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
+  plan.increments = 1;
+  plan.end_time = plan.start_time;
+  return plan;
 }
 
 std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state) {

@@ -30,6 +30,8 @@ struct StepPlan {
   Target rate() const;
   /// The largest change of a prescribed angle over the step, rad; 0 without one.
   double angle_range() const;
+  /// Neither a prescribed coordinate nor a load changes; time may.
+  bool varies_nothing() const;
   /// The prescribed coordinate that varies, if it is the only thing that does; -1 otherwise.
   int only_driven() const;
 };
@@ -37,6 +39,10 @@ struct StepPlan {
 /// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
 /// it ends, the first at 0.
 std::vector<StepPlan> plan_steps(const Scene& scene);
+
+/// The walk from where a joint is, `state` under loads of `factors`, to where `step` begins; the time stands still.
+StepPlan approach_to(const StepPlan& step, const JointModel& model, const State& state,
+                     const std::vector<double>& factors);
 
 /// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond. Empty
 /// where the reaction is no more than what solving leaves of one that is 0, and summing layers: their tolerance times

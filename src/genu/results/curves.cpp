@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "genu/results/columns.h"
+#include "genu/results/ligament_groups.h"
 
 namespace genu {
 namespace {
@@ -184,20 +185,15 @@ class Curves {
     return out;
   }
 
-  /// Fibres of one ligament, told by their names (ACLam1 ... ACLam6), are added up.
+  /// The fibres of one ligament are added up.
   std::vector<ChartSeries> ligament_forces() const {
     std::vector<ChartSeries> groups;
-    for (const LigamentDef& l : scene_.ligaments) {
-      const std::size_t end = l.name.find_last_not_of("0123456789");
-      const std::string stem = l.name.substr(0, end == std::string::npos ? l.name.size() : end + 1);
-      const std::vector<double> force = column(poses_, l.name + ".force_N");
-      const auto same = [&](const ChartSeries& g) { return g.name == stem; };
-      const auto group = std::find_if(groups.begin(), groups.end(), same);
-      if (group == groups.end()) {
-        groups.push_back({stem, force});
-        continue;
+    for (const LigamentGroup& g : ligament_groups(scene_)) {
+      groups.push_back({g.name, column(poses_, scene_.ligaments[g.members.front()].name + ".force_N")});
+      for (std::size_t i = 1; i < g.members.size(); ++i) {
+        const std::vector<double> force = column(poses_, scene_.ligaments[g.members[i]].name + ".force_N");
+        for (std::size_t k = 0; k < force.size(); ++k) groups.back().y[k] += force[k];
       }
-      for (std::size_t k = 0; k < force.size(); ++k) group->y[k] += force[k];
     }
     const auto peak = [](const ChartSeries& g) {
       double most = 0;

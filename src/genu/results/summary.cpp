@@ -110,9 +110,13 @@ std::string to_json(const RunSummary& s) {
   ordered_json j;
   j["genu"] = s.version;
   j["scene"] = s.scene_file;
+  if (!s.scene_path.empty()) j["scene_path"] = s.scene_path;
+  for (const auto& f : s.files)
+    j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"fnv1a64", f.checksum.fnv1a64}});
   j["title"] = s.title;
   j["verdict"] = s.verdict;
   j["exit_code"] = s.exit_code;
+  j["partial"] = s.partial;
   for (const auto& e : s.effects) j["effects"].push_back(effect_json(e));
   for (const auto& f : s.surfaces) j["surfaces"].push_back({{"name", f.name}, {"facts", f.text}});
   for (const auto& b : s.bodies) j["bodies"].push_back(body_json(b));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/core/file_checksum.h"
 #include "genu/core/types.h"
 #include "genu/solver/path.h"
 
@@ -87,6 +88,13 @@ struct RunSummary {
   std::optional<GivenPoses> given;
   std::optional<Motion> motion;
   std::string scene_file, title, version;
+  std::string scene_path;  ///< absolute
+  /// What was read, the scene first: whether it is still the same can be seen later.
+  struct InputFile {
+    std::string path;  ///< absolute
+    FileChecksum checksum;
+  };
+  std::vector<InputFile> files;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;
   std::vector<BodyFacts> bodies;
@@ -105,6 +113,7 @@ struct RunSummary {
   std::vector<HertzCheck> hertz;           ///< of layers in contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
+  bool partial = false;  ///< the work was stopped before its end: there would be more rows
   int exit_code = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "genu/run/accuracy_choice.h"
 #include "genu/run/accuracy_trials.h"
 #include "genu/run/chosen_scene.h"
+#include "genu/run/report.h"
 
 namespace genu {
 namespace {
@@ -231,7 +232,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;
   if (!folder) return code;
   own.folder = folder_for(*folder, options, own.summary);
-  const auto files = files_of(report, path, *prepared, own.folder, out);
+  auto files = files_of(report, path, *prepared, own.folder, out);
+  add_report(*prepared, own, files, {{"What accuracy costs in time", to_svg(report), to_text(report)}});
   if (const std::string error = write_results(own.folder, *prepared, own, files); !error.empty()) {
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     code = kExitFailed;

@@ -208,7 +208,7 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
   s = begin_summary(prepared);
   s.smallest_gap = std::numeric_limits<double>::infinity();
   s.poses_asked = static_cast<int>(given.poses.size());
-  s.given.emplace();
+  s.given = RunSummary::GivenPoses{};
   s.given->left_out = given.left_out;
   Evaluator evaluator(prepared, field);
   for (const GivenPose& pose : given.poses) {

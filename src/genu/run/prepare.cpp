@@ -120,7 +120,8 @@ std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace
 }
 
 std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, bool facets,
-                                                  SurfaceNote& note, double& read_seconds, Diagnostics& out) {
+                                                  SurfaceNote& note, double& read_seconds, const Safeguards& safeguards,
+                                                  Diagnostics& out) {
   Diagnostics found;
   std::shared_ptr<BlendSurface> surface;
   std::optional<Mesh> mesh;
@@ -130,11 +131,11 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
     mesh = read_mesh(def.file, def.file_unit, found);
     if (mesh) {
       note.mesh = check_mesh(*mesh);
-      check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
-      make_winding_consistent(*mesh, mesh_edges(*mesh));
+      if (safeguards.has(Safeguard::scale_doubts)) check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
+      if (safeguards.has(Safeguard::winding)) make_winding_consistent(*mesh, mesh_edges(*mesh));
       warn_inside_out(*mesh, *note.mesh, def, found);
-      doubtful = set_flaws_apart(*mesh, def, found);
-      warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
+      if (safeguards.has(Safeguard::flaws)) doubtful = set_flaws_apart(*mesh, def, found);
+      if (safeguards.has(Safeguard::winding)) warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
       move_to_body(def, *mesh);
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
@@ -144,8 +145,10 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
     add_at(scene, def, found, out);
     return as_triangles(std::move(*mesh), std::move(doubtful), note);
   }
+  std::optional<double> fit_radius = def.fit_radius;
+  if (mesh && !fit_radius && safeguards.lacks(Safeguard::noise)) fit_radius = 3 * note.mesh->edge_length[2];
   if (mesh && !found.has_errors())
-    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
+    surface = BlendSurface::build(std::move(*mesh), {fit_radius, def.degree}, def.file, found);
   if (surface) {
     note.text = describe(*note.mesh, surface->facts());
     surface->set_doubtful(std::move(doubtful));
@@ -155,11 +158,33 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
   return surface;
 }
 
+/// What is left of a surface within its patch has to be something, and what polynomials become there no larger than a
+/// joint.
+void check_patch(const Scene& scene, const SurfaceDef& def, const Surface* part, Diagnostics& out) {
+  constexpr double kCoarse = 0.01, kTooLarge = 5;  // m: as check_scale() has it of meshes
+  std::string rule = "holds no part of the surface: its ranges are in the surface's own frame";
+  if (part != nullptr) {
+    if (def.terms.empty()) return;
+    const double size = box_diagonal(*part, kCoarse);
+    if (size <= kTooLarge) return;
+    rule = fmt::format(
+        "holds a surface of {:.3g} m, at most {:g} m make a joint: check its ranges and the terms, which "
+        "are in the file's units",
+        size, kTooLarge);
+  }
+  out.add({.file = scene.file,
+           .line = def.patch->where.line,
+           .column = def.patch->where.column,
+           .key = "surface." + def.name + ".patch",
+           .found = {},
+           .rule = rule});
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
-                                                           Diagnostics& out) {
+                                                           Diagnostics& out, const Safeguards& safeguards) {
   std::vector<std::shared_ptr<const Surface>> surfaces;
   double read = 0;
   const Timer timer;
@@ -167,7 +192,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
     const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), note, read, out));
+      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), note, read, safeguards, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
@@ -180,13 +205,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
     if (surfaces.back() && def.patch) {
       note.text += "; limited to a patch";
       surfaces.back() = within_patch(surfaces.back(), def);
-      if (!surfaces.back())
-        out.add({.file = scene.file,
-                 .line = def.patch->where.line,
-                 .column = def.patch->where.column,
-                 .key = "surface." + def.name + ".patch",
-                 .found = {},
-                 .rule = "holds no part of the surface: its ranges are in the surface's own frame"});
+      check_patch(scene, def, surfaces.back().get(), out);
     }
     notes.push_back(std::move(note));
   }
@@ -227,22 +246,25 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
 
 }  // namespace
 
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
   Prepared p;
   const Timer timer;
-  auto scene = read_scene(path, out);
+  auto scene = read_scene(path, out, safeguards);
   if (!scene) return std::nullopt;
   p.scene = std::move(*scene);
-  centre_bodies(p.scene);
+  if (safeguards.has(Safeguard::centring)) centre_bodies(p.scene);
   p.seconds.emplace_back("reading scene", timer.seconds());
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-  refuse_flat_pairs(p, out);
+  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out, safeguards);
+  if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);
   p.bones = read_bones(p.scene, out);
   p.bodies = read_solids(p.scene, out);
   if (out.has_errors()) return std::nullopt;
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
+  p.model.safeguards = safeguards;
+  if (safeguards.lacks(Safeguard::force_scale)) p.model.scales.force = 1;
+  if (safeguards.lacks(Safeguard::length_scale)) p.model.scales.length = p.model.scales.size = 0.01;
   p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
   return p;

@@ -9,6 +9,7 @@
 #include "genu/core/timer.h"
 #include "genu/model/motion_rates.h"
 #include "genu/results/motion_table.h"
+#include "genu/run/stop_of.h"
 
 namespace genu {
 namespace {
@@ -40,6 +41,7 @@ int impacts(const std::vector<PathEvent>& events) {
 
 /// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
 bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
+  if (prepared.model.safeguards.lacks(Safeguard::energy_balance)) return true;
   constexpr double kLeast = 1e-3, kOfTolerance = 1e3, kLayers = 1e-2;
   double allowed = std::max(kLeast, kOfTolerance * m.tolerance);
   if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayers);
@@ -102,7 +104,12 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
     points.push_back(point);
     if (options.progress) options.progress(static_cast<int>(points.size()), s.poses_asked);
   };
-  const MotionResult result = follow_motion(prepared.model, plan, observer);
+  MotionResult result;
+  const auto move = [&] { result = follow_motion(prepared.model, plan, observer); };
+  options.keep_partial ? void(out.stopped = stop_of(move)) : move();
+  if (out.stopped.empty() && asked_to_stop(options.cancelled)) out.stopped = "interrupted";
+  if (!out.stopped.empty()) result.complete = false, result.why = out.stopped;
+  s.partial = !out.stopped.empty();
   s.effects = effects_of(prepared);
   s.poses_solved = static_cast<int>(points.size());
   s.motion = {plan.duration,
@@ -119,12 +126,13 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
               0,
               static_cast<int>(out.events.size()) - impacts(out.events),
               impacts(out.events)};
-  note_energy(prepared.model, points, *s.motion);
+  if (!points.empty()) note_energy(prepared.model, points, *s.motion);
   s.exit_code = result.complete && balances(prepared, *s.motion) ? kExitOk : kExitIncomplete;
   s.verdict = verdict(prepared, result, s);
   s.seconds.emplace_back("integrating", timer.seconds());
   out.poses = motion_table(prepared.scene, prepared.model, points);
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
+  out.motion = std::move(points);
   return out;
 }
 

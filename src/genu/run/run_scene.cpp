@@ -10,18 +10,19 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/core/atomic_output.h"
+#include "genu/core/file_checksum.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
-#include "genu/results/pressure_map.h"
+#include "genu/run/checkpoint.h"
 #include "genu/run/contact_location.h"
 #include "genu/run/effects.h"
 #include "genu/run/hertz_check.h"
 #include "genu/run/layer_doubts.h"
 #include "genu/run/layer_verdict.h"
 #include "genu/run/overload.h"
-#include "genu/run/run_motion.h"
+#include "genu/run/stop_of.h"
 #include "genu/run/surface_variants.h"
 #include "genu/run/verdict.h"
 #include "genu/solver/pair_gaps.h"
@@ -48,29 +49,42 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }
 
-std::string interrupted_folder(std::string folder) {
-  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  return folder + ".interrupted";
-}
+std::string interrupted_folder(const std::string& folder) { return beside(folder, ".interrupted"); }
 
 }  // namespace
 
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary) {
   if (!asked_to_stop(options.cancelled)) return folder;
   summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
+  summary.partial = true;
   std::error_code ignored;
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
 }
 
+void note_files(const Scene& scene, RunSummary& summary) {
+  std::vector<std::string> files = mesh_files(scene);
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  files.insert(files.begin(), scene.file);
+  for (const std::string& file : files) {
+    std::error_code error;
+    const std::string path = std::filesystem::absolute(file, error).lexically_normal().string();
+    const auto checksum = file_checksum(file);
+    if (error || !checksum) continue;  // gone while it was solved: the summary says nothing of it
+    if (&file == &files.front()) summary.scene_path = path;
+    summary.files.push_back({path, *checksum});
+  }
+}
+
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
-                          const std::vector<std::pair<std::string, std::string>>& more) {
+                          const std::vector<std::pair<std::string, std::string>>& more, const std::string& mark) {
   StagedFolder out;
   std::string error = out.open(folder);
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
-  write("results.csv", solution.poses.to_csv());
-  write("events.csv", solution.event_rows.to_csv());
+  write("results" + mark + ".csv", solution.poses.to_csv());
+  write("events" + mark + ".csv", solution.event_rows.to_csv());
   if (solution.starts) write("starts.csv", solution.starts->to_csv());
   if (solution.error_bars) write("error_bars.csv", solution.error_bars->bars.to_csv());
   if (solution.error_bars) write("error_shares.csv", solution.error_bars->shares.to_csv());
@@ -83,6 +97,7 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
 }
 
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
+  if (prepared.model.safeguards.lacks(Safeguard::start_overlap)) return true;
   const State start = start_state(prepared.model);
   bool good = true;
   for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
@@ -148,7 +163,24 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
     out.records.push_back(std::move(record));
     if (options.progress) options.progress(static_cast<int>(out.records.size()), s.poses_asked);
   };
-  const PathResult path = follow_path(prepared.model, field, prepared.steps, how, observer);
+  observer.rest = [&](const std::function<std::string()>& save) {
+    if (options.checkpoint != nullptr) options.checkpoint->add(out.records, out.events, save);
+    if (options.keep_rest && s.poses_solved == static_cast<int>(out.records.size()))
+      out.rest = save(), out.rest_rows = out.records.size();
+  };
+  std::string from = options.from;
+  if (options.checkpoint != nullptr) {
+    from = options.checkpoint->path;
+    out.records = options.checkpoint->records;
+    out.events = options.checkpoint->events;
+    for (const PoseRecord& record : out.records) note_pose(record.point, s);
+  }
+  PathResult path;
+  const auto walk = [&] { path = follow_path(prepared.model, field, prepared.steps, how, observer, from); };
+  options.keep_partial ? void(out.stopped = stop_of(walk)) : walk();
+  if (out.stopped.empty() && !path.complete && asked_to_stop(options.cancelled)) out.stopped = "interrupted";
+  if (!out.stopped.empty()) path.complete = false;
+  s.partial = !out.stopped.empty();
   s.effects = effects_of(prepared);
   s.iterations = path.iterations;
   s.substeps = path.substeps;
@@ -157,7 +189,8 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
       std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
   if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
   s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
-  if (s.poses_solved == 0) s.bearable_loads = bearable_loads(prepared, field, stoppable(how.newton, options.cancelled));
+  if (s.poses_solved == 0 && !s.partial)
+    s.bearable_loads = bearable_loads(prepared, field, stoppable(how.newton, options.cancelled));
   s.locations = locate_contacts(prepared, out.records);
   s.verdict = verdict_sentences(prepared, out.records, out.events, s);
   s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
@@ -195,6 +228,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   const std::vector<SurfaceVariant>& variants = surface_variants();
   const std::vector<MeshNoise> noises = mesh_noises(prepared);
   RunOptions same = options;
+  same.checkpoint = nullptr;
+  same.keep_rest = same.keep_partial = false;
   std::vector<std::optional<Solution>> varied(variants.size());
   std::mutex telling;
   int done = 0;
@@ -226,8 +261,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
 }
 
 std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
-                                    const std::vector<std::string>& inputs) {
-  if (!folder) return prepare(path, out);
+                                    const std::vector<std::string>& inputs, const Safeguards& safeguards) {
+  if (!folder) return prepare(path, out, safeguards);
   {
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe;
@@ -245,7 +280,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
     out.error(*folder, "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
-  auto prepared = prepare(path, out);
+  auto prepared = prepare(path, out, safeguards);
   if (!prepared) return std::nullopt;
   for (const std::string& file : mesh_files(prepared->scene)) {
     if (!folder_holds(*folder, file)) continue;
@@ -253,70 +288,6 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
     return std::nullopt;
   }
   return prepared;
-}
-
-namespace {
-
-int write_motion(const Prepared& prepared, const std::string& folder, const RunOptions& options, Diagnostics& out,
-                 Solution* solution) {
-  if (!check_motion_options(prepared, options, out)) return kExitRefused;
-  Solution found = solve_motion(prepared, options);
-  if (refused_start(prepared, found, out)) return kExitRefused;
-  int code = found.summary.exit_code;
-  found.folder = folder_for(folder, options, found.summary);
-  if (const std::string error = write_results(found.folder, prepared, found); !error.empty()) {
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
-    code = kExitFailed;
-  }
-  if (solution != nullptr) *solution = std::move(found);
-  return code;
-}
-
-/// Not one pose, because contact leans on a flaw of a mesh from the start: the input is to blame.
-bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnostics& out) {
-  if (found.summary.poses_solved > 0 || found.records.empty()) return false;
-  const PoseReport& first = found.records.front().point.report;
-  if (first.status != PoseStatus::flawed_mesh) return false;
-  out.error(prepared.scene.file,
-            first.why + ": no pose can be trusted. Mend the mesh (genu mesh-check FILE --repair OUT)");
-  return true;
-}
-
-}  // namespace
-
-int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
-              Solution* solution) {
-  const auto prepared = prepare_run(path, folder, out);
-  if (!prepared) return kExitRefused;
-  if (prepared->scene.dynamics) return write_motion(*prepared, folder, options, out, solution);
-  const Timer timer;
-  ContactField field(prepared->model);
-  if (!check_start(*prepared, field, out)) return kExitRefused;
-  const double search_seconds = timer.seconds();
-  Solution found = solve(*prepared, field, options);
-  if (refused_for_flaws(*prepared, found, out)) return kExitRefused;
-  found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
-  if (options.starts > 0) {
-    const Timer searching;
-    found.starts = find_equilibria(*prepared, field, options, found);
-    found.summary.seconds.emplace_back("searching from starts", searching.seconds());
-  }
-  if (options.error_bars && has_meshes(*prepared)) {
-    const Timer varying;
-    found.error_bars = find_error_bars(*prepared, options, found);
-    found.summary.seconds.emplace_back("error bars", varying.seconds());
-  }
-  int code = found.summary.exit_code;
-  found.folder = folder_for(folder, options, found.summary);
-  const auto maps = options.pressure_maps ? pressure_maps(prepared->scene, prepared->model, found.records)
-                                          : std::vector<std::pair<std::string, std::string>>();
-  for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
-  if (const std::string error = write_results(found.folder, *prepared, found, maps); !error.empty()) {
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
-    code = kExitFailed;
-  }
-  if (solution != nullptr) *solution = std::move(found);
-  return code;
 }
 
 }  // namespace genu

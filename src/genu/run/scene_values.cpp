@@ -116,4 +116,15 @@ std::string with_values(const std::string& file, const Scene& scene,
   return replaced.text();
 }
 
+std::string with_mesh_names(const std::string& text, const std::function<std::string(const std::string&)>& rename) {
+  Diagnostics ignored;
+  const auto document = parse_toml(text, "", ignored);
+  if (!document) return text;
+  Replacements replaced(text);
+  for_mesh_names(*document, [&](const std::string&, const TomlNode& name) {
+    replaced.word(name.where, name.text, rename(name.text));
+  });
+  return replaced.text();
+}
+
 }  // namespace genu

@@ -2,6 +2,7 @@
 // as its author wrote it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,5 +19,9 @@ namespace genu {
 std::string with_values(const std::string& file, const Scene& scene,
                         const std::vector<std::pair<Parameter, double>>& values, const std::string& folder,
                         Diagnostics& out);
+
+/// The `text` of a scene with other names of its mesh files: `rename` gives them, and is called for each once. As it is
+/// where it is no TOML.
+std::string with_mesh_names(const std::string& text, const std::function<std::string(const std::string&)>& rename);
 
 }  // namespace genu

@@ -82,6 +82,7 @@ class ArcWalker {
   bool pass(double arc, Point next);
   void accept(Point next);
   void hand_over(Feature& row);
+  bool may_hide_turns(double arc, const Point& next) const;
   bool find_features(double arc, const Point& next, std::vector<Feature>& out);
   bool add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out);
   void add_neutral(double arc, const Point& next, std::vector<Feature>& out);

@@ -54,7 +54,23 @@ void ArcWalker::hand_over(Feature& row) {
   end_ = End::reached;
 }
 
+bool ArcWalker::may_hide_turns(double arc, const Point& next) const {
+  // t over the substep as the cubic of its values and rates. Where that all but stands still between two ends that move
+  // on, t may turn back and forth there.
+  constexpr double kShare = 0.1;  // of the slower end
+  constexpr double kFine = 1e-6;  // of arc length
+  if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kFine) return false;
+  const double a = here_.at.direction.parameter, b = next.at.direction.parameter;
+  const double mean = (next.at.t - here_.at.t) / arc, bend = 3 * a + 3 * b - 6 * mean;
+  if (a * b <= 0 || a * bend <= 0) return false;
+  const double u = (2 * a + b - 3 * mean) / bend;
+  if (!(u > 0 && u < 1)) return false;
+  const double slowest = a * (1 - u) * (1 - 3 * u) + b * u * (3 * u - 2) + 6 * mean * u * (1 - u);
+  return slowest / a < kShare * std::min(1.0, b / a);
+}
+
 bool ArcWalker::find_features(double arc, const Point& next, std::vector<Feature>& out) {
+  if (may_hide_turns(arc, next)) return false;
   const std::string verdict = to_string(next.stability.verdict);
   double turned = std::numeric_limits<double>::infinity();
   if (turns(here_, next)) {
@@ -82,6 +98,7 @@ bool ArcWalker::find_features(double arc, const Point& next, std::vector<Feature
 }
 
 bool ArcWalker::add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out) {
+  if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   constexpr double kSame = 1e-6;  // rounding places a limit point and its vanishing stiffness no nearer than this
   constexpr double kFine = 1e-6;  // of arc length: no leap is as short as that
   const std::string verdict = to_string(next.stability.verdict);
@@ -236,6 +253,7 @@ bool ArcWalker::settle_on(double t, Point& point) {
 }
 
 bool ArcWalker::closes(const Point& point) const {
+  if (solver_.model().safeguards.lacks(Safeguard::closing)) return false;
   return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kClosed &&
          newton_.product(point.at.direction, start_.at.direction) > 0;
 }

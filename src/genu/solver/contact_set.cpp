@@ -1,10 +1,12 @@
 #include "genu/solver/contact_set.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "genu/solver/compliant_seed.h"
 #include "genu/solver/downhill_seed.h"
+#include "genu/solver/force_guess.h"
 #include "genu/solver/piece_changes.h"
 
 namespace genu {
@@ -47,9 +49,14 @@ const char* to_string(PoseStatus status) {
 }
 
 ContactSetSolver::ContactSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
-    : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {}
+    : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
+  // Contact points far from the world's origin close to rounding only.
+  if (!model.pairs.empty() && model.safeguards.has(Safeguard::gap_rounding))
+    options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
+}
 
 int ContactSetSolver::contact_limit(const Target& target) const {
+  if (model_->safeguards.lacks(Safeguard::contact_limit)) return std::numeric_limits<int>::max();
   return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
 }
 
@@ -59,7 +66,7 @@ PoseReport ContactSetSolver::judge(const State& state, const NewtonReport& newto
   report.iterations = newton.iterations;
   report.certificate = inspector_.certify(state, newton.residual);
   report.status = PoseStatus::ok;
-  if (report.certificate.least_opposed > 0) {
+  if (report.certificate.least_opposed > 0 && model_->safeguards.has(Safeguard::opposed)) {
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
@@ -211,7 +218,8 @@ PoseReport ContactSetSolver::settle_without_one(Balanced& pose, const Balanced& 
                                                 const PoseReport& failure) {
   // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one
   // of them has to go before the other can come.
-  if (failure.newton.full_rank || failed.state.contacts.size() < 2) return failure;
+  if (model_->safeguards.lacks(Safeguard::without_one) || failure.newton.full_rank || failed.state.contacts.size() < 2)
+    return failure;
   int iterations = failure.iterations;
   for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {
     Balanced trial = failed;
@@ -260,6 +268,7 @@ bool ContactSetSolver::passes_through(const State& from, const State& to) {
   // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
   // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
   // over the other, which no straight way follows.
+  if (model_->safeguards.lacks(Safeguard::passing)) return false;
   constexpr int kMost = 200;
   constexpr double kShallow = 0.1;  // of the characteristic length
   const double step = 2 * field_->spacing(), size = model_->scales.size;
@@ -289,6 +298,12 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   const double touching = 0.05 * field_->spacing();
   close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
+  if (report.status == PoseStatus::no_equilibrium && model_->safeguards.has(Safeguard::force_guess)) {
+    // Without a force a contact has no stiffness along the surfaces, and what little else there is leads Newton astray.
+    trial = pose;
+    close_touching(trial, target, touching);
+    if (guess_forces(*model_, target, trial.state)) report = settle(trial, target);
+  }
   if (report.status == PoseStatus::ok) {
     if (!passes_through(pose.state, trial.state)) {
       pose = std::move(trial);
@@ -297,6 +312,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
+  if (model_->safeguards.lacks(Safeguard::seed)) return report;
   // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
   // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one.
   PoseReport seeded;

@@ -54,6 +54,13 @@ class LawEvents {
   /// next call.
   const std::vector<Passed>& over(const End& from, const End& to, double tolerance, const Solves& solves);
 
+  /// The sides on which the ligaments are.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(begun_);
+    for (Watched& w : watched_) archive(w.above);
+  }
+
  private:
   struct Watched {
     int ligament;

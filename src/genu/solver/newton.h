@@ -53,26 +53,44 @@ std::string to_string(NewtonReport::Outcome outcome);
 class Newton {
  public:
   explicit Newton(const JointModel& model) : model_(&model), step_(model) {}
+  Newton(const Newton&) = delete;
+  Newton& operator=(const Newton&) = delete;
 
   /// Solves from `state` in place, again where elastic layers have to be summed more finely (layer_levels.h). On
   /// failure `state` is left as it was.
   NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
 
-  /// After a converged solve: the linearization at the solution, which step() has factored.
-  const Linearization& linearization() const { return here_; }
+  /// After a converged solve: the linearization at the solution, its derivatives evaluated now if no step needed them.
+  const Linearization& linearization();
+  /// What earlier poses have shown of elastic layers.
+  const std::shared_ptr<LayerMemories>& layers() const { return here_->layers; }
+
+  /// After a converged solve: how much of itself the Jacobian that step() has factored may differ from that at the
+  /// solution; 0 where it is that.
+  double jacobian_error() const { return jacobian_error_; }
+  /// Lets step() factor the Jacobian at the solution. False where it cannot be.
+  bool factor_at_solution(NewtonStep::Route route = NewtonStep::Route::automatic);
+
   NewtonStep& step() { return step_; }
 
  private:
-  void solve_as_fine(State& state, const Target& target, const NewtonOptions& options, NewtonReport& report);
+  void solve_as_fine(const NewtonOptions& options, NewtonReport& report);
+  bool factor(const NewtonOptions& options, NewtonReport& report);
+  void complete();
+  void polish(const NewtonOptions& options, NewtonReport& report);
   double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
-  double simplified_norm(const Target& target);
-  bool advance(const Target& target, const NewtonOptions& options, double residual, NewtonReport& report);
+  double simplified_norm();
+  bool advance(const NewtonOptions& options, double& residual, NewtonReport& report);
 
   const JointModel* model_;
   NewtonStep step_;
-  Linearization here_, there_;
+  Linearization first_, second_;
+  Linearization *here_ = &first_, *there_ = &second_;  ///< of current_ and trial_
   Correction correction_, simplified_;
-  State current_, trial_, finer_;
+  State current_, trial_;
+  Target target_;
+  double jacobian_error_ = 0;
+  bool simplified_at_hand_ = false;  ///< simplified_ is the step from here_ with the Jacobian at hand
 };
 
 }  // namespace genu

@@ -3,36 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include <fmt/format.h>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
 
+#include "genu/contact/elastic_layer.h"
 #include "genu/solver/arc_walker.h"
+#include "genu/solver/fields.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
 namespace {
 
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
-
-/// The walk from where the joint is to where a step begins, loads as they are there; the time stands still.
-StepPlan approach(const JointModel& model, const StepPlan& step, const State& state,
-                  const std::vector<double>& factors) {
-  StepPlan plan = step;
-  for (auto& p : plan.prescribed) {
-    p.to = p.from;
-    p.from = quantity_value(model, state.coordinates, p.coordinate);
-  }
-  for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
-  plan.increments = 1;
-  plan.end_time = plan.start_time;
-  return plan;
-}
-
-bool is_trivial(const StepPlan& plan) {
-  const auto held = [](const auto& x) { return x.from == x.to; };
-  return std::all_of(plan.prescribed.begin(), plan.prescribed.end(), held) &&
-         std::all_of(plan.factors.begin(), plan.factors.end(), held);
-}
+constexpr int kRest = 16;     // rows from rest to rest, at least
 
 PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
   options.newton.cancelled = cancelled;
@@ -52,10 +40,23 @@ class PathRun {
     pose_.last_number.assign(model.pairs.size(), 0);
   }
 
+  /// Goes on where save() was called, in another run of the same program on the same input.
+  void restore(const std::string& saved) {
+    std::istringstream in(saved);
+    cereal::BinaryInputArchive archive(in);
+    remember(archive);
+    forget();
+  }
+
   PathResult run() {
-    result_.complete = true;
-    for (std::size_t i = 0; i < steps_.size() && !stopped_; ++i) {
+    if (step_ == 0)
+      result_.complete = true;
+    else if (row_ > 0)
+      walk_on(steps_[at(step_ - 1)]);
+    for (std::size_t i = row_ > 0 ? at(step_) : at(std::max(step_ - 1, 0)); i < steps_.size() && !stopped_; ++i) {
       step_ = static_cast<int>(i) + 1;
+      row_ = 0;
+      if (rows_ > 0 && rows_ > rested_) rest();
       if (!reach_start(steps_[i])) break;
       steps_[i].arc_length ? walk_by_arc(steps_[i]) : walk(steps_[i]);
     }
@@ -68,7 +69,7 @@ class PathRun {
   /// Balances the joint where it stands, then walks to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;
-    const StepPlan plan = approach(solver_.model(), step, pose_.state, factors_);
+    const StepPlan plan = approach_to(step, solver_.model(), pose_.state, factors_);
     factors_ = step.target(1).load_factors;
     approaching_ = true;
     const Target start = plan.target(0);
@@ -80,7 +81,7 @@ class PathRun {
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
       return false;
     }
-    if (is_trivial(plan)) {
+    if (plan.varies_nothing()) {
       approaching_ = false;
       return true;
     }
@@ -120,9 +121,16 @@ class PathRun {
   void walk(const StepPlan& step) {
     walker_.begin(step, step_, pose_, report_);
     if (step_ == 1) hand_over(step, 0);
-    for (int k = 1; k <= step.increments && !stopped_; ++k) {
+    walk_on(step);
+  }
+
+  /// To the end of a step from behind its row `row_`.
+  void walk_on(const StepPlan& step) {
+    walker_.resume(step);
+    while (row_ < step.increments && !stopped_) {
       if (asked_to_stop(observer_.cancelled)) return stop();
-      advance_to(step, k);
+      advance_to(step, ++row_);
+      if (row_ < step.increments && rows_ - rested_ >= kRest && !stopped_) rest();
     }
     pose_ = walker_.pose();
     report_ = walker_.report();
@@ -265,11 +273,12 @@ class PathRun {
     judge_uniqueness(point);
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     ++rows_;
-    observer_.pose(point, solver_.newton().linearization().layers.get());
+    observer_.pose(point, solver_.newton().layers().get());
   }
 
   /// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
   void judge_uniqueness(PosePoint& point) {
+    if (solver_.model().safeguards.lacks(Safeguard::uniqueness)) return;
     constexpr double kSingular = 1e-13;  // reciprocal condition
     const NewtonReport& newton = point.report.newton;
     const bool motion =
@@ -299,13 +308,39 @@ class PathRun {
       stop();
     }
     ++rows_;
-    observer_.pose(point, solver_.newton().linearization().layers.get());
+    observer_.pose(point, solver_.newton().layers().get());
     result_.complete = false;
   }
 
   void stop() {
     result_.complete = false;
     stopped_ = true;
+  }
+
+  /// Between two rows: forgets what it could find out again, so that nothing but what save() writes down decides what
+  /// follows, to the last bit. When that happens is counted in rows and has nothing to do with the time it takes.
+  void rest() {
+    rested_ = rows_;
+    forget();
+    if (!observer_.rest || asked_to_stop(observer_.cancelled)) return;
+    observer_.rest([this] {
+      std::ostringstream out;
+      cereal::BinaryOutputArchive archive(out);
+      remember(archive);
+      return std::move(out).str();
+    });
+  }
+
+  void forget() {
+    solver_.field().forget();
+    if (LayerMemories* layers = solver_.newton().linearization().layers.get(); layers != nullptr)
+      layers->each.clear(), layers->buried.clear();
+  }
+
+  template <typename Archive>
+  void remember(Archive& archive) {
+    archive(pose_, report_, result_.complete, result_.substeps, result_.iterations, result_.worst_residual, step_, row_,
+            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, walker_);
   }
 
   void emit(PathEvent event) const {
@@ -329,67 +364,18 @@ class PathRun {
   int handed_over_ = 0, rows_ = 0;
   double where_ = 0;  // of a step by arc length that ended early
   int skipped_ = 0;   // rows without a pose since the last one that has one
+  int row_ = 0;       // the last one asked for of a step, 0 before the first
+  int rested_ = 0;    // how many rows there were then
   bool stopped_ = false;
 };
 
 }  // namespace
 
-const char* to_string(PathEvent::Kind kind) {
-  switch (kind) {
-    case PathEvent::Kind::contact_gained:
-      return "contact_gained";
-    case PathEvent::Kind::contact_lost:
-      return "contact_lost";
-    case PathEvent::Kind::taut:
-      return "taut";
-    case PathEvent::Kind::slack:
-      return "slack";
-    case PathEvent::Kind::transition:
-      return "transition";
-    case PathEvent::Kind::held:
-      return "held";
-    case PathEvent::Kind::jump:
-      return "jump";
-    case PathEvent::Kind::stepped_over:
-      return "stepped_over";
-    case PathEvent::Kind::over_edge:
-      return "over_edge";
-    case PathEvent::Kind::overlap:
-      return "overlap";
-    case PathEvent::Kind::flawed_mesh:
-      return "flawed_mesh";
-    case PathEvent::Kind::turns_back:
-      return "turns_back";
-    case PathEvent::Kind::limit_point:
-      return "limit_point";
-    case PathEvent::Kind::bifurcation:
-      return "bifurcation";
-    case PathEvent::Kind::reaction_turns:
-      return "reaction_turns";
-    case PathEvent::Kind::closed:
-      return "closed";
-    case PathEvent::Kind::snaps:
-      return "snaps";
-    case PathEvent::Kind::snapped:
-      return "snapped";
-    case PathEvent::Kind::flutter:
-      return "flutter";
-    case PathEvent::Kind::stability_changed:
-      return "stability_changed";
-    case PathEvent::Kind::stopped:
-      return "stopped";
-  }
-  return "";
-}
-
-PathEvent::Kind end_of(const Findings& findings) {
-  if (findings.doubtful) return PathEvent::Kind::flawed_mesh;
-  return findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap;
-}
-
 PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
-                       const PathOptions& options, const PathObserver& observer) {
-  return PathRun(model, field, steps, options, observer).run();
+                       const PathOptions& options, const PathObserver& observer, const std::string& from) {
+  PathRun run(model, field, steps, options, observer);
+  if (!from.empty()) run.restore(from);
+  return run.run();
 }
 
 }  // namespace genu

@@ -82,11 +82,16 @@ struct PathObserver {
   std::function<void(const PosePoint&, LayerMemories* layers)> pose;
   std::function<void(const PathEvent&)> event;
   Cancelled cancelled;
+  /// Called between rows from which a walk can go on later, every 16 or so; may be empty. `save()` gives what it goes
+  /// on from, which follow_path() takes: bytes for the same program on the same input, and for nothing else. Rows and
+  /// events handed over before are not among them.
+  std::function<void(const std::function<std::string()>& save)> rest;
 };
 
 /// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later; a
-/// path that is cancelled ends in the middle of a pose, of which nothing is told.
+/// path that is cancelled ends in the middle of a pose, of which nothing is told. `from`: what PathObserver::rest has
+/// saved; what comes after it then is the same to the last bit as if it had never been interrupted.
 PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
-                       const PathOptions& options, const PathObserver& observer);
+                       const PathOptions& options, const PathObserver& observer, const std::string& from = {});
 
 }  // namespace genu

@@ -1,8 +1,10 @@
-// Where a path leads next: extrapolated from its tangents at the last two poses.
+// Where a path leads next: extrapolated from its tangents at the last poses.
 //
-// With one tangent the prediction errs by the square of the step, with two by its cube. A third was tried and saved no
-// iteration: points of contact on curved surfaces err by the cube in any case.
+// With n tangents the prediction errs by the power n + 1 of the step: of the points of contact too, on surfaces whose
+// retraction is of third order (Surface::retract) up to the fourth.
 #pragma once
+
+#include <array>
 
 #include "genu/model/correction.h"
 
@@ -16,7 +18,7 @@ class PathPrediction {
   explicit PathPrediction(const JointModel& model) : model_(&model) {}
 
   /// Forgets what is behind: another step, other contacts.
-  void forget() { bends_ = false; }
+  void forget() { known_ = 0; }
 
   /// The path has gone on by `span` (> 0) of t, from a pose with tangent `from` to one with tangent `to`: what drove
   /// and touched it then does so still.
@@ -26,11 +28,19 @@ class PathPrediction {
   /// contact point would leave what is known of its surface.
   bool at(const State& state, const Correction& tangent, double h, State& out);
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(differences_, behind_, known_);
+  }
+
  private:
+  static constexpr std::size_t kMost = 3;
+
   const JointModel* model_;
-  Correction bend_, way_;
-  double span_ = 0;  ///< of t: over which the tangent changed by bend_
-  bool bends_ = false;
+  std::array<Correction, kMost> differences_;  ///< of the tangent: Newton's divided ones, the first one first
+  std::array<double, kMost> behind_{};         ///< t of the poses before the last, the nearest first, from it (< 0)
+  std::size_t known_ = 0;                      ///< how many of both
+  Correction way_, newer_, older_;
 };
 
 }  // namespace genu

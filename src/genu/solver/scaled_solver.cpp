@@ -3,7 +3,6 @@
 namespace genu {
 
 bool ScaledSolver::factor(const MatX& matrix) {
-  if (!matrix.allFinite()) return false;
   rank_ = matrix.rows();
   minimum_norm_ = surely_regular_ = false;
   if (matrix.rows() == 0) {
@@ -13,11 +12,12 @@ bool ScaledSolver::factor(const MatX& matrix) {
   rcond_ = small_.factor(matrix);
   surely_regular_ = rcond_ > kSurelyRegular;
   if (surely_regular_) return true;
+  if (!matrix.allFinite()) return false;
   lu_.compute(matrix);
   // A pivot that is exactly zero makes rcond() meaningless.
   const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
   rcond_ = smallest > 0 ? lu_.rcond() : 0;
-  if (rcond_ > kTrustLu) return true;
+  if (rcond_ > kTrustLu || !minimum_norm_allowed_) return true;
   minimum_norm_ = true;
   cod_.setThreshold(kRankThreshold);
   cod_.compute(matrix);

@@ -2,10 +2,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace genu {
+namespace {
+
+/// Number of rows: known when the program is compiled, which lets the loops over a column be written out, or 0.
+template <int kRows>
+using Rows = std::integral_constant<int, kRows>;
+
+/// A body with one to five constraints and contacts, and all others.
+template <typename Work>
+auto with_rows(int n, const Work& work) {
+  switch (n) {
+    case 7:
+      return work(Rows<7>());
+    case 8:
+      return work(Rows<8>());
+    case 9:
+      return work(Rows<9>());
+    case 10:
+      return work(Rows<10>());
+    case 11:
+      return work(Rows<11>());
+    default:
+      return work(Rows<0>());
+  }
+}
+
+template <int kRows>
+void solve_in_place(int rows, const double* columns, const double* inverse, double* out) {
+  const int n = kRows > 0 ? kRows : rows;
+  constexpr int kMost = kRows > 0 ? kRows : 1;
+  double local[kMost];
+  double* v = kRows > 0 ? local : out;
+  if constexpr (kRows > 0) std::copy_n(out, kRows, local);
+#pragma GCC unroll 11
+  for (int k = 0; k < n; ++k) {
+    const double factor = v[k];
+#pragma GCC unroll 11
+    for (int i = k + 1; i < n; ++i) v[i] -= factor * columns[k * n + i];
+  }
+#pragma GCC unroll 11
+  for (int k = n - 1; k >= 0; --k) {
+    const double factor = v[k] *= inverse[k];
+#pragma GCC unroll 11
+    for (int i = 0; i < k; ++i) v[i] -= factor * columns[k * n + i];
+  }
+  if constexpr (kRows > 0) std::copy_n(local, kRows, out);
+}
+
+/// For P A = L U: the largest row sum of |U^-1| |L^-1| is at most that of the inverses of the triangles with the signs
+/// of all entries off the diagonal turned to minus, which one solve finds (Higham, Accuracy and Stability of Numerical
+/// Algorithms, 2002, section 8.3).
+template <int kRows>
+double largest_row_sum(int rows, const double* columns, const double* inverse, double* memory) {
+  const int n = kRows > 0 ? kRows : rows;
+  constexpr int kMost = kRows > 0 ? kRows : 1;
+  double local[kMost];
+  double* b = kRows > 0 ? local : memory;
+  std::fill_n(b, n, 1.0);
+#pragma GCC unroll 11
+  for (int j = 0; j < n; ++j)
+#pragma GCC unroll 11
+    for (int i = j + 1; i < n; ++i) b[i] += b[j] * std::abs(columns[j * n + i]);
+  double largest = 0, sum = 0;
+#pragma GCC unroll 11
+  for (int j = n - 1; j >= 0; --j) {
+    b[j] *= std::abs(inverse[j]);
+#pragma GCC unroll 11
+    for (int i = 0; i < j; ++i) b[i] += b[j] * std::abs(columns[j * n + i]);
+    largest = std::max(largest, b[j]);
+    sum += b[j];
+  }
+  return std::isfinite(sum) ? largest : sum;  // max() loses a NaN
+}
+
+/// What is below a pivot, divided by it, is subtracted `factor` times from the column `to`; rows above are left.
+template <int kRows>
+void subtract_below(int rows, int pivot, const double* below, double* to) {
+  const double factor = to[pivot];
+  const int n = kRows > 0 ? kRows : rows;
+  for (int i = kRows > 0 ? 0 : pivot + 1; i < n; ++i) to[i] -= factor * below[i];
+}
+
+}  // namespace
 
 bool SmallLu::eliminate() {
+  return with_rows(n_, [this](auto rows) { return eliminate_rows<rows()>(); });
+}
+
+template <int kRows>
+bool SmallLu::eliminate_rows() {
+  below_.assign(at(n_), 0.0);
   for (int k = 0; k < n_; ++k) {
     double* pivot_column = column(k);
     int p = k;
@@ -17,35 +106,16 @@ bool SmallLu::eliminate() {
     const double inverse = 1 / pivot_column[k];
     if (!std::isfinite(inverse)) return false;
     inverse_[at(k)] = inverse;
-    for (int i = k + 1; i < n_; ++i) pivot_column[i] *= inverse;
-    for (int j = k + 1; j < n_; ++j) {
-      double* to = column(j);
-      const double factor = to[k];
-      if (factor == 0) continue;
-      for (int i = k + 1; i < n_; ++i) to[i] -= factor * pivot_column[i];
-    }
+    below_[at(k)] = 0;
+    for (int i = k + 1; i < n_; ++i) below_[at(i)] = pivot_column[i] *= inverse;
+    for (int j = k + 1; j < n_; ++j) subtract_below<kRows>(n_, k, below_.data(), column(j));
   }
   return true;
 }
 
-/// For P A = L U: the largest row sum of |U^-1| |L^-1| is at most that of the inverses of the triangles with the signs
-/// of all entries off the diagonal turned to minus, which one solve finds (Higham, Accuracy and Stability of Numerical
-/// Algorithms, 2002, section 8.3).
 double SmallLu::largest_of_inverse() {
-  std::fill(bound_.begin(), bound_.end(), 1.0);
-  double* b = bound_.data();
-  for (int j = 0; j < n_; ++j) {
-    const double* l = column(j);
-    for (int i = j + 1; i < n_; ++i) b[i] += b[j] * std::abs(l[i]);
-  }
-  double largest = 0;
-  for (int j = n_ - 1; j >= 0; --j) {
-    const double* u = column(j);
-    b[j] *= std::abs(inverse_[at(j)]);
-    for (int i = 0; i < j; ++i) b[i] += b[j] * std::abs(u[i]);
-    largest = std::max(largest, b[j]);
-  }
-  return largest;
+  return with_rows(
+      n_, [this](auto rows) { return largest_row_sum<rows()>(n_, column(0), inverse_.data(), bound_.data()); });
 }
 
 double SmallLu::factor(const MatX& matrix) {
@@ -73,15 +143,7 @@ void SmallLu::solve(const VecX& rhs, VecX& x) const {
   for (int k = 0; k < n_; ++k) {
     if (pivots_[at(k)] != k) std::swap(v[k], v[pivots_[at(k)]]);
   }
-  for (int k = 0; k < n_; ++k) {
-    const double* l = column(k);
-    for (int i = k + 1; i < n_; ++i) v[i] -= v[k] * l[i];
-  }
-  for (int k = n_ - 1; k >= 0; --k) {
-    const double* u = column(k);
-    v[k] *= inverse_[at(k)];
-    for (int i = 0; i < k; ++i) v[i] -= v[k] * u[i];
-  }
+  with_rows(n_, [&](auto rows) { solve_in_place<rows()>(n_, column(0), inverse_.data(), v); });
 }
 
 }  // namespace genu

@@ -19,6 +19,8 @@ class SmallLu {
 
  private:
   bool eliminate();
+  template <int kRows>
+  bool eliminate_rows();
   double largest_of_inverse();
   double* column(int j) { return entries_.data() + static_cast<std::ptrdiff_t>(j) * n_; }
   const double* column(int j) const { return entries_.data() + static_cast<std::ptrdiff_t>(j) * n_; }
@@ -26,7 +28,7 @@ class SmallLu {
   int n_ = 0;
   std::vector<double> entries_;  // L below the diagonal, which is 1, and U
   std::vector<double> inverse_;  // of the pivots
-  std::vector<double> bound_;
+  std::vector<double> bound_, below_;
   std::vector<int> pivots_;
 };
 

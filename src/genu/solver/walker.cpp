@@ -21,6 +21,7 @@ constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a
 
 void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
   plan_ = plan;
+  rate_ = plan.rate();
   step_ = step;
   driven_ = plan.only_driven();
   t_ = 0;
@@ -34,19 +35,33 @@ void Walker::begin(const StepPlan& plan, int step, Balanced pose, PoseReport rep
 }
 
 void Walker::compute_tangent(const State& state, double t, Tangent& out) {
-  if (here_.layers == nullptr) here_.layers = solver_.newton().linearization().layers;
+  if (here_.layers == nullptr) here_.layers = solver_.newton().layers();
   linearize(solver_.model(), state, plan_.target(t), here_);
   if (solver_.newton().step().factor(here_, plan_.target(t))) return compute_tangent(here_, state, t, out);
   out.motion.resize(0, 0, 0);
   out.stability = assess_stability(here_, solver_.model().scales.length);
 }
 
-void Walker::compute_tangent(const Linearization& factored, const State& state, double t, Tangent& out) {
+void Walker::compute_tangent(const Linearization& at, const State& state, double t, Tangent& out) {
   const JointModel& model = solver_.model();
-  const Target target = plan_.target(t), rate = plan_.rate();
-  out.stability = assess_stability(factored, model.scales.length);
-  solver_.newton().step().solve_rates(load_rate(model, state, target, rate),
-                                      constraint_rate(rate, factored.constraint.size()), out.motion);
+  out.stability = assess_stability(at, model.scales.length);
+  solver_.newton().step().solve_rates(load_rate(model, state, plan_.target(t), rate_),
+                                      constraint_rate(rate_, at.constraint.size()), out.motion);
+}
+
+void Walker::compute_tangent_of_last(const State& state, double t, Tangent& out) {
+  // Times the Jacobian's own error, of all rates together: a reaction's rate that small has a sign only with the
+  // Jacobian at the solution.
+  constexpr double kDoubt = 30;
+  Newton& newton = solver_.newton();
+  compute_tangent(newton.linearization(), state, t, out);
+  if (driven_ < 0 || newton.jacobian_error() == 0) return;
+  const Target target = plan_.target(t);
+  const bool rotation = is_rotation(solver_.model(), target, at(driven_));
+  const auto& scales = solver_.model().scales;
+  const double rate = std::abs(reaction_rate(out)) / (rotation ? scales.force * scales.length : scales.force);
+  if (rate > kDoubt * newton.jacobian_error() * newton.step().norm(out.motion, target)) return;
+  if (newton.factor_at_solution()) compute_tangent(newton.linearization(), state, t, out);
 }
 
 void Walker::accept(double t, Balanced pose, const PoseReport& report, bool leaps) {
@@ -103,6 +118,7 @@ Walker::Attempt Walker::attempt(double t) {
 }
 
 bool Walker::passes_a_fold(const Tangent& next, double h) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
   // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
   // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
@@ -114,6 +130,7 @@ bool Walker::passes_a_fold(const Tangent& next, double h) const {
 }
 
 bool Walker::far_from_predicted(const Attempt& attempt) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
   constexpr double kShare = 0.5, kSlack = 1e-5;
   return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
@@ -121,6 +138,7 @@ bool Walker::far_from_predicted(const Attempt& attempt) const {
 }
 
 bool Walker::jumped(const State& state, double h) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
   return distance(solver_.model(), pose_.state, state) >
@@ -142,7 +160,7 @@ bool Walker::walk_to(double t_end) {
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
     if (solved && trial.valid() && !far_from_predicted(trial)) {
-      compute_tangent(solver_.newton().linearization(), trial.pose.state, t, next_);
+      compute_tangent_of_last(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
         const double inside = trial.findings.worst;
         if (pass(t, trial)) {
@@ -180,7 +198,7 @@ bool Walker::events_without_end() {
 bool Walker::pass_event(double t, Attempt violated) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
-  while (bracket.open()) {
+  while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
     // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
@@ -191,7 +209,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
     const bool valid = trial.report.newton.converged() && trial.valid();
-    if (valid) compute_tangent(solver_.newton().linearization(), trial.pose.state, middle, next_);
+    if (valid) compute_tangent_of_last(trial.pose.state, middle, next_);
     if (valid && pass(middle, trial)) {
       bracket.move_low(middle, worst);
       inside_ = worst;
@@ -281,6 +299,7 @@ bool Walker::step_over(double window) {
   // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
   // has to be stepped over again and again is no path.
   constexpr int kMost = 30;
+  if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
   snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
@@ -333,6 +352,7 @@ bool Walker::snap_beyond(double window) {
 }
 
 bool Walker::turning_back() const {
+  if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
   // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance; the path was followed
   // until that distance was the smallest increment.
   constexpr double kVanishing = 0.02;

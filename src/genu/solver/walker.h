@@ -55,6 +55,21 @@ class Walker {
   /// Where ligaments stand with regard to the smooth breaks of their laws; other walkers go on from there.
   LawEvents& law_events() { return law_events_; }
 
+  /// After serialize(): the step that it stands in.
+  void resume(const StepPlan& plan) {
+    plan_ = plan;
+    rate_ = plan.rate();
+    driven_ = plan.only_driven();
+  }
+
+  /// All that the walk depends on but the plan of its step, between two calls of walk_to().
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(step_, t_, pose_, report_, failure_, tangent_.motion, tangent_.stability, prediction_, snap_.first,
+            snap_.second, law_jump_, law_events_, inside_, stiffest_seen_, last_definite_, stepped_over_, crowd_,
+            crowd_from_, substeps_, iterations_);
+  }
+
  private:
   /// Where the path leads from a pose, per unit of t, and whether the pose is stable.
   struct Tangent {
@@ -111,14 +126,17 @@ class Walker {
   /// `leaps`: no path leads from the pose before to this one.
   std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
   void compute_tangent(const State& state, double t, Tangent& out);
-  /// Of a pose whose linearization Newton's step has factored: the last that was solved.
-  void compute_tangent(const Linearization& factored, const State& state, double t, Tangent& out);
+  /// Linearized `at` the pose, of which Newton's step has factored the Jacobian.
+  void compute_tangent(const Linearization& at, const State& state, double t, Tangent& out);
+  /// Of the pose that Newton has solved last, with the Jacobian it had at hand where that tells enough.
+  void compute_tangent_of_last(const State& state, double t, Tangent& out);
   void take(double t, Balanced pose, const PoseReport& report);
 
   ContactSetSolver& solver_;
   const PathOptions& options_;
   const std::function<void(PathEvent)>& event_;
   StepPlan plan_;
+  Target rate_;
   int step_ = 0;
   double t_ = 0;
   Balanced pose_;

@@ -35,7 +35,7 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
     const double t = bracket.next();
     Attempt trial = attempt(t);
     if (!trial.report.newton.converged() || !trial.valid() || far_from_predicted(trial)) return out;
-    compute_tangent(solver_.newton().linearization(), trial.pose.state, t, between_);
+    compute_tangent(trial.pose.state, t, between_);
     const double value = measure(between_);
     const bool is_before = opposite(value, after);
     is_before ? bracket.move_low(t, value) : bracket.move_high(t, value);
@@ -47,6 +47,7 @@ Walker::Found Walker::locate(const Measure& measure, double t_end, const State& 
 }
 
 bool Walker::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
+  if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;
   // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
@@ -121,7 +122,7 @@ std::vector<Walker::Turn> Walker::law_turns(double t, const State& state, bool l
     solves.event_at = [&](int ligament, double length, double& u, State& out) {
       double at = t_ + u * h;
       if (!cubic->at(u, out) || !event_newton_.solve(plan_, {ligament, length, law_events_.rounding(), tolerance * h},
-                                                     options_.newton, solver_.newton().linearization().layers, at, out))
+                                                     options_.newton, solver_.newton().layers(), at, out))
         return false;
       u = (at - t_) / h;
       return true;

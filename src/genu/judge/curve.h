@@ -1,0 +1,20 @@
+// The curve through a table's points: Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300-304), with the
+// three-point end slopes of PCHIP. Written for the judge from the paper; model/monotone_table has its own.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "genu/scene/scene.h"
+
+namespace genu::judge {
+
+using Points = std::vector<std::pair<double, double>>;
+
+/// At x. Beyond the ends it goes on straight; a table without negative values never becomes negative.
+double curve_at(const Points& points, double x);
+
+/// A scale or course (docs/scene-reference.md, Loads) at x: s, or the value of the coordinate that it goes over.
+double scale_at(const ScaleDef& scale, double x);
+
+}  // namespace genu::judge

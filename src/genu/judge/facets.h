@@ -1,0 +1,84 @@
+// The raw triangles of a mesh, in its body's frame: the nearest one to a point, rays, and how far a smooth surface
+// through their vertices may lie and lean away from them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "genu/geometry/mesh.h"
+#include "genu/scene/scene.h"
+
+namespace genu::judge {
+
+class Facets {
+ public:
+  /// `mesh`: in the frame of its file (m).
+  Facets(const Mesh& mesh, const SurfaceDef& def);
+
+  static constexpr double kReach = 2;  ///< edges: how deep overlap is looked for
+  static constexpr double kNear =
+      3;  ///< edges: facets this near say how a smooth surface leans: the least that fits reach
+
+  /// Whether x is surely farther from all triangles than kReach edges.
+  bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }
+
+  struct Nearest {
+    double distance = 0;  ///< m, negative inside
+    Vec3 p = Vec3::Zero();
+    int triangle = -1;
+    bool at_border = false;  ///< beside the sheet: what is inside and outside cannot be told
+  };
+  /// Within `reach` (m); empty where there is none.
+  std::optional<Nearest> nearest(const Vec3& x, double reach) const;
+
+  /// The first triangle that a ray leaves (its outward normal along the ray), within `length`: distance (m).
+  struct Hit {
+    double distance = 0;
+    int triangle = -1;
+  };
+  std::optional<Hit> leaving(const Vec3& origin, const Vec3& direction, double length) const;
+
+  /// Of a smooth surface near x: the mean normal of the triangles there, and what it may be off.
+  struct Lean {
+    Vec3 normal = Vec3::UnitZ();
+    double turn = 0;      ///< rad: the largest angle between that and any triangle's
+    double distance = 0;  ///< m: the largest distance of the surface from the triangles
+  };
+  Lean lean(const Vec3& x, double radius) const;
+
+  const std::vector<Vec3>& vertices() const { return vertices_; }
+  const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+  Vec3 area(int triangle) const;  ///< m^2, along the outward normal
+  Vec3 centroid(int triangle) const;
+  double edge() const { return edge_; }  ///< m: mean
+  bool in_patch(const Vec3& p) const;
+  const Vec3& normal_at(int vertex) const { return vertex_normals_[genu::at(vertex)]; }
+
+ private:
+  using Cell = std::array<int, 3>;
+  struct Hash {
+    std::size_t operator()(const Cell& c) const;
+  };
+  Cell cell_of(const Vec3& x) const;
+  template <typename Visit>
+  void each_near(const Vec3& low, const Vec3& high, Visit visit) const;
+  void index();
+  void find_normals();
+
+  const SurfaceDef* def_;
+  std::vector<Vec3> vertices_;
+  std::vector<std::array<int, 3>> triangles_;
+  std::vector<Vec3> vertex_normals_;
+  std::vector<std::array<Vec3, 3>> edge_normals_;  // of the edge from corner k to the next
+  std::vector<std::array<bool, 3>> border_edge_;
+  std::vector<bool> border_vertex_;
+  std::vector<std::pair<Vec3, double>> balls_;  // round each triangle
+  double edge_ = 0, cell_ = 1;
+  std::unordered_map<Cell, std::vector<int>, Hash> cells_;
+  std::unordered_set<Cell, Hash> near_cells_;  // all within kReach edges of a triangle
+};
+
+}  // namespace genu::judge

@@ -1,0 +1,161 @@
+// Overlap by brute force: samples of one surface against the other's own formula or triangles, both ways round, and
+// from the lowest samples downhill over the sampled surface.
+#include <algorithm>
+#include <cmath>
+
+#include "genu/core/units.h"
+#include "genu/judge/pose.h"
+
+namespace genu::judge {
+namespace {
+
+constexpr std::size_t kDescents = 5;  // lowest samples that are followed
+
+/// m, of a point of one surface over the other; not known where that has no inside or outside.
+struct Gap {
+  double gap = std::numeric_limits<double>::infinity();
+  double sure = 0;  ///< m: what facets leave open: half of what either may be off, both are rarely at their worst
+  Vec3 p = Vec3::Zero();
+  bool at_rim = false;  ///< of closed forms: the normals do not oppose there, so an end of one is nearest
+};
+
+class Gaps {
+ public:
+  explicit Gaps(const PoseCase& pose) : pose_(pose), scene_(pose.scene()) {}
+
+  void judge(const std::string& name, int surface_a, int surface_b) {
+    bool any = false;
+    for (const bool back : {false, true}) {
+      const int from = back ? surface_b : surface_a, to = back ? surface_a : surface_b;
+      const Side &sampled = pose_.subject->sides[at(from)], &other = pose_.subject->sides[at(to)];
+      if (sampled.shape && !sampled.shape->bounded()) continue;
+      any = true;
+      const Pose X = in_other(from, to);
+      const Gap least = lowest(sampled, other, X);
+      if (!std::isfinite(least.gap)) continue;
+      pose_.out->expect("no overlap anywhere", "mm", to::kMillimetre * std::max(0.0, -least.gap),
+                        to::kMillimetre * (pose_.length_tolerance() + 1e-9 + least.sure),
+                        name + ", " + scene_.surfaces[at(from)].name + " in " + scene_.surfaces[at(to)].name);
+      const double written = units::kMillimetre * pose_.row(name + ".gap_mm");
+      if (std::isfinite(written) && sampled.shape && other.shape)
+        pose_.out->expect(
+            "smallest gap is the smallest", "mm", to::kMillimetre * std::max(0.0, written - least.gap),
+            to::kMillimetre * (pose_.length_tolerance() + (least.at_rim ? kRim * pose_.subject->size : 1e-8)), name);
+    }
+    if (!any) pose_.out->skip("overlap of " + name + ": neither surface has ends");
+  }
+
+ private:
+  /// From the frame that the first one's samples are in to the one that the second asks in.
+  Pose in_other(int from, int to) const {
+    const SurfaceDef &a = scene_.surfaces[at(from)], &b = scene_.surfaces[at(to)];
+    const bool mesh_a = a.shape == SurfaceDef::Shape::mesh, mesh_b = b.shape == SurfaceDef::Shape::mesh;
+    const Pose X_Wa = mesh_a ? pose_.poses[at(a.body)] : pose_.poses[at(a.body)] * a.placement;
+    const Pose X_Wb = mesh_b ? pose_.poses[at(b.body)] : pose_.poses[at(b.body)] * b.placement;
+    return X_Wb.inverse() * X_Wa;
+  }
+
+  /// First-order distance of x from a closed form.
+  static double about(const Shape& shape, const Vec3& x) { return shape.value(x) / shape.gradient(x).norm(); }
+
+  Gap over(const Side& other, const Vec3& x) const {
+    Gap out;
+    if (other.shape) {
+      out.gap = about(*other.shape, x);
+      return out;
+    }
+    if (other.facets->clear_of(x)) return out;
+    const auto near = other.facets->nearest(x, Facets::kReach * other.facets->edge());
+    if (!near || near->at_border || !other.facets->in_patch(near->p)) return out;
+    out.gap = near->distance;
+    return out;
+  }
+
+  /// What a low sample says when it is looked at closely: the nearest point must be on the patch.
+  Gap closely(const Side& other, const Vec3& x) const {
+    Gap gap = over(other, x);
+    gap.p = x;
+    if (!std::isfinite(gap.gap)) return gap;
+    if (other.shape) {
+      const auto foot = other.shape->nearest(x);
+      if (!foot || !other.shape->in_patch(*foot)) return {};
+      gap.gap = (other.shape->value(x) < 0 ? -1 : 1) * (x - *foot).norm();
+    } else {
+      gap.sure = 0.5 * other.facets->lean(x, Facets::kNear * other.facets->edge()).distance;
+    }
+    return gap;
+  }
+
+  /// Downhill over the sampled closed form, in steps that halve.
+  Gap descend(const Shape& sampled, const Side& other, const Pose& X, Vec3 p, double step) const {
+    double best = over(other, X * p).gap;
+    while (step > 1e-8) {
+      const Vec3 n = sampled.normal(p), one = n.unitOrthogonal(), two = n.cross(one);
+      Vec3 better = p;
+      for (int k = 0; k < 8; ++k) {
+        const double angle = k * M_PI / 4;
+        const auto q = sampled.onto(p + step * (std::cos(angle) * one + std::sin(angle) * two));
+        if (!q || !sampled.in_patch(*q)) continue;
+        if (const double gap = over(other, X * *q).gap; gap < best) best = gap, better = *q;
+      }
+      if (better == p) step /= 2;
+      p = better;
+    }
+    Gap found = closely(other, X * p);
+    constexpr double kOpposed = 1e-6;  // 1 - cosine: they are within 0.1 deg
+    if (other.shape) found.at_rim = 1 + (X.R * sampled.normal(p)).dot(other.shape->normal(X * p)) > kOpposed;
+    return found;
+  }
+
+  Gap lowest(const Side& sampled, const Side& other, const Pose& X) const {
+    std::vector<std::pair<double, Vec3>> low;
+    double spacing = 0;
+    const auto consider = [&](const Vec3& p) {
+      const double gap = over(other, X * p).gap;
+      if (std::isfinite(gap)) low.emplace_back(gap, p);
+    };
+    if (sampled.shape) {
+      for (const Sample& s : pose_.subject->samples[at(sampled.index)]) {
+        consider(s.p);
+        spacing = std::max(spacing, std::sqrt(s.area));
+      }
+    } else {
+      for (const Vec3& v : sampled.facets->vertices())
+        if (sampled.facets->in_patch(v)) consider(v);
+      spacing = sampled.facets->edge();
+    }
+    std::sort(low.begin(), low.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    Gap least;
+    std::vector<Vec3> taken;
+    double worst = -std::numeric_limits<double>::infinity();
+    for (const auto& [gap, p] : low) {
+      if (taken.size() >= kDescents || gap > 2 * spacing) break;
+      const auto beside = [&, at_p = p](const Vec3& q) { return (q - at_p).norm() < 4 * spacing; };
+      if (sampled.shape && std::any_of(taken.begin(), taken.end(), beside)) continue;
+      const Gap found = sampled.shape ? descend(*sampled.shape, other, X, p, spacing) : closely(other, X * p);
+      if (!std::isfinite(found.gap)) continue;
+      taken.push_back(p);
+      const double own = sampled.shape ? 0 : 0.5 * sampled.facets->lean(p, Facets::kNear * spacing).distance;
+      // The one that is farthest beyond what its facets leave open.
+      if (const double beyond = -found.gap - found.sure - own; beyond > worst) {
+        worst = beyond;
+        least = found;
+        least.sure += own;
+      }
+    }
+    return least;
+  }
+
+  static constexpr double kRim = 1e-3;  // of the size: samples pass over a rim by less than their spacing
+  const PoseCase& pose_;
+  const Scene& scene_;
+};
+
+}  // namespace
+
+void check_gaps(const PoseCase& pose) {
+  Gaps gaps(pose);
+  for (const ContactDef& pair : pose.scene().contacts) gaps.judge(pair.name, pair.surface_a, pair.surface_b);
+}
+
+}  // namespace genu::judge

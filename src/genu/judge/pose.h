@@ -1,0 +1,72 @@
+// One pose that is judged: where the bodies are, what is prescribed, and the forces that act, all from the row.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/judge/findings.h"
+#include "genu/judge/results_file.h"
+#include "genu/judge/subject.h"
+
+namespace genu::judge {
+
+/// A force and a moment (N, N m) on a body at a point, in the world.
+struct Force {
+  int body = -1;
+  Vec3 point = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+/// A contact force between triangles: its direction is known to within two cones.
+struct LooseForce {
+  int body_a = -1, body_b = -1;
+  Vec3 point = Vec3::Zero();
+  double size = 0;                ///< N
+  Vec3 normal_a, normal_b;        ///< outward, world: means of the facets near
+  double turn_a = 0, turn_b = 0;  ///< rad: what these may be off
+  std::string name;
+};
+
+struct PoseForces {
+  std::vector<Force> forces;
+  std::vector<LooseForce> loose;
+  /// On coordinates: N m or N.
+  struct OnCoordinate {
+    CoordinateRef coordinate;
+    double value = 0;
+  };
+  std::vector<OnCoordinate> generalised;
+};
+
+struct PoseCase {
+  const Subject* subject = nullptr;
+  Row row;
+  Coordinates q;
+  std::vector<Pose> poses;
+  double rounding = 0;  ///< m: of places, from the digits of the table
+  double slack = 0;     ///< relative: what the solver was allowed to leave, on top of the judge's own
+  Findings* out = nullptr;
+
+  const Scene& scene() const { return subject->scene; }
+  double length_tolerance() const { return 1e-9 * subject->size + rounding + slack * subject->size; }
+};
+
+/// The case of a row. Empty coordinates are said in `out`; then false.
+bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase& pose);
+
+/// What the scene's step asks of a row: prescribed coordinates and load factors against the columns.
+void check_prescribed(const PoseCase& pose);
+/// Lengths, strains and tensions; adds the pulls that stand in the table.
+void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces);
+/// Scales and factors; adds the loads and weights.
+void add_loads(const PoseCase& pose, PoseForces& forces);
+/// Written contact points of rigid pairs: on both surfaces, in one place, pressing; adds their forces.
+void check_contacts(const PoseCase& pose, PoseForces& forces);
+/// No overlap anywhere, by samples of each surface against the other.
+void check_gaps(const PoseCase& pose);
+/// Force, moment, area and largest pressure of layers against the judge's own sums; adds the written force.
+void check_layers(const PoseCase& pose, bool sum, PoseForces& forces);
+/// Sums of forces and moments, as work on each coordinate; reactions of what is prescribed and of joints.
+/// `more`: N, N m that the sums may be off besides (inertia told from differences).
+void check_balance(const PoseCase& pose, PoseForces& forces, double more_force = 0, double more_moment = 0);
+
+}  // namespace genu::judge

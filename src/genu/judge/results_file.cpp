@@ -1,0 +1,98 @@
+#include "genu/judge/results_file.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace genu::judge {
+namespace {
+
+constexpr double kEmpty = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostErrors = 20;  // a file of garbage has one in every cell
+
+std::vector<std::string_view> split(std::string_view text, char by) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = text.find(by, from);
+    parts.push_back(text.substr(from, to == std::string_view::npos ? to : to - from));
+    if (to == std::string_view::npos) return parts;
+    from = to + 1;
+  }
+}
+
+/// Of a cell: words are read as nothing where words are meant.
+std::optional<double> number_in(std::string_view cell) {
+  if (cell.empty()) return kEmpty;
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  // What is too small for a double is 0 to any tolerance here; what is too large is no result.
+  if (error == std::errc() && end == cell.data() + cell.size() && std::isfinite(value)) return value;
+  return std::nullopt;
+}
+
+bool holds_words(const std::string& column) { return column == "status" || column == "stability"; }
+
+}  // namespace
+
+std::optional<ResultsFile> ResultsFile::parse(std::string_view text, const std::string& file, Diagnostics& out) {
+  ResultsFile table;
+  std::size_t errors = 0;
+  const auto refuse = [&](std::size_t line, std::size_t column, std::string found, std::string rule) {
+    if (++errors > kMostErrors) return;
+    constexpr std::size_t kShown = 40;
+    out.add({.file = file,
+             .line = static_cast<int>(line),
+             .column = static_cast<int>(column),
+             .key = column > 0 && column <= table.columns_.size() ? table.columns_[column - 1] : "",
+             .found = found.substr(0, kShown),
+             .rule = std::move(rule)});
+  };
+  std::vector<std::string_view> lines = split(text, '\n');
+  if (!lines.back().empty()) refuse(lines.size(), 0, "", "the last line has no end: the file is cut off");
+  if (lines.back().empty()) lines.pop_back();
+  if (lines.empty()) return refuse(1, 0, "", "is empty: a results.csv begins with a line of names"), std::nullopt;
+  for (std::string_view name : split(lines.front(), ',')) {
+    table.columns_.emplace_back(name);
+    if (!table.index_.emplace(name, table.columns_.size() - 1).second)
+      refuse(1, table.columns_.size(), std::string(name), "stands twice among the names of columns");
+  }
+  for (const char* name : {"step", "increment", "status"})
+    if (!table.has(name)) refuse(1, 0, "", fmt::format("has no column \"{}\": it is no results.csv of genu", name));
+  for (std::size_t l = 1; l < lines.size() && errors <= kMostErrors; ++l) {
+    const std::vector<std::string_view> cells = split(lines[l], ',');
+    if (cells.size() != table.columns_.size()) {
+      refuse(l + 1, 0, "", fmt::format("has {} cells where there are {} columns", cells.size(), table.columns_.size()));
+      continue;
+    }
+    auto& numbers = table.numbers_.emplace_back(cells.size(), kEmpty);
+    std::string& status = table.status_.emplace_back();
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (table.columns_[c] == "status") status = cells[c];
+      if (holds_words(table.columns_[c])) continue;
+      if (const auto number = number_in(cells[c]))
+        numbers[c] = *number;
+      else
+        refuse(l + 1, c + 1, std::string(cells[c]), "is no finite number");
+    }
+  }
+  if (errors > 0) return std::nullopt;
+  table.read_ = std::shared_ptr<std::atomic<bool>[]>(new std::atomic<bool>[table.columns_.size()]());
+  return table;
+}
+
+double ResultsFile::number(std::size_t row, const std::string& column) const {
+  const auto found = index_.find(column);
+  if (found == index_.end()) return kEmpty;
+  read_[found->second].store(true, std::memory_order_relaxed);
+  return numbers_[row][found->second];
+}
+
+std::vector<std::string> ResultsFile::unread() const {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    if (!read_[c] && columns_[c] != "status") names.push_back(columns_[c]);
+  return names;
+}
+
+}  // namespace genu::judge

@@ -1,0 +1,52 @@
+// What is judged: a scene with its meshes read and its ligaments' slack lengths worked out, once for all poses.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "genu/core/diagnostics.h"
+#include "genu/judge/facets.h"
+#include "genu/judge/joints.h"
+#include "genu/judge/shape.h"
+#include "genu/judge/tension.h"
+#include "genu/scene/scene.h"
+
+namespace genu::judge {
+
+/// A surface: a closed form or triangles.
+struct Side {
+  int index = -1;                        ///< in Scene::surfaces
+  std::shared_ptr<const Facets> facets;  ///< null for a closed form
+  std::optional<Shape> shape;            ///< empty for a mesh
+};
+
+struct Mass {
+  double m = 0;                 ///< kg
+  Vec3 centre = Vec3::Zero();   ///< m, in the body
+  Mat3 inertia = Mat3::Zero();  ///< kg m^2, about the centre, axes of the body
+};
+
+struct Subject {
+  Scene scene;
+  std::vector<Side> sides;                   ///< of Scene::surfaces
+  std::vector<std::vector<Sample>> samples;  ///< of Scene::surfaces: closed forms that have ends
+  int sampled = 0;                           ///< about so many along each side
+  std::vector<TensionLaw> laws;
+  std::vector<Mass> masses;  ///< of Scene::bodies
+  double size = 0;           ///< m: of the scene, for tolerances: the largest distance of its points from their mean
+  /// N: the largest load or weight, or what 1 % of strain costs in the stiffest ligament: what residuals refer to where
+  /// next to no force is at work
+  double force_scale = 0;
+  double least_force = 0;  ///< N: what rounding of lengths leaves in ligaments that are about to pull
+};
+
+/// Opens the meshes that the scene names. `samples`: along each side of a closed form. Empty, with the reasons in
+/// `out`, where a mesh cannot be read.
+std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Diagnostics& out);
+
+/// Mass, centre and inertia of a closed mesh full of a material, from tetrahedra between its triangles and a point.
+Mass mass_of(const Mesh& mesh, const Pose& placement, double density);
+
+}  // namespace genu::judge

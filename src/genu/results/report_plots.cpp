@@ -1,0 +1,120 @@
+#include "genu/results/report_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "genu/results/columns.h"
+#include "genu/results/ligament_groups.h"
+
+namespace genu {
+namespace {
+
+class ReportPlots {
+ public:
+  ReportPlots(const Scene& scene, const ResultTable& poses, Chart& chart)
+      : scene_(scene), poses_(poses), chart_(chart) {}
+
+  void add() {
+    insert("Translations [mm]", "Grood and Suntay: rotations [deg]", clinical(0, 3), false);
+    insert("Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]", clinical(3, 6), false);
+    insert("Contact force [N]", "Contact area [mm2]", layers("area_mm2"), true);
+    insert("Contact area [mm2]", "Largest contact pressure [MPa]", layers("max_pressure_MPa"), true);
+    insert("Ligament force [N]", "Ligament strain, mean of fibres [%]", strains(), false);
+    insert("Reaction moment [N m]", "Joint force [N]", joint_forces(), true);
+  }
+
+ private:
+  std::vector<double> column(const std::string& name) const {
+    std::vector<double> values(poses_.rows());
+    for (std::size_t row = 0; row < values.size(); ++row) values[row] = poses_.number(row, name);
+    return values;
+  }
+
+  /// After the panel of the title `after`, or where the forces and moments of the whole end.
+  void insert(const std::string& after, const char* title, std::vector<ChartSeries> series, bool from_zero) {
+    if (series.empty()) return;
+    const auto same = [&](const ChartPanel& p) { return p.title == after; };
+    auto place = std::find_if(chart_.panels.begin(), chart_.panels.end(), same);
+    if (place != chart_.panels.end()) ++place;
+    chart_.panels.insert(place, {title, std::move(series), from_zero, false});
+  }
+
+  std::vector<ChartSeries> clinical(std::size_t from, std::size_t to) const {
+    std::vector<ChartSeries> out;
+    std::size_t knees = 0;
+    for (const JointDef& joint : scene_.joints) knees += joint.grood_suntay ? 1 : 0;
+    for (const JointDef& joint : scene_.joints)
+      for (std::size_t i = from; joint.grood_suntay && i < to; ++i) {
+        const std::string name = clinical_column(joint.name, i), word = without_unit(kClinical[i]);
+        if (poses_.has_column(name)) out.push_back({knees > 1 ? joint.name + " " + word : word, column(name)});
+      }
+    return out;
+  }
+
+  std::vector<ChartSeries> layers(const std::string& quantity) const {
+    std::vector<ChartSeries> out;
+    for (const LayerDef& layer : scene_.layers) {
+      const bool several = scene_.layers.size() > 1;
+      const auto add = [&](const std::string& of, const std::string& name) {
+        if (poses_.has_column(of + "." + quantity)) out.push_back({name, column(of + "." + quantity)});
+      };
+      for (const RegionDef& region : layer.pair.regions) {
+        const std::string full = layer.pair.name + "." + region.name;
+        add(full, several ? full : region.name);
+      }
+      add(layer.pair.name, layer.pair.regions.empty() || several ? layer.pair.name : "whole pair");
+    }
+    return out;
+  }
+
+  /// In the order, and of the ligaments alone, of the panel of forces.
+  std::vector<ChartSeries> strains() const {
+    const auto forces = std::find_if(chart_.panels.begin(), chart_.panels.end(),
+                                     [](const ChartPanel& p) { return p.title == "Ligament force [N]"; });
+    std::vector<ChartSeries> out;
+    if (forces == chart_.panels.end()) return out;
+    const std::vector<LigamentGroup> groups = ligament_groups(scene_);
+    for (const ChartSeries& drawn : forces->series) {
+      const auto group =
+          std::find_if(groups.begin(), groups.end(), [&](const LigamentGroup& g) { return g.name == drawn.name; });
+      if (group == groups.end()) continue;
+      std::vector<double> mean(poses_.rows(), 0.0);
+      for (const std::size_t member : group->members) {
+        const std::string name = scene_.ligaments[member].name + ".strain";
+        if (!poses_.has_column(name)) continue;
+        const std::vector<double> strain = column(name);
+        for (std::size_t k = 0; k < mean.size(); ++k)
+          mean[k] += 100 * strain[k] / static_cast<double>(group->members.size());
+      }
+      if (std::any_of(mean.begin(), mean.end(), [](double v) { return std::isfinite(v); }))
+        out.push_back({drawn.name, std::move(mean)});
+    }
+    return out;
+  }
+
+  std::vector<ChartSeries> joint_forces() const {
+    std::vector<ChartSeries> out;
+    for (const JointDef& joint : scene_.joints) {
+      if (!poses_.has_column(held_column(joint.name, 0))) continue;
+      const auto x = column(held_column(joint.name, 0)), y = column(held_column(joint.name, 1)),
+                 z = column(held_column(joint.name, 2));
+      std::vector<double> size(x.size());
+      for (std::size_t k = 0; k < x.size(); ++k) size[k] = std::hypot(x[k], y[k], z[k]);
+      out.push_back({joint.name, std::move(size)});
+    }
+    return out;
+  }
+
+  const Scene& scene_;
+  const ResultTable& poses_;
+  Chart& chart_;
+};
+
+}  // namespace
+
+void add_report_plots(const Scene& scene, const ResultTable& poses, Chart& chart) {
+  ReportPlots(scene, poses, chart).add();
+}
+
+}  // namespace genu

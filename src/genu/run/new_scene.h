@@ -1,0 +1,34 @@
+// A scene to start from: commented, and written so that it runs as it stands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "genu/core/diagnostics.h"
+
+namespace genu {
+
+struct NewScene {
+  enum class Kind { analytic, stl, motion };
+  Kind kind = Kind::analytic;
+  std::string folder{};                ///< made new; its last name is the scene's
+  std::string femur{}, tibia{};        ///< mesh files, of kind stl; both in one frame
+  std::string unit{};                  ///< "mm" or "m" of these files; empty: guessed from their size
+  std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes
+  bool left = false;                   ///< a left knee
+};
+
+/// What has been written, and what a trial of it gave.
+struct NewSceneReport {
+  std::string file;
+  std::vector<std::string> choices;  ///< what was found in the meshes or chosen for want of knowledge, a line each
+  int poses_solved = 0, poses_asked = 0;
+  std::vector<std::string> verdict;  ///< where not every pose of the trial is ok: why, and what to do
+};
+
+/// Writes FOLDER/NAME.toml and solves it once. Empty, with the reasons in `out`, where nothing is written: the folder
+/// exists, or a mesh cannot be read. Of kind stl the flexion that is asked for ends where the trial did.
+std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out);
+
+}  // namespace genu

@@ -1,0 +1,35 @@
+// Elements made from data: text is always text, never markup.
+
+/** h("p.note", {title: "..."}, "text", child): attributes, on... listeners; children that are null are left out. */
+export function h(kind, properties = {}, ...children) {
+  const [tag, ...classes] = kind.split(".");
+  const element = document.createElement(tag);
+  if (classes.length) element.className = classes.join(" ");
+  for (const [name, value] of Object.entries(properties)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "style") Object.assign(element.style, value);
+    else element.setAttribute(name, value === true ? "" : value);
+  }
+  for (const child of children.flat(Infinity)) if (child !== null && child !== undefined) element.append(child);
+  return element;
+}
+
+/** A table with a head; cells are text or elements. */
+export function table(head, rows, kind = "table") {
+  return h(kind, {}, h("thead", {}, h("tr", {}, head.map((c) => h("th", { scope: "col" }, c)))),
+    h("tbody", {}, rows.map((r) => h("tr", {}, r.map((c) => h("td", {}, c))))));
+}
+
+/** A number to about `digits` digits, without a long tail: "12.3", "0.0042", "1.2e-9", and "–" for none. */
+export function short(value, digits = 4) {
+  if (!Number.isFinite(value)) return "–";
+  if (Math.abs(value) < 1e-12) return "0";  // what rounding leaves of it
+  const size = Math.abs(value);
+  if (size < 1e-4 || size >= 1e6) return value.toExponential(digits - 2);
+  const decimals = Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size))));
+  return value.toFixed(Math.min(decimals, 4));
+}
+
+/** Units as print has them. */
+export const pretty = (text) => text.replace(/\[mm2\]/, "[mm²]").replace(/\[deg\]/, "[°]").replace(/\[N m\]/, "[N·m]").replace(/\[N mm\]/, "[N·mm]");

@@ -1,0 +1,161 @@
+// What a run says in words and tables: the verdict above, details below.
+import { h, short, table, pretty } from "./dom.js";
+import { range } from "./data.js";
+import { kRuns, kGhosts } from "./colours.js";
+import { differences } from "./differences.js";
+
+export function head(runs) {
+  if (runs.length === 1) return headOf(runs[0]);
+  const row = (run, i) => {
+    const s = run.summary, good = s.exit_code === 0;
+    return h("tr", {}, h("td", {}, runLine(i)), h("th", { scope: "row" }, run.name), h("td", {}, s.title), h("td", {}, good ? "✓ solved" : "! not all solved"), h("td", {}, s.verdict[0] ?? ""));
+  };
+  return [h("h1", {}, `${runs.length} results compared`),
+    h("div.verdict", { class: `verdict ${runs.every((r) => r.summary.exit_code === 0) ? "good" : "bad"}` }, h("div.wide", {}, h("table", {}, h("tbody", {}, runs.map(row))),
+      h("p.facts", {}, `In the picture ${runs[0].name} is drawn whole, with its ligaments and contacts, the others as ghosts; each stands where its axis has the same value.`)))];
+}
+
+/** How a run's lines look, and its ghost. */
+function runLine(i) {
+  const line = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  line.setAttribute("width", 46); line.setAttribute("height", 14); line.setAttribute("aria-hidden", "true");
+  const dash = kRuns[i % kRuns.length].join(" "), ghost = i === 0 ? "none" : kGhosts[(i - 1) % kGhosts.length];
+  for (const [tag, a] of [["line", { x1: 1, y1: 7, x2: 30, y2: 7, stroke: "#1c2329", "stroke-width": 2, "stroke-dasharray": dash }], ["circle", { cx: 39, cy: 7, r: 5, fill: ghost, opacity: 0.6 }]]) {
+    const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    for (const [k, v] of Object.entries(a)) e.setAttribute(k, v);
+    line.append(e);
+  }
+  return line;
+}
+
+function headOf(run) {
+  const s = run.summary, good = s.exit_code === 0;
+  const facts = [`${s.solved} of ${s.asked} ${run.motion ? "rows" : "poses"} solved`];
+  if (s.stable !== undefined) facts.push(`${s.stable} stable`);
+  if (s.smallest_gap_mm !== undefined) facts.push(`smallest gap anywhere ${short(s.smallest_gap_mm, 2)} mm`);
+  if (s.motion) facts.push(`${short(s.motion.duration_s)} s of motion`);
+  facts.push(s.error_bars.length > 0 ? `error bars: ${bars(run)}` : "no error bars asked for");
+  const on = s.effects.map((e) => `${e.name} (${e.count})`).join(", "), seconds = cost(run);
+  return [
+    h("h1", {}, s.title || s.scene),
+    h("div.verdict", { class: `verdict ${good ? "good" : "bad"}` }, h("span.mark", { "aria-hidden": "true" }, good ? "✓" : "!"),
+      h("div", {}, h("p", {}, h("strong", {}, good ? "Solved. " : "Not all of it is solved. "), s.verdict[0] ?? ""),
+        notes(s.verdict.slice(1)),
+        h("p.facts", {}, facts.join(" · ")),
+        h("p.facts", {}, `Effects on: ${on || "none"}${seconds > 0 ? ` · ${short(seconds, 3)} s in all` : ""}`))),
+  ];
+}
+
+/** The largest bar of each coordinate: "adduction ± 0.2 °". */
+function bars(run) {
+  const out = [];
+  for (const panel of run.chart.panels.slice(0, 2))
+    for (const s of panel.series) {
+      const most = s.bar ? range(s.bar) : null, unit = /\[.*\]/.exec(pretty(panel.title));
+      if (most && most[1] > 0) out.push(`${s.name} ± ${short(most[1], 2)} ${unit ? unit[0].slice(1, -1) : ""}`);
+    }
+  return out.length > 0 ? `at most ${out.join(", ")}` : "see the curves";
+}
+
+const cost = (run) => (run.times ? run.times.stages.reduce((sum, t) => sum + t.seconds, 0) : 0);
+
+/** Open where there is room. */
+function notes(sentences) {
+  if (sentences.length === 0) return null;
+  const list = h("ul", {}, sentences.map((v) => h("li", {}, v)));
+  return h("details.notes", { open: innerWidth >= 700 }, h("summary", {}, sentences.length === 1 ? "One remark" : `${sentences.length} remarks`), list);
+}
+
+const fold = (title, open, ...content) => h("details", { open }, h("summary", {}, title), h("div.fold", {}, content));
+
+function effects(run) {
+  const s = run.summary, times = run.times ?? { effects: [], stages: [] };
+  const rows = s.effects.map((e, i) => {
+    const t = times.effects[i];
+    return [e.name, String(e.count), e.unknowns, t ? t.evaluations.toLocaleString("en") : "–", t ? `${short(t.seconds, 3)} s` : "–"];
+  });
+  return [
+    rows.length > 0 ? table(["effect", "how many", "unknowns of each", "evaluations", "time"], rows) : h("p", {}, "No effects."),
+    times.stages.length > 0 ? h("p.small", {}, "Stages: ", times.stages.map((t) => `${t.name} ${short(t.seconds, 3)} s`).join(", "), ".") : null,
+  ];
+}
+
+function values(run, player) {
+  const filter = h("input", { type: "search", placeholder: "Part of a name, such as ACL or force", "aria-label": "Show columns whose name holds" });
+  const body = h("tbody", {}), names = [...run.columns.keys()];
+  const fill = () => {
+    const part = filter.value.toLowerCase(), row = player.row;
+    body.replaceChildren(...names.filter((n) => n.toLowerCase().includes(part)).map((n) => {
+      const c = run.columns.get(n);
+      return h("tr", {}, h("td", {}, n), h("td.number", {}, c.words ? run.word(n, row) : short(c.numbers[row], 6)));
+    }));
+  };
+  const box = fold("All values of this pose", false, filter, h("div.scroll", {}, h("table", {}, body)));
+  filter.addEventListener("input", fill);
+  box.addEventListener("toggle", fill);
+  player.onChange(() => { if (box.open) fill(); });
+  return box;
+}
+
+function unsolved(run, player) {
+  const bad = [];
+  for (let k = 0; k < run.rows; ++k) if (run.status(k) !== "ok") bad.push(k);
+  if (bad.length === 0) return null;
+  const kMost = 100;
+  return fold(`Not solved: ${bad.length} of ${run.rows}`, true, table(["row", "why", ""], bad.slice(0, kMost).map((k) =>
+    [String(k + 1), run.status(k).replaceAll("_", " "), h("button", { type: "button", onclick: () => player.set(k) }, "show")])),
+  bad.length > kMost ? h("p.small", {}, `and ${bad.length - kMost} more`) : null);
+}
+
+function events(run) {
+  const e = run.chart.events;
+  if (e.length === 0) return null;
+  const kMost = 300;
+  return fold(`Events: ${e.length}`, e.length <= 12, h("ul.events", {}, e.slice(0, kMost).map((one) =>
+    h("li", {}, h(`i.mark.${one.kind}`, { "aria-hidden": "true" }), one.text))),
+  h("p.small", {}, "In the plots: contacts gained are dashed lines, contacts lost dotted ones, stretches stepped over bands, all else full lines. Ligaments that became taut or slack stand in events.csv."));
+}
+
+export function details(runs, player) {
+  if (runs.length === 1) return detailsOf(runs[0], player);
+  return [compared(runs), ...runs.map((run) => fold(run.name, false, h("div.details", {}, headOf(run).slice(1), detailsOf(run, player).filter((d) => d !== null)))), keys()];
+}
+
+/** How far each curve lies from the first run's. */
+function compared(runs) {
+  return runs.slice(1).map((other) => {
+    const rows = differences(runs[0], other);
+    const title = `Differences of ${other.name} from ${runs[0].name}`;
+    if (rows.length === 0) return fold(title, true, h("p", {}, "They have no curve in common over the same axis."));
+    return fold(title, true, table(["curve", "", "largest difference", `at ${pretty(runs[0].chart.x_title)}`, "root mean square", "of a range of"],
+      rows.map((d) => [pretty(d.panel), d.name, short(d.largest), short(d.at), short(d.rms), short(d.range)])));
+  });
+}
+
+function detailsOf(run, player) {
+  const s = run.summary;
+  const thinned = run.raw.meshes.filter((m) => m.triangles < m.triangles_in_full);
+  const facts = [...s.surfaces.map((f) => `${f.name}: ${f.facts}`), ...s.bodies,
+    ...thinned.map((m) => `${m.name}: shown with ${m.triangles.toLocaleString("en")} of its ${m.triangles_in_full.toLocaleString("en")} triangles; computed with all of them`)];
+  return [
+    player.run === run ? unsolved(run, player) : null,
+    events(run),
+    player.run === run ? values(run, player) : null,
+    fold("Effects and what they cost", true, effects(run)),
+    s.error_bars.length > 0 ? fold("Error bars", false, h("p", {}, "The same path on other surfaces that the meshes might have given; a bar is how far a result may be off."),
+      table(["cause", "variant", "poses solved"], s.error_bars.map((v) => [v.cause, v.name, String(v.poses_solved)]))) : null,
+    facts.length > 0 ? fold("Surfaces and bodies", false, h("ul", {}, facts.map((f) => h("li", {}, f)))) : null,
+    fold("The scene", false, h("pre", { tabindex: 0 }, run.raw.scene_text)),
+    player.run === run && !player.several ? keys() : null,
+    player.run !== run ? null : fold("Licences", false, h("pre", { tabindex: 0 }, document.getElementById("genu-notices").textContent)),
+  ];
+}
+
+function keys() {
+  return fold("Keys", false, table(["key", "does"], [
+    ["space", "play or pause"], ["← →", "the pose before, the next one"], ["Page up, Page down, Home, End", "on the slider: far steps, first and last pose"],
+    ["shift and arrows", "in the picture: turn"], ["+ −", "in the picture: nearer, farther"], ["0 1 2 3", "in the picture: oblique, side, front, from above"]]));
+}
+
+export const foot = (run) => [h("p", {}, `genu ${run.summary.version}, scene ${run.summary.scene}. The numbers are those of results.csv, in single precision. `,
+  "No tool for diagnosis or treatment.")];

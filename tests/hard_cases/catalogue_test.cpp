@@ -1,0 +1,88 @@
+// The catalogue of hard cases: each is answered as it must be, and each that names a safeguard is missed without it.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "genu/run/hard_cases.h"
+#include "support/judged.h"
+#include "support/temporary_folder.h"
+
+namespace genu {
+namespace {
+
+const std::string kFolder = std::string(GENU_SOURCE_DIR) + "/tests/hard_cases";
+
+const std::vector<HardCase>& all_cases() {
+  static const std::vector<HardCase> cases = [] {
+    Diagnostics out;
+    std::vector<HardCase> found = find_hard_cases(kFolder, out);
+    for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
+    return found;
+  }();
+  return cases;
+}
+
+std::vector<HardCase> quick_cases() {
+  std::vector<HardCase> quick = all_cases();
+  std::erase_if(quick, [](const HardCase& c) { return c.expected.takes_long; });
+  return quick;
+}
+
+TEST(HardCases, AreAnsweredAsTheyMustBe) {
+  const std::vector<HardCase> cases = quick_cases();
+  const test::TemporaryFolder folder;
+  HardCaseOptions options;
+  options.folder = folder / "out";
+  const std::vector<HardCaseOutcome> outcomes = run_hard_cases(cases, kFolder, options);
+  for (const HardCaseOutcome& o : outcomes)
+    for (const std::string& miss : o.misses)
+      ADD_FAILURE() << o.hard_case->family << "/" << o.hard_case->name << ": " << miss;
+  fmt::print("{}", to_text(outcomes));
+  int judged = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "out"))
+    if (entry.path().filename() == "results.csv") {
+      test::expect_folder_judged_ok(entry.path().parent_path());
+      ++judged;
+    }
+  EXPECT_GT(judged, 80) << "the others are refused";
+}
+
+TEST(HardCases, AreMissedWithoutTheSafeguardTheyAreAbout) {
+  std::vector<HardCase> cases = quick_cases();
+  std::erase_if(cases, [](const HardCase& c) { return !c.expected.safeguard; });
+  HardCaseOptions options;
+  options.without_own = true;
+  std::map<std::string, int> bites;
+  for (const HardCaseOutcome& o : run_hard_cases(cases, kFolder, options)) {
+    EXPECT_FALSE(o.met()) << o.hard_case->family << "/" << o.hard_case->name << " does not need "
+                          << to_string(*o.hard_case->expected.safeguard);
+    ++bites[to_string(*o.hard_case->expected.safeguard)];
+  }
+  for (const auto& [safeguard, count] : bites) fmt::print("  {:<16}{:>3} cases\n", safeguard, count);
+}
+
+TEST(HardCases, AreAtLeastEighty) {
+  std::map<std::string, int> families;
+  for (const HardCase& c : all_cases()) {
+    ++families[c.family];
+    EXPECT_FALSE(c.expected.why.empty()) << c.name;
+  }
+  EXPECT_GE(all_cases().size(), 80u);
+  for (const auto& [family, count] : families) fmt::print("  {:<10}{:>3} cases\n", family, count);
+  EXPECT_EQ(families.size(), 6u);
+}
+
+TEST(HardCases, StandInTheDocumentation) {
+  std::ifstream in(std::string(GENU_SOURCE_DIR) + "/docs/hard-cases.md");
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  EXPECT_NE(text.find(to_markdown(all_cases())), std::string::npos)
+      << "made anew by: build/bin/genu hard-cases --table docs/hard-cases.md";
+}
+
+}  // namespace
+}  // namespace genu

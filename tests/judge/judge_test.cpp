@@ -1,0 +1,139 @@
+// The judge accepts what the solver finds, and rejects it with any one number of it changed.
+#include "genu/judge/judge.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "corrupted.h"
+#include "support/data.h"
+
+namespace genu {
+namespace {
+
+using test::Corrupted;
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+std::string knee_file(const std::string& name) { return std::string(GENU_SOURCE_DIR) + "/meshes/" + name; }
+
+const Corrupted& dortmans() {
+  static const Corrupted run = Corrupted::of(knee_file("dortmans1984/scene.toml"));
+  return run;
+}
+
+constexpr std::size_t kRow = 30;
+
+TEST(Judge, AcceptsTheKneesInClosedForm) {
+  EXPECT_THAT(dortmans().rejections(), IsEmpty()) << to_text(dortmans().judge());
+  EXPECT_EQ(dortmans().judge().judged, 71u);
+  for (const char* knee : {"dortmans1984/scene-moment.toml", "leskovar2019/scene.toml"}) {
+    const Corrupted run = Corrupted::of(knee_file(knee));
+    EXPECT_THAT(run.rejections(), IsEmpty()) << knee << "\n" << to_text(run.judge());
+  }
+}
+
+TEST(Judge, RejectsAPoseThatIsOffByAHundredNanometres) {
+  Corrupted run = dortmans();
+  EXPECT_THAT(run.add(kRow, "knee.x_mm", 1e-4).rejections(), Contains("balance of forces"));
+  Corrupted turned = dortmans();
+  EXPECT_THAT(turned.add(kRow, "knee.rotation_deg", 1e-6).rejections(), Not(IsEmpty()));
+}
+
+TEST(Judge, RejectsAContactForceThatIsOffByAMicronewton) {
+  Corrupted run = dortmans();
+  run.add(kRow, "medial.force_N", 1e-6);
+  const judge::Judgement found = run.judge();
+  EXPECT_EQ(found.rejected(), 1u);
+  EXPECT_THAT(run.rejections(), Contains("balance of forces"));
+}
+
+TEST(Judge, RejectsAWrongLigament) {
+  for (const char* column : {"LC.force_N", "LC.length_mm", "LC.strain"}) {
+    Corrupted run = dortmans();
+    EXPECT_THAT(run.add(kRow, column, 1e-7).rejections(), Not(IsEmpty())) << column;
+  }
+}
+
+TEST(Judge, RejectsAReactionOfTheWrongSign) {
+  Corrupted run = dortmans();
+  run.cell(kRow, "knee.flexion.reaction_Nm") = fmt::format("{:.17g}", -run.number(kRow, "knee.flexion.reaction_Nm"));
+  EXPECT_THAT(run.rejections(), Contains("balance of moments"));
+}
+
+TEST(Judge, RejectsSwappedColumns) {
+  Corrupted run = dortmans();
+  for (std::size_t row = 0; row < run.rows(); ++row) std::swap(run.cell(row, "knee.x_mm"), run.cell(row, "knee.y_mm"));
+  EXPECT_EQ(run.judge().rejected(), run.rows());
+  Corrupted points = dortmans();
+  std::swap(points.cell(kRow, "medial.femur_medial.x_mm"), points.cell(kRow, "medial.femur_medial.z_mm"));
+  EXPECT_THAT(points.rejections(), Contains("contact points on surfaces"));
+}
+
+TEST(Judge, RejectsAPrescribedValueThatWasNotAskedFor) {
+  Corrupted run = dortmans();
+  EXPECT_THAT(run.add(kRow, "knee.flexion_deg", 1e-6).rejections(), Contains("prescribed values"));
+}
+
+TEST(Judge, RejectsContactsThatPull) {
+  // Both forces of a balanced pose turned round, and the load that asks for it: nothing but their sign is wrong.
+  Corrupted run = dortmans();
+  run.cell(kRow, "medial.force_N") = fmt::format("{:.17g}", -run.number(kRow, "medial.force_N"));
+  EXPECT_THAT(run.rejections(), Contains("contact forces press"));
+}
+
+TEST(Judge, RejectsOverlapElsewhere) {
+  // A ball on the tibia where the femur comes by, said to be 1 mm away: forces and contacts are all as they were.
+  Corrupted run = dortmans();
+  EXPECT_THAT(run.rejections(), IsEmpty());
+  SurfaceDef ball;
+  ball.name = "ball";
+  ball.body = run.scene().surfaces[1].body;
+  ball.shape = SurfaceDef::Shape::sphere;
+  ball.radius = 0.004;
+  ball.placement.p = Vec3(-0.023, 0.001, 0.0038);
+  run.scene().surfaces.push_back(ball);
+  run.scene().surfaces[1] = ball;
+  run.scene().surfaces[1].name = "tibia_medial";
+  EXPECT_THAT(run.rejections(), Contains("no overlap anywhere"));
+}
+
+TEST(Judge, SaysWhatItDoesNotJudge) {
+  Corrupted run = dortmans();
+  run.cell(3, "status") = "no_equilibrium";
+  const judge::Judgement found = run.judge();
+  EXPECT_EQ(found.judged, run.rows() - 1);
+  ASSERT_EQ(found.not_ok.size(), 1u);
+  EXPECT_EQ(found.not_ok[0], (std::pair<std::size_t, std::string>(3, "no_equilibrium")));
+  EXPECT_THAT(found.not_judged, Contains(::testing::HasSubstr("stability")));
+  EXPECT_THAT(to_text(found), ::testing::HasSubstr("row 4, whose status is \"no_equilibrium\""));
+}
+
+TEST(Judge, RejectsAMotionThatDoesNotFollowFromItsForces) {
+  const Corrupted good = Corrupted::of(knee_file("leskovar2019/scene.toml"));
+  constexpr std::size_t kLater = 500;
+  Corrupted moved = good;
+  EXPECT_THAT(moved.add(kLater, "j1.angle_deg", 1e-3).rejections(), Not(IsEmpty()));
+  Corrupted faster = good;
+  EXPECT_THAT(faster.add(kLater, "j1.angle_velocity_deg_s", 1e-2).rejections(), Not(IsEmpty()));
+  Corrupted held = good;
+  EXPECT_THAT(held.add(kLater, "j1.reaction.force_x_N", 1e-3).rejections(), Contains("balance of forces"));
+}
+
+TEST(Judge, JudgesMeasuredCartilageByItsOwnRays) {
+  GENU_NEEDS_DATA("lenhart2015");
+  Diagnostics out;
+  Corrupted run = Corrupted::of(knee_file("lenhart2015/scene-published-poses.toml"));
+  EXPECT_THAT(run.rejections(), IsEmpty()) << to_text(run.judge());
+  for (const char* column :
+       {"tf.force_x_N", "tf.moment_y_Nm", "tf.area_mm2", "tf.max_pressure_MPa", "tf.max_depth_mm"}) {
+    Corrupted changed = run;
+    changed.add(1, column, 1e-3);
+    EXPECT_THAT(changed.rejections(), Not(IsEmpty())) << column;
+  }
+}
+
+TEST(Judge, IsTheSameOnEveryRun) { EXPECT_EQ(to_json(dortmans().judge()), to_json(dortmans().judge())); }
+
+}  // namespace
+}  // namespace genu

@@ -1,0 +1,84 @@
+#include "genu/results/report_plots.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+const ChartPanel* panel_titled(const Chart& chart, const std::string& title) {
+  for (const ChartPanel& p : chart.panels)
+    if (p.title == title) return &p;
+  return nullptr;
+}
+
+TEST(ReportPlots, ShowTheMeanStrainOfLigamentsWhoseForceIsDrawn) {
+  Scene scene;
+  for (const char* name : {"ACL1", "ACL2", "PCL", "spring"}) {
+    LigamentDef l;
+    l.name = name;
+    scene.ligaments.push_back(l);
+  }
+  ResultTable poses;
+  for (const char* column : {"ACL1.strain", "ACL2.strain", "PCL.strain", "spring.strain"}) poses.add_column(column);
+  for (const double strain : {0.01, 0.02}) {
+    poses.add_row();
+    poses.set("ACL1.strain", strain);
+    poses.set("ACL2.strain", 3 * strain);
+    poses.set("PCL.strain", -strain);
+  }
+  Chart chart;
+  chart.panels = {{"Ligament force [N]", {{"PCL", {0, 0}}, {"ACL", {1, 2}}, {"spring", {3, 3}}}}, {"last", {}}};
+  add_report_plots(scene, poses, chart);
+  ASSERT_EQ(chart.panels.size(), 3u);
+  const ChartPanel& strain = chart.panels[1];
+  EXPECT_EQ(strain.title, "Ligament strain, mean of fibres [%]");
+  ASSERT_EQ(strain.series.size(), 2u);  // a spring of no slack length has no strain
+  EXPECT_EQ(strain.series[0].name, "PCL");
+  EXPECT_DOUBLE_EQ(strain.series[0].y[1], -2);
+  EXPECT_EQ(strain.series[1].name, "ACL");
+  EXPECT_DOUBLE_EQ(strain.series[1].y[0], 2);
+}
+
+TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {
+  Scene scene;
+  JointDef knee;
+  knee.name = "knee";
+  knee.grood_suntay = GroodSuntayDef{};
+  scene.joints.push_back(knee);
+  LayerDef layer;
+  layer.pair.name = "cartilage";
+  layer.pair.regions = {{"medial", {}}};
+  scene.layers.push_back(layer);
+  ResultTable poses;
+  for (const char* column :
+       {"knee.gs.flexion_deg", "knee.gs.anterior_mm", "cartilage.area_mm2", "cartilage.medial.area_mm2",
+        "knee.reaction.force_x_N", "knee.reaction.force_y_N", "knee.reaction.force_z_N"})
+    poses.add_column(column);
+  poses.add_row();
+  poses.set("knee.gs.flexion_deg", 30.0);
+  poses.set("cartilage.area_mm2", 120.0);
+  poses.set("knee.reaction.force_x_N", 3.0);
+  poses.set("knee.reaction.force_y_N", 4.0);
+  poses.set("knee.reaction.force_z_N", 12.0);
+  Chart chart;
+  add_report_plots(scene, poses, chart);
+  const ChartPanel* clinical = panel_titled(chart, "Grood and Suntay: rotations [deg]");
+  ASSERT_NE(clinical, nullptr);
+  EXPECT_EQ(clinical->series[0].name, "flexion");
+  EXPECT_EQ(clinical->series[0].y[0], 30);
+  const ChartPanel* area = panel_titled(chart, "Contact area [mm2]");
+  ASSERT_NE(area, nullptr);
+  ASSERT_EQ(area->series.size(), 2u);
+  EXPECT_EQ(area->series[0].name, "medial");
+  EXPECT_TRUE(std::isnan(area->series[0].y[0]));
+  EXPECT_EQ(area->series[1].y[0], 120);
+  const ChartPanel* force = panel_titled(chart, "Joint force [N]");
+  ASSERT_NE(force, nullptr);
+  EXPECT_DOUBLE_EQ(force->series[0].y[0], 13);
+  EXPECT_EQ(panel_titled(chart, "Largest contact pressure [MPa]"), nullptr);
+}
+
+}  // namespace
+}  // namespace genu

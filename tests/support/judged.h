@@ -1,0 +1,93 @@
+// The judge in tests: every pose that a test has called ok is worked out again by code that shares none with the
+// solver.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "genu/judge/judge.h"
+#include "genu/judge/run_folder.h"
+#include "genu/results/result_table.h"
+#include "genu/run/run_scene.h"
+#include "genu/scene/reader.h"
+
+namespace genu::test {
+
+/// What tests can afford: overlap and pressure in some ten rows of a run, with samples half as dense as `genu judge`'s.
+inline judge::Options quick_judge(std::size_t rows) {
+  constexpr std::size_t kLookedOver = 8;
+  return {.samples = 60, .every = rows / kLookedOver + 1};
+}
+
+/// Judges a table of results of a scene as it was read (not centred).
+inline void expect_judged_ok(const Scene& scene, const ResultTable& poses) {
+  Diagnostics out;
+  const std::clock_t begin = std::clock();
+  const auto found = judge::judge_results(scene, poses.to_csv(), "results.csv", quick_judge(poses.rows()), out);
+  for (const Diagnostic& d : out.items())
+    if (d.severity == Diagnostic::Severity::error) ADD_FAILURE() << to_string(d);
+  if (!found) return;
+  EXPECT_TRUE(found->accepted()) << judge::to_text(*found);
+  std::printf("judged %zu poses in %.2f s of processor time\n", found->judged,
+              static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+}
+
+/// The same of a scene that was prepared: from its file where there is one, as it is where no origin was moved.
+inline void expect_judged_ok(const Prepared& prepared, const ResultTable& poses) {
+  Diagnostics out;
+  std::error_code none;
+  if (std::filesystem::is_regular_file(prepared.scene.file, none)) {
+    const auto scene = read_scene(prepared.scene.file, out);
+    ASSERT_TRUE(scene.has_value()) << prepared.scene.file;
+    return expect_judged_ok(*scene, poses);
+  }
+  for (const BodyDef& body : prepared.scene.bodies)
+    ASSERT_TRUE(body.centre.isZero(0)) << "judge the scene that was read, not the one with its origins moved";
+  expect_judged_ok(prepared.scene, poses);
+}
+
+/// A solution, judged on its way to the test.
+inline Solution judged(const Prepared& prepared, Solution solution) {
+  expect_judged_ok(prepared, solution.poses);
+  return solution;
+}
+
+/// The folder that a run has written.
+inline void expect_folder_judged_ok(const std::string& folder, const std::string& scene = {}) {
+  Diagnostics out;
+  const auto found = judge::read_run_folder(folder, scene, out);
+  for (const Diagnostic& d : out.items())
+    if (d.severity == Diagnostic::Severity::error) ADD_FAILURE() << to_string(d);
+  if (!found) return;
+  const auto read = read_scene(found->scene, out);
+  ASSERT_TRUE(read.has_value()) << found->scene;
+  const auto rows = static_cast<std::size_t>(std::count(found->results.begin(), found->results.end(), '\n'));
+  const auto judgement = judge::judge_results(*read, found->results, folder, quick_judge(rows), out);
+  ASSERT_TRUE(judgement.has_value()) << folder;
+  EXPECT_TRUE(judgement->accepted()) << folder << "\n" << judge::to_text(*judgement);
+}
+
+/// run_scene(), and what it wrote is judged where it wrote something whole.
+inline int judged_run(const std::string& scene, const std::string& folder, const RunOptions& options, Diagnostics& out,
+                      Solution* solution) {
+  const int code = run_scene(scene, folder, options, out, solution);
+  if ((code == kExitOk || code == kExitIncomplete) && std::filesystem::exists(folder + "/results.csv"))
+    expect_folder_judged_ok(folder, scene);  // it is not there where the run was stopped
+  return code;
+}
+
+/// What run_scene() found, of a scene's file.
+inline void expect_judged_ok(const std::string& scene_file, const ResultTable& poses) {
+  Diagnostics out;
+  const auto scene = read_scene(scene_file, out);
+  ASSERT_TRUE(scene.has_value()) << scene_file;
+  expect_judged_ok(*scene, poses);
+}
+
+}  // namespace genu::test

@@ -1,0 +1,43 @@
+// genu new: what it writes runs, and from two meshes that genu mesh has written the way leads to a report.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tools/cli_scenes.h"
+
+namespace genu::test {
+namespace {
+
+TEST(CliNew, EveryKindRunsAsWritten) {
+  const TemporaryFolder folder;
+  const std::string bones = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/bones.toml";
+  ASSERT_EQ(genu("mesh " + bones + " femur tibia --edge 4 --out " + (folder / "stl")).exit_code, 0);
+  const std::string meshes = " --femur " + (folder / "stl/femur.stl") + " --tibia " + (folder / "stl/tibia.stl");
+  for (const std::string& kind :
+       {std::string(), std::string(" --kind analytic"), std::string(" --kind motion"), meshes}) {
+    const TemporaryFolder own;
+    const Outcome made = genu("new " + (own / "knee") + kind);
+    EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+    const std::string scene = own / "knee/knee.toml";
+    EXPECT_TRUE(contains(made.out, "genu run " + scene)) << made.out;
+    EXPECT_EQ(genu("check " + scene).exit_code, 0) << kind;
+    const Outcome run = genu("run " + scene + " --out " + (own / "out"));
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+    EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(own / "out/report.html")) << kind;
+    const std::string before = read_file(scene);
+    EXPECT_EQ(genu("new " + (own / "knee") + kind).exit_code, 2);
+    EXPECT_EQ(read_file(scene), before);
+  }
+}
+
+TEST(CliNew, SaysWhichMeshesItNeeds) {
+  const TemporaryFolder folder;
+  const Outcome refused = genu("new " + (folder / "knee") + " --kind stl");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "--femur femur.stl --tibia tibia.stl")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "knee"));
+}
+
+}  // namespace
+}  // namespace genu::test

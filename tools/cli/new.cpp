@@ -1,0 +1,70 @@
+// genu new knee --femur femur.stl --tibia tibia.stl
+//   1. look at the meshes: their unit, which way is up, where they meet
+//   2. write knee/knee.toml, commented, with what they do not say chosen and marked
+//   3. solve it once, and say what came of that
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
+
+#include "commands.h"
+#include "genu/run/new_scene.h"
+
+namespace genu::cli {
+namespace {
+
+struct NewArguments {
+  NewScene scene;
+  std::string kind, side = "right";
+};
+
+int write_scene(NewArguments arguments) {
+  NewScene& asked = arguments.scene;
+  const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
+  if (arguments.kind == "stl" || (arguments.kind.empty() && meshes)) asked.kind = NewScene::Kind::stl;
+  if (arguments.kind == "motion") asked.kind = NewScene::Kind::motion;
+  asked.left = arguments.side == "left";
+  Diagnostics problems;
+  const auto written = write_new_scene(asked, problems);
+  print(problems);
+  if (!written) return kRefused;
+  fmt::print("written     {}\n", printable(written->file));
+  for (const std::string& line : written->choices) fmt::print("{}\n", line);
+  fmt::print("tried       {} of {} poses solved\n", written->poses_solved, written->poses_asked);
+  for (const std::string& line : written->verdict) fmt::print("  {}\n", printable(line));
+  fmt::print("next        genu run {} --out out\n", printable(written->file));
+  return written->verdict.empty() ? kOk : kNotAllOk;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<NewArguments>();
+  CLI::App* command = app.add_subcommand("new", "Write a commented scene to start from: genu new knee");
+  NewScene& scene = arguments->scene;
+  command->add_option("NAME", scene.folder, "new folder; the scene is NAME/NAME.toml")->required();
+  command
+      ->add_option("--kind", arguments->kind,
+                   "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings. Where it is not "
+                   "given: stl with meshes, else analytic")
+      ->check(CLI::IsMember({"analytic", "stl", "motion"}));
+  command->add_option("--femur", scene.femur, "mesh of the femur or its cartilage: STL, PLY, OBJ, OFF or VTP");
+  command->add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
+  command->add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
+      ->check(CLI::IsMember({"mm", "m"}));
+  command->add_option("--side", arguments->side, "which knee it is")
+      ->check(CLI::IsMember({"right", "left"}))
+      ->capture_default_str();
+  command->add_option("--proximal", scene.proximal, "axis of the meshes toward the hip: x, y, z, -x, -y or -z");
+  command->add_option("--anterior", scene.anterior, "axis of the meshes toward the front");
+  command->footer(
+      "Nothing is ever replaced. Exit code 0: the scene runs, 3: it is written but not every pose is ok.\n"
+      "Example: genu new knee --femur femur.stl --tibia tibia.stl");
+  command->callback([arguments, &exit_code] { exit_code = write_scene(*arguments); });
+}
+
+}  // namespace genu::cli

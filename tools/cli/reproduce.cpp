@@ -1,0 +1,90 @@
+// genu reproduce failure.json
+//   1. unpack the scene and what of its meshes was kept
+//   2. run it, from where the path rested last before it failed
+//   3. say whether it fails in the same way
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.h"
+#include "genu/run/failure.h"
+#include "genu/run/input_hash.h"
+
+namespace genu::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As little memory as the run that failed had.
+void limit_memory(std::uint64_t bytes) {
+  rlimit limit{};
+  if (bytes == 0 || getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur <= bytes) return;
+  limit.rlim_cur = bytes;
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+/// A new folder, or an empty one; empty with the reason in `out`.
+std::string unpacking_folder(const std::string& asked, Diagnostics& out) {
+  std::error_code code;
+  if (asked.empty()) {
+    std::string name = (fs::temp_directory_path() / "genu-reproduce-XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) return name;
+    out.error(name, "cannot be made");
+    return {};
+  }
+  fs::create_directories(asked, code);
+  if (!code && fs::is_empty(asked, code) && !code) return asked;
+  out.error(asked, "is no new or empty folder");
+  return {};
+}
+
+int reproduce_file(const std::string& file, const std::string& asked) {
+  Diagnostics out;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) out.error(file, "cannot be read");
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const auto failure = out.has_errors() ? std::nullopt : read_failure(text, file, out);
+  const std::string folder = failure ? unpacking_folder(asked, out) : std::string();
+  print(out);
+  if (folder.empty()) return kRefused;
+  if (failure->program != program_hash())
+    fmt::print(stderr, "saved by another build of genu ({}), or on another machine: it may do otherwise\n",
+               printable(failure->version));
+  limit_memory(failure->memory_limit);
+  RunOptions options;
+  options.cancelled = stop_on_interrupt();
+  const std::vector<std::string> found = reproduce(*failure, folder, options);
+  fmt::print("meshes: {}\nfailed then:\n", printable(failure->meshes_are));
+  for (const std::string& line : failure->verdict) fmt::print("  {}\n", printable(line));
+  const bool same = alike(failure->verdict, found);
+  fmt::print("{}\n", same ? "fails in the same way" : "fails otherwise:");
+  for (const std::string& line : found)
+    if (!same) fmt::print("  {}\n", printable(line));
+  std::error_code ignored;
+  if (asked.empty()) fs::remove_all(folder, ignored);
+  return same ? kOk : kNotAllOk;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, int& exit_code) {
+  auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "reproduce",
+      "See a failure again that was saved: genu run SCENE --out DIR --save-failure FILE; genu reproduce FILE");
+  command->add_option("FILE", *file, "what --save-failure has written")->required();
+  command->add_option("--out", *folder, "new folder to unpack the scene into, and leave it there");
+  command->callback([file, folder, &exit_code] { exit_code = reproduce_file(*file, *folder); });
+}
+
+}  // namespace genu::cli
