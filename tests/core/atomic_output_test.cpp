@@ -1,4 +1,5 @@
 #include "genu/core/atomic_output.h"
+#include "genu/core/file_list.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -44,9 +45,12 @@ class AtomicOutput : public ::testing::Test {
   // An earlier result of genu, with a file that the next one will not have.
   fs::path earlier_result() {
     fs::path out = dir_ / "out";
-    fs::create_directory(out);
-    write(out / "summary.json", kOld);
-    write(out / "only_old.csv", "old");
+    StagedFolder folder("results");
+    EXPECT_EQ(folder.open(out), "");
+    fs::create_directory(folder.path() / "maps");
+    write(folder.path() / "summary.json", kOld);
+    write(folder.path() / "maps/only_old.csv", "old");
+    EXPECT_EQ(folder.commit(), "");
     return out;
   }
 
@@ -55,7 +59,7 @@ class AtomicOutput : public ::testing::Test {
 
 TEST_F(AtomicOutput, ANewFolderAppearsWithCommitAndNotBefore) {
   const fs::path out = dir_ / "a" / "b" / "out";
-  StagedFolder folder;
+  StagedFolder folder("results");
   ASSERT_EQ(folder.open(out), "");
   write(folder.path() / "summary.json", kNew);
   EXPECT_FALSE(fs::exists(out));
@@ -67,12 +71,12 @@ TEST_F(AtomicOutput, ANewFolderAppearsWithCommitAndNotBefore) {
 
 TEST_F(AtomicOutput, AnEarlierResultIsReplacedAsAWhole) {
   const fs::path out = earlier_result();
-  StagedFolder folder;
+  StagedFolder folder("results");
   ASSERT_EQ(folder.open(out.string() + "/"), "");  // a trailing slash names the same folder
   write(folder.path() / "summary.json", kNew);
   EXPECT_EQ(read(out / "summary.json"), kOld);
   ASSERT_EQ(folder.commit(), "");
-  EXPECT_EQ(names_in(out), Names{"summary.json"});
+  EXPECT_EQ(names_in(out), (Names{kFileList, "summary.json"}));
   EXPECT_EQ(read(out / "summary.json"), kNew);
   EXPECT_EQ(names_in(dir_), Names{"out"});
 }
@@ -80,25 +84,25 @@ TEST_F(AtomicOutput, AnEarlierResultIsReplacedAsAWhole) {
 TEST_F(AtomicOutput, WithoutCommitNothingChangesAndNothingIsLeft) {
   const fs::path out = earlier_result();
   {
-    StagedFolder folder;
+    StagedFolder folder("results");
     ASSERT_EQ(folder.open(out), "");
     write(folder.path() / "summary.json", kNew);
     EXPECT_EQ(names_in(dir_).size(), 2U);
   }
   EXPECT_EQ(read(out / "summary.json"), kOld);
-  EXPECT_EQ(names_in(out), (Names{"summary.json", "only_old.csv"}));
+  EXPECT_EQ(names_in(out), (Names{kFileList, "summary.json", "maps"}));
   EXPECT_EQ(names_in(dir_), Names{"out"});
 }
 
 TEST_F(AtomicOutput, AnEmptyFolderAndALinkToAResultMayBeReplaced) {
   fs::create_directory(dir_ / "empty");
-  StagedFolder first;
+  StagedFolder first("results");
   ASSERT_EQ(first.open(dir_ / "empty"), "");
   ASSERT_EQ(first.commit(), "");
 
   const fs::path out = earlier_result();
   fs::create_directory_symlink(out, dir_ / "link");
-  StagedFolder second;
+  StagedFolder second("results");
   ASSERT_EQ(second.open(dir_ / "link"), "");
   write(second.path() / "summary.json", kNew);
   ASSERT_EQ(second.commit(), "");
@@ -115,7 +119,7 @@ TEST_F(AtomicOutput, WhatIsNoResultOfGenuIsRefusedAndKept) {
   for (const fs::path& target :
        {dir_ / "thesis", dir_ / "file", dir_ / "file" / "below", fs::path("/"), fs::path("//"), fs::path("."),
         fs::path(".."), fs::path(""), cwd, cwd / "x" / "..", cwd.parent_path() / "."}) {
-    StagedFolder folder;
+    StagedFolder folder("results");
     EXPECT_NE(folder.open(target), "") << target;
     EXPECT_TRUE(folder.path().empty()) << target;
     EXPECT_NE(folder.commit(), "") << target;
@@ -124,10 +128,56 @@ TEST_F(AtomicOutput, WhatIsNoResultOfGenuIsRefusedAndKept) {
   EXPECT_EQ(names_in(dir_), (Names{"file", "thesis"}));
 }
 
+TEST_F(AtomicOutput, WhatOthersPutBesideAResultIsKept) {
+  const fs::path out = earlier_result();
+  write(out / "notes.txt", "mine");
+  fs::create_directories(out / "maps/mine/empty");
+  write(out / "maps/mine/curve.svg", "mine too");
+  fs::create_symlink("notes.txt", out / "link");
+  StagedFolder folder("results");
+  ASSERT_EQ(folder.open(out), "");
+  write(folder.path() / "summary.json", kNew);
+  ASSERT_EQ(folder.commit(), "");
+  EXPECT_EQ(read(out / "summary.json"), kNew);
+  EXPECT_EQ(read(out / "link"), "mine");
+  EXPECT_EQ(read(out / "maps/mine/curve.svg"), "mine too");
+  EXPECT_TRUE(fs::is_directory(out / "maps/mine/empty"));
+  EXPECT_FALSE(fs::exists(out / "maps/only_old.csv"));
+  EXPECT_EQ(names_in(dir_), Names{"out"});
+
+  // What genu is to write now under the name of another's file is not written at all.
+  StagedFolder clash("results");
+  ASSERT_EQ(clash.open(out), "");
+  write(clash.path() / "notes.txt", "genu's");
+  EXPECT_NE(clash.commit().find("notes.txt: was not written by genu"), std::string::npos);
+  EXPECT_EQ(read(out / "notes.txt"), "mine");
+}
+
+TEST_F(AtomicOutput, ResultsOfAnotherKindAndThoseMadeReadOnlyAreNotReplaced) {
+  const fs::path out = earlier_result();
+  StagedFolder other("converted results");
+  EXPECT_NE(other.open(out).find("holds genu's results"), std::string::npos);
+  StagedFolder unlisted("");
+  EXPECT_NE(unlisted.open(out), "");
+  if (::geteuid() != 0) {  // root writes everywhere
+    fs::permissions(out / "maps", fs::perms::owner_read | fs::perms::owner_exec);
+    StagedFolder same("results");
+    EXPECT_NE(same.open(out).find("maps: is read-only"), std::string::npos);
+    fs::permissions(out / "maps", fs::perms::owner_all);
+  }
+  // A folder that is to be edited never is.
+  StagedFolder scene("");
+  ASSERT_EQ(scene.open(dir_ / "scene"), "");
+  write(scene.path() / "knee.toml", "format = 1");
+  ASSERT_EQ(scene.commit(), "");
+  StagedFolder results("results");
+  EXPECT_NE(results.open(dir_ / "scene"), "");
+}
+
 TEST_F(AtomicOutput, WhatAppearsDuringTheRunIsKept) {
   const fs::path out = dir_ / "out";
   {
-    StagedFolder folder;
+    StagedFolder folder("results");
     ASSERT_EQ(folder.open(out), "");
     fs::create_directory(out);
     write(out / "notes.txt", "mine");
@@ -138,7 +188,7 @@ TEST_F(AtomicOutput, WhatAppearsDuringTheRunIsKept) {
 }
 
 TEST_F(AtomicOutput, AnUnwritablePlaceIsSaidBeforeAnythingIsComputed) {
-  StagedFolder folder;  // not even root writes into /proc
+  StagedFolder folder("results");  // not even root writes into /proc
   const std::string error = folder.open("/proc/genu/out");
   EXPECT_NE(error.find("/proc/genu"), std::string::npos) << error;
   EXPECT_NE(write_file_atomically("/proc/genu.txt", "x"), "");

@@ -40,6 +40,7 @@ Failure saved(const test::TemporaryFolder& folder, const std::string& scene, int
 /// In a folder of its own, where nothing of the user's is at hand.
 void expect_again(const Failure& failure, const std::string& part, const RunOptions& options = {}) {
   const test::TemporaryFolder elsewhere;
+  EXPECT_EQ(unpack(failure, elsewhere / ""), "");
   const std::vector<std::string> again = reproduce(failure, elsewhere / "", options);
   EXPECT_TRUE(alike(failure.verdict, again));
   ASSERT_FALSE(again.empty());

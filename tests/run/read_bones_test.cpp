@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/contact/bone_thickness.h"
+#include "genu/core/file_list.h"
 #include "genu/geometry/mesh_writer.h"
 #include "run/scenes.h"
 #include "support/knee_scene.h"
@@ -75,7 +76,7 @@ TEST(ReadBones, AnOutputFolderThatHoldsTheBoneIsRefused) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "bones");
   EXPECT_EQ(write_ply(bone_3mm_under(), folder / "bones/bone.ply", 1e-3, ""), "");
-  folder.write("bones/summary.json", to_json(RunSummary{}));
+  EXPECT_EQ(write_file_list(folder / "bones", "results"), "");
   Diagnostics out;
   const std::string scene = folder.write("scene.toml", plate("{ bone = \"bones/bone.ply\", units = \"mm\" }"));
   EXPECT_FALSE(prepare_run(scene, folder / "bones", out));

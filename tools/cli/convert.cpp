@@ -15,6 +15,7 @@
 #include "genu/core/atomic_output.h"
 #include "genu/core/diagnostics.h"
 #include "genu/judge/run_folder.h"
+#include "genu/results/storage_text.h"
 #include "genu/run/convert.h"
 
 namespace genu::cli {
@@ -45,10 +46,10 @@ std::string choose_target(const std::string& to, const std::string& out, Convert
 std::string why_not_written(const ConvertArguments& arguments, const std::string& scene) {
   const bool folder = arguments.options.to == ConvertTo::vtk || arguments.options.to == ConvertTo::opensim;
   const std::string& out = arguments.options.out;
-  if (!folder) return {};
+  if (!folder) return why_not_replaced(out, kStorageMark);
   for (const std::string& input : {(fs::path(arguments.folder) / "results.csv").string(), scene})
     if (folder_holds(out, input)) return out + ": holds " + input + ", which would be lost: choose another folder";
-  StagedFolder probe;
+  StagedFolder probe("converted results");
   return probe.open(out);
 }
 

@@ -102,7 +102,7 @@ int written(const std::string& error, const FitOptions& options) {
 /// What StagedFolder would refuse is refused before the work, and so is a folder that holds what is read.
 bool can_write(const std::string& folder, const std::vector<std::string>& inputs, Diagnostics& out) {
   {
-    StagedFolder probe;
+    StagedFolder probe("results");
     if (const std::string error = probe.open(folder); !error.empty()) {
       out.add({.file = {}, .key = {}, .found = {}, .rule = error});
       return false;

@@ -1,7 +1,7 @@
 // genu judge out/knee
 //   1. find the scene in DIR/summary.json, or take --scene; say when it or a mesh has changed since
 //   2. work out by itself what DIR/results.csv says, sharing no code with the solver
-//   3. print each check with its worst value and tolerance; exit 3 where a pose called ok is rejected
+//   3. print each check with its worst value and tolerance; exit 3 where a pose called ok is rejected, or none is there
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -51,7 +51,11 @@ int judge_folder(const JudgeArguments& arguments) {
   if (!scene) return refused(diagnostics);
   const std::string table = (std::filesystem::path(arguments.folder) / "results.csv").string();
   const auto found = judge::judge_results(*scene, folder->results, table, arguments.options, diagnostics);
-  if (!found) return refused(diagnostics);
+  if (found && folder->ok_rows && *folder->ok_rows != found->judged)
+    diagnostics.error(table, fmt::format("has {} rows that are ok where summary.json counts {}: it was cut or changed "
+                                         "since the run",
+                                         found->judged, *folder->ok_rows));
+  if (!found || diagnostics.has_errors()) return refused(diagnostics);
   print(diagnostics);
   if (!arguments.quiet) fmt::print("{}", judge::to_text(*found));
   if (!arguments.out.empty()) {
@@ -62,7 +66,7 @@ int judge_folder(const JudgeArguments& arguments) {
       return kFailed;
     }
   }
-  return found->accepted() ? kOk : kNotAllOk;
+  return found->accepted() && found->judged > 0 ? kOk : kNotAllOk;
 }
 
 }  // namespace

@@ -131,6 +131,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("genu: out of memory; no result was written, earlier results are untouched\n", stderr);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {  // printing throws
+      std::fputs("genu: standard output cannot be written\n", stderr);
+      return ended(genu::cli::kFailed);
+    }
     std::fprintf(stderr, "genu: internal error: %s; no result was written, earlier results are untouched\n",
                  error.what());
   }

@@ -2,6 +2,7 @@
 //   1. look at the meshes: their unit, which way is up, where they meet
 //   2. write knee/knee.toml, commented, with what they do not say chosen and marked
 //   3. solve it once, and say what came of that
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
+#include "genu/core/file_text.h"
 #include "genu/run/new_scene.h"
 
 namespace genu::cli {
@@ -22,13 +24,24 @@ struct NewArguments {
   std::string kind, side = "right";
 };
 
-int write_scene(NewArguments arguments) {
+/// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
+bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diagnostics& out) {
+  if (asked.kind == NewScene::Kind::stl) return false;
+  for (const char* option : {"--femur", "--tibia", "--units", "--side", "--proximal", "--anterior"})
+    if (command.count(option) > 0)
+      out.add({.file = {}, .key = option, .found = {}, .rule = "belongs to a scene of meshes: --femur F --tibia T"});
+  return out.has_errors();
+}
+
+int write_scene(const CLI::App& command, NewArguments arguments) {
   NewScene& asked = arguments.scene;
-  const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
+  const bool meshes = command.count("--femur") + command.count("--tibia") > 0;
   if (arguments.kind == "stl" || (arguments.kind.empty() && meshes)) asked.kind = NewScene::Kind::stl;
   if (arguments.kind == "motion") asked.kind = NewScene::Kind::motion;
   asked.left = arguments.side == "left";
+  asked.cancelled = stop_on_interrupt();
   Diagnostics problems;
+  if (says_more_than_it_uses(command, asked, problems)) return refuse(problems);
   const auto written = write_new_scene(asked, problems);
   print(problems);
   if (!written) return kRefused;
@@ -36,7 +49,9 @@ int write_scene(NewArguments arguments) {
   for (const std::string& line : written->choices) fmt::print("{}\n", line);
   fmt::print("tried       {} of {} poses solved\n", written->poses_solved, written->poses_asked);
   for (const std::string& line : written->verdict) fmt::print("  {}\n", printable(line));
-  fmt::print("next        genu run {} --out out\n", printable(written->file));
+  fmt::print(
+      "next        genu run {} --out {}\n", printable(shell_word(written->file)),
+      printable(shell_word((std::filesystem::path("out") / std::filesystem::path(written->file).stem()).string())));
   return written->verdict.empty() ? kOk : kNotAllOk;
 }
 
@@ -64,7 +79,7 @@ void add_new(CLI::App& app, int& exit_code) {
   command->footer(
       "Nothing is ever replaced. Exit code 0: the scene runs, 3: it is written but not every pose is ok.\n"
       "Example: genu new knee --femur femur.stl --tibia tibia.stl");
-  command->callback([arguments, &exit_code] { exit_code = write_scene(*arguments); });
+  command->callback([arguments, command, &exit_code] { exit_code = write_scene(*command, *arguments); });
 }
 
 }  // namespace genu::cli

@@ -6,8 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -17,6 +15,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
+#include "genu/core/file_text.h"
 #include "genu/run/failure.h"
 #include "genu/run/input_hash.h"
 
@@ -50,16 +49,23 @@ std::string unpacking_folder(const std::string& asked, Diagnostics& out) {
 
 int reproduce_file(const std::string& file, const std::string& asked) {
   Diagnostics out;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) out.error(file, "cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const auto failure = out.has_errors() ? std::nullopt : read_failure(text, file, out);
+  std::string why;
+  const auto text = text_of_file(file, why);
+  if (!text) out.error(file, why);
+  const auto failure = text ? read_failure(*text, file, out) : std::nullopt;
   const std::string folder = failure ? unpacking_folder(asked, out) : std::string();
   print(out);
   if (folder.empty()) return kRefused;
   if (failure->program != program_hash())
     fmt::print(stderr, "saved by another build of genu ({}), or on another machine: it may do otherwise\n",
                printable(failure->version));
+  std::error_code ignored;
+  if (const std::string error = unpack(*failure, folder); !error.empty()) {
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) fs::remove(entry.path(), ignored);
+    if (asked.empty()) fs::remove(folder, ignored);
+    fmt::print(stderr, "genu: {}\n", printable(error));
+    return kFailed;
+  }
   limit_memory(failure->memory_limit);
   RunOptions options;
   options.cancelled = stop_on_interrupt();
@@ -70,7 +76,6 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   fmt::print("{}\n", same ? "fails in the same way" : "fails otherwise:");
   for (const std::string& line : found)
     if (!same) fmt::print("  {}\n", printable(line));
-  std::error_code ignored;
   if (asked.empty()) fs::remove_all(folder, ignored);
   return same ? kOk : kNotAllOk;
 }

@@ -11,13 +11,13 @@
 #include <system_error>
 #include <utility>
 
+#include "genu/core/file_list.h"
+#include "genu/core/file_text.h"
+
 namespace genu {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder with this file in it was written by genu and may be replaced by genu.
-constexpr const char* kMarkFile = "summary.json";
 
 std::string failure(const fs::path& path, const std::string& what, const std::error_code& code) {
   return path.string() + ": " + what + ": " + code.message();
@@ -38,20 +38,40 @@ bool is_folder_or_above(const fs::path& folder, const fs::path& inner) {
   return end == folder.end();
 }
 
-bool is_marked(const fs::path& folder) {
-  std::ifstream file(folder / kMarkFile, std::ios::binary);
-  char start[64] = {};
-  file.read(start, sizeof start - 1);
-  return std::strstr(start, "\"genu\"") != nullptr;
-}
-
 // Exchanges two names in one step where the file system can; false where it cannot.
 bool exchange(const fs::path& a, const fs::path& b) {
   return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored).type() == fs::file_type::directory;
+}
+
+// The first folder, this one or one in it, out of which nothing can be moved; empty where there is none.
+fs::path read_only_folder(const fs::path& folder) {
+  const auto is_read_only = [](const fs::path& at) { return is_folder(at) && ::access(at.c_str(), W_OK | X_OK) != 0; };
+  if (is_read_only(folder)) return folder;
+  std::error_code code;
+  for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
+    if (is_read_only(it->path())) return it->path();
+  return {};
+}
+
+// Why a folder with content must not be replaced by results of `kind`; empty if it may.
+std::string why_not_of_kind(const fs::path& target, const std::string& kind) {
+  const auto list = read_file_list(target);
+  const std::string another = " will not be replaced: choose another folder";
+  const std::string other =
+      list ? ": holds genu's " + list->kind : ": has content that genu did not list as its " + kind;
+  if (!list || list->kind != kind) return target.string() + other + ", so it" + another;
+  if (const fs::path closed = read_only_folder(target); !closed.empty())
+    return closed.string() + ": is read-only, so it" + another;
+  return {};
+}
+
 // Why `target`, a canonical path, must not be replaced by a folder; empty if it may.
-std::string why_not_replaceable(const fs::path& target) {
+std::string why_not_replaceable(const fs::path& target, const std::string& kind) {
   std::error_code code;
   if (target == target.root_path()) return target.string() + ": is the root folder: choose a folder of its own";
   const fs::path cwd = fs::canonical(fs::current_path(code), code);
@@ -64,10 +84,33 @@ std::string why_not_replaceable(const fs::path& target) {
   if (!fs::is_directory(status)) return target.string() + ": is a file: choose a folder";
   const bool empty = fs::is_empty(target, code);
   if (code) return failure(target, "cannot be read", code);
-  if (!empty && !is_marked(target)) {
-    return target.string() + ": has content but no " + kMarkFile +
-           " of genu, so it is not a result of genu and will not be replaced: choose another folder";
+  return empty ? std::string() : why_not_of_kind(target, kind);
+}
+
+// Puts one file, link or empty folder of others into the new folder too: a second name of the same file where the file
+// system has that, else a copy.
+std::string keep(const fs::path& from, const fs::path& to) {
+  if (fs::exists(fs::symlink_status(to)))
+    return from.string() + ": was not written by genu and would be replaced: move it, or choose another folder";
+  std::error_code code;
+  fs::create_directories(to.parent_path(), code);
+  if (is_folder(from)) {
+    fs::create_directory(to, from, code);
+  } else if (fs::is_symlink(fs::symlink_status(from))) {
+    fs::copy_symlink(from, to, code);
+  } else {
+    fs::create_hard_link(from, to, code);
+    if (code) fs::copy_file(from, to, code);
   }
+  return code ? failure(from, "cannot be kept", code) : std::string();
+}
+
+// All that is not genu's in `old` is in `fresh` too, afterwards.
+std::string keep_others(const fs::path& old, const fs::path& fresh) {
+  const auto list = read_file_list(old);
+  if (!list) return {};
+  for (const std::string& file : not_listed(old, *list))
+    if (std::string error = keep(old / file, fresh / file); !error.empty()) return error;
   return {};
 }
 
@@ -87,7 +130,7 @@ std::string StagedFolder::open(const fs::path& target) {
   fs::path canonical = fs::weakly_canonical(fs::absolute(target, code), code);
   if (code) return failure(target, "cannot be used as a folder", code);
   if (!canonical.has_filename()) canonical = canonical.parent_path();  // "out/" is "out"
-  if (std::string why = why_not_replaceable(canonical); !why.empty()) return why;
+  if (std::string why = why_not_replaceable(canonical, kind_); !why.empty()) return why;
   fs::create_directories(canonical.parent_path(), code);
   if (code) return failure(canonical.parent_path(), "cannot be made", code);
   fs::path staging = sibling(canonical, "partial");
@@ -101,29 +144,30 @@ std::string StagedFolder::open(const fs::path& target) {
 std::string StagedFolder::commit() {
   if (staging_.empty()) return "there is no open output folder";
   // Looked at again: a long run leaves time for someone to put something there.
-  if (std::string why = why_not_replaceable(target_); !why.empty()) return why;
+  if (std::string why = why_not_replaceable(target_, kind_); !why.empty()) return why;
+  if (!kind_.empty())
+    if (std::string error = write_file_list(staging_, kind_); !error.empty()) return error;
   std::error_code code;
   const bool replaces = fs::exists(target_, code);
-  if (replaces && exchange(staging_, target_)) {
-    // The earlier result has the staging name now.
-    fs::remove_all(staging_, code);
-    const fs::path earlier = std::exchange(staging_, fs::path());
-    return code ? failure(earlier, "is the earlier result and cannot be removed", code) : std::string();
-  }
-  const fs::path old = sibling(target_, "old");
-  if (replaces) {
-    fs::rename(target_, old, code);
-    if (code) return failure(target_, "cannot be replaced", code);
-  }
-  fs::rename(staging_, target_, code);
-  if (code) {
-    std::error_code ignored;
-    if (replaces) fs::rename(old, target_, ignored);
-    return failure(target_, "cannot be put in place", code);
+  if (replaces)
+    if (std::string error = keep_others(target_, staging_); !error.empty()) return error;
+  fs::path old = staging_;  // where the earlier result is afterwards
+  if (!replaces || !exchange(staging_, target_)) {
+    if (replaces) {
+      old = sibling(target_, "old");
+      fs::rename(target_, old, code);
+      if (code) return failure(target_, "cannot be replaced", code);
+    }
+    fs::rename(staging_, target_, code);
+    if (code) {
+      std::error_code ignored;
+      if (replaces) fs::rename(old, target_, ignored);
+      return failure(target_, "cannot be put in place", code);
+    }
   }
   staging_.clear();
-  if (replaces) fs::remove_all(old, code);
-  return code ? failure(old, "is the earlier result and cannot be removed", code) : std::string();
+  if (replaces) fs::remove_all(old, code);  // what it cannot remove stays under its hidden name: the result is there
+  return {};
 }
 
 bool folder_holds(const fs::path& folder, const fs::path& file) {
@@ -157,13 +201,18 @@ std::string write_file_atomically(const fs::path& path, std::string_view content
 }
 
 std::string why_not_replaced(const std::string& path, const std::string& mark) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) return {};
-  if (!std::filesystem::is_regular_file(status)) return path + ": is no file: choose another name";
-  std::ifstream in(path, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (content.empty() || content.find(mark) != std::string::npos) return {};
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code code;
+  if (!folder.empty() && !fs::is_directory(folder, code)) return path + ": cannot be written: there is no such folder";
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    return failure(path, "cannot be written", std::error_code(errno, std::generic_category()));
+  const fs::file_status status = fs::symlink_status(path, code);
+  if (!fs::exists(status)) return {};
+  if (fs::is_symlink(status)) return path + ": is a symbolic link, which a file would replace: name another";
+  std::string why;
+  const auto content = text_of_file(path, why);
+  if (!content) return path + ": " + why + ", so it will not be replaced: choose another name";
+  if (content->empty() || content->find(mark) != std::string::npos) return {};
   return path + ": is there already and was not written by this command: it will not be replaced; choose another name";
 }
 

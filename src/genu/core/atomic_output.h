@@ -6,35 +6,41 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace genu {
 
 /// A results folder under construction:
-///   StagedFolder out;
+///   StagedFolder out("results");
 ///   std::string error = out.open("out/knee");   // refuses what commit() could not or should not replace
 ///   ... write files into out.path() ...
 ///   if (error.empty()) error = out.commit();
-/// A StagedFolder that is never committed removes what it made and leaves the target as it was.
+/// A StagedFolder that is never committed removes what it made and leaves the target as it was. With the files comes
+/// their list (file_list.h): by it the next one of the same kind knows which files are genu's to replace. Whatever
+/// else lies in the folder by then, notes or another result, is kept.
 class StagedFolder {
  public:
-  StagedFolder() = default;
+  /// `kind`: what the files are, "results"; empty: no list is written, so nothing will ever replace the folder.
+  explicit StagedFolder(std::string kind) : kind_(std::move(kind)) {}
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;
   StagedFolder& operator=(const StagedFolder&) = delete;
 
   /// Makes an empty folder beside `target` (and target's missing parents). Refuses a target that is a file, a root, the
-  /// working folder or a folder above it, or a folder with content that is no result of genu (it has no summary.json).
-  /// A target that is a symbolic link stands for the folder it points to.
+  /// working folder or a folder above it, a folder that is read-only, or one with content that is no result of this
+  /// kind. A target that is a symbolic link stands for the folder it points to.
   std::string open(const std::filesystem::path& target);
 
   /// Where to write until commit(); empty before open() and after commit().
   const std::filesystem::path& path() const { return staging_; }
 
-  /// Puts the folder in the target's place; an earlier result there is replaced as a whole. On an error the earlier
-  /// result stands again under its name and the new files are still in path(), until the destructor removes them.
+  /// Puts the folder in the target's place; an earlier result there is replaced as a whole, files of others move along.
+  /// On an error the earlier result stands as it was and the new files are still in path(), until the destructor
+  /// removes them.
   std::string commit();
 
  private:
+  std::string kind_;
   std::filesystem::path target_;
   std::filesystem::path staging_;
 };
@@ -46,8 +52,8 @@ bool folder_holds(const std::filesystem::path& folder, const std::filesystem::pa
 /// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
 std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// Empty where no file `path` is, or it holds `mark`, which whoever asks writes into files of that kind. Else why it is
-/// not replaced: it may be all that somebody has of a scene, a mesh or another result.
+/// Empty where a file can be written at `path` and none is there, or one that holds `mark`, which whoever asks writes
+/// into files of that kind. Else why not: it may be all that somebody has of a scene, a mesh or another result.
 std::string why_not_replaced(const std::string& path, const std::string& mark);
 
 }  // namespace genu

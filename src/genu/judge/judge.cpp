@@ -46,7 +46,7 @@ void say_what_is_left(const Scene& scene, const ResultsFile& table, Judgement& j
   left.assign(judgement.findings.skipped().begin(), judgement.findings.skipped().end());
   std::vector<std::string> columns;
   for (const std::string& column : table.unread())
-    if (column != "newton.iterations") columns.push_back(column);
+    if (column != "newton.iterations") columns.push_back(printable(column));
   if (std::erase_if(columns, [](const std::string& c) { return c.starts_with("stability"); }) > 0)
     left.emplace_back("stability: needs second derivatives of the surfaces and of what is held");
   if (std::erase_if(columns, [](const std::string& c) { return c.starts_with("energy."); }) > 0)

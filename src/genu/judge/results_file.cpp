@@ -1,7 +1,9 @@
 #include "genu/judge/results_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -31,11 +33,27 @@ std::optional<double> number_in(std::string_view cell) {
   return std::nullopt;
 }
 
+/// What a row can say of itself.
+bool is_status(std::string_view word) {
+  constexpr std::string_view kWords[] = {"ok",        "no_equilibrium", "over_edge",      "overlap",
+                                         "chatter",   "overconstrained", "undetermined", "flawed_mesh"};
+  return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+/// As other programs save a text: with a mark before it, and two characters at the end of a line.
+std::string as_written(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  std::string out(text.substr(text.starts_with(kMark) ? kMark.size() : 0));
+  for (std::size_t at = 0; (at = out.find("\r\n", at)) != std::string::npos;) out.erase(at, 1);
+  return out;
+}
+
 bool holds_words(const std::string& column) { return column == "status" || column == "stability"; }
 
 }  // namespace
 
-std::optional<ResultsFile> ResultsFile::parse(std::string_view text, const std::string& file, Diagnostics& out) {
+std::optional<ResultsFile> ResultsFile::parse(std::string_view bytes, const std::string& file, Diagnostics& out) {
+  const std::string text = as_written(bytes);
   ResultsFile table;
   std::size_t errors = 0;
   const auto refuse = [&](std::size_t line, std::size_t column, std::string found, std::string rule) {
@@ -68,7 +86,8 @@ std::optional<ResultsFile> ResultsFile::parse(std::string_view text, const std::
     auto& numbers = table.numbers_.emplace_back(cells.size(), kEmpty);
     std::string& status = table.status_.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (table.columns_[c] == "status") status = cells[c];
+      if (table.columns_[c] == "status" && !is_status(status = cells[c]))
+        refuse(l + 1, c + 1, status, "is no status that genu gives a row");
       if (holds_words(table.columns_[c])) continue;
       if (const auto number = number_in(cells[c]))
         numbers[c] = *number;

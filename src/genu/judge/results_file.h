@@ -18,7 +18,7 @@ class ResultsFile {
  public:
   /// Reads the text of a results.csv. Empty, with each mistake at its line and column in `out`, where a row is cut off
   /// or too long, a name stands twice, or a cell holds no finite number (columns `status` and `stability` hold words).
-  static std::optional<ResultsFile> parse(std::string_view text, const std::string& file, Diagnostics& out);
+  static std::optional<ResultsFile> parse(std::string_view bytes, const std::string& file, Diagnostics& out);
 
   std::size_t rows() const { return numbers_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }

@@ -1,13 +1,12 @@
 #include "genu/judge/run_folder.h"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "genu/core/file_checksum.h"
+#include "genu/core/file_text.h"
 
 namespace genu::judge {
 namespace {
@@ -16,17 +15,33 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 std::optional<std::string> text_of(const fs::path& path, Diagnostics& out) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return out.error(path.string(), "is no file that can be read"), std::nullopt;
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) return out.error(path.string(), "cannot be read"), std::nullopt;
-  return text.str();
+  std::string why;
+  auto text = text_of_file(path.string(), why);
+  if (!text) out.error(path.string(), why);
+  return text;
 }
 
 void warn(const std::string& file, std::string rule, Diagnostics& out) {
   out.add({.severity = Diagnostic::Severity::warning, .file = file, .key = {}, .found = {}, .rule = std::move(rule)});
+}
+
+/// Rows that the run called ok: a motion counts rows, a path poses.
+std::optional<std::size_t> ok_rows(const json& summary) {
+  for (const char* key : {"poses", "rows"})
+    if (const json counts = summary.value(key, json()); counts.is_object())
+      if (const json solved = counts.value("solved", json()); solved.is_number_unsigned())
+        return solved.get<std::size_t>();
+  return std::nullopt;
+}
+
+/// A scene of the caller's choice that is not what the run read.
+void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
+  const json files = summary.value("files", json());
+  if (!files.is_array() || files.empty() || !files.front().is_object()) return;
+  const json hash = files.front().value("fnv1a64", json());
+  const auto now = file_checksum(scene);
+  if (now && hash.is_string() && hash.get<std::string>() != now->fnv1a64)
+    warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
 }
 
 /// Files that the run read and that have changed since.
@@ -41,7 +56,7 @@ void compare_files(const json& summary, Diagnostics& out) {
     if (!now)
       warn(path, "is no longer there: the run read it", out);
     else if (now->fnv1a64 != file["fnv1a64"].get<std::string>())
-      warn(path, "has changed since the run: its results are judged by what it says now", out);
+      warn(path, "has changed since the run: its results are read with what it says now", out);
   }
 }
 
@@ -66,7 +81,11 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
     if (found.scene.empty())
       return out.error(summary_path, "does not say which scene it is of: give --scene"), std::nullopt;
   }
+  if (!scene.empty()) compare_scene(summary, scene, out);
   compare_files(summary, out);
+  if (summary.value("partial", json()) == true)
+    warn(at.string(), "is partial: the run was stopped before its end", out);
+  found.ok_rows = ok_rows(summary);
   return found;
 }
 

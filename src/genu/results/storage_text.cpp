@@ -9,11 +9,11 @@ namespace genu {
 
 std::string storage_text(const ResultTable& table, const std::string& title, bool rotations) {
   std::string out = fmt::format(
-      "{}\nversion=1\nnRows={}\nnColumns={}\ninDegrees={}\n\n"
+      "{}\nversion=1\nnRows={}\nnColumns={}\ninDegrees={}\n\n{}\n"
       "Units are S.I. units (second, meters, Newtons, ...)\n"
       "If the header above contains a line with 'inDegrees', this indicates whether rotational values are in degrees "
       "(yes) or radians (no).\n\nendheader\n",
-      title, table.rows(), table.columns().size(), rotations ? "yes" : "no");
+      title, table.rows(), table.columns().size(), rotations ? "yes" : "no", kStorageMark);
   for (std::size_t c = 0; c < table.columns().size(); ++c) out += (c > 0 ? "\t" : "") + table.columns()[c];
   out += '\n';
   for (std::size_t row = 0; row < table.rows(); ++row) {

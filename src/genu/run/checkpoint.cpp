@@ -75,7 +75,7 @@ bool locked(int descriptor) {
   return false;
 }
 
-std::string why_it_failed() { return std::strerror(errno); }
+std::string why_it_failed() { return errno == ELOOP ? "is a symbolic link" : std::strerror(errno); }
 
 }  // namespace
 
@@ -111,6 +111,12 @@ bool Checkpoint::open() {
   ::close(descriptor_);
   descriptor_ = -1;
   return false;
+}
+
+std::string Checkpoint::blocked() {
+  std::error_code ignored;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file_, ignored)) || open()) return {};
+  return problem_;
 }
 
 /// Adds a part as a whole: what of it does not find room is cut off again.
@@ -204,7 +210,7 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
 }
 
 bool Checkpoint::resume(Diagnostics& out) {
-  if (!std::filesystem::exists(file_)) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file_))) {
     out.add({.severity = Diagnostic::Severity::warning,
              .file = file_,
              .key = {},

@@ -30,6 +30,9 @@ class Checkpoint {
   /// program, or another run is writing it; a warning where nothing is there, or less than was written.
   bool resume(Diagnostics& out);
 
+  /// Why the file cannot be written from now on: what is there is no checkpoint, or is another run's. Else empty.
+  std::string blocked();
+
   /// What resume() has found: rows and events, and what follow_path() goes on from; empty where it found nothing.
   std::vector<PoseRecord> records;
   std::vector<PathEvent> events;

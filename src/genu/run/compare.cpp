@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "genu/core/atomic_output.h"
+#include "genu/core/file_text.h"
 #include "genu/results/report_merge.h"
 #include "genu/run/run_scene.h"
 
@@ -28,19 +27,16 @@ std::string name_of(const std::string& result, const std::vector<NamedReport>& o
 
 std::optional<std::string> page_of(const std::string& result, Diagnostics& out) {
   std::error_code ignored;
-  if (!fs::exists(result, ignored)) {
-    out.error(result, "is not there");
-    return std::nullopt;
-  }
   const bool folder = fs::is_directory(result, ignored);
   const fs::path file = folder ? fs::path(result) / "report.html" : fs::path(result);
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file, ignored)) {
-    out.error(result, folder ? "holds no report.html: let genu run write one (without --no-report)" : "cannot be read");
+  std::string why;
+  auto page = text_of_file(file.string(), why);
+  if (!page && folder) {
+    out.error(result, "holds no report.html: let genu run write one (without --no-report)");
     return std::nullopt;
   }
-  std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (const std::string why = why_no_report(page); !why.empty()) {
+  if (page) why = why_no_report(*page);
+  if (!why.empty()) {
     out.error(file.string(), why);
     return std::nullopt;
   }

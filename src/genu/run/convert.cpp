@@ -116,7 +116,7 @@ std::string forces_text(const ReportRun& run, const OpenSimNames& names, const C
 
 std::string write_converted_folder(const ResultsRead& read, const ReportRun& run, const ChosenRows& chosen,
                                    const OpenSimNames& names, const ConvertOptions& options, ConvertFound& found) {
-  StagedFolder folder;
+  StagedFolder folder("converted results");
   std::string error = folder.open(options.out);
   FolderWriter write(folder, found);
   const bool vtk = options.to == ConvertTo::vtk;

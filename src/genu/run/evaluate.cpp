@@ -185,7 +185,7 @@ std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
 
 std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation,
                              const std::vector<std::pair<std::string, std::string>>& maps) {
-  StagedFolder out;
+  StagedFolder out("results");
   std::string error = out.open(folder);
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);

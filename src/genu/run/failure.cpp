@@ -159,6 +159,8 @@ std::optional<Failure> cut_out(const Failure& whole, Names& names, const Prepare
   return any ? std::optional(cut) : std::nullopt;
 }
 
+constexpr const char* kPackedScene = "scene.toml";
+
 /// A folder that lives as long as a trial.
 struct TrialFolder {
   fs::path path;
@@ -174,7 +176,8 @@ struct TrialFolder {
 
 bool fails_alike(const Failure& failure, const RunOptions& options) {
   const TrialFolder folder;
-  return !folder.path.empty() && alike(failure.verdict, reproduce(failure, folder.path.string(), options));
+  return !folder.path.empty() && unpack(failure, folder.path.string()).empty() &&
+         alike(failure.verdict, reproduce(failure, folder.path.string(), options));
 }
 
 void tell_poses(const Prepared& prepared, const Solution& found, Failure& failure) {
@@ -203,14 +206,17 @@ bool alike(std::vector<std::string> expected, std::vector<std::string> found) {
   return expected == found;
 }
 
+std::string unpack(const Failure& failure, const std::string& folder) {
+  std::string error = write_file_atomically(fs::path(folder) / kPackedScene, failure.scene);
+  for (const auto& [name, bytes] : failure.meshes)
+    if (error.empty()) error = write_file_atomically(fs::path(folder) / name, bytes);
+  return error;
+}
+
 std::vector<std::string> reproduce(const Failure& failure, const std::string& folder, const RunOptions& options) {
   Names names;
   names.folder = folder;
-  names.scene = (fs::path(folder) / "scene.toml").string();
-  std::string error = write_file_atomically(names.scene, failure.scene);
-  for (const auto& [name, bytes] : failure.meshes)
-    if (error.empty()) error = write_file_atomically(fs::path(folder) / name, bytes);
-  if (!error.empty()) return {"cannot be unpacked: " + error};
+  names.scene = (fs::path(folder) / kPackedScene).string();
   Diagnostics out;
   const auto prepared = prepare(names.scene, out);
   if (!prepared) return verdict_of(names, nullptr, 0, out);

@@ -38,7 +38,10 @@ bool alike(std::vector<std::string> expected, std::vector<std::string> found);
 void save_failure(const std::string& file, const std::string& scene, const Prepared* prepared, const Solution& found,
                   const RunOptions& options, Diagnostics& out);
 
-/// Unpacks into `folder` (scene.toml and meshes), runs that, and gives the lines that Failure::verdict would have.
+/// Writes scene.toml and the meshes into `folder`. An error as text; the empty text is success.
+std::string unpack(const Failure& failure, const std::string& folder);
+
+/// Runs what was unpacked into `folder`, and gives the lines that Failure::verdict would have.
 std::vector<std::string> reproduce(const Failure& failure, const std::string& folder, const RunOptions& options);
 
 }  // namespace genu

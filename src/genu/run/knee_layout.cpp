@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "genu/core/decompositions.h"
+
 namespace genu {
 namespace {
 
@@ -82,15 +84,33 @@ std::map<Cell, double> furthest_in_cells(const Mesh& mesh, const KneeLayout& kne
   return out;
 }
 
-/// The least distance between what faces each other, along proximal.
-double gap_between(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
+/// Of the plane through what is highest in each cell, by least squares.
+double tilt_of(const std::map<Cell, double>& heights, double cell) {
+  MatX rows(static_cast<Eigen::Index>(heights.size()), 3), values(rows.rows(), 1);
+  Eigen::Index k = 0;
+  for (const auto& [at, height] : heights) {
+    rows.row(k) << cell * static_cast<double>(at.first), cell * static_cast<double>(at.second), 1;
+    values(k++, 0) = height;
+  }
+  const MatX plane = least_squares_solution(rows, values);
+  return std::atan(std::hypot(plane(0, 0), plane(1, 0)));
+}
+
+/// How the two stand to each other along proximal: the least distance between what faces each other.
+void look_along_proximal(const Mesh& femur, const Mesh& tibia, KneeLayout& knee) {
   const double cell = knee.width / 60;
   const auto low = furthest_in_cells(femur, knee, -knee.proximal, cell),
              high = furthest_in_cells(tibia, knee, knee.proximal, cell);
   double gap = std::numeric_limits<double>::max();
+  std::size_t facing = 0;
   for (const auto& [at, height] : high)
-    if (const auto above = low.find(at); above != low.end()) gap = std::min(gap, -above->second - height);
-  return gap < std::numeric_limits<double>::max() ? gap : 0;
+    if (const auto above = low.find(at); above != low.end()) {
+      gap = std::min(gap, -above->second - height);
+      ++facing;
+    }
+  knee.gap = facing > 0 ? gap : 0;
+  knee.facing = static_cast<double>(facing) / static_cast<double>(high.size());
+  knee.tilt = tilt_of(high, cell);
 }
 
 }  // namespace
@@ -143,7 +163,7 @@ std::optional<KneeLayout> lay_out_knee(const Mesh& femur, const Mesh& tibia, std
   knee.centre = plateau.centre();
   knee.centre += knee.proximal * (std::max(plateau.low.dot(knee.proximal), plateau.high.dot(knee.proximal)) -
                                   knee.centre.dot(knee.proximal));
-  knee.gap = gap_between(femur, tibia, knee);
+  look_along_proximal(femur, tibia, knee);
   return knee;
 }
 

@@ -9,6 +9,7 @@
 #include "genu/core/atomic_output.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/run/knee_layout.h"
+#include "genu/run/layout_doubts.h"
 #include "genu/run/new_scene_text.h"
 #include "genu/run/run_scene.h"
 #include "genu/scene/words.h"
@@ -166,14 +167,26 @@ void ask_for_flexion(Words& words, int degrees, bool tried_further) {
                     : "";
 }
 
-std::optional<Solution> try_out(const std::string& file, Diagnostics& out) {
+/// Errors name the scene as it will stand in its folder, `name`.
+std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked,
+                                Diagnostics& out) {
+  RunOptions options;
+  options.cancelled = asked.cancelled;
+  options.keep_partial = true;
   Diagnostics warnings;
   const auto prepared = prepare(file, warnings);
   std::optional<Solution> found;
   if (prepared)
-    found = prepared->scene.dynamics ? move_all(*prepared, {}, warnings) : solve_all(*prepared, {}, warnings);
-  for (const Diagnostic& d : warnings.items())
-    if (!found && d.severity == Diagnostic::Severity::error) out.add(d);
+    found = prepared->scene.dynamics ? move_all(*prepared, options, warnings) : solve_all(*prepared, options, warnings);
+  if (found && found->stopped == "interrupted") {
+    out.error({}, "stopped while the scene was tried out: nothing is written");
+    return std::nullopt;
+  }
+  for (Diagnostic d : warnings.items())
+    if (!found && d.severity == Diagnostic::Severity::error) {
+      if (d.file == file) d.file = name;
+      out.add(d);
+    }
   return found;
 }
 
@@ -195,6 +208,18 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   return out.has_errors();
 }
 
+/// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
+bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
+                  Diagnostics& out) {
+  for (const LayoutDoubt& doubt : doubts_about(femur, tibia, knee))
+    out.add({.severity = doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
+             .file = asked.femur + ", " + asked.tibia,
+             .key = {},
+             .found = {},
+             .rule = doubt.what});
+  return !out.has_errors();
+}
+
 struct Composed {
   std::string text;
   Words words;
@@ -214,6 +239,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     out.error({}, "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
+  if (!check_layout(femur->mesh, tibia->mesh, *knee, asked, out)) return std::nullopt;
   words.merge(words_of_knee(asked, *knee, *femur, *tibia));
   ask_for_flexion(words, kFlexion, false);
   return Composed{stl_scene_text(), words, choices_of(asked, *knee, words)};
@@ -228,7 +254,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   if (refuse_words(asked, out)) return std::nullopt;
   auto composed = compose(asked, name, out);
   if (!composed) return std::nullopt;
-  StagedFolder staged;
+  StagedFolder staged("");  // it will be edited: never to be replaced
   std::string error = staged.open(folder);
   NewSceneReport report;
   report.file = (folder / (name + ".toml")).string();
@@ -239,12 +265,12 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   };
   write();
   if (error.empty()) {
-    auto found = try_out(staged_file, out);
+    auto found = try_out(staged_file, report.file, asked, out);
     const bool stl = asked.kind == NewScene::Kind::stl;
     if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettling) {
       ask_for_flexion(composed->words, found->summary.poses_solved - kSettling, true);
       write();
-      if (error.empty()) found = try_out(staged_file, out);
+      if (error.empty()) found = try_out(staged_file, report.file, asked, out);
     }
     if (!found) return std::nullopt;
     report.poses_solved = found->summary.poses_solved;

@@ -1,6 +1,7 @@
 // A scene to start from: commented, and written so that it runs as it stands.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct NewScene {
   std::string unit{};                  ///< "mm" or "m" of these files; empty: guessed from their size
   std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes
   bool left = false;                   ///< a left knee
+  std::function<bool()> cancelled{};   ///< whether to stop trying the scene out: then nothing is written
 };
 
 /// What has been written, and what a trial of it gave.

@@ -68,20 +68,25 @@ class RigidContacts {
     return found;
   }
 
+  /// An error where a contact is nowhere where it should be.
   void tell_lost(const std::string& file, Diagnostics& out) const {
-    for (const auto& [name, rows] : lost_)
-      out.add({.severity = Diagnostic::Severity::warning,
+    for (const auto& [name, rows] : lost_) {
+      const bool always = rows == loaded_.at(name);
+      out.add({.severity = always ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
                .file = file,
                .key = name,
                .found = {},
-               .rule = fmt::format("lies off its surface in {} row{}, and is left out there: has the scene changed?",
-                                   rows, rows == 1 ? "" : "s")});
+               .rule = fmt::format("lies off its surface in {} row{}{}", rows, rows == 1 ? "" : "s",
+                                   always ? ", all in which it carries load: is it the scene that these results are of?"
+                                          : ", and is left out there: has the scene changed?")});
+    }
   }
 
  private:
   void add(std::size_t row, std::size_t pair, int number, const std::string& name, std::vector<ActiveContact>& found) {
     const std::string force = name + ".force_N";
     if (!table_.has_column(force) || !(table_.number(row, force) > 0)) return;
+    ++loaded_[name];
     ActiveContact c{static_cast<int>(pair), number, {}, table_.number(row, force)};
     constexpr double kNear = 1e-6;  // m: what the surfaces of the same scene cannot be off by
     const JointModel::Pair& both = p_.model.pairs[pair];
@@ -103,7 +108,7 @@ class RigidContacts {
 
   const Prepared& p_;
   const ResultTable& table_;
-  std::map<std::string, int> lost_;
+  std::map<std::string, int> lost_, loaded_;  // rows of each contact
 };
 
 }  // namespace
@@ -141,6 +146,7 @@ std::optional<ResultsRead> read_results(const std::string& scene, const std::str
     state.contacts = contacts.in_row(row);
   }
   contacts.tell_lost(file, out);
+  if (out.has_errors()) return std::nullopt;
   read.solution.summary = begin_summary(read.prepared);
   return read;
 }

@@ -78,7 +78,7 @@ void note_files(const Scene& scene, RunSummary& summary) {
 
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
                           const std::vector<std::pair<std::string, std::string>>& more, const std::string& mark) {
-  StagedFolder out;
+  StagedFolder out("results");
   std::string error = out.open(folder);
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
@@ -265,7 +265,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   if (!folder) return prepare(path, out, safeguards);
   {
     // Before an hour of solving: can the folder be written at all?
-    StagedFolder probe;
+    StagedFolder probe("results");
     if (const std::string error = probe.open(*folder); !error.empty()) {
       out.add({.file = {}, .key = {}, .found = {}, .rule = error});
       return std::nullopt;

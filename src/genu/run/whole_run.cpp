@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
+#include "genu/core/file_list.h"
+#include "genu/core/file_text.h"
 #include "genu/core/timer.h"
 #include "genu/results/pressure_map.h"
 #include "genu/run/checkpoint.h"
@@ -17,14 +19,6 @@
 
 namespace genu {
 namespace {
-
-/// Removes partial results, of genu alone.
-void remove_partial(const std::string& folder) {
-  std::error_code ignored;
-  for (const char* file : {"results.partial.csv", "summary.json"})
-    if (!std::filesystem::exists(folder + "/" + file, ignored)) return;
-  std::filesystem::remove_all(folder, ignored);
-}
 
 /// Not one pose, because contact leans on a flaw of a mesh from the start: the input is to blame.
 bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnostics& out) {
@@ -103,7 +97,7 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
   }
   if (partial) return found.stopped == "interrupted" ? kExitIncomplete : kExitFailed;
   checkpoint.remove();
-  remove_partial(beside(folder, ".partial"));
+  remove_listed(beside(folder, ".partial"), "results");
   return found.summary.exit_code;
 }
 
@@ -115,7 +109,7 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
   const std::size_t rows = checkpoint != nullptr ? checkpoint->rows() : 0;
   std::string said = fmt::format("PARTIAL: {} after {} of {} rows, which are kept in {}. ", found.stopped,
                                  found.poses.rows(), s.poses_asked, beside(folder, ".partial"));
-  said += fmt::format("genu run {} --out {} --resume {}.", scene, folder,
+  said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder),
                       rows > 0 ? fmt::format("goes on from row {} and ends with the bytes of an undisturbed run", rows)
                                : "computes them anew");
   if (checkpoint != nullptr && !checkpoint->problem().empty())
@@ -142,6 +136,12 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   const bool moves = prepared->scene.dynamics.has_value();
   if (!moves) own.checkpoint = &checkpoint;
   if (options.resume && !moves && !checkpoint.resume(out)) return kExitRefused;
+  if (const std::string why = moves ? std::string() : checkpoint.blocked(); !why.empty())
+    out.add({.severity = Diagnostic::Severity::warning,
+             .file = checkpoint.file(),
+             .key = {},
+             .found = {},
+             .rule = why + ": what this run finds is not kept there on the way"});
   auto found = moves ? move_all(*prepared, own, out) : solve_all(*prepared, own, out);
   int code = kExitRefused;
   if (found) code = keep_results(*prepared, folder, own, checkpoint, out, *found);

@@ -1,0 +1,38 @@
+#include "genu/core/file_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace genu {
+
+std::optional<std::string> text_of_file(const std::string& path, std::string& why) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  why = "is not there";
+  if (!std::filesystem::exists(status)) return std::nullopt;
+  why = std::filesystem::is_directory(status) ? "is a folder, not a file" : "is no regular file";
+  if (!std::filesystem::is_regular_file(status)) return std::nullopt;
+  why = "cannot be read";
+  std::ifstream in(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.is_open() || in.bad()) return std::nullopt;
+  why.clear();
+  return text;
+}
+
+std::string shell_word(const std::string& word) {
+  const std::string text = !word.empty() && word.front() == '-' ? "./" + word : word;
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./+,:@%=").find(c) != std::string::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace genu

@@ -1,0 +1,44 @@
+#include "genu/core/file_text.h"
+
+#include <sys/stat.h>
+
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.h"
+
+namespace genu {
+namespace {
+
+TEST(FileText, ReadsWhatAFileHoldsAndNothingWithoutEnd) {
+  const test::TemporaryFolder folder;
+  std::string why;
+  EXPECT_EQ(text_of_file(folder.write("a", std::string("x\0y", 3)), why), std::string("x\0y", 3));
+  EXPECT_TRUE(why.empty());
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const auto& [path, reason] :
+       {std::pair(folder / "none", "is not there"), std::pair(folder / ".", "is a folder"),
+        std::pair(folder / "pipe", "is no regular file"), std::pair(std::string("/dev/zero"), "is no regular file")}) {
+    EXPECT_FALSE(text_of_file(path, why)) << path;
+    EXPECT_EQ(why.rfind(reason, 0), 0U) << path << ": " << why;
+  }
+}
+
+std::string echoed_by_a_shell(const std::string& word) {
+  std::string out;
+  FILE* shell = ::popen(("printf %s " + shell_word(word)).c_str(), "r");
+  for (int c = 0; shell != nullptr && (c = std::fgetc(shell)) != EOF;) out += static_cast<char>(c);
+  if (shell != nullptr) ::pclose(shell);
+  return out;
+}
+
+TEST(ShellWord, AShellReadsTheSameWord) {
+  EXPECT_EQ(shell_word("out/knee.toml"), "out/knee.toml");
+  EXPECT_EQ(shell_word("-x"), "./-x");  // else it would be an option
+  for (const char* word : {"my knee", "it's", "a#b", "$HOME", "*", "", "a;b", "tab\there", "\"q\"", "#x", "~", "a\nb"})
+    EXPECT_EQ(echoed_by_a_shell(word), word);
+}
+
+}  // namespace
+}  // namespace genu
