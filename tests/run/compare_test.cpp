@@ -39,8 +39,9 @@ TEST(Compare, WritesOnePageOfResultsOrRefusesAllThatAreNone) {
   EXPECT_FALSE(std::filesystem::exists(folder / "x"));
   Diagnostics one;
   EXPECT_EQ(compare_results({folder / "a"}, folder / "x", one), kExitRefused);
-  Diagnostics failed;
-  EXPECT_EQ(compare_results({folder / "a", folder / "a"}, folder / "no/such/folder.html", failed), kExitFailed);
+  Diagnostics nowhere;
+  EXPECT_EQ(compare_results({folder / "a", folder / "a"}, folder / "no/such/folder.html", nowhere), kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(nowhere), "no such folder"));
 }
 
 }  // namespace

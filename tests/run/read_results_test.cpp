@@ -59,11 +59,22 @@ TEST(ReadResults, AContactOffItsSurfaceIsToldAndLeftOut) {
   ASSERT_EQ(run_scene(folder.write("s.toml", test::kBall), folder / "run", {}, out, nullptr), kExitOk);
   const std::string file = folder / "run/results.csv", text = test::read_file(file);
   const std::string other = folder.write("t.toml", test::with_first(test::kBall, "radius = 20", "radius = 21"));
-  const auto read = read_results(other, text, file, out);
-  ASSERT_TRUE(read.has_value()) << test::messages(out);
-  EXPECT_TRUE(read->solution.records[0].point.pose.state.contacts.empty());
-  ASSERT_EQ(out.items().size(), 1u);
-  EXPECT_TRUE(test::contains(to_string(out.items()[0]), "medial: lies off its surface in 6 rows"));
+  EXPECT_FALSE(read_results(other, text, file, out).has_value());
+  EXPECT_TRUE(test::contains(test::messages(out), "medial: lies off its surface in 6 rows, all in which it carries"));
+
+  // In one row alone: the others are good.
+  std::string moved = text;
+  const std::size_t names = moved.find('\n'), row = moved.find('\n', names + 1) + 1;
+  const auto column = std::count(moved.begin(), moved.begin() + static_cast<long>(moved.find("medial.ball.x_mm")), ',');
+  std::size_t cell = row;
+  for (long k = 0; k < column; ++k) cell = moved.find(',', cell) + 1;
+  moved.replace(cell, moved.find_first_of(",\n", cell) - cell, "1");
+  Diagnostics told;
+  const auto read = read_results(folder / "s.toml", moved, file, told);
+  ASSERT_TRUE(read.has_value()) << test::messages(told);
+  EXPECT_TRUE(read->solution.records[1].point.pose.state.contacts.empty());
+  EXPECT_FALSE(read->solution.records[0].point.pose.state.contacts.empty());
+  EXPECT_TRUE(test::contains(test::messages(told), "medial: lies off its surface in 1 row, and is left out there"));
 }
 
 TEST(ReadResults, RefusesWhatIsNoResult) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "genu/core/file_list.h"
 #include "genu/geometry/analytic.h"
 #include "genu/geometry/stl_writer.h"
 #include "genu/scene/reader.h"
@@ -37,12 +38,15 @@ TEST(RunScene, WritesTheSameBytesTwiceAndReplacesTheFolderAsAWhole) {
   Diagnostics out;
   ASSERT_EQ(run(test::dortmans_file(), folder / "a", out), kExitOk) << test::messages(out);
   folder.write("a/left over.txt", "from an earlier version");
+  ASSERT_EQ(write_file_list(folder / "a", "results"), "");
+  folder.write("a/notes.txt", "mine");
   const std::string first = read_file(folder / "a/results.csv"), curves = read_file(folder / "a/curves.svg");
   ASSERT_EQ(run(test::dortmans_file(), folder / "a", out), kExitOk);
   EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 72);
   EXPECT_EQ(read_file(folder / "a/results.csv"), first);
   EXPECT_EQ(read_file(folder / "a/curves.svg"), curves);
   EXPECT_FALSE(std::filesystem::exists(folder / "a/left over.txt"));
+  EXPECT_EQ(read_file(folder / "a/notes.txt"), "mine");
 }
 
 TEST(RunScene, ColumnsAreThoseOfTheSceneReference) {

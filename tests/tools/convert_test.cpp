@@ -38,7 +38,7 @@ TEST(CliConvert, RefusesWhatItCannotReadOrMustNotReplace) {
     EXPECT_TRUE(contains(outcome.err, said)) << arguments << "\n" << outcome.err;
   };
   const std::string out = " --out " + (folder / "x");
-  refused((folder / "none") + " --to vtk" + out, "results.csv: is no file that can be read");
+  refused((folder / "none") + " --to vtk" + out, "results.csv: is not there");
   refused(run + out, "say --to vtk or --to opensim");
   refused(run + " --to stl" + out, "must be vtk or opensim");
   refused(run + " --to vtk --out " + (folder / "x.mot"), "writes a folder");

@@ -36,7 +36,36 @@ TEST(CliNew, SaysWhichMeshesItNeeds) {
   const Outcome refused = genu("new " + (folder / "knee") + " --kind stl");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(contains(refused.err, "--femur femur.stl --tibia tibia.stl")) << refused.err;
+  for (const char* option : {" --side left", " --femur '' --tibia ''", " --kind analytic --proximal z"}) {
+    const Outcome more = genu("new " + (folder / "knee") + option);
+    EXPECT_EQ(more.exit_code, 2) << option;
+    EXPECT_FALSE(contains(more.err, "internal")) << more.err;
+  }
   EXPECT_FALSE(std::filesystem::exists(folder / "knee"));
+}
+
+TEST(CliNew, RefusesMeshesThatAreNoKnee) {
+  const TemporaryFolder folder;
+  const std::string at = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/", femur = at + "femur.stl",
+                    tibia = at + "tibia.stl";
+  for (const auto& [meshes, told] :
+       {std::pair("--femur " + femur + " --tibia " + femur, "are the same mesh"),
+        std::pair("--femur " + tibia + " --tibia " + femur + " --proximal y", "swapped")}) {
+    const Outcome refused = genu("new " + (folder / "knee") + " " + meshes);
+    EXPECT_EQ(refused.exit_code, 2) << refused.out;
+    EXPECT_TRUE(contains(refused.err, told)) << refused.err;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
+}
+
+/// The line it ends with is a command that a shell takes, however the folder is called.
+TEST(CliNew, WhatItSaysComesNextRuns) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "my knee's #1";
+  const Outcome made = genu("new '" + (folder / "my knee'\\''s #1") + "'");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_TRUE(std::filesystem::exists(name + "/my knee's #1.toml"));
+  EXPECT_TRUE(contains(made.out, "--out 'out/my knee'\\''s #1'")) << made.out;
 }
 
 }  // namespace

@@ -20,9 +20,18 @@ struct RuleAdvice {
 };
 
 /// The first whose piece stands in the rule counts: what is told by the rule's own words, whatever the key.
-constexpr std::array<RuleAdvice, 17> kByRule = {{
+constexpr std::array<RuleAdvice, 26> kByRule = {{
     {"there is no command", "`genu --help` lists the commands, `genu new NAME` writes a scene to begin with"},
     {"which would be lost", "name another folder with --out"},
+    {"summary.json counts", "run the scene again: what is left of its results cannot be judged as a whole"},
+    {"is the scene that these results are of", "name the scene of these results with --scene, or run it again"},
+    {"is no column of the results", "the first line of results.csv names its columns"},
+    {"is no results.csv", "name the folder that `genu run` wrote"},
+    {"is no summary of a run", "name the folder that `genu run` wrote"},
+    {"in one frame", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
+    {"one unit", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
+    {"swapped", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
+    {"cannot be written", "name a place that you can write to, or make room there"},
     {"output folder", "name a folder with --out: a new one, or one that holds earlier results of genu"},
     {"will not be replaced", "name another folder with --out"},
     {"no result of genu", "name a folder with --out: a new one, or one that holds earlier results of genu"},
@@ -99,6 +108,9 @@ std::string advice_on(const Diagnostic& problem, const std::string& command) {
     return fmt::format("correct {}; `genu explain {}` lists its keys and what each takes",
                        section == "step" ? "the [[step]]" : "[" + section + (section == "units" ? "]" : " ...]"),
                        topic->second);
+  if (problem.line > 0 && problem.file.ends_with(".csv"))
+    return "correct the table there, or let genu write it anew: a first line of names, then a row of numbers for each "
+           "pose";
   if (problem.line > 0)
     return "correct the file there (TOML, https://toml.io: strings in quotes, tables in [ ]); the rest is read once "
            "this is right";

@@ -1,5 +1,6 @@
 // genu explain knee.toml: the system a scene asks for, before anything is solved.
 // genu explain ligaments: what the pages in docs/ say of a word: a section, a key, a column, a status.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "command_table.h"
 #include "commands.h"
 #include "genu/run/explain.h"
 #include "genu/run/run_scene.h"
@@ -33,16 +35,26 @@ int explain_scene(const std::string& file) {
   return scene ? kExitOk : kExitRefused;
 }
 
-int explain_word(const std::string& word) {
+int explain_word(const CLI::App& app, const std::string& word) {
   const Topics topics = topics_of(help_pages());
+  for (const CommandFacts& c : command_table(app))
+    if (c.name == word) {
+      fmt::print("{} is a command: {}\n\n`genu {} --help` says what it takes.\n", word, c.description, word);
+      return kOk;
+    }
   if (word.empty()) {
     fmt::print("{}", topic_list(topics));
     return kOk;
   }
-  const std::string text = explain_topic(topics, word);
+  std::string text = explain_topic(topics, word);
+  if (text.empty()) {  // a heading that is a file's name
+    std::string dashed = word;
+    std::replace(dashed.begin(), dashed.end(), '.', '-');
+    text = explain_topic(topics, dashed);
+  }
   if (text.empty())
     return refuse(
-        fmt::format("\"{}\" is no topic and no scene file{}", word, did_you_mean(word, known_topics(topics))));
+        fmt::format("{} is no topic and no scene file{}", with_quotes(word), did_you_mean(word, known_topics(topics))));
   fmt::print("{}", text);
   return kOk;
 }
@@ -59,7 +71,7 @@ void add_explain(CLI::App& app, int& exit_code) {
   command->footer(
       "Examples: genu explain knee.toml\n          genu explain ligaments\n          genu explain over_edge");
   command->callback(
-      [word, &exit_code] { exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(*word); });
+      [&app, word, &exit_code] { exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(app, *word); });
 }
 
 }  // namespace genu::cli

@@ -35,8 +35,8 @@ std::optional<double> number_in(std::string_view cell) {
 
 /// What a row can say of itself.
 bool is_status(std::string_view word) {
-  constexpr std::string_view kWords[] = {"ok",        "no_equilibrium", "over_edge",      "overlap",
-                                         "chatter",   "overconstrained", "undetermined", "flawed_mesh"};
+  constexpr std::string_view kWords[] = {"ok",      "no_equilibrium",  "over_edge",    "overlap",
+                                         "chatter", "overconstrained", "undetermined", "flawed_mesh"};
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 

@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "genu/core/decompositions.h"
-
 namespace genu {
 namespace {
 
@@ -84,18 +82,6 @@ std::map<Cell, double> furthest_in_cells(const Mesh& mesh, const KneeLayout& kne
   return out;
 }
 
-/// Of the plane through what is highest in each cell, by least squares.
-double tilt_of(const std::map<Cell, double>& heights, double cell) {
-  MatX rows(static_cast<Eigen::Index>(heights.size()), 3), values(rows.rows(), 1);
-  Eigen::Index k = 0;
-  for (const auto& [at, height] : heights) {
-    rows.row(k) << cell * static_cast<double>(at.first), cell * static_cast<double>(at.second), 1;
-    values(k++, 0) = height;
-  }
-  const MatX plane = least_squares_solution(rows, values);
-  return std::atan(std::hypot(plane(0, 0), plane(1, 0)));
-}
-
 /// How the two stand to each other along proximal: the least distance between what faces each other.
 void look_along_proximal(const Mesh& femur, const Mesh& tibia, KneeLayout& knee) {
   const double cell = knee.width / 60;
@@ -110,7 +96,6 @@ void look_along_proximal(const Mesh& femur, const Mesh& tibia, KneeLayout& knee)
     }
   knee.gap = facing > 0 ? gap : 0;
   knee.facing = static_cast<double>(facing) / static_cast<double>(high.size());
-  knee.tilt = tilt_of(high, cell);
 }
 
 }  // namespace

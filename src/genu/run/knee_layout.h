@@ -15,7 +15,6 @@ struct KneeLayout {
   double width = 0, depth = 0;     ///< m: of the tibia near the joint, sideways and from front to back
   double gap = 0;     ///< m: how far the tibia can go toward the femur until they touch; negative where they overlap
   double facing = 0;  ///< part of the tibia, seen along proximal, with some of the femur above or below it
-  double tilt = 0;    ///< rad: of the tibia's top, seen whole, against the plane across proximal
 };
 
 /// One of "x", "y", "z", "-x", "-y", "-z" as a vector, and back; empty for any other word.

@@ -30,7 +30,7 @@ Extent extent_of(const Mesh& mesh, const Vec3& way) {
 
 std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
   if (femur.vertices == tibia.vertices) return {{true, "are the same mesh: name a femur and a tibia"}};
-  constexpr double kMostRatio = 3, kFacing = 0.2, kFarthest = 0.5, kMostTilt = 25 * units::kDegree;
+  constexpr double kMostRatio = 3, kFacing = 0.2, kFarthest = 0.5;
   constexpr std::size_t kFew = 100;
   std::vector<LayoutDoubt> doubts;
   const std::string up = axis_word(knee.proximal);
@@ -52,11 +52,6 @@ std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, cons
                                         knee.gap > 0 ? "are apart by" : "reach into each other by",
                                         std::abs(knee.gap) / units::kMillimetre, knee.width / units::kMillimetre)});
   if (!doubts.empty()) return doubts;
-  if (knee.tilt > kMostTilt)
-    doubts.push_back(
-        {false, fmt::format("the tibia's top is tilted by {:.0f} deg against {}: axes and places are written along the "
-                            "axes of the files, and may be far from the knee's own",
-                            knee.tilt / units::kDegree, up)});
   for (const auto& [name, mesh] : {std::pair("femur", &femur), std::pair("tibia", &tibia)})
     if (mesh->triangles.size() < kFew)
       doubts.push_back({false, fmt::format("the {} has {} triangles: what contact is on is made up of them alone", name,

@@ -20,7 +20,7 @@ std::string last_line(const std::string& path) {
   std::ifstream in(path);
   std::string last;
   for (std::string line; std::getline(in, line);)
-    if (!line.empty()) last = line;
+    if (!line.empty() && line.rfind("what to do:", 0) != 0) last = line;
   return last;
 }
 
@@ -70,7 +70,8 @@ std::string try_knee(const Knee& knee, const std::string& scene, const std::stri
   const ProcessEnd judge =
       run_process({options.genu, "judge", results, "--samples", "60", "--every", "3"}, judged, options.seconds);
   if (const std::string wrong = bad_end("genu judge", judge, judged); !wrong.empty()) return wrong;
-  if (judge.exit_code != 0) return "the judge rejects it: " + last_line(judged);
+  const bool nothing_to_judge = judge.exit_code == 3 && out.poses == 0;
+  if (judge.exit_code != 0 && !nothing_to_judge) return "the judge rejects it: " + last_line(judged);
   if (!options.compare || !knee.comparable()) return "";
   out.grave = false;
   const TwinVerdict twin = compare_with_twin(knee, table);
