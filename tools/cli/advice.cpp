@@ -20,7 +20,7 @@ struct RuleAdvice {
 };
 
 /// The first whose piece stands in the rule counts: what is told by the rule's own words, whatever the key.
-constexpr std::array<RuleAdvice, 26> kByRule = {{
+constexpr std::array<RuleAdvice, 29> kByRule = {{
     {"there is no command", "`genu --help` lists the commands, `genu new NAME` writes a scene to begin with"},
     {"which would be lost", "name another folder with --out"},
     {"summary.json counts", "run the scene again: what is left of its results cannot be judged as a whole"},
@@ -35,6 +35,9 @@ constexpr std::array<RuleAdvice, 26> kByRule = {{
     {"output folder", "name a folder with --out: a new one, or one that holds earlier results of genu"},
     {"will not be replaced", "name another folder with --out"},
     {"no result of genu", "name a folder with --out: a new one, or one that holds earlier results of genu"},
+    {"stopped while", "run it again, and let it finish"},
+    {"is compared", "write the page to a folder of its own: --out compared.html"},
+    {"has no name", "give it one: `genu new knee` writes knee/knee.toml"},
     {"exists already", "choose a name that is not taken"},
     {"--femur", "`genu new --help` shows how meshes are named; `genu mesh` writes meshes of shapes"},
     {"no pose can be trusted", "`genu mesh-check FILE --repair OUT` mends a mesh; name the mended file in the scene"},
@@ -97,6 +100,9 @@ std::string advice_on_command(const std::string& command, int exit_code) {
 }  // namespace
 
 std::string advice_on(const Diagnostic& problem, const std::string& command) {
+  if (holds(problem.rule, "is not there") &&
+      (problem.file.ends_with("results.csv") || problem.file.ends_with("summary.json")))
+    return "name the folder that `genu run` wrote, with its results.csv and summary.json";
   const std::string section = first_word(problem.key);
   const auto topic = topic_of_section().find(section);
   const bool of_scene = problem.line > 0 && topic != topic_of_section().end();

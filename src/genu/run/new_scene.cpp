@@ -196,6 +196,7 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   };
   std::error_code ignored;
   const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
+  if (asked.folder.empty()) out.error({}, "the scene has no name: genu new NAME");
   if (fs::exists(fs::symlink_status(asked.folder, ignored)))
     out.error(asked.folder, "exists already, and genu new replaces nothing: choose another name");
   if (asked.kind != NewScene::Kind::stl && meshes)
