@@ -67,5 +67,29 @@ TEST(CentreBodies, ABodyWithoutPointsHasThemWhereTheOthersAre) {
   EXPECT_EQ(scene.bodies[1].centre, Vec3::Zero());
 }
 
+TEST(CentreBodies, AMeshThatItsPlacementBringsBackIsWhereItsFileAndThatLeaveIt) {
+  Scene scene = shifted(Vec3(0, -4000, 0));
+  SurfaceDef& mesh = scene.surfaces[0];
+  ASSERT_EQ(mesh.body, 1);
+  mesh.shape = SurfaceDef::Shape::mesh;
+  scene.ligaments.clear();
+  scene.loads.clear();
+  const Scene before = scene;
+  int asked = 0;
+  const auto in_its_file = [&](const Vec3& middle) {
+    return [&asked, middle](const SurfaceDef& s) -> std::optional<Vec3> {
+      EXPECT_EQ(s.name, "ball");
+      ++asked;
+      return middle;
+    };
+  };
+  centre_bodies(scene, in_its_file(Vec3(0, 4000, 0.01)));
+  EXPECT_EQ(scene.bodies[1].centre, Vec3::Zero()) << "the file has it 4 km the other way";
+  scene = before;
+  centre_bodies(scene, in_its_file(Vec3(0, 0, 0.01)));
+  EXPECT_LT((scene.bodies[1].centre - Vec3(0, -4000, 0)).norm(), 0.1) << "the file has it at its origin";
+  EXPECT_EQ(asked, 2);
+}
+
 }  // namespace
 }  // namespace genu::scene_test

@@ -244,6 +244,15 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
              "and y");
 }
 
+/// What cannot be read is told when the surface is built.
+std::optional<Vec3> middle_of_mesh(const SurfaceDef& def) {
+  Diagnostics ignored;
+  const auto mesh = read_mesh(def.file, def.file_unit, ignored);
+  if (!mesh) return std::nullopt;
+  const BoundingBox box = bounding_box(*mesh);
+  return 0.5 * (box.low + box.high);
+}
+
 }  // namespace
 
 std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
@@ -252,7 +261,7 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const
   auto scene = read_scene(path, out, safeguards);
   if (!scene) return std::nullopt;
   p.scene = std::move(*scene);
-  if (safeguards.has(Safeguard::centring)) centre_bodies(p.scene);
+  if (safeguards.has(Safeguard::centring)) centre_bodies(p.scene, middle_of_mesh);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out, safeguards);
   if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);

@@ -33,11 +33,15 @@ void for_points(SceneType& scene, Visit visit) {
 }
 
 /// What lies on each body: a load without a point of its own is felt at the origin of the file, which says nothing of
-/// where the body is, and so is a mesh whose placement leaves it where its file has it.
-std::vector<std::vector<Vec3>> telling_points(const Scene& scene) {
+/// where the body is, and so is a mesh whose placement leaves it where its file has it. `known[i]` is the middle of
+/// surface i in its own frame, its origin if unknown.
+std::vector<std::vector<Vec3>> telling_points(const Scene& scene, const std::vector<Vec3>& known) {
   std::vector<std::vector<Vec3>> points(scene.bodies.size());
-  for (const SurfaceDef& s : scene.surfaces)
-    if (s.shape != SurfaceDef::Shape::mesh || !s.placement.p.isZero(0)) points[at(s.body)].push_back(s.placement.p);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const SurfaceDef& s = scene.surfaces[i];
+    if (s.shape != SurfaceDef::Shape::mesh || !s.placement.p.isZero(0))
+      points[at(s.body)].push_back(s.placement * known[i]);
+  }
   for (const LigamentDef& l : scene.ligaments) {
     points[at(l.from.body)].push_back(l.from.point);
     points[at(l.to.body)].push_back(l.to.point);
@@ -89,14 +93,30 @@ std::vector<Vec3> middles(const Scene& scene, const std::vector<std::vector<Vec3
   return out;
 }
 
-}  // namespace
-
-void centre_bodies(Scene& scene) {
-  const auto points = telling_points(scene);
+/// The middles of those bodies that lie far from their origins, 0 for the others.
+std::vector<Vec3> far_middles(const Scene& scene, const std::vector<Vec3>& known) {
+  const auto points = telling_points(scene, known);
   const double far = kFar * size_of(scene, points);
   std::vector<Vec3> centres = middles(scene, points);
   for (Vec3& centre : centres)
     if (centre.norm() <= far) centre.setZero();
+  return centres;
+}
+
+}  // namespace
+
+void centre_bodies(Scene& scene, const MeshMiddle& mesh_middle) {
+  std::vector<Vec3> known(scene.surfaces.size(), Vec3::Zero());
+  std::vector<Vec3> centres = far_middles(scene, known);
+  bool found = false;
+  for (std::size_t i = 0; mesh_middle && i < known.size(); ++i) {
+    const SurfaceDef& s = scene.surfaces[i];
+    if (s.shape != SurfaceDef::Shape::mesh || s.placement.p.isZero(0) || centres[at(s.body)].isZero(0)) continue;
+    const std::optional<Vec3> middle = mesh_middle(s);
+    if (middle) known[i] = *middle;
+    found = found || middle;
+  }
+  if (found) centres = far_middles(scene, known);
   for_points(scene, [&](int body, Vec3& point) { point -= centres[at(body)]; });
   for (std::size_t b = 0; b < centres.size(); ++b) {
     scene.bodies[b].centre += centres[b];
