@@ -44,6 +44,7 @@ TEST(CliCompletion, BashCompletes) {
   EXPECT_TRUE(offers("mesh-check a.stl --units m", "mm"));
   EXPECT_FALSE(offers("mesh-check a.stl --units k", "knee one.toml"));
   EXPECT_TRUE(offers("new knee --kind st", "stl"));
+  EXPECT_TRUE(offers("convert out/knee --to o", "opensim"));
   EXPECT_TRUE(offers("explain liga", "ligaments"));
   EXPECT_TRUE(offers("completion z", "zsh"));
 }

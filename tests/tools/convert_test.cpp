@@ -40,7 +40,8 @@ TEST(CliConvert, RefusesWhatItCannotReadOrMustNotReplace) {
   const std::string out = " --out " + (folder / "x");
   refused((folder / "none") + " --to vtk" + out, "results.csv: is not there");
   refused(run + out, "say --to vtk or --to opensim");
-  refused(run + " --to stl" + out, "must be vtk or opensim");
+  refused(run + " --to stl" + out, "--to: stl not in {vtk,opensim}");
+  refused(run + " --to opensim --side right" + out, "--side: right not in {r,l}");
   refused(run + " --to vtk --out " + (folder / "x.mot"), "writes a folder");
   refused(run + " --out " + (folder / "x.pvd"), "--to vtk --out FOLDER");
   refused(run + " --to vtk --out " + run, "which would be lost");

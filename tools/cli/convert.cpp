@@ -37,7 +37,6 @@ std::string choose_target(const std::string& to, const std::string& out, Convert
   if (out.ends_with(".pvd") || out.ends_with(".vtp"))
     return "a series for ParaView is a folder of many files: --to vtk --out FOLDER writes FOLDER/poses.pvd";
   if (to.empty()) return "say --to vtk or --to opensim, or name a file --out FILE.mot or FILE.sto";
-  if (to != "vtk" && to != "opensim") return "--to \"" + to + "\": must be vtk or opensim";
   target = to == "vtk" ? ConvertTo::vtk : ConvertTo::opensim;
   return {};
 }
@@ -108,7 +107,8 @@ void add_convert(CLI::App& app, int& exit_code) {
       "convert", "Write results for ParaView or OpenSim: genu convert out/knee --to vtk --out out/paraview");
   command->add_option("DIR", arguments->folder, "folder that genu run or genu evaluate wrote")->required();
   command->add_option("--to", arguments->to,
-                      "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto");
+                      "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
+      ->check(CLI::IsMember({"vtk", "opensim"}));
   command->add_option("--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
       ->required();
   command->add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
@@ -119,7 +119,8 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--columns", arguments->options.names.columns,
                       "for OpenSim: names of coordinates, \"knee.flexion=knee_angle_r, knee.x=knee_tx_r\"");
-  command->add_option("--side", arguments->options.names.side, "for OpenSim: r or l, at the end of all other names");
+  command->add_option("--side", arguments->options.names.side, "for OpenSim: r or l, at the end of all other names")
+      ->check(CLI::IsMember({"r", "l"}));
   command->add_flag("--quiet", arguments->quiet, "print errors only");
   command->callback([arguments, &exit_code] { exit_code = convert(*arguments); });
 }
