@@ -221,7 +221,7 @@ TEST(PieceChanges, ALawOfTheCallersOwnIsSolvedLikeAnyOther) {
   const auto law = LigamentLaw::custom(std::make_shared<Exponential>(), why);
   ASSERT_TRUE(law) << why;
   add_ligament(s.model, {"own", 1, 0, {*law, Vec3::Zero(), Vec3(0, 0, -0.02)}});
-  const Walk w = walk(s.model, plan_steps(s.scene));
+  const Walk w = walk(s.model, plan_steps(s.scene));  // no scene tells of this law: the judge would not know it
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.of(Kind::taut).size(), 1u) << w.story();
   EXPECT_NEAR(load_of(w.of(Kind::taut)[0]), 2, 1e-6);

@@ -1,10 +1,13 @@
-// Scenes solved and walked, for the tests of the solver.
+// Scenes solved and walked, for the tests of the solver. Every pose of a walk that is called ok is judged.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "genu/results/pose_table.h"
+#include "genu/solver/pair_gaps.h"
 #include "genu/solver/path.h"
+#include "support/judged_table.h"
 #include "support/scene_model.h"
 
 namespace genu::test {
@@ -42,10 +45,25 @@ inline Walk walk(const JointModel& model, const std::vector<StepPlan>& plans, co
   return out;
 }
 
-inline Walk walk(const std::string& text, const PathOptions& options = {}) {
-  const SceneModel s = scene_model(text);
-  return walk(s.model, plan_steps(s.scene), options);
+/// As written in a table and judged by itself: balance, contacts and ligaments of each pose that is called ok.
+inline void expect_judged_ok(const SceneModel& s, const std::vector<PosePoint>& points) {
+  ContactField field(s.model);
+  std::vector<PoseRecord> records;
+  for (const PosePoint& p : points) {
+    records.push_back({p, {}});
+    if (!p.pose.state.poses.empty()) records.back().pair_gap = pair_gaps(p.pose.state, p.pose.open, s.model, field);
+  }
+  constexpr int kSamples = 30;  // each way: tests of the solver are many, and look over some poses
+  expect_judged_ok(s.scene, pose_table(s.scene, s.model, plan_steps(s.scene), records),
+                   {.samples = kSamples, .every = points.size()});
 }
+
+inline Walk walk(const SceneModel& s, const PathOptions& options = {}) {
+  Walk out = walk(s.model, plan_steps(s.scene), options);
+  if (!out.points.empty()) expect_judged_ok(s, out.points);
+  return out;
+}
+inline Walk walk(const std::string& text, const PathOptions& options = {}) { return walk(scene_model(text), options); }
 
 /// Holds a pair closed at the points of its surfaces nearest to x (world).
 inline void hold(const JointModel& model, State& state, int pair, const Vec3& x) {
@@ -76,7 +94,7 @@ inline SolvedKnee solved_knee(double flexion, const std::string& more = "") {
                  {},
                  {},
                  {}};
-  const Walk w = walk(out.scene.model, plan_steps(out.scene.scene));
+  const Walk w = walk(out.scene);
   EXPECT_TRUE(w.result.complete) << w.story();
   if (w.points.empty()) return out;
   out.target = w.points.back().target;

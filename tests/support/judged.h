@@ -1,42 +1,18 @@
-// The judge in tests: every pose that a test has called ok is worked out again by code that shares none with the
-// solver.
+// What a test has run, judged (judged_table.h): of a scene that was prepared, a folder, a file.
 #pragma once
 
 #include <algorithm>
-#include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "genu/judge/judge.h"
 #include "genu/judge/run_folder.h"
-#include "genu/results/result_table.h"
 #include "genu/run/run_scene.h"
 #include "genu/scene/reader.h"
+#include "support/judged_table.h"
 
 namespace genu::test {
-
-/// What tests can afford: overlap and pressure in some ten rows of a run, with samples half as dense as `genu judge`'s.
-inline judge::Options quick_judge(std::size_t rows) {
-  constexpr std::size_t kLookedOver = 8;
-  return {.samples = 60, .every = rows / kLookedOver + 1};
-}
-
-/// Judges a table of results of a scene as it was read (not centred).
-inline void expect_judged_ok(const Scene& scene, const ResultTable& poses) {
-  Diagnostics out;
-  const std::clock_t begin = std::clock();
-  const auto found = judge::judge_results(scene, poses.to_csv(), "results.csv", quick_judge(poses.rows()), out);
-  for (const Diagnostic& d : out.items())
-    if (d.severity == Diagnostic::Severity::error) ADD_FAILURE() << to_string(d);
-  if (!found) return;
-  EXPECT_TRUE(found->accepted()) << judge::to_text(*found);
-  std::printf("judged %zu poses in %.2f s of processor time\n", found->judged,
-              static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-}
 
 /// The same of a scene that was prepared: from its file where there is one, as it is where no origin was moved.
 inline void expect_judged_ok(const Prepared& prepared, const ResultTable& poses) {

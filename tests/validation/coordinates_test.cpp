@@ -317,7 +317,7 @@ TEST(Coordinates, EveryAngleOfEverySequenceActsAlongItsAxis) {
           const auto s = test::scene_model(
               text + test::step(fmt::format("prescribe = {{ \"j.q{}\" = [{:.17g}, {:.17g}] }}\nincrements = 4", angle,
                                             q - 2 * kStep, q + 2 * kStep)));
-          const test::Walk walk = test::walk(s.model, plan_steps(s.scene));
+          const test::Walk walk = test::walk(s);
           ASSERT_TRUE(walk.result.complete) << text << walk.story();
           std::vector<double> energy;
           for (const PosePoint& point : walk.points) {
