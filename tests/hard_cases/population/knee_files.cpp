@@ -33,7 +33,16 @@ const char* shape_name(Shape::Kind kind) {
   return "";
 }
 
-void write_formula(const Shape& shape, std::ostream& out) {
+/// Which of its own axes a mirrored shape is turned round along, so that the other two stay right-handed: one along
+/// which its patch reaches as far both ways.
+Eigen::Index flipped_axis(const Shape& shape) { return shape.kind == Shape::Kind::cylindrical ? 2 : 1; }
+
+void mirror(Triangles& mesh, Eigen::Index axis) {
+  for (Vec3& v : mesh.vertices) v[axis] = -v[axis];
+  for (auto& face : mesh.faces) std::swap(face[1], face[2]);
+}
+
+void write_formula(const Shape& shape, const View& view, std::ostream& out) {
   out << "shape = \"" << shape_name(shape.kind) << "\"\n";
   if (shape.kind == Shape::Kind::sphere || shape.kind == Shape::Kind::socket)
     out << "radius = " << shape.radii.x() << '\n';
@@ -44,7 +53,8 @@ void write_formula(const Shape& shape, std::ostream& out) {
   if (shape.kind == Shape::Kind::cylindrical) out << "chart = \"cylindrical\"\n";
   if (shape.terms.empty()) return;
   out << "terms = [";
-  for (const Shape::Term& t : shape.terms) out << '[' << t.i << ", " << t.j << ", " << t.c << "], ";
+  for (const Shape::Term& t : shape.terms)  // j is of y, or of z about an axis: of the axis that is turned round
+    out << '[' << t.i << ", " << t.j << ", " << (view.mirrored && t.j % 2 == 1 ? -t.c : t.c) << "], ";
   out << "]\n";
 }
 
@@ -52,17 +62,21 @@ void write_formula(const Shape& shape, std::ostream& out) {
 constexpr double kHalfX = 15, kHalfY = 26, kHalfWidth = 13;
 
 void write_surface(const std::string& name, const std::string& body, const Shape& shape, double size,
-                   const std::string& folder, std::uint64_t noise_seed, std::ostream& out) {
-  out << "[surface." << name << "]\nbody = \"" << body << "\"\norigin = " << list(shape.frame.origin)
-      << "\nx_axis = " << list(shape.frame.axes.col(0)) << "\nz_axis = " << list(shape.frame.axes.col(2)) << '\n';
+                   const std::string& folder, std::uint64_t noise_seed, const View& view, std::ostream& out) {
+  const Eigen::Index flipped = flipped_axis(shape);
+  const Vec3 z = shape.frame.axes.col(2);
+  out << "[surface." << name << "]\nbody = \"" << body << "\"\norigin = " << list(view.place(shape.frame.origin))
+      << "\nx_axis = " << list(view.place(shape.frame.axes.col(0)))
+      << "\nz_axis = " << list(view.place(view.mirrored && flipped == 2 ? Vec3(-z) : z)) << '\n';
   if (shape.mesh_edge > 0) {
     const bool sheet = shape.kind == Shape::Kind::polynomial;
-    const Triangles mesh = shape_mesh(shape, (sheet ? kHalfX : kHalfWidth) * size, kHalfY * size, noise_seed);
+    Triangles mesh = shape_mesh(shape, (sheet ? kHalfX : kHalfWidth) * size, kHalfY * size, noise_seed);
+    if (view.mirrored) mirror(mesh, flipped);
     write_binary_stl(mesh, folder + "/" + name + ".stl");
     out << "shape = \"mesh\"\nfile = \"" << name << ".stl\"\nunits = \"mm\"\n\n";
     return;
   }
-  write_formula(shape, out);
+  write_formula(shape, view, out);
   if (!shape.patch.empty()) out << "patch = " << shape.patch << '\n';
   out << '\n';
 }
@@ -85,10 +99,10 @@ void write_contact(const Knee& knee, const Contact& contact, std::ostream& out) 
   out << '\n';
 }
 
-void write_ligament(const Ligament& l, std::size_t index, std::ostream& out) {
+void write_ligament(const Ligament& l, std::size_t index, const View& view, std::ostream& out) {
   static const char* const kLaws[] = {"quadratic", "linear", "blankevoort", "spring", "table"};
-  out << "[ligament.l" << index << "]\nfrom = { body = \"femur\", point = " << list(l.femur)
-      << " }\nto = { body = \"tibia\", point = " << list(l.tibia) << " }\nlaw = \""
+  out << "[ligament.l" << index << "]\nfrom = { body = \"femur\", point = " << list(view.place(l.femur))
+      << " }\nto = { body = \"tibia\", point = " << list(view.place(l.tibia)) << " }\nlaw = \""
       << kLaws[static_cast<std::size_t>(l.law)] << "\"\n";
   if (l.law == Ligament::Law::table) {
     const double k = 0.1 * l.stiffness;
@@ -124,9 +138,21 @@ void write_steps(const Knee& knee, std::ostream& out) {
   }
 }
 
+void write_joint(const Knee& knee, const View& view, std::ostream& out) {
+  const char* const flexion = view.mirrored ? "flexion y" : "flexion x";
+  const char* const adduction = view.mirrored ? "adduction -z" : "adduction y";
+  const char* const rotation = view.mirrored ? "rotation -x" : "rotation z";
+  out << "[joint.knee]\ntype = \"free\"\nparent = \"tibia\"\nchild = \"femur\"\nrotations = [\""
+      << (knee.flexion_last ? rotation : flexion) << "\", \"" << adduction << "\", \""
+      << (knee.flexion_last ? flexion : rotation)
+      << "\"]\ntranslations = " << (view.mirrored ? "[\"z\", \"x\", \"y\"]" : "[\"x\", \"y\", \"z\"]")
+      << "\nreference = { x = " << (view.mirrored ? -1 : 1) * knee.reference.x() << ", y = " << knee.reference.y()
+      << ", z = " << knee.reference.z() << " }\n\n";
+}
+
 }  // namespace
 
-std::string write_knee(const Knee& knee, const std::string& folder, std::uint64_t noise_seed) {
+std::string write_knee(const Knee& knee, const std::string& folder, std::uint64_t noise_seed, const View& view) {
   const std::string path = folder + "/scene.toml";
   std::ofstream out(path);
   out.precision(17);
@@ -136,25 +162,21 @@ std::string write_knee(const Knee& knee, const std::string& folder, std::uint64_
   }
   const double size = knee.size;
   out << "format = 1\ntitle = \"random knee: " << knee.kind << "\"\nunits = { length = \"mm\", angle = \"deg\" }\n\n"
-      << "[body.tibia]\nfixed = true\n\n[body.femur]\n\n[joint.knee]\ntype = \"free\"\nparent = \"tibia\"\nchild = "
-         "\"femur\"\n"
-      << (knee.flexion_last ? "rotations = [\"rotation z\", \"adduction y\", \"flexion x\"]\n"
-                            : "rotations = [\"flexion x\", \"adduction y\", \"rotation z\"]\n")
-      << "translations = [\"x\", \"y\", \"z\"]\nreference = { x = " << knee.reference.x()
-      << ", y = " << knee.reference.y() << ", z = " << knee.reference.z() << " }\n\n";
+      << "[body.tibia]\nfixed = true\n\n[body.femur]\n\n";
+  write_joint(knee, view, out);
   for (const Contact& contact : knee.contacts) {
-    write_surface("femur_" + contact.name, "femur", contact.femur, size, folder, noise_seed, out);
-    write_surface("tibia_" + contact.name, "tibia", contact.tibia, size, folder, noise_seed + 1, out);
+    write_surface("femur_" + contact.name, "femur", contact.femur, size, folder, noise_seed, view, out);
+    write_surface("tibia_" + contact.name, "tibia", contact.tibia, size, folder, noise_seed + 1, view, out);
     write_contact(knee, contact, out);
   }
-  for (std::size_t i = 0; i < knee.ligaments.size(); ++i) write_ligament(knee.ligaments[i], i, out);
+  for (std::size_t i = 0; i < knee.ligaments.size(); ++i) write_ligament(knee.ligaments[i], i, view, out);
   for (std::size_t i = 0; i < knee.forces.size(); ++i) {
     const Force& f = knee.forces[i];
     out << "[load.push" << i << "]\nbody = \"femur\"\n";
     if (f.moment.isZero(0))
-      out << "point = " << list(f.point) << "\nforce = " << list(f.force) << "\n\n";
+      out << "point = " << list(view.place(f.point)) << "\nforce = " << list(view.place(f.force)) << "\n\n";
     else
-      out << "moment = " << list(f.moment) << "\n\n";
+      out << "moment = " << list(view.turn(f.moment)) << "\n\n";
   }
   write_steps(knee, out);
   return path;

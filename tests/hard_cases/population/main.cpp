@@ -1,7 +1,8 @@
-// build/bin/population [--knees N] [--seed S] [--compare K] [--jobs J]    random knees: solved, judged, compared
-// build/bin/population --knee I [--seed S] --keep DIR                     one of them, its files left in DIR
+// build/bin/population [--knees N] [--seed S] [--compare K] [--mirror M] [--jobs J]    random knees: solved, judged,
+// compared build/bin/population --knee I [--seed S] --keep DIR                     one of them, its files left in DIR
 //   1. draws each knee from the seed and its number: geometry, ligaments, loads, meshes; measured ones where data lies
-//   2. runs it, has each ok pose judged, compares the first K comparable ones with a minimisation of energy
+//   2. runs it, has each ok pose judged, compares the first K comparable ones with a minimisation of energy, and the
+//      first M with their mirror images
 //   3. prints a table by kind, and each failure with the command that shows it again; exit code 1 if more than one in a
 //      thousand failed, or any crashed, wrote a NaN or was rejected
 #include <atomic>
@@ -27,7 +28,7 @@ namespace genu::population {
 namespace {
 
 struct Options {
-  int knees = 200, first = 0, knee = -1, compare = 200;
+  int knees = 200, first = 0, knee = -1, compare = 200, mirror = 0;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 1;
   std::string keep;
@@ -35,7 +36,7 @@ struct Options {
 };
 
 struct Tally {
-  int knees = 0, solved = 0, diagnosed = 0, refused = 0, failed = 0, poses = 0, compared = 0, grave = 0;
+  int knees = 0, solved = 0, diagnosed = 0, refused = 0, failed = 0, poses = 0, compared = 0, mirrored = 0, grave = 0;
   double seconds = 0;
 
   void add(const Trial& t) {
@@ -47,6 +48,7 @@ struct Tally {
     grave += t.grave;
     poses += t.poses;
     compared += t.compared;
+    mirrored += t.mirrored;
     seconds += t.seconds;
   }
 };
@@ -84,6 +86,7 @@ class Population {
     for (int i; (i = next_++) < options_.knees;) {
       TrialOptions trial = options_.trial;
       trial.compare = compared_[static_cast<std::size_t>(i)];
+      trial.mirror = i < options_.mirror;
       const Trial done = run_trial(options_.seed, options_.first + i, trial);
       const std::lock_guard lock(mutex_);
       tallies_[done.kind].add(done);
@@ -104,11 +107,14 @@ class Population {
     print_row("all", all_);
     for (const auto& [status, count] : statuses_) fmt::print("  {:<20} {}\n", status, count);
     for (const auto& [index, what] : failures_)
-      fmt::print("FAILED {}\n       build/bin/population --seed {} --knee {} --compare {} --keep out/knee\n", what,
-                 options_.seed, index, options_.compare > 0 ? 1 : 0);
-    fmt::print("{} knees of seed {}: {} solved, {} diagnosed, {} refused, {} failed; {} poses judged, {} compared\n",
-               all_.knees, options_.seed, all_.solved, all_.diagnosed, all_.refused, all_.failed, all_.poses,
-               all_.compared);
+      fmt::print(
+          "FAILED {}\n       build/bin/population --seed {} --knee {} --compare {} --mirror {} --keep out/knee\n", what,
+          options_.seed, index, options_.compare > 0 ? 1 : 0, options_.mirror > 0 ? 1 : 0);
+    fmt::print(
+        "{} knees of seed {}: {} solved, {} diagnosed, {} refused, {} failed; {} poses judged, {} compared, {} in the "
+        "mirror\n",
+        all_.knees, options_.seed, all_.solved, all_.diagnosed, all_.refused, all_.failed, all_.poses, all_.compared,
+        all_.mirrored);
     constexpr int kOneIn = 1000;
     return all_.grave == 0 && all_.failed * kOneIn <= all_.knees ? 0 : 1;
   }
@@ -155,6 +161,8 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "what they are drawn from");
   app.add_option("--knee", options.knee, "this one alone")->check(CLI::NonNegativeNumber);
   app.add_option("--compare", options.compare, "so many are compared with a minimisation of energy")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--mirror", options.mirror, "so many are solved as their mirror images too")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--jobs", options.jobs, "so many at a time")->check(CLI::Range(1, 256));
   app.add_option("--keep", options.keep, "leave scenes, meshes and results in this folder");

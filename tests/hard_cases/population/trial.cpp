@@ -8,6 +8,7 @@
 
 #include "hard_cases/population/draw_knee.h"
 #include "hard_cases/population/knee_files.h"
+#include "hard_cases/population/mirror_check.h"
 #include "hard_cases/population/process.h"
 #include "hard_cases/population/twin_check.h"
 
@@ -54,8 +55,23 @@ std::string look_at(const RunTable& results, int exit_code, Trial& out) {
   return "";
 }
 
-std::string try_knee(const Knee& knee, const std::string& scene, const std::string& folder, const TrialOptions& options,
+/// The mirror image of a knee that was solved to `table`.
+std::string try_mirror(const Knee& knee, std::uint64_t noise_seed, const std::string& of_knee,
+                       const TrialOptions& options, const RunTable& table, Trial& out) {
+  const std::string folder = of_knee + "/mirror", said = folder + "/run.txt";
+  fs::create_directories(folder);
+  const std::string scene = write_knee(knee, folder, noise_seed, {true});
+  const ProcessEnd run =
+      run_process({options.genu, "run", scene, "--out", folder + "/out", "--quiet"}, said, options.seconds);
+  if (const std::string wrong = bad_end("genu run of the mirror image", run, said); !wrong.empty()) return wrong;
+  const std::string wrong = compare_with_mirror(knee, table, RunTable::read(folder + "/out/results.csv"));
+  if (wrong.empty()) out.mirrored += out.poses;
+  return wrong;
+}
+
+std::string try_knee(const Knee& knee, std::uint64_t noise_seed, const std::string& folder, const TrialOptions& options,
                      Trial& out) {
+  const std::string scene = write_knee(knee, folder, noise_seed);
   const std::string results = folder + "/out", said = folder + "/run.txt", judged = folder + "/judge.txt";
   const ProcessEnd run = run_process({options.genu, "run", scene, "--out", results, "--quiet"}, said, options.seconds);
   if (const std::string wrong = bad_end("genu run", run, said); !wrong.empty()) return wrong;
@@ -72,8 +88,11 @@ std::string try_knee(const Knee& knee, const std::string& scene, const std::stri
   if (const std::string wrong = bad_end("genu judge", judge, judged); !wrong.empty()) return wrong;
   const bool nothing_to_judge = judge.exit_code == 3 && out.poses == 0;
   if (judge.exit_code != 0 && !nothing_to_judge) return "the judge rejects it: " + last_line(judged);
-  if (!options.compare || !knee.comparable()) return "";
   out.grave = false;
+  if (options.mirror && knee.text.empty())
+    if (const std::string wrong = try_mirror(knee, noise_seed, folder, options, table, out); !wrong.empty())
+      return wrong;
+  if (!options.compare || !knee.comparable()) return "";
   const TwinVerdict twin = compare_with_twin(knee, table);
   out.compared = twin.compared;
   return twin.wrong;
@@ -88,9 +107,8 @@ Trial run_trial(std::uint64_t seed, int index, const TrialOptions& options) {
   out.kind = knee.kind;
   const std::string folder = options.folder + fmt::format("/knee-{}-{}", seed, index);
   fs::create_directories(folder);
-  const std::string scene = write_knee(knee, folder, seed + static_cast<std::uint64_t>(index));
   out.grave = true;
-  const std::string wrong = try_knee(knee, scene, folder, options, out);
+  const std::string wrong = try_knee(knee, seed + static_cast<std::uint64_t>(index), folder, options, out);
   if (!wrong.empty()) {
     out.end = Trial::End::failed;
     out.why = wrong;

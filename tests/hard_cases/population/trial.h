@@ -14,6 +14,7 @@ struct TrialOptions {
   std::string folder;    ///< where the knee's own folder is made
   bool keep = false;     ///< leaves it there
   bool compare = false;  ///< with the energy twin, where that knows the knee
+  bool mirror = false;   ///< solves its mirror image too
   double seconds = 300;  ///< a run may take
 };
 
@@ -31,6 +32,7 @@ struct Trial {
   bool grave = false;  ///< failed: crashed, hung, wrote a NaN, rejected by the judge
   int poses = 0;       ///< ok
   int compared = 0;    ///< with the twin
+  int mirrored = 0;    ///< ok, and the same in the mirror
   double seconds = 0;
 };
 

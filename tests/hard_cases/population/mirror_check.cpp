@@ -1,0 +1,148 @@
+#include "hard_cases/population/mirror_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "hard_cases/population/knee_files.h"
+
+namespace genu::population {
+namespace {
+
+/// How far numbers may be apart: of the largest number of their column, and of its unit.
+struct Tolerance {
+  double share, least;
+};
+constexpr Tolerance kRounding = {1e-6, 1e-6};
+constexpr Tolerance kQuadrature = {1e-4, 1e-4};  // of layers, which is to a tolerance of its own
+constexpr Tolerance kFits = {0.02,
+                             0.05};  // nodes of a mesh's fits stand elsewhere in the mirror: the pose alone is told
+
+/// "medial.force_" and "_N" of "medial.force_x_N"; no axis where the column is no component of a vector in a body.
+struct Component {
+  std::string before, after;
+  int axis = -1;
+};
+
+Component component(const std::string& column) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const char* const unit : {"_mm", "_N", "_Nm"}) {
+      const std::string end = std::string(1, "xyz"[axis]) + unit;
+      if (!column.ends_with(end)) continue;
+      Component out{column.substr(0, column.size() - end.size()), unit, axis};
+      // The joint's translations are told by name.
+      if (out.before != "knee.") return out;
+    }
+  return {};
+}
+
+/// Numbers that tell of the way to a pose, not of the pose.
+bool of_the_way(const std::string& column) {
+  return column == "residual" || column == "newton.iterations" || column.ends_with(".points");
+}
+
+class Mirror {
+ public:
+  Mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored)
+      : a_(results),
+        b_(mirrored),
+        meshed_(has_mesh(knee)),
+        tolerance_(meshed_               ? kFits
+                   : knee.cartilage.soft ? kQuadrature
+                                         : kRounding) {}
+
+  std::string compare() const {
+    if (meshed_) return compare_poses();
+    if (a_.columns.size() != b_.columns.size()) return "in the mirror it has more columns, or fewer";
+    for (const std::string& column : a_.columns)  // translations stand in another order there
+      if (!b_.has(column)) return "in the mirror it has no column " + column;
+    if (a_.rows.size() != b_.rows.size())
+      return fmt::format("in the mirror it has {} rows, not {}", b_.rows.size(), a_.rows.size());
+    for (const std::string& column : a_.columns) {
+      if (of_the_way(column)) continue;
+      const double scale = largest(column);
+      for (std::size_t row = 0; row < a_.rows.size(); ++row)
+        if (const std::string wrong = compare_cell(column, row, scale); !wrong.empty()) return wrong;
+    }
+    return "";
+  }
+
+ private:
+  static bool has_mesh(const Knee& knee) {
+    return std::any_of(knee.contacts.begin(), knee.contacts.end(),
+                       [](const Contact& c) { return c.femur.mesh_edge > 0 || c.tibia.mesh_edge > 0; });
+  }
+
+  /// Where both found one.
+  std::string compare_poses() const {
+    for (const char* const column :
+         {"knee.flexion_deg", "knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm"})
+      for (std::size_t row = 0; row < std::min(a_.rows.size(), b_.rows.size()); ++row) {
+        if (!ok(row) || b_.text(row, "status") != "ok") continue;
+        if (const std::string wrong = compare_cell(column, row, largest(column)); !wrong.empty()) return wrong;
+      }
+    return "";
+  }
+
+  static bool is_number(const std::string& text, double& value) {
+    if (text.empty()) return false;
+    char* end = nullptr;
+    value = std::strtod(text.c_str(), &end);
+    return *end == 0;
+  }
+
+  bool ok(std::size_t row) const { return a_.text(row, "status") == "ok"; }
+
+  /// Of all three components, where it is one.
+  double largest(const std::string& column) const {
+    double out = 0, value = 0;
+    const Component c = component(column);
+    for (std::size_t row = 0; row < a_.rows.size(); ++row)
+      for (const char axis : {'x', 'y', 'z'}) {
+        const std::string name = c.axis < 0 ? column : c.before + axis + c.after;
+        if (ok(row) && is_number(a_.text(row, name), value)) out = std::max(out, std::abs(value));
+      }
+    return out;
+  }
+
+  /// What the mirrored run says, seen in the mirror; false for an empty cell or a word.
+  bool seen(const std::string& column, std::size_t row, double& value) const {
+    const Component c = component(column);
+    if (c.axis < 0) {
+      if (!is_number(b_.text(row, column), value)) return false;
+      if (column == "knee.x_mm") value = -value;
+      return true;
+    }
+    Vec3 v;
+    for (int i = 0; i < 3; ++i)
+      if (!is_number(b_.text(row, c.before + "xyz"[i] + c.after), v[i])) return false;
+    const View view{true};
+    value = (c.after == "_Nm" ? view.turn_back(v) : view.place_back(v))[c.axis];
+    return true;
+  }
+
+  std::string compare_cell(const std::string& column, std::size_t row, double scale) const {
+    double here = 0, there = 0;
+    const std::string& text = a_.text(row, column);
+    const bool number = is_number(text, here);
+    if (number != seen(column, row, there) || (!number && text != b_.text(row, column)))
+      return fmt::format("in the mirror row {} has {} {}, not {}", row + 1, column, b_.text(row, column), text);
+    if (!number || !ok(row) || std::abs(here - there) <= tolerance_.share * scale + tolerance_.least) return "";
+    return fmt::format("in the mirror row {} has {} {:.12g}, not {:.12g}", row + 1, column, there, here);
+  }
+
+  const RunTable &a_, &b_;
+  bool meshed_;
+  Tolerance tolerance_;
+};
+
+}  // namespace
+
+std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored) {
+  return Mirror(knee, results, mirrored).compare();
+}
+
+}  // namespace genu::population

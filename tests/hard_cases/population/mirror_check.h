@@ -1,0 +1,15 @@
+// Results of a knee beside those of its mirror image.
+#pragma once
+
+#include <string>
+
+#include "hard_cases/population/knee_spec.h"
+#include "hard_cases/population/run_table.h"
+
+namespace genu::population {
+
+/// `mirrored` is what a run of the same knee has written, as View{true} has it: the same rows and words, and numbers
+/// that are the same once seen in the mirror. "" where that is so.
+std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored);
+
+}  // namespace genu::population
