@@ -106,8 +106,9 @@ void add_convert(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "convert", "Write results for ParaView or OpenSim: genu convert out/knee --to vtk --out out/paraview");
   command->add_option("DIR", arguments->folder, "folder that genu run or genu evaluate wrote")->required();
-  command->add_option("--to", arguments->to,
-                      "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
+  command
+      ->add_option("--to", arguments->to,
+                   "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
       ->check(CLI::IsMember({"vtk", "opensim"}));
   command->add_option("--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
       ->required();
