@@ -78,16 +78,20 @@ StepPlan approach_to(const StepPlan& step, const JointModel& model, const State&
   return plan;
 }
 
-std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state) {
+double reaction_noise(const JointModel& model, const StepPlan& plan, int driven) {
   constexpr double kSolved = 1e-8;  // the scaled residual of a pose that is accepted
-  const auto i = static_cast<std::size_t>(driven);
-  const bool angle = plan.prescribed[i].coordinate.is_rotation();
   double noise = kSolved;
   for (const auto& layer : model.layers)
     noise = std::max(noise, layer.tolerance > 0 ? layer.tolerance : LayerDef().tolerance);
-  noise *= model.scales.force * (angle ? model.scales.length : 1);
-  if (!(std::abs(state.multipliers[i]) > noise)) return {};
-  return fmt::format("{} {:.9g} {}", rate < 0 ? "largest" : "smallest", state.multipliers[i], angle ? "Nm" : "N");
+  const bool angle = plan.prescribed[at(driven)].coordinate.is_rotation();
+  return noise * model.scales.force * (angle ? model.scales.length : 1);
+}
+
+std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state) {
+  const double reaction = state.multipliers[at(driven)];
+  if (!(std::abs(reaction) > reaction_noise(model, plan, driven))) return {};
+  const bool angle = plan.prescribed[at(driven)].coordinate.is_rotation();
+  return fmt::format("{} {:.9g} {}", rate < 0 ? "largest" : "smallest", reaction, angle ? "Nm" : "N");
 }
 
 }  // namespace genu

@@ -44,9 +44,12 @@ std::vector<StepPlan> plan_steps(const Scene& scene);
 StepPlan approach_to(const StepPlan& step, const JointModel& model, const State& state,
                      const std::vector<double>& factors);
 
+/// What solving leaves of a reaction of the driven coordinate that is 0, and summing layers: their tolerance times the
+/// model's force scale, and its length scale for a moment. N or N m.
+double reaction_noise(const JointModel& model, const StepPlan& plan, int driven);
+
 /// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond. Empty
-/// where the reaction is no more than what solving leaves of one that is 0, and summing layers: their tolerance times
-/// the model's force scale, and its length scale for a moment.
+/// where the reaction is no more than noise.
 std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state);
 
 }  // namespace genu

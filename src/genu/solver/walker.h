@@ -123,6 +123,8 @@ class Walker {
   bool find_stability_change(double t, const State& next, std::vector<Turn>& turns);
   double reaction_rate(const Tangent& tangent) const;
   std::string reaction_words(const Tangent& after, const State& state) const;
+  /// Whether the driven coordinate's reaction turns between here and the next pose, and is more than noise there.
+  bool reaction_may_turn(double t, const State& next) const;
   /// `leaps`: no path leads from the pose before to this one.
   std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
   void compute_tangent(const State& state, double t, Tangent& out);

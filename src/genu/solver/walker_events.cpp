@@ -73,13 +73,23 @@ bool Walker::find_stability_change(double t, const State& next, std::vector<Turn
   return true;
 }
 
+bool Walker::reaction_may_turn(double t, const State& next) const {
+  const double before = reaction_rate(tangent_), after = reaction_rate(next_);
+  if (!opposite(before, after)) return false;
+  // A joint that hangs loose has none: the sign of its rate is rounding.
+  const double largest =
+      std::max(std::abs(pose_.state.multipliers[at(driven_)]), std::abs(next.multipliers[at(driven_)]));
+  const double most = largest + (t - t_) * std::max(std::abs(before), std::abs(after));
+  return most > reaction_noise(solver_.model(), plan_, driven_);
+}
+
 bool Walker::find_turns(double t, const State& next, std::vector<Turn>& turns) {
   if (!find_stability_change(t, next, turns)) return false;
   if (next_.stability.complex_pair && !stability().complex_pair) {
     const Found there = locate([](const Tangent& x) { return x.stability.complex_pair ? 1.0 : -1.0; }, t, next);
     turns.push_back({there.t, PathEvent::Kind::flutter, there.state, "complex pair of stiffness eigenvalues"});
   }
-  if (opposite(reaction_rate(tangent_), reaction_rate(next_))) {
+  if (reaction_may_turn(t, next)) {
     const Found there = locate([this](const Tangent& x) { return reaction_rate(x); }, t, next);
     if (const std::string words = reaction_words(next_, there.state); !words.empty())
       turns.push_back({there.t, PathEvent::Kind::reaction_turns, there.state, words});
