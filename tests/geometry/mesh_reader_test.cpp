@@ -258,5 +258,17 @@ INSTANTIATE_TEST_SUITE_P(Files, KneeMesh,
                                            Expected{"lenhart2015/ACLC01-R-femur-cart-medium.stl", 1, 5438, 10507, 1},
                                            Expected{"ssm/mean_Femur_Cartilage.ply", 1e-3, 10931, 21214, 1}));
 
+TEST(MeshReader, AFileThatBreaksItsReaderDownIsRefused) {
+  TemporaryFolder folder;
+  const std::string itself = folder.write(
+      "itself.dae",
+      "<?xml version=\"1.0\"?><COLLADA version=\"1.4.1\"><library_visual_scenes><visual_scene id=\"a\"><node id=\"n\">"
+      "<instance_node url=\"#n\"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
+      "url=\"#a\"/></scene></COLLADA>");
+  EXPECT_NE(error(itself).find("breaks down over it"), std::string::npos);
+  EXPECT_NE(error(folder.write("deep.gltf", std::string(1'000'000, '['))).find("cannot be read as a mesh"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace genu

@@ -51,7 +51,8 @@ inline void expect_judged_ok(const SceneModel& s, const std::vector<PosePoint>& 
   std::vector<PoseRecord> records;
   for (const PosePoint& p : points) {
     records.push_back({p, {}});
-    if (!p.pose.state.poses.empty()) records.back().pair_gap = pair_gaps(p.pose.state, p.pose.open, s.model, field);
+    if (!p.pose.state.poses.empty())
+      records.back().pair_gap = pair_gaps(p.pose.state, s.model, field, records.back().point.pose.open);
   }
   constexpr int kSamples = 30;  // each way: tests of the solver are many, and look over some poses
   expect_judged_ok(s.scene, pose_table(s.scene, s.model, plan_steps(s.scene), records),

@@ -36,6 +36,39 @@ TEST(Cli, SolvesChecksAndMeshes) {
   EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
 }
 
+TEST(Cli, DoesItsWorkWhereNothingCanBeSaid) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), program = GENU_PROGRAM;
+  const auto exit_code = [](const std::string& command) {
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  for (const char* nowhere : {" 2>/dev/full", " 2>&-", " 2>/dev/null >&-", " >&- 2>&-"})
+    EXPECT_EQ(exit_code(program + " run " + (folder / "none.toml") + " --out " + (folder / "out") + nowhere), 2)
+        << nowhere;
+  // Files that are opened must not take the place of a closed stream, and get what is printed.
+  EXPECT_EQ(exit_code(program + " run " + scene + " --out " + (folder / "out") + " >&- 2>&-"), 1);
+  ASSERT_EQ(genu("run " + scene + " --quiet --out " + (folder / "again")).exit_code, 0);
+  EXPECT_EQ(read_file(folder / "out/results.csv"), read_file(folder / "again/results.csv"));
+}
+
+TEST(Cli, AnOptionIsNoNameOfAFolder) {
+  TemporaryFolder folder;
+  const Outcome refused = genu("run " + folder.write("ball.toml", kBall) + " --out --quiet");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "--out names nothing")) << refused.err;
+}
+
+TEST(Cli, QuietSaysWhyARunIsNotWhole) {
+  TemporaryFolder folder;
+  std::string short_plate = kBall;
+  const std::string plate = "shape = \"plane\"";
+  short_plate.insert(short_plate.find(plate) + plate.size(), "\npatch = { x = [-30, 30], y = [-1, 1] }");
+  const Outcome run = genu("run " + folder.write("short.toml", short_plate) + " --quiet --out " + (folder / "out"));
+  ASSERT_EQ(run.exit_code, 3) << run.out << run.err;
+  EXPECT_TRUE(contains(run.err, "poses are solved; those are certified and kept")) << run.err;
+}
+
 TEST(Cli, LeavesTheReportOutWhereItIsToldTo) {
   TemporaryFolder folder;
   const Outcome run = genu("run " + folder.write("ball.toml", kBall) + " --no-report --out " + (folder / "out"));

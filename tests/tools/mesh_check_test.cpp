@@ -138,7 +138,11 @@ TEST(CliMeshCheck, RepairsOrSaysThatItCannot) {
     EXPECT_EQ(genu("mesh-check " + dirty + " --repair " + (folder / name)).exit_code, 0) << name;
   EXPECT_EQ(read_file(folder / "mended.obj").compare(0, 8, "# genu m"), 0) << "the format is that of the ending";
   const Outcome nowhere = genu("mesh-check " + dirty + " --repair " + (folder / "no/such/folder.stl"));
-  EXPECT_EQ(nowhere.exit_code, 1) << nowhere.err;
+  EXPECT_EQ(nowhere.exit_code, 2) << nowhere.err;
+  const std::string notes = folder.write("notes.stl", "what nobody else has");
+  EXPECT_EQ(genu("mesh-check " + dirty + " --repair " + notes).exit_code, 2);
+  EXPECT_EQ(read_file(notes), "what nobody else has");
+  EXPECT_EQ(genu("mesh-check " + dirty + " --repair " + mended).exit_code, 0) << "its own is replaced";
 }
 
 }  // namespace

@@ -50,7 +50,9 @@ TEST(CliNew, RefusesMeshesThatAreNoKnee) {
                     tibia = at + "tibia.stl";
   for (const auto& [meshes, told] :
        {std::pair("--femur " + femur + " --tibia " + femur, "are the same mesh"),
-        std::pair("--femur " + tibia + " --tibia " + femur + " --proximal y", "swapped")}) {
+        std::pair("--femur " + tibia + " --tibia " + femur + " --proximal y", "swapped"),
+        std::pair("--femur " + femur + " --tibia " + tibia + " --units m", "write units"),
+        std::pair("--femur " + femur + " --tibia " + (folder / "'\xff'.stl"), "UTF-8 text")}) {
     const Outcome refused = genu("new " + (folder / "knee") + " " + meshes);
     EXPECT_EQ(refused.exit_code, 2) << refused.out;
     EXPECT_TRUE(contains(refused.err, told)) << refused.err;

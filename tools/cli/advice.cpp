@@ -33,7 +33,7 @@ constexpr std::array<RuleAdvice, 29> kByRule = {{
     {"swapped", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
     {"cannot be written", "name a place that you can write to, or make room there"},
     {"output folder", "name a folder with --out: a new one, or one that holds earlier results of genu"},
-    {"will not be replaced", "name another folder with --out"},
+    {"will not be replaced", "name another one, or move away what is there"},
     {"no result of genu", "name a folder with --out: a new one, or one that holds earlier results of genu"},
     {"stopped while", "run it again, and let it finish"},
     {"is compared", "write the page to a folder of its own: --out compared.html"},
@@ -114,9 +114,12 @@ std::string advice_on(const Diagnostic& problem, const std::string& command) {
     return fmt::format("correct {}; `genu explain {}` lists its keys and what each takes",
                        section == "step" ? "the [[step]]" : "[" + section + (section == "units" ? "]" : " ...]"),
                        topic->second);
-  if (problem.line > 0 && problem.file.ends_with(".csv"))
+  const bool table = problem.file.ends_with(".csv") || problem.file.ends_with(".mot") || problem.file.ends_with(".sto");
+  if (problem.line > 0 && table)
     return "correct the table there, or let genu write it anew: a first line of names, then a row of numbers for each "
            "pose";
+  if (problem.line > 0 && !holds(problem.rule, "not valid TOML"))
+    return "correct that line; `genu explain whole-scene` shows a scene with its sections";
   if (problem.line > 0)
     return "correct the file there (TOML, https://toml.io: strings in quotes, tables in [ ]); the rest is read once "
            "this is right";

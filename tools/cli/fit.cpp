@@ -23,6 +23,7 @@
 #include "genu/run/fit_scene.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -95,7 +96,7 @@ int written(const std::string& error, const FitOptions& options) {
     fmt::print("written to {}\n", options.folder);
     return kExitOk;
   }
-  fmt::print(stderr, "{}\n", error);
+  tell("{}\n", error);
   return kExitFailed;
 }
 

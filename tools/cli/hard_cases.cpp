@@ -20,6 +20,7 @@
 #include "genu/run/hard_cases.h"
 #include "genu/run/run_scene.h"
 #include "progress.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -52,7 +53,7 @@ int write_table(const std::string& path, const std::vector<HardCase>& cases) {
       "come out of it and\nwhere that is known from; `genu hard-cases` runs them all. {} cases.\n",
       cases.size());
   const std::string error = write_file_atomically(path, head + to_markdown(cases));
-  if (!error.empty()) fmt::print(stderr, "{}\n", error);
+  if (!error.empty()) tell("{}\n", error);
   return error.empty() ? kOk : kFailed;
 }
 

@@ -19,6 +19,7 @@
 #include "genu/judge/judge.h"
 #include "genu/judge/run_folder.h"
 #include "genu/scene/reader.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -62,7 +63,7 @@ int judge_folder(const JudgeArguments& arguments) {
     const std::string error =
         write_file_atomically(arguments.out, csv ? judge::to_csv(*found) : judge::to_json(*found));
     if (!error.empty()) {
-      fmt::print(stderr, "genu: {}\n", printable(error));
+      tell("genu: {}\n", printable(error));
       return kFailed;
     }
   }

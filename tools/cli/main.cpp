@@ -1,5 +1,9 @@
 // genu: quasi-static equilibrium of articular joints.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -16,6 +20,7 @@
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/scene/words.h"
+#include "tell.h"
 
 namespace {
 
@@ -47,6 +52,17 @@ constexpr char kFirst[] =
     "for\n"
     "\n"
     "genu --help lists all commands; genu COMMAND --help says what one takes.\n";
+
+/// "--out --quiet": the parser would take the second for the name of a folder.
+std::string name_forgotten(int argc, char** argv) {
+  const std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t i = 1; i + 1 < words.size(); ++i)
+    for (const char* const option :
+         {"--out", "--save-failure", "--repair", "--table", "--scene", "--poses", "--target"})
+      if (words[i] == option && words[i + 1].starts_with("--"))
+        return fmt::format("genu: {} names nothing: \"{}\" is an option", words[i], words[i + 1]);
+  return {};
+}
 
 int run_command(int argc, char** argv) {
   CLI::App app{
@@ -100,6 +116,7 @@ int run_command(int argc, char** argv) {
                                            genu::did_you_mean(word, names_of_commands(app)), known_commands(app)));
     genu::cli::advice().command(word);
   }
+  if (const std::string problem = name_forgotten(argc, argv); !problem.empty()) return genu::cli::refuse(problem);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -107,10 +124,18 @@ int run_command(int argc, char** argv) {
     const int code = app.exit(error, said, wrong);
     std::fputs(said.str().c_str(), stdout);
     std::istringstream lines(wrong.str());  // they quote what was typed
-    for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", genu::printable(line));
+    for (std::string line; std::getline(lines, line);) genu::cli::tell("{}\n", genu::printable(line));
     return code == 0 ? 0 : genu::cli::kRefused;
   }
   return exit_code;
+}
+
+/// A standard stream that is closed: the next file to be opened would take its place, and get what is printed.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+      // Standard output for reading: who asked for something to be printed is told that it was not.
+      static_cast<void>(::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 /// Whoever gets an error gets what to do about it.
@@ -122,6 +147,7 @@ int ended(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error to report, not a reason to die
   try {
     const int code = run_command(argc, argv);

@@ -19,9 +19,12 @@
 #include "genu/geometry/mesh_examination.h"
 #include "genu/geometry/mesh_repair.h"
 #include "genu/geometry/mesh_writer.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
+
+constexpr char kRepaired[] = "genu mesh-check --repair";  // the title of what it writes
 
 struct CheckOptions {
   std::vector<std::string> files;
@@ -42,6 +45,10 @@ std::string why_not_there(const std::string& from, const std::string& to) {
   if (std::string why = why_not_writable(to); !why.empty()) return why;
   std::error_code ignored;
   if (std::filesystem::equivalent(from, to, ignored)) return to + ": is the file that is mended: give --repair another";
+  std::error_code code;
+  if (std::filesystem::exists(std::filesystem::symlink_status(to, code)) && !has_title(to, kRepaired))
+    return to +
+           ": is there already and was not written by genu mesh-check: it will not be replaced; choose another name";
   return {};
 }
 
@@ -59,11 +66,11 @@ int check_written(const std::string& file, double unit) {
 int repair(const std::string& from, Mesh mesh, double unit, const std::string& to) {
   const RepairReport r = repair_mesh(mesh);
   if (!r.problem.empty()) {
-    fmt::print(stderr, "{}: {}\n", printable(from), r.problem);
+    tell("{}: {}\n", printable(from), r.problem);
     return kRefused;
   }
-  if (const std::string error = write_mesh(mesh, to, unit, "genu mesh-check --repair"); !error.empty()) {
-    fmt::print(stderr, "{}\n", printable(error));
+  if (const std::string error = write_mesh(mesh, to, unit, kRepaired); !error.empty()) {
+    tell("{}\n", printable(error));
     return kFailed;
   }
   fmt::print(

@@ -5,23 +5,24 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
+#include "tell.h"
 
 namespace genu::cli {
 
 void print(const Diagnostics& diagnostics, bool computed) {
   for (const Diagnostic& d : diagnostics.items()) {
-    fmt::print(stderr, "{}\n", to_string(d));
+    tell("{}\n", to_string(d));
     if (d.severity == Diagnostic::Severity::error) advice().error(d);
   }
   if (const std::size_t errors = diagnostics.count(Diagnostic::Severity::error); errors > 0)
-    fmt::print(stderr, "{} error{}; {}\n", errors, errors == 1 ? "" : "s",
-               computed ? "the results could not be kept" : "nothing was computed");
+    tell("{} error{}; {}\n", errors, errors == 1 ? "" : "s",
+         computed ? "the results could not be kept" : "nothing was computed");
 }
 
 int refuse(const Diagnostics& problems) {
   for (const Diagnostic& d : problems.items()) {
     if (d.severity != Diagnostic::Severity::error) continue;
-    fmt::print(stderr, "{}\n", to_string(d));
+    tell("{}\n", to_string(d));
     advice().error(d);
   }
   return kRefused;
@@ -35,7 +36,7 @@ int refuse(const std::string& rule) {
 
 void print_advice(int exit_code) {
   if (exit_code == kOk) return;
-  for (const std::string& line : advice().lines(exit_code)) fmt::print(stderr, "what to do: {}\n", line);
+  for (const std::string& line : advice().lines(exit_code)) tell("what to do: {}\n", line);
 }
 
 }  // namespace genu::cli

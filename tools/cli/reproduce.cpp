@@ -18,6 +18,7 @@
 #include "genu/core/file_text.h"
 #include "genu/run/failure.h"
 #include "genu/run/input_hash.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -57,13 +58,13 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   print(out);
   if (folder.empty()) return kRefused;
   if (failure->program != program_hash())
-    fmt::print(stderr, "saved by another build of genu ({}), or on another machine: it may do otherwise\n",
-               printable(failure->version));
+    tell("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
+         printable(failure->version));
   std::error_code ignored;
   if (const std::string error = unpack(*failure, folder); !error.empty()) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) fs::remove(entry.path(), ignored);
     if (asked.empty()) fs::remove(folder, ignored);
-    fmt::print(stderr, "genu: {}\n", printable(error));
+    tell("genu: {}\n", printable(error));
     return kFailed;
   }
   limit_memory(failure->memory_limit);

@@ -25,6 +25,7 @@
 #include "genu/run/checkpoint.h"
 #include "genu/run/run_scene.h"
 #include "progress.h"
+#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -139,7 +140,7 @@ int run_and_tell(const RunArguments& arguments, const RunOptions& options, Diagn
     const std::string file = beside(arguments.folder, ".checkpoint");
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored))
-      fmt::print(stderr, "genu: rows computed until then are kept in {}; --resume goes on from there\n", file);
+      tell("genu: rows computed until then are kept in {}; --resume goes on from there\n", file);
     throw;
   }
 }
@@ -169,8 +170,9 @@ int run_scene_file(const RunArguments& arguments) {
   print(diagnostics, code == kExitFailed);
   note_status(solution.poses);
   const std::string mark = solution.summary.partial ? ".partial" : "";
-  if (!mark.empty() && !solution.summary.verdict.empty())
-    fmt::print(stderr, "{}\n", printable(solution.summary.verdict.front()));
+  const bool unsaid = quiet && code == kExitIncomplete;  // why, that is
+  if ((!mark.empty() || unsaid) && !solution.summary.verdict.empty())
+    tell("{}\n", printable(solution.summary.verdict.front()));
   const bool any = solution.poses.rows() > 0;  // none where it was interrupted in the first pose
   if (code == kExitRefused || (code == kExitFailed && !any)) return code;
   if (!quiet) {
@@ -201,10 +203,11 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
   constexpr int kMostStarts = 100'000;
-  command
-      ->add_option("--starts", arguments->starts,
-                   "search for equilibria at the first pose from this many starts, list them in starts.csv")
-      ->check(CLI::Range(1, kMostStarts));
+  CLI::Option* starts =
+      command
+          ->add_option("--starts", arguments->starts,
+                       "search for equilibria at the first pose from this many starts, list them in starts.csv")
+          ->check(CLI::Range(1, kMostStarts));
   constexpr double kMostSpread = 180;  // deg
   command
       ->add_option(
@@ -212,6 +215,7 @@ void add_run(CLI::App& app, int& exit_code) {
           "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
           "each 20 deg")
       ->check(number_within(0.1, kMostSpread))
+      ->needs(starts)
       ->capture_default_str();
   command->add_flag("--error-bars", arguments->error_bars,
                     "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "

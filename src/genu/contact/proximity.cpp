@@ -66,7 +66,11 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
       safeguards_(options.safeguards),
       spacing_(options.spacing),
       far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
-      reserve_(0.5 * options.spacing) {
+      reserve_(0.5 * options.spacing),
+      rim_of_sampled_(*sampled_, *queried_, options.spacing, samples_b_ ? options.centre_b : options.centre_a,
+                      options.reach),
+      rim_of_queried_(*queried_, *sampled_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
+                      options.reach) {
   samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
@@ -82,6 +86,8 @@ void Proximity::forget() {
   std::fill(gap_.begin(), gap_.end(), kInfinity);
   measured_.clear();
   swallowed_->forget();
+  rim_of_sampled_.forget();
+  rim_of_queried_.forget();
 }
 
 /// Whether the gap rises from a minimum in every direction, by half a hundredth of the spacing over one spacing.
@@ -291,6 +297,15 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   }
 }
 
+void Proximity::find_rims(const Pose& X_qs, ProximityScan& out) {
+  rims_.clear();
+  rim_of_sampled_.scan(X_qs, rims_);
+  const std::size_t of_sampled = rims_.size();
+  if (!rim_of_queried_.empty()) rim_of_queried_.scan(X_qs.inverse(), rims_);
+  for (std::size_t k = of_sampled; k < rims_.size(); ++k) std::swap(rims_[k].contact.a, rims_[k].contact.b);
+  for (const LocalMinimum& m : rims_) insert_distinct(out.edge, oriented(m, samples_b_), kSamePoint * spacing_);
+}
+
 void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
   out.minima.clear();
   out.edge.clear();
@@ -307,6 +322,7 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
   }
   out.swallowed = safeguards_.has(Safeguard::swallowed) ? swallowed_->deepest(X_qs.inverse()).gap : 0;
   find_minima(X_qs, window, out);
+  find_rims(X_qs, out);
   auto by_gap = [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; };
   std::stable_sort(out.minima.begin(), out.minima.end(), by_gap);
   std::stable_sort(out.edge.begin(), out.edge.end(), by_gap);

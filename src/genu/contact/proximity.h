@@ -14,6 +14,7 @@
 
 #include "genu/contact/far_distance.h"
 #include "genu/contact/local_minimum.h"
+#include "genu/contact/rim.h"
 #include "genu/contact/swallowed.h"
 #include "genu/core/safeguards.h"
 
@@ -97,6 +98,7 @@ class Proximity {
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
   void find_minima(const Pose& X_qs, double window, ProximityScan& out);
+  void find_rims(const Pose& X_qs, ProximityScan& out);
   bool lowest_of_neighbours(int sample) const;
   bool is_bowl(const Mat2& bend) const;
   bool slopes_to_known(int sample) const;
@@ -120,6 +122,8 @@ class Proximity {
   double reserve_;  // m: what facets may lie off the smooth surface
   SampleSet samples_;
   std::optional<Swallowed> swallowed_;  // the asked surface in the sampled one
+  Rim rim_of_sampled_, rim_of_queried_;
+  std::vector<LocalMinimum> rims_;  // as found
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;

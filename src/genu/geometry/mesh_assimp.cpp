@@ -1,3 +1,9 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
 #include <exception>
 
 #include <assimp/scene.h>
@@ -39,9 +45,7 @@ std::string append_below(const aiScene& scene, const aiNode& node, const aiMatri
   return {};
 }
 
-}  // namespace
-
-std::string read_by_assimp(const std::string& path, Mesh& mesh) {
+std::string read_here(const std::string& path, Mesh& mesh) {
   const auto unreadable = [](const std::string& why) {
     return "cannot be read as a mesh (" + why + "): export it again as binary STL";
   };
@@ -55,6 +59,33 @@ std::string read_by_assimp(const std::string& path, Mesh& mesh) {
   } catch (const std::exception& e) {  // assimp's own parsers may throw on a broken file, and memory may run out
     return unreadable(e.what());
   }
+}
+
+/// Whether a process of its own that reads the file dies of it: where nodes hold each other by the thousand, or
+/// themselves, assimp's parsers go on until the stack is full.
+bool kills_its_reader(const std::string& path) {
+  const pid_t child = ::fork();
+  if (child < 0) return false;
+  if (child == 0) {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, SIG_DFL);
+    Mesh ignored;
+    read_here(path, ignored);
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+}  // namespace
+
+std::string read_by_assimp(const std::string& path, Mesh& mesh) {
+  if (kills_its_reader(path))
+    return "cannot be read as a mesh (its reader, assimp, breaks down over it): export it again as binary STL";
+  return read_here(path, mesh);
 }
 
 }  // namespace genu

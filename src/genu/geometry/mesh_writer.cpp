@@ -63,6 +63,8 @@ std::string why_not_writable(const std::string& path) {
   if (ending != ".stl" && ending != ".ply" && ending != ".obj")
     return path + ": the name of a mesh file ends in .stl, .ply or .obj";
   std::error_code code;
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, code)) return path + ": cannot be written: there is no such folder";
   const fs::file_status status = fs::symlink_status(path, code);
   if (fs::exists(status) && !fs::is_regular_file(status))
     return path + ": is no regular file and will not be replaced: name another";

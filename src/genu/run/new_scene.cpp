@@ -1,5 +1,6 @@
 #include "genu/run/new_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -7,11 +8,13 @@
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
+#include "genu/geometry/mesh_check.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/run/knee_layout.h"
 #include "genu/run/layout_doubts.h"
 #include "genu/run/new_scene_text.h"
 #include "genu/run/run_scene.h"
+#include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
 
 namespace genu {
@@ -21,13 +24,15 @@ namespace fs = std::filesystem;
 
 using Words = std::map<std::string, std::string>;
 
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
 /// A string of TOML.
 std::string toml_string_of(const std::string& text) {
   std::string out;
   for (const char c : text)
     if (c == '"' || c == '\\')
       out += std::string("\\") + c;
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+    else if (is_control(c))
       out += fmt::format("\\u{:04x}", c);
     else
       out += c;
@@ -87,6 +92,8 @@ std::optional<Bone> read_bone(const std::string& file, const std::string& unit, 
   if (unit == "m") bone.unit = 1;
   auto mesh = unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out) : read_mesh(file, bone.unit, out);
   if (!mesh) return std::nullopt;
+  check_scale(check_mesh(*mesh), file, bone.unit == 1 ? "m" : "mm", out);
+  if (out.has_errors()) return std::nullopt;
   bone.mesh = std::move(*mesh);
   return bone;
 }
@@ -197,6 +204,12 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   std::error_code ignored;
   const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
   if (asked.folder.empty()) out.error({}, "the scene has no name: genu new NAME");
+  // A scene is a text, and names these.
+  for (const auto& [what, name] :
+       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia)})
+    if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
+      refuse_it(what, printable(valid_utf8(name)),
+                "must be a name of UTF-8 text without control characters: rename it");
   if (fs::exists(fs::symlink_status(asked.folder, ignored)))
     out.error(asked.folder, "exists already, and genu new replaces nothing: choose another name");
   if (asked.kind != NewScene::Kind::stl && meshes)

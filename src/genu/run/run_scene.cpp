@@ -157,7 +157,7 @@ Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& 
     if (!point.pose.state.poses.empty()) {
       const ScopedTimer timing(gap_seconds);
       if (layers != nullptr && point.solved()) record.layers = report_layers(prepared, point.pose.state, *layers);
-      record.pair_gap = pair_gaps(point.pose.state, point.pose.open, prepared.model, field);
+      record.pair_gap = pair_gaps(point.pose.state, prepared.model, field, record.point.pose.open);
     }
     note_pose(point, s);
     out.records.push_back(std::move(record));

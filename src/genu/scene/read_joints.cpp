@@ -57,7 +57,8 @@ bool read_translations(ReadContext& context, const Item& item, JointDef& joint) 
   for (std::size_t k = 0; k < 3; ++k) {
     const Item element = item.element(k);
     const auto name = read_string(context, element);
-    if (name && !is_name(*name)) refuse(context, element, "a name is a letter or _, then letters, digits, _ or -");
+    if (name && !is_name(*name))
+      refuse(context, element, "a name is a letter or _, then letters, digits, _ or -, 100 characters at most");
     good = good && name && is_name(*name);
     joint.translations[k] = name.value_or("");
   }

@@ -76,7 +76,8 @@ std::vector<Item> named_tables(ReadContext& context, Section& root, const char* 
 
 void check_name(ReadContext& context, SourceLocation where, const std::string& path, const std::string& name) {
   if (is_name(name)) return;
-  context.error(where, path, with_quotes(name), "a name is a letter or _, then letters, digits, _ or -");
+  context.error(where, path, with_quotes(name),
+                "a name is a letter or _, then letters, digits, _ or -, 100 characters at most");
 }
 
 }  // namespace genu

@@ -31,8 +31,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+constexpr std::size_t kLongestName = 100;  // names of files are made of it
+
 bool is_name(std::string_view word) {
-  return !word.empty() && is_letter(word[0]) &&
+  return !word.empty() && word.size() <= kLongestName && is_letter(word[0]) &&
          std::all_of(word.begin(), word.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '-'; });
 }
 

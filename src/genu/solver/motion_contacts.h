@@ -49,7 +49,10 @@ class MotionContacts {
   bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
   /// m: the smallest gap of each pair.
-  std::vector<double> gaps(const MotionPoint& point) { return pair_gaps(point.state, {}, model_, field_); }
+  std::vector<double> gaps(const MotionPoint& point) {
+    std::vector<OpenContact> none;
+    return pair_gaps(point.state, model_, field_, none);
+  }
 
   /// Lets the speeds and contacts of `point` become possible: after a stop, where drives and loads may jump.
   bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);

@@ -5,8 +5,30 @@
 #include <limits>
 
 namespace genu {
-std::vector<double> pair_gaps(const State& state, const std::vector<OpenContact>& open, const JointModel& model,
-                              ContactField& field) {
+namespace {
+
+constexpr double kSame = 1e-9;  // of the characteristic length: a sample's gap is no smaller than its minimum's
+
+double open_gap(const State& state, int pair, const JointModel& model, ContactField& field,
+                std::vector<OpenContact>& open) {
+  OpenContact* lowest = nullptr;
+  for (OpenContact& c : open)
+    if (c.pair == pair && (lowest == nullptr || c.gap < lowest->gap)) lowest = &c;
+  const double smallest = field.smallest_gap(state, pair);
+  if (lowest == nullptr) return smallest;
+  if (!(smallest < lowest->gap - kSame * model.scales.length)) return lowest->gap;
+  if (const auto nearest = field.nearest(state, pair)) {
+    lowest->geometry = nearest->contact;
+    return lowest->gap = nearest->gap;
+  }
+  std::erase_if(open, [pair](const OpenContact& c) { return c.pair == pair; });
+  return smallest;
+}
+
+}  // namespace
+
+std::vector<double> pair_gaps(const State& state, const JointModel& model, ContactField& field,
+                              std::vector<OpenContact>& open) {
   std::vector<double> gaps(model.pairs.size(), std::numeric_limits<double>::infinity());
   for (int pair = 0; pair < static_cast<int>(gaps.size()); ++pair) {
     double& gap = gaps[at(pair)];
@@ -19,8 +41,8 @@ std::vector<double> pair_gaps(const State& state, const std::vector<OpenContact>
       held = true;
     }
     for (const OpenContact& c : open)
-      if (c.pair == pair) gap = std::min(gap, c.gap);
-    if (!held && !std::isfinite(gap)) gap = field.smallest_gap(state, pair);
+      if (held && c.pair == pair) gap = std::min(gap, c.gap);
+    if (!held) gap = open_gap(state, pair, model, field, open);
   }
   return gaps;
 }

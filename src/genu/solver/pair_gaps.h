@@ -7,8 +7,10 @@
 
 namespace genu {
 
-/// m; of held contacts and of open ones that are followed, else looked for over the whole of both surfaces.
-std::vector<double> pair_gaps(const State& state, const std::vector<OpenContact>& open, const JointModel& model,
-                              ContactField& field);
+/// m; of held contacts, else looked for over the whole of both surfaces. `open`: contacts that were held once and are
+/// followed, which are minima; where a pair has come nearer elsewhere since, that place takes the place of the lowest
+/// of them, and of all where it is at a rim.
+std::vector<double> pair_gaps(const State& state, const JointModel& model, ContactField& field,
+                              std::vector<OpenContact>& open);
 
 }  // namespace genu

@@ -1,0 +1,109 @@
+#include "genu/contact/rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace genu {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kOnEdge = 1e-3;  // of the spacing: vertices of the border lie on the edge but for rounding
+constexpr double kDip = 0.2;      // of the spacing: between two points the rim lies no farther below both
+constexpr double kInward = 0.02;  // of the way to the middle of the surface's triangle beside it
+// Outward normals within 60 degrees of each other: the sides cannot touch.
+constexpr double kSameWay = 0.5;
+
+}  // namespace
+
+Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach)
+    : own_(&own), other_(&other), spacing_(spacing) {
+  if (!own.is_global() || own.doubtful().size() > 0) return;
+  const Mesh mesh = own.triangles(spacing, centre, reach);
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // of triangles: how often, and the vertex opposite
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int i = t[at(k)], j = t[at((k + 1) % 3)];
+      auto& side = sides[std::minmax(i, j)];
+      ++side.first;
+      side.second = t[at((k + 2) % 3)];
+    }
+  std::map<int, int> numbers;
+  const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnEdge * spacing; };
+  const auto number = [&](int v) {
+    const auto [it, fresh] = numbers.emplace(v, static_cast<int>(points_.size()));
+    if (fresh) points_.push_back({mesh.vertices[at(v)]});
+    return it->second;
+  };
+  for (const auto& [ends, side] : sides)
+    if (side.first == 1 && on_edge(ends.first) && on_edge(ends.second))
+      segments_.push_back({number(ends.first), number(ends.second), mesh.vertices[at(side.second)]});
+}
+
+void Rim::forget() {
+  for (Point& point : points_) point.clearance = -1;
+}
+
+/// The gap of the rim's point p, +infinity where the other surface does not face it; `found` gets both points.
+double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
+  LocalMinimum here;
+  if (!own_->project(p, here.contact.b)) return kNowhere;
+  const Vec3 x = X_os * here.contact.b.p;
+  const auto gap = other_->gap(x);
+  if (!gap || !other_->project(x, here.contact.a)) return kNowhere;
+  if (here.contact.a.n.dot(X_os.R * here.contact.b.n) > kSameWay) return kNowhere;
+  if (other_->edge_distance(here.contact.a.p) < 0) return kNowhere;
+  here.gap = *gap;
+  if (found != nullptr) *found = here;
+  return *gap;
+}
+
+double Rim::look_at(Point& point, const Pose& X_os) const {
+  const Vec3 x = X_os * point.p;
+  if (point.clearance - (x - point.at).norm() > kDip * spacing_) return kNowhere;
+  point.at = x;
+  const auto gap = other_->gap(x);
+  point.clearance = gap && other_->knows_distance() ? *gap : -1;
+  return gap ? *gap : kNowhere;
+}
+
+/// By golden sections, on the surface over the chord.
+Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
+  const Vec3 &from = points_[at(segment.from)].p, &to = points_[at(segment.to)].p;
+  const auto place = [&](double t) { return Vec3(from + t * (to - from)); };
+  const auto gap = [&](double t) { return gap_at(X_os, place(t), nullptr); };
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 24;  // to a hundred-thousandth of the segment
+  double low = 0, high = 1, a = 1 - kGolden, b = kGolden, gap_a = gap(a), gap_b = gap(b);
+  for (int i = 0; i < kSections; ++i) {
+    if (gap_a < gap_b) {
+      high = std::exchange(b, a);
+      gap_b = gap_a;
+      a = high - kGolden * (high - low);
+      gap_a = gap(a);
+    } else {
+      low = std::exchange(a, b);
+      gap_a = gap_b;
+      b = low + kGolden * (high - low);
+      gap_b = gap(b);
+    }
+  }
+  return place(0.5 * (low + high));
+}
+
+void Rim::scan(const Pose& X_os, std::vector<LocalMinimum>& out) {
+  for (Point& point : points_) point.gap = look_at(point, X_os);
+  for (const Segment& segment : segments_) {
+    const double ends = std::min(points_[at(segment.from)].gap, points_[at(segment.to)].gap);
+    if (!(ends < kDip * spacing_)) continue;
+    const Vec3 lowest = lowest_on(segment, X_os);
+    LocalMinimum found;
+    if (!(gap_at(X_os, lowest, &found) < 0)) continue;
+    const double inside = gap_at(X_os, lowest + kInward * (segment.inside - lowest), nullptr);
+    if (inside > found.gap) out.push_back(found);
+  }
+}
+
+}  // namespace genu

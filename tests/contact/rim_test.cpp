@@ -1,0 +1,80 @@
+#include "genu/contact/rim.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "genu/geometry/analytic.h"
+#include "genu/geometry/patch.h"
+
+namespace genu {
+namespace {
+
+constexpr double kRollerRadius = 0.02, kHalf = 0.01;  // m
+
+/// A roller along z of its frame, cut at both ends.
+std::shared_ptr<const Surface> roller() {
+  Patch patch;
+  patch.box[2] = {-kHalf, kHalf};
+  return make_patch(make_cylinder(Pose{}, kRollerRadius, false), Pose{}, patch, {false, false, true});
+}
+
+/// The roller lies along x of the plane, its middle `height` over it, one end lowered by the angle `tilt`.
+Pose lying(double height, double tilt) {
+  const Mat3 along_x = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY()).toRotationMatrix();
+  return {Eigen::AngleAxisd(tilt, Vec3::UnitY()).toRotationMatrix() * along_x, Vec3(0, 0, height)};
+}
+
+std::vector<LocalMinimum> rims_of(const Surface& own, const Surface& other, const Pose& X_os) {
+  Rim rim(own, other, 1e-3, Vec3::Zero(), 0.1);
+  std::vector<LocalMinimum> out;
+  rim.scan(X_os, out);
+  return out;
+}
+
+TEST(Rim, OfALoweredEndIsFoundHoweverShallow) {
+  const auto plane = make_plane(Pose{}, false);
+  const auto own = roller();
+  for (const double tilt : {0.001, 0.02, 0.3})
+    for (const double deep : {1e-8, 1e-6, 1e-4}) {
+      const double touching = kRollerRadius * std::cos(tilt) + kHalf * std::sin(tilt);
+      const auto minima = rims_of(*own, *plane, lying(touching - deep, tilt));
+      ASSERT_FALSE(minima.empty()) << tilt << " " << deep;
+      for (const LocalMinimum& m : minima) EXPECT_LE(m.gap, 0);
+      double lowest = 0;
+      for (const LocalMinimum& m : minima) lowest = std::min(lowest, m.gap);
+      EXPECT_NEAR(lowest, -deep, 1e-3 * deep + 1e-12) << tilt;
+      EXPECT_TRUE(rims_of(*own, *plane, lying(touching + deep, tilt)).empty()) << tilt << " " << deep;
+    }
+}
+
+TEST(Rim, WhereTheGapFallsInwardIsNone) {
+  // A cap of a ball that is pressed into the plane up to its rim: its lowest point is inside.
+  Patch patch;
+  patch.box[2] = {-1.0, -0.019};
+  const auto cap = make_patch(make_sphere(Pose{}, kRollerRadius, false), Pose{}, patch, {false, false, false});
+  EXPECT_TRUE(rims_of(*cap, *make_plane(Pose{}, false), {Mat3::Identity(), Vec3(0, 0, 0.018)}).empty());
+}
+
+TEST(Rim, SurfacesWithoutEdgesHaveNone) {
+  const auto plane = make_plane(Pose{}, false);
+  EXPECT_TRUE(Rim(*make_sphere(Pose{}, kRollerRadius, false), *plane, 1e-3, Vec3::Zero(), 0.1).empty());
+  EXPECT_TRUE(Rim(*make_cylinder(Pose{}, kRollerRadius, false), *plane, 1e-3, Vec3::Zero(), 0.1).empty());
+  EXPECT_FALSE(Rim(*roller(), *plane, 1e-3, Vec3::Zero(), 0.1).empty());
+}
+
+/// What was looked at from afar is looked at again when it has come near.
+TEST(Rim, RemembersNoLongerThanItMay) {
+  const auto plane = make_plane(Pose{}, false);
+  const auto own = roller();
+  Rim rim(*own, *plane, 1e-3, Vec3::Zero(), 0.1);
+  const double tilt = 0.02, touching = kRollerRadius * std::cos(tilt) + kHalf * std::sin(tilt);
+  for (double height = touching + 0.05; height > touching - 1e-4; height -= 1.7e-4) {
+    std::vector<LocalMinimum> out;
+    rim.scan(lying(height, tilt), out);
+    EXPECT_EQ(out.empty(), height >= touching) << height - touching;
+  }
+}
+
+}  // namespace
+}  // namespace genu
