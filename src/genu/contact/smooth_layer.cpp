@@ -271,6 +271,24 @@ void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level
   if (here.load > 0) out.error += kErrorLeft * here.error * here.error / here.load;
 }
 
+namespace {
+
+/// Goes from `here` by ds, or as far as the surface's edge; false where there is no way.
+bool go_inside(const Surface& surface, const Vec2& ds, SurfacePoint& here) {
+  SurfacePoint there;
+  if (!surface.retract(here, ds, there)) return false;
+  const double past = surface.edge_distance(there.p);
+  if (past < 0) {
+    const double inside = surface.edge_distance(here.p);
+    if (!(inside > 0) || !surface.retract(here, inside / (inside - past) * ds, there)) return false;
+    if (surface.edge_distance(there.p) < 0) return false;
+  }
+  here = there;
+  return true;
+}
+
+}  // namespace
+
 LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, double spacing) const {
   constexpr int kSteps = 6;
   constexpr double kReach = 2;  // spacings
@@ -302,7 +320,7 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
     if (!(hessian.determinant() > 0 && hessian.trace() < 0)) return best;
     Vec2 ds = -hessian.inverse() * gradient;
     ds *= std::min(1.0, kReach * spacing / std::max(ds.norm(), 1e-300));
-    if (!casting_->surface().retract(here, ds, here)) return best;
+    if (!go_inside(casting_->surface(), ds, here)) return best;
   }
   return best;
 }

@@ -161,6 +161,8 @@ class Balance {
     if (n == 0) return;
     const auto rows = static_cast<Eigen::Index>(equations_.size()), unknowns = static_cast<Eigen::Index>(2 * n);
     std::vector<Vec3> direction(n);
+    std::vector<double> length(n);  // of what is made a unit vector of: derivatives need it, as two nearly parallel
+                                    // forces can turn by much against each other before a sum tells
     std::vector<std::array<Vec3, 3>> frame;  // the facets' normal, and across it what one unit turns by: a cone's width
     for (const LooseForce& f : forces_.loose) {
       const Vec3 middle = (f.normal_b - f.normal_a).normalized(), one = middle.unitOrthogonal();
@@ -171,7 +173,9 @@ class Balance {
     const auto leave = [&] {
       for (std::size_t c = 0; c < n; ++c) {
         const auto k = static_cast<Eigen::Index>(2 * c);
-        direction[c] = (frame[c][0] + x[k] * frame[c][1] + x[k + 1] * frame[c][2]).normalized();
+        direction[c] = frame[c][0] + x[k] * frame[c][1] + x[k + 1] * frame[c][2];
+        length[c] = direction[c].norm();
+        direction[c] /= length[c];
       }
       for (Eigen::Index i = 0; i < rows; ++i) {
         const Equation& e = equations_[static_cast<std::size_t>(i)];
@@ -184,22 +188,38 @@ class Balance {
     MatX J = MatX::Zero(rows + unknowns, unknowns);
     VecX right(rows + unknowns);
     constexpr double kStiffest = 1e6, kSoftest = 1e-4;  // from one that hardly turns to one that turns freely
-    for (double hold = kStiffest; hold > kSoftest && left.cwiseAbs().maxCoeff() > 0.5; hold /= 4)
-      for (int round = 0; round < 3; ++round) {
-        for (std::size_t c = 0; c < n; ++c)
-          for (std::size_t side = 1; side < 3; ++side) {
-            const auto k = static_cast<Eigen::Index>(2 * c + side - 1);
-            const Vec3 turned = frame[c][side] - direction[c].dot(frame[c][side]) * direction[c];
-            for (Eigen::Index i = 0; i < rows; ++i) {
-              const Equation& e = equations_[static_cast<std::size_t>(i)];
-              J(i, k) = work(e, forces_.loose[c], forces_.loose[c].size * turned) / std::max(e.tolerance, 1e-300);
-            }
-            J(rows + k, k) = hold;
+    const auto balanced = [&] { return left.cwiseAbs().maxCoeff() <= 0.5; };
+    const auto turn = [&](double hold) {
+      for (std::size_t c = 0; c < n; ++c)
+        for (std::size_t side = 1; side < 3; ++side) {
+          const auto k = static_cast<Eigen::Index>(2 * c + side - 1);
+          const Vec3 turned = (frame[c][side] - direction[c].dot(frame[c][side]) * direction[c]) / length[c];
+          for (Eigen::Index i = 0; i < rows; ++i) {
+            const Equation& e = equations_[static_cast<std::size_t>(i)];
+            J(i, k) = work(e, forces_.loose[c], forces_.loose[c].size * turned) / std::max(e.tolerance, 1e-300);
           }
-        right << -left, -hold * x;
-        x += J.colPivHouseholderQr().solve(right);
-        leave();
-      }
+          J(rows + k, k) = hold;
+        }
+      right << -left, -hold * x;
+      x += J.colPivHouseholderQr().solve(right);
+      leave();
+    };
+    for (double hold = kStiffest; hold > kSoftest && !balanced(); hold /= 4)
+      for (int round = 0; round < 3; ++round) turn(hold);
+    // The forces of two contacts can turn together about their sum: on the wrong side of where their moment is largest
+    // all ways lead away from balance. So it is tried from elsewhere in the cones.
+    constexpr int kRounds = 30;
+    for (Eigen::Index k = 0; k < 2 * unknowns && !balanced(); ++k) {
+      const VecX before = x;
+      const double missed = left.cwiseAbs().maxCoeff();
+      x.setZero();
+      x[k / 2] = k % 2 == 0 ? 1 : -1;
+      leave();
+      for (int round = 0; round < kRounds && !balanced(); ++round) turn(kSoftest);
+      if (left.cwiseAbs().maxCoeff() < missed) continue;
+      x = before;
+      leave();
+    }
     for (Eigen::Index i = 0; i < rows; ++i) {
       Equation& e = equations_[static_cast<std::size_t>(i)];
       e.value = left[i] * std::max(e.tolerance, 1e-300);

@@ -148,11 +148,11 @@ bool EnergyTwin::descend(double flexion, const std::vector<double>& forces, doub
   return false;
 }
 
-std::optional<EnergyTwin::Minimum> EnergyTwin::minimise(double flexion, const TwinPose& start) const {
+std::optional<EnergyTwin::Minimum> EnergyTwin::minimise(double flexion, const TwinPose& start,
+                                                        std::vector<double> forces, double stiffness) const {
   Vec5 x;
   x << start.adduction * kRadians * kArm, start.rotation * kRadians * kArm, start.translation;
-  std::vector<double> forces(knee_.contacts.size(), 0.0);
-  double stiffness = 300;  // N/mm
+  forces.resize(knee_.contacts.size(), 0.0);
   constexpr int kMost = 60;
   constexpr double kClosed = 1e-7;  // mm
   for (int round = 0; round < kMost; ++round) {

@@ -28,8 +28,10 @@ class EnergyTwin {
     std::vector<double> forces;  ///< N, one for each contact
   };
 
-  /// The minimum at the bottom of the slope from `start` at a flexion in deg; empty where the search does not end.
-  std::optional<Minimum> minimise(double flexion, const TwinPose& start) const;
+  /// The minimum at the bottom of the slope from `start` at a flexion in deg; empty where the search does not end. It
+  /// begins with these contact forces (N; none where left out) and gaps that cost `stiffness` (N/mm).
+  std::optional<Minimum> minimise(double flexion, const TwinPose& start, std::vector<double> forces = {},
+                                  double stiffness = 300) const;
 
   /// From the pose with the angles 0 in which slack lengths are defined.
   TwinPose reference() const;

@@ -28,11 +28,14 @@ namespace genu::population {
 namespace {
 
 struct Options {
-  int knees = 200, first = 0, knee = -1, compare = 200, mirror = 0;
+  int knees = 200, first = 0, compare = 200, mirror = 0;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 1;
+  std::vector<int> these;  ///< numbers; else all from the first one
   std::string keep;
   TrialOptions trial;
+
+  int number(int i) const { return these.empty() ? first + i : these[static_cast<std::size_t>(i)]; }
 };
 
 struct Tally {
@@ -63,7 +66,7 @@ std::vector<bool> chosen(const Options& options) {
   std::vector<bool> out(static_cast<std::size_t>(options.knees));
   int left = options.compare;
   for (int i = 0; i < options.knees && left > 0; ++i)
-    if (draw_knee(options.seed, options.first + i, options.trial.data).comparable()) {
+    if (draw_knee(options.seed, options.number(i), options.trial.data).comparable()) {
       out[static_cast<std::size_t>(i)] = true;
       --left;
     }
@@ -87,14 +90,14 @@ class Population {
       TrialOptions trial = options_.trial;
       trial.compare = compared_[static_cast<std::size_t>(i)];
       trial.mirror = i < options_.mirror;
-      const Trial done = run_trial(options_.seed, options_.first + i, trial);
+      const Trial done = run_trial(options_.seed, options_.number(i), trial);
       const std::lock_guard lock(mutex_);
       tallies_[done.kind].add(done);
       all_.add(done);
       if (done.end == Trial::End::diagnosed) ++statuses_[done.status];
       if (done.end == Trial::End::refused) ++statuses_["refused"];
       if (done.end == Trial::End::failed)
-        failures_[options_.first + i] = fmt::format("knee {} ({}): {}", options_.first + i, done.kind, done.why);
+        failures_[options_.number(i)] = fmt::format("knee {} ({}): {}", options_.number(i), done.kind, done.why);
       if (isatty(2) != 0) fmt::print(stderr, "\r{} of {} knees, {} failed", all_.knees, options_.knees, all_.failed);
     }
   }
@@ -137,7 +140,7 @@ int run(Options options) {
     options.trial.data.clear();
     fmt::print("no public knee data here (GENU_DATA): measured knees are left out\n");
   }
-  if (options.knee >= 0) options.first = options.knee, options.knees = 1;
+  if (!options.these.empty()) options.knees = static_cast<int>(options.these.size());
   options.trial.keep = !options.keep.empty();
   options.trial.folder = options.keep;
   if (!options.trial.keep)
@@ -159,7 +162,7 @@ int main(int argc, char** argv) {
   app.add_option("--knees", options.knees, "how many")->check(CLI::Range(1, 10'000'000));
   app.add_option("--first", options.first, "number of the first one")->check(CLI::NonNegativeNumber);
   app.add_option("--seed", options.seed, "what they are drawn from");
-  app.add_option("--knee", options.knee, "this one alone")->check(CLI::NonNegativeNumber);
+  app.add_option("--knee", options.these, "these alone")->check(CLI::NonNegativeNumber);
   app.add_option("--compare", options.compare, "so many are compared with a minimisation of energy")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--mirror", options.mirror, "so many are solved as their mirror images too")

@@ -74,7 +74,10 @@ std::string try_knee(const Knee& knee, std::uint64_t noise_seed, const std::stri
   const std::string scene = write_knee(knee, folder, noise_seed);
   const std::string results = folder + "/out", said = folder + "/run.txt", judged = folder + "/judge.txt";
   const ProcessEnd run = run_process({options.genu, "run", scene, "--out", results, "--quiet"}, said, options.seconds);
-  if (const std::string wrong = bad_end("genu run", run, said); !wrong.empty()) return wrong;
+  if (const std::string wrong = bad_end("genu run", run, said); !wrong.empty()) {
+    out.grave = !run.too_long;  // it fails, but says nothing wrong
+    return wrong;
+  }
   out.why = last_line(said);
   if (run.exit_code == 2) {
     if (out.why.empty()) return "refused without a word";

@@ -29,7 +29,7 @@ struct Trial {
   std::string kind;
   std::string status;  ///< diagnosed: of the first pose that is not ok
   std::string why;     ///< failed: what is wrong; else what genu said last
-  bool grave = false;  ///< failed: crashed, hung, wrote a NaN, rejected by the judge
+  bool grave = false;  ///< failed: crashed, wrote a NaN, rejected by the judge; not: took too long
   int poses = 0;       ///< ok
   int compared = 0;    ///< with the twin
   int mirrored = 0;    ///< ok, and the same in the mirror

@@ -1,6 +1,7 @@
 #include "hard_cases/population/twin_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -34,22 +35,29 @@ std::string check_row(const EnergyTwin& twin, const Knee& knee, const RunTable& 
   const bool stable = results.text(row, "stability") == "stable";
   if (!stable && results.text(row, "stability") != "unstable") return "";
   double nearest = 1e300;
-  for (const double by : {0.3, 0.03, 0.003})
-    for (int which = 0; which < 2; ++which) {
-      const auto found = twin.minimise(flexion, beside(pose, by, which));
-      if (!found) continue;
-      const double apart = distance(found->pose, pose);
-      nearest = std::min(nearest, apart);
-      if (apart > kSame) continue;
-      if (!stable) return "";  // an unstable pose is a saddle: the way there from beside it may be level
-      for (std::size_t i = 0; i < knee.contacts.size(); ++i) {
-        const double force = results.number(row, knee.contacts[i].name + ".force_N");
-        if (std::abs(force - found->forces[i]) > kSameForce + 1e-4 * std::abs(force))
-          return fmt::format("at {:.4g} deg {} carries {:.6g} N, least energy says {:.6g}", flexion,
-                             knee.contacts[i].name, force, found->forces[i]);
-      }
-      return "";
+  // First from no contact forces and soft contact, which sinks in by millimetres where forces are large, and may slide
+  // into another valley; then stiff, from the forces said, which are found anew.
+  std::vector<double> said;
+  for (const Contact& c : knee.contacts) said.push_back(results.number(row, c.name + ".force_N"));
+  constexpr double kSoft = 300, kStiff = 3e3;  // N/mm
+  for (int start = 0; start < 12; ++start) {
+    const bool soft = start < 6;
+    const double by = std::array{0.3, 0.03, 0.003}[static_cast<std::size_t>(start % 6 / 2)];
+    const auto found =
+        twin.minimise(flexion, beside(pose, by, start % 2), soft ? std::vector<double>{} : said, soft ? kSoft : kStiff);
+    if (!found) continue;
+    const double apart = distance(found->pose, pose);
+    nearest = std::min(nearest, apart);
+    if (apart > kSame) continue;
+    if (!stable) return "";  // an unstable pose is a saddle: the way there from beside it may be level
+    for (std::size_t i = 0; i < knee.contacts.size(); ++i) {
+      const double force = results.number(row, knee.contacts[i].name + ".force_N");
+      if (std::abs(force - found->forces[i]) > kSameForce + 1e-4 * std::abs(force))
+        return fmt::format("at {:.4g} deg {} carries {:.6g} N, least energy says {:.6g}", flexion,
+                           knee.contacts[i].name, force, found->forces[i]);
     }
+    return "";
+  }
   return stable ? fmt::format(
                       "at {:.4g} deg the pose said to be stable is no minimum of energy (the nearest is {:.3g} "
                       "mm + deg away)",
