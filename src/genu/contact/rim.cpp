@@ -10,8 +10,9 @@ namespace genu {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kOnEdge = 1e-3;  // of the spacing: vertices of the border lie on the edge but for rounding
-constexpr double kDip = 0.2;      // of the spacing: between two points the rim lies no farther below both
+constexpr double kChord = 4;      // spacings: the lowest place on a segment is looked for, not its ends
+constexpr double kOnEdge = 1e-3;  // of a chord: vertices of the border lie on the edge but for rounding
+constexpr double kDip = 0.2;      // of a chord: between two points the rim lies no farther below both
 constexpr double kInward = 0.02;  // of the way to the middle of the surface's triangle beside it
 // Outward normals within 60 degrees of each other: the sides cannot touch.
 constexpr double kSameWay = 0.5;
@@ -19,9 +20,9 @@ constexpr double kSameWay = 0.5;
 }  // namespace
 
 Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach)
-    : own_(&own), other_(&other), spacing_(spacing) {
-  if (!own.is_global() || own.doubtful().size() > 0) return;
-  const Mesh mesh = own.triangles(spacing, centre, reach);
+    : own_(&own), other_(&other), spacing_(kChord * spacing) {
+  if (!own.is_global() || !std::isfinite(own.edge_distance(centre))) return;
+  const Mesh mesh = own.triangles(spacing_, centre, reach);
   std::map<std::pair<int, int>, std::pair<int, int>> sides;  // of triangles: how often, and the vertex opposite
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -31,7 +32,7 @@ Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& c
       side.second = t[at((k + 2) % 3)];
     }
   std::map<int, int> numbers;
-  const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnEdge * spacing; };
+  const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnEdge * spacing_; };
   const auto number = [&](int v) {
     const auto [it, fresh] = numbers.emplace(v, static_cast<int>(points_.size()));
     if (fresh) points_.push_back({mesh.vertices[at(v)]});

@@ -12,7 +12,8 @@ namespace genu {
 
 class Rim {
  public:
-  /// `spacing` (m) of the points on it; `reach` (m) bounds unbounded shapes around `centre`, in the frame of its body.
+  /// `spacing` (m) of samples, of which a few go to a segment of the rim; `reach` (m) bounds unbounded shapes around
+  /// `centre`, in the frame of its body.
   Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach);
 
   bool empty() const { return segments_.empty(); }
@@ -43,7 +44,7 @@ class Rim {
 
   const Surface* own_;
   const Surface* other_;
-  double spacing_;
+  double spacing_;  // m: of the rim's points
   std::vector<Point> points_;
   std::vector<Segment> segments_;
 };
