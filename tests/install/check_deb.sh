@@ -44,7 +44,7 @@ if [ "$(id -u)" -eq 0 ] && [ "${CI-}" = true ] && ! dpkg-query -W genu > /dev/nu
   installed=yes
   dpkg -i "$deb" > "$work/log" 2>&1 || { cat "$work/log"; fail "dpkg -i"; }
   check_program /usr/bin/genu /usr/share
-  ldconfig -p | grep -q 'libgenu\.so' || fail "the loader does not know libgenu.so"
+  ldconfig -p | grep 'libgenu\.so' > /dev/null || fail "the loader does not know libgenu.so"
   dpkg --purge genu > "$work/log" 2>&1 || { cat "$work/log"; fail "dpkg --purge"; }
   installed=no
   [ ! -e /usr/bin/genu ] || fail "dpkg --purge left /usr/bin/genu"

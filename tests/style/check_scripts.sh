@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# check_scripts.sh ROOT: every script of .ci and tools may be executed, and its interpreter can read it.
+# check_scripts.sh ROOT: every script of .ci and tools may be executed, and its interpreter can read it. No script lets a reader end
+# before its writer (| grep -q, | head): with pipefail the writer's SIGPIPE now and then is the whole command's failure.
 set -euo pipefail
 found=0
 for file in "$1"/.ci/* "$1"/tools/*; do
@@ -12,4 +13,9 @@ for file in "$1"/.ci/* "$1"/tools/*; do
     *) echo "$file: begins with neither #!/usr/bin/env bash nor #!/usr/bin/env node"; exit 1 ;;
   esac
 done
+mapfile -t scripts < <(grep -rlE '^#!.*bash' "$1"/.ci "$1"/tools "$1"/tests --include='*' --exclude='*.cpp')
+if grep -nE '^[^#]*[^|]\|[[:space:]]*(grep -[a-zA-Z]*[qm]|head([[:space:]]|$))' "${scripts[@]}"; then
+  echo "a reader that ends before its writer: write grep ... >/dev/null, sed -n 1p"
+  exit 1
+fi
 [ "$found" -gt 0 ] || { echo "no scripts under $1"; exit 1; }
