@@ -204,6 +204,20 @@ TEST(Checkpoint, AShortRunWritesNone) {
   EXPECT_FALSE(any);
 }
 
+TEST(Checkpoint, ARunTooShortToWriteOneNamesTheOneBefore) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(run(test::dortmans_file(), folder / "out", 40, false).code, kExitIncomplete);
+  RunOptions options;
+  bool stop = false;
+  options.progress = [&](int, int) { stop = true; };
+  options.cancelled = [&] { return stop; };
+  Diagnostics out;
+  Solution found;
+  EXPECT_EQ(test::judged_run(test::dortmans_file(), folder / "out", options, out, &found), kExitIncomplete);
+  const std::string said = found.summary.verdict.front();
+  EXPECT_TRUE(test::contains(said, "--resume goes on from what a run before has left in")) << said;
+}
+
 TEST(Checkpoint, AMotionIsComputedAnewAndSaysSo) {
   const test::TemporaryFolder folder;
   const std::string scene = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene.toml";

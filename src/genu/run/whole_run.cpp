@@ -78,7 +78,7 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
                  Diagnostics& out, Solution& found) {
   const bool partial = found.summary.partial;
   note_files(prepared.scene, found.summary);
-  if (partial) mark_partial(prepared.scene.file, folder, &checkpoint, found);
+  if (partial) mark_partial(prepared.scene.file, folder, prepared.scene.dynamics ? nullptr : &checkpoint, found);
   found.folder = partial ? beside(folder, ".partial") : folder;
   auto more = options.pressure_maps ? pressure_maps(prepared.scene, prepared.model, found.records)
                                     : std::vector<std::pair<std::string, std::string>>();
@@ -109,9 +109,13 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
   const std::size_t rows = checkpoint != nullptr ? checkpoint->rows() : 0;
   std::string said = fmt::format("PARTIAL: {} after {} of {} rows, which are kept in {}. ", found.stopped,
                                  found.poses.rows(), s.poses_asked, beside(folder, ".partial"));
-  said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder),
-                      rows > 0 ? fmt::format("goes on from row {} and ends with the bytes of an undisturbed run", rows)
-                               : "computes them anew");
+  std::string goes_on = "computes them anew";
+  std::error_code ignored;
+  if (rows > 0)
+    goes_on = fmt::format("goes on from row {} and ends with the bytes of an undisturbed run", rows);
+  else if (checkpoint != nullptr && std::filesystem::exists(checkpoint->file(), ignored))
+    goes_on = fmt::format("goes on from what a run before has left in {}", checkpoint->file());
+  said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder), goes_on);
   if (checkpoint != nullptr && !checkpoint->problem().empty())
     said += fmt::format(" {} cannot be written: {}.", checkpoint->file(), checkpoint->problem());
   s.verdict.insert(s.verdict.begin(), said);
