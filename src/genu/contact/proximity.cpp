@@ -298,6 +298,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
 }
 
 void Proximity::find_rims(const Pose& X_qs, ProximityScan& out) {
+  if (safeguards_.lacks(Safeguard::rims)) return;
   rims_.clear();
   rim_of_sampled_.scan(X_qs, rims_);
   const std::size_t of_sampled = rims_.size();

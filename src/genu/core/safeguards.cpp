@@ -28,6 +28,7 @@ constexpr std::array<SafeguardFacts, kSafeguards> kSafeguardFacts = {{
     {"unexplained", "samples that overlap where no minimum says why are seen"},
     {"opposed", "normals at a contact face each other"},
     {"edges", "contact points lie inside their patches"},
+    {"rims", "the edges of patches are looked at themselves, between the samples of the other surface"},
     {"contact_limit", "no more contacts than leave a freedom"},
     {"without_one", "of contacts that exclude each other one goes"},
     {"passing", "no body comes to its pose through another"},
