@@ -67,10 +67,12 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
       spacing_(options.spacing),
       far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
       reserve_(0.5 * options.spacing),
-      rim_of_sampled_(*sampled_, *queried_, options.spacing, samples_b_ ? options.centre_b : options.centre_a,
-                      options.reach),
       rim_of_queried_(*queried_, *sampled_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                       options.reach) {
+  // The vertices of a mesh are samples, its rim's too.
+  if (sampled_->is_global())
+    rim_of_sampled_ =
+        Rim(*sampled_, *queried_, options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);

@@ -17,20 +17,40 @@ constexpr double kInward = 0.02;  // of the way to the middle of the surface's t
 // Outward normals within 60 degrees of each other: the sides cannot touch.
 constexpr double kSameWay = 0.5;
 
+struct BorderEdge {
+  int from, to, inside;  // vertices; inside: opposite
+};
+
+/// The edges of one triangle, by their vertices.
+std::vector<BorderEdge> border_of(const Mesh& mesh) {
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // of triangles: how often, and the vertex opposite
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      auto& side = sides[std::minmax({t[at(k)], t[at((k + 1) % 3)]})];
+      ++side.first;
+      side.second = t[at((k + 2) % 3)];
+    }
+  std::vector<BorderEdge> border;
+  for (const auto& [ends, side] : sides)
+    if (side.first == 1) border.push_back({ends.first, ends.second, side.second});
+  return border;
+}
+
+double longest_of(const std::vector<BorderEdge>& border, const Mesh& mesh) {
+  double longest = 0;
+  for (const auto& [from, to, inside] : border)
+    longest = std::max(longest, (mesh.vertices[at(to)] - mesh.vertices[at(from)]).norm());
+  return longest;
+}
+
 }  // namespace
 
 Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach)
     : own_(&own), other_(&other), spacing_(kChord * spacing) {
-  if (!own.is_global() || !std::isfinite(own.edge_distance(centre))) return;
+  if (!std::isfinite(own.edge_distance(centre))) return;
   const Mesh mesh = own.triangles(spacing_, centre, reach);
-  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // of triangles: how often, and the vertex opposite
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const int i = t[at(k)], j = t[at((k + 1) % 3)];
-      auto& side = sides[std::minmax(i, j)];
-      ++side.first;
-      side.second = t[at((k + 2) % 3)];
-    }
+  const std::vector<BorderEdge> border = border_of(mesh);
+  if (!own.is_global()) spacing_ = longest_of(border, mesh);
   std::map<int, int> numbers;
   const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnEdge * spacing_; };
   const auto number = [&](int v) {
@@ -38,9 +58,8 @@ Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& c
     if (fresh) points_.push_back({mesh.vertices[at(v)]});
     return it->second;
   };
-  for (const auto& [ends, side] : sides)
-    if (side.first == 1 && on_edge(ends.first) && on_edge(ends.second))
-      segments_.push_back({number(ends.first), number(ends.second), mesh.vertices[at(side.second)]});
+  for (const auto& [from, to, inside] : border)
+    if (on_edge(from) && on_edge(to)) segments_.push_back({number(from), number(to), mesh.vertices[at(inside)]});
 }
 
 void Rim::forget() {
@@ -62,12 +81,16 @@ double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
 }
 
 double Rim::look_at(Point& point, const Pose& X_os) const {
+  constexpr double kFirstOrder = 2.0 / 3;  // in the band of a mesh the gap is a distance to first order only
   const Vec3 x = X_os * point.p;
   if (point.clearance - (x - point.at).norm() > kDip * spacing_) return kNowhere;
   point.at = x;
   const auto gap = other_->gap(x);
-  point.clearance = gap && other_->knows_distance() ? *gap : -1;
-  return gap ? *gap : kNowhere;
+  point.clearance = -1;
+  if (!gap) return kNowhere;
+  if (other_->knows_distance()) point.clearance = *gap;
+  if (!other_->is_global()) point.clearance = kFirstOrder * *gap;
+  return *gap;
 }
 
 /// By golden sections, on the surface over the chord.

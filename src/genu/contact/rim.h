@@ -1,7 +1,7 @@
 // The rim of a surface that ends, against another surface: where a body would stand on an edge, which has no normal.
 //
 // Samples of a surface see its rim, those of the other surface do not: between two of them a rim may dip below. So the
-// rim itself is looked at, for the surfaces whose edges are known exactly: patches of closed forms.
+// rim itself is looked at.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,11 @@ namespace genu {
 
 class Rim {
  public:
-  /// `spacing` (m) of samples, of which a few go to a segment of the rim; `reach` (m) bounds unbounded shapes around
-  /// `centre`, in the frame of its body.
+  /// Of a surface whose own samples are enough.
+  Rim() = default;
+
+  /// `spacing` (m) of samples, of which a few go to a segment of a closed form's rim; a mesh's is made of its edges.
+  /// `reach` (m) bounds unbounded shapes around `centre`, in the frame of its body.
   Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach);
 
   bool empty() const { return segments_.empty(); }
@@ -42,9 +45,9 @@ class Rim {
   double gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const;
   Vec3 lowest_on(const Segment& segment, const Pose& X_os) const;
 
-  const Surface* own_;
-  const Surface* other_;
-  double spacing_;  // m: of the rim's points
+  const Surface* own_ = nullptr;
+  const Surface* other_ = nullptr;
+  double spacing_ = 0;  // m: of the rim's points
   std::vector<Point> points_;
   std::vector<Segment> segments_;
 };
