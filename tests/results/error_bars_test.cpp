@@ -7,8 +7,9 @@
 namespace genu {
 namespace {
 
-/// Five poses; x is `off` away from row * 1 mm everywhere, and `peak` more in row 2.
-ResultTable poses(double off, double peak = 0, int unsolved = -1) {
+/// Five poses; x is `off` away from row * 1 mm everywhere, and `peak` more in row 2. Row `unsolved` is not, nor are
+/// those from row `lost` on.
+ResultTable poses(double off, double peak = 0, int unsolved = -1, int lost = 5) {
   ResultTable t;
   for (const char* column : {"step", "increment", "status", "knee.x_mm", "ACL.strain", "newton.iterations"})
     t.add_column(column);
@@ -16,8 +17,9 @@ ResultTable poses(double off, double peak = 0, int unsolved = -1) {
     t.add_row();
     t.set("step", 1L);
     t.set("increment", row);
-    t.set("status", std::string(row == unsolved ? "no_equilibrium" : "ok"));
-    if (row == unsolved) continue;
+    const bool ok = row != unsolved && row < lost;
+    t.set("status", std::string(ok ? "ok" : "no_equilibrium"));
+    if (!ok) continue;
     t.set("knee.x_mm", static_cast<double>(row) + off + (row == 2 ? peak : 0));
     t.set("ACL.strain", 0.01);
     t.set("newton.iterations", row);
@@ -69,6 +71,15 @@ TEST(ErrorBars, WhatIsNotSolvedHasNoBarAndCountsForNone) {
   const ErrorBars none = error_bars(base, {});
   EXPECT_TRUE(none.largest.empty());
   EXPECT_EQ(none.shares.rows(), 0u);
+}
+
+TEST(ErrorBars, DoNotShrinkWhereTheVariantsThatDifferMostAreLost) {
+  const ResultTable base = poses(0), far = poses(2, 0, -1, 2), near = poses(0.1);
+  const ErrorBars out = error_bars(base, {{ErrorCause::fit, &far}, {ErrorCause::fit, &near}});
+  for (std::size_t row = 0; row < 5; ++row) {
+    EXPECT_NEAR(out.bars.number(row, "knee.x_mm"), 2, 1e-15) << row;
+    EXPECT_EQ(out.bars.number(row, "variants"), row < 2 ? 2 : 1) << row;
+  }
 }
 
 }  // namespace

@@ -98,6 +98,21 @@ std::string place_of(const Solution& solution, std::size_t row) {
   return place;
 }
 
+/// Where other surfaces do not carry the joint through all poses, the bars know less than they should.
+void print_lost_variants(const RunSummary& summary) {
+  std::string lost;
+  int count = 0;
+  for (const RunSummary::Variant& v : summary.variants) {
+    if (v.poses_solved >= summary.poses_solved) continue;
+    lost += fmt::format("{}{}: {} of {}", count++ == 0 ? "" : "; ", v.name, v.poses_solved, summary.poses_solved);
+  }
+  if (count == 0) return;
+  fmt::print(
+      "  {} of {} other surfaces do not solve all poses ({}). There a bar keeps what they last differed by; "
+      "it may be too small.\n\n",
+      count, summary.variants.size(), lost);
+}
+
 /// The error bars of the columns shown, the largest and what causes it.
 void print_error_bars(const Solution& solution) {
   const std::vector<std::string> shown = columns_of_run(solution.poses);
@@ -114,6 +129,7 @@ void print_error_bars(const Solution& solution) {
     table.set(4, std::string(to_string(l.cause)));
   }
   if (table.rows() > 0) fmt::print("{}\n", to_text(table, table.columns(), 4, table.rows()));
+  print_lost_variants(solution.summary);
 }
 
 struct RunArguments {

@@ -45,7 +45,8 @@ class Spread {
       const auto there = rows_by_key(*v.poses);
       std::vector<std::size_t>& rows = row_of_.emplace_back(poses.rows(), kNone);
       for (const auto& [key, row] : keys)
-        if (const auto it = there.find(key); it != there.end() && is_solved(*v.poses, it->second))
+        if (const auto it = there.find(key);
+            it != there.end() && is_solved(poses, row) && is_solved(*v.poses, it->second))
           rows[row] = it->second;
     }
   }
@@ -58,8 +59,11 @@ class Spread {
   /// By cause, of one column; NaN where no variant of the cause has it.
   std::vector<std::array<double, kErrorCauses.size()>> shares(const std::string& column) const {
     std::vector<std::array<double, kErrorCauses.size()>> single(poses_.rows()), out;
-    for (std::size_t row = 0; row < poses_.rows(); ++row)
-      for (const ErrorCause cause : kErrorCauses) single[row][index(cause)] = share(column, row, cause);
+    std::vector<double> away(variants_.size(), kUnknown);
+    for (std::size_t row = 0; row < poses_.rows(); ++row) {
+      for (std::size_t v = 0; v < variants_.size(); ++v) away[v] = distance(column, row, v, away[v]);
+      for (const ErrorCause cause : kErrorCauses) single[row][index(cause)] = share(away, cause);
+    }
     out = single;
     for (std::size_t row = 0; row < poses_.rows(); ++row)
       for (std::size_t c = 0; c < kErrorCauses.size(); ++c)
@@ -74,15 +78,22 @@ class Spread {
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  double share(const std::string& column, std::size_t row, ErrorCause cause) const {
+  /// Of variant `v` from the results; where it has no equilibrium any more, the distance `before` that: a bar does not
+  /// shrink because the surfaces that differ most carry the joint no further.
+  double distance(const std::string& column, std::size_t row, std::size_t v, double before) const {
+    if (row_of_[v][row] == kNone) return before;
+    if (!variants_[v].poses->has_column(column)) return kUnknown;
+    return std::abs(variants_[v].poses->number(row_of_[v][row], column) - poses_.number(row, column));
+  }
+
+  /// Of the variants that are `away` so far, NaN where that is not known.
+  double share(const std::vector<double>& away, ErrorCause cause) const {
     double largest = 0, squares = 0;
     int count = 0;
     for (std::size_t v = 0; v < variants_.size(); ++v) {
-      if (variants_[v].cause != cause || row_of_[v][row] == kNone || !variants_[v].poses->has_column(column)) continue;
-      const double away = std::abs(variants_[v].poses->number(row_of_[v][row], column) - poses_.number(row, column));
-      if (!std::isfinite(away)) continue;
-      largest = std::max(largest, away);
-      squares += away * away;
+      if (variants_[v].cause != cause || !std::isfinite(away[v])) continue;
+      largest = std::max(largest, away[v]);
+      squares += away[v] * away[v];
       ++count;
     }
     if (count == 0) return kUnknown;

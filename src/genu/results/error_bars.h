@@ -8,7 +8,8 @@
 //
 // The causes are independent: a bar is the root of the sum of their squares. Contacts pass a place of the path sooner
 // or later from variant to variant, so a column may differ much in one row and not in the next; each share is the
-// largest of its row and of those beside it.
+// largest of its row and of those beside it. A variant that has no equilibrium any more counts as far away as it last
+// was.
 #pragma once
 
 #include <array>
