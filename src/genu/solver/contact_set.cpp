@@ -314,21 +314,28 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   }
   if (model_->safeguards.lacks(Safeguard::seed)) return report;
   // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
-  // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one.
+  // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one. From far
+  // Newton's method on it may wander without end, where the way down has one.
+  struct Way {
+    bool downhill;
+    double stiffer;
+  };
   PoseReport seeded;
-  for (const double stiffer : {1.0, 30.0, 1000.0}) {
+  for (const Way way : {Way{false, 1}, Way{false, 30}, Way{false, 1000}, Way{true, 1}}) {
     trial = pose;
-    const int before = seeded.iterations;
-    seeded = settle_from_seed(trial, target, false, stiffer);
-    seeded.iterations += before;
-    if (seeded.status == PoseStatus::overlap) continue;
-    if (seeded.status != PoseStatus::ok) continue;
-    if (!passes_through(pose.state, trial.state)) {
-      pose = std::move(trial);
-      break;
+    PoseReport tried = settle_from_seed(trial, target, way.downhill, way.stiffer);
+    tried.iterations += seeded.iterations;
+    if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state)) {
+      tried.status = PoseStatus::overlap;
+      tried.why = kBehind;
     }
-    seeded.status = PoseStatus::overlap;
-    seeded.why = kBehind;
+    if (way.downhill && tried.status != PoseStatus::ok)
+      seeded.iterations = tried.iterations;  // where the way down leads to nothing, what Newton met says more
+    else
+      seeded = tried;
+    if (tried.status != PoseStatus::ok) continue;
+    pose = std::move(trial);
+    break;
   }
   seeded.iterations += report.iterations;
   // Of two failures the one that names a cause says more.

@@ -193,6 +193,11 @@ bool Knee::comparable() const {
   return true;
 }
 
+bool Knee::meshed() const {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const Contact& c) { return c.femur.mesh_edge > 0 || c.tibia.mesh_edge > 0; });
+}
+
 Knee draw_knee(std::uint64_t seed, int index, const std::string& data) {
   RandomSource random(seed, index);
   Knee knee;

@@ -76,6 +76,8 @@ struct Knee {
 
   /// Whether the energy twin knows all of it: convex closed forms on planes, dead forces, one prescribed flexion.
   bool comparable() const;
+  /// Whether a surface of it is cut into triangles.
+  bool meshed() const;
 };
 
 }  // namespace genu::population

@@ -8,8 +8,15 @@
 
 namespace genu::population {
 
+/// The error_bars.csv of both runs, empty for none.
+struct BarsOfBoth {
+  RunTable results, mirrored;
+};
+
 /// `mirrored` is what a run of the same knee has written, as View{true} has it: the same rows and words, and numbers
-/// that are the same once seen in the mirror. "" where that is so.
-std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored);
+/// that are the same once seen in the mirror. "" where that is so. Poses of meshes may differ by what the bars of both
+/// add up to.
+std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored,
+                                const BarsOfBoth& bars = {});
 
 }  // namespace genu::population

@@ -55,16 +55,29 @@ std::string look_at(const RunTable& results, int exit_code, Trial& out) {
   return "";
 }
 
+/// What genu says the meshes of a scene leave open, found in `folder`.
+RunTable error_bars(const std::string& scene, const std::string& folder, const TrialOptions& options) {
+  // Some ten runs; where they take too long nothing is left open.
+  run_process({options.genu, "run", scene, "--out", folder, "--quiet", "--error-bars"}, folder + ".txt",
+              options.seconds);
+  return RunTable::read(folder + "/error_bars.csv");
+}
+
 /// The mirror image of a knee that was solved to `table`.
-std::string try_mirror(const Knee& knee, std::uint64_t noise_seed, const std::string& of_knee,
-                       const TrialOptions& options, const RunTable& table, Trial& out) {
+std::string try_mirror(const Knee& knee, const std::string& of_knee_scene, std::uint64_t noise_seed,
+                       const std::string& of_knee, const TrialOptions& options, const RunTable& table, Trial& out) {
   const std::string folder = of_knee + "/mirror", said = folder + "/run.txt";
   fs::create_directories(folder);
   const std::string scene = write_knee(knee, folder, noise_seed, {true});
   const ProcessEnd run =
       run_process({options.genu, "run", scene, "--out", folder + "/out", "--quiet"}, said, options.seconds);
   if (const std::string wrong = bad_end("genu run of the mirror image", run, said); !wrong.empty()) return wrong;
-  const std::string wrong = compare_with_mirror(knee, table, RunTable::read(folder + "/out/results.csv"));
+  const RunTable mirrored = RunTable::read(folder + "/out/results.csv");
+  std::string wrong = compare_with_mirror(knee, table, mirrored);
+  if (!wrong.empty() && knee.meshed())
+    wrong = compare_with_mirror(
+        knee, table, mirrored,
+        {error_bars(of_knee_scene, of_knee + "/bars", options), error_bars(scene, folder + "/bars", options)});
   if (wrong.empty()) out.mirrored += out.poses;
   return wrong;
 }
@@ -93,7 +106,7 @@ std::string try_knee(const Knee& knee, std::uint64_t noise_seed, const std::stri
   if (judge.exit_code != 0 && !nothing_to_judge) return "the judge rejects it: " + last_line(judged);
   out.grave = false;
   if (options.mirror && knee.text.empty())
-    if (const std::string wrong = try_mirror(knee, noise_seed, folder, options, table, out); !wrong.empty())
+    if (const std::string wrong = try_mirror(knee, scene, noise_seed, folder, options, table, out); !wrong.empty())
       return wrong;
   if (!options.compare || !knee.comparable()) return "";
   const TwinVerdict twin = compare_with_twin(knee, table);
