@@ -33,6 +33,7 @@ constexpr std::array<SafeguardFacts, kSafeguards> kSafeguardFacts = {{
     {"without_one", "of contacts that exclude each other one goes"},
     {"passing", "no body comes to its pose through another"},
     {"seed", "far from contact an elastic foundation leads to it"},
+    {"downhill", "and where Newton's method wanders on that, the way down its energy"},
     {"swallowed", "a surface inside another is seen by points of its own"},
     {"far_side", "beyond the band of a smooth mesh its triangles tell the side"},
     {"buried", "layers pressed deeper than their rays look are not taken for free"},

@@ -322,6 +322,7 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   };
   PoseReport seeded;
   for (const Way way : {Way{false, 1}, Way{false, 30}, Way{false, 1000}, Way{true, 1}}) {
+    if (way.downhill && model_->safeguards.lacks(Safeguard::downhill)) break;
     trial = pose;
     PoseReport tried = settle_from_seed(trial, target, way.downhill, way.stiffer);
     tried.iterations += seeded.iterations;
