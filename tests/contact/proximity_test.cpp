@@ -255,6 +255,58 @@ TEST(Proximity, SwappedSurfacesGiveTheSameContactsMirrored) {
   expect_mirrored(*top, *bumps);
 }
 
+/// An open sheet that ends at x = 10 mm, in `cells` x `cells` squares (an odd number: none of its vertices stands under
+/// the middle); `trim` (m): what is left of the last row.
+Mesh sheet(int cells, double trim) {
+  const double half = 0.01, cell = 2 * half / cells;
+  Mesh mesh;
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j)
+      mesh.vertices.emplace_back(i == cells ? half : half - trim - (cells - 1 - i) * cell, -half + j * cell, 0);
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const int v = i * (cells + 1) + j, next = v + cells + 1;
+      mesh.triangles.push_back({v, next, next + 1});
+      mesh.triangles.push_back({v, next + 1, v + 1});
+    }
+  return mesh;
+}
+
+/// A ball whose middle is 4 mm past the edge of an open sheet meets its rim from the side, between its vertices.
+TEST(Proximity, TheRimOfAnOpenMeshIsFoundWhicheverSurfaceIsNamedFirst) {
+  constexpr double kRadius = 0.01, kPast = 4e-3;
+  Diagnostics ignored;
+  const std::shared_ptr<const Surface> sphere = make_sphere(Pose{}, kRadius, false);
+  const std::shared_ptr<const Surface> ball =
+      BlendSurface::build(sphere->triangles(0.7e-3, Vec3::Zero(), 0.1), {}, "ball", ignored);
+  ASSERT_TRUE(ball);
+  const double touching = std::sqrt(kRadius * kRadius - kPast * kPast);
+  struct Case {
+    int cells;
+    double trim;
+  };
+  for (const Case c : {Case{11, 0.02 / 11}, Case{5, 0.02 / 5}, Case{11, 0.5e-3}, Case{11, 0.1e-3}}) {
+    const std::shared_ptr<const Surface> plate = BlendSurface::build(sheet(c.cells, c.trim), {}, "sheet", ignored);
+    ASSERT_TRUE(plate);
+    for (const auto& other : {sphere, ball})
+      for (const bool first : {true, false})
+        for (const double deep : {-1e-5, 1e-5, 5e-5, 3e-4}) {
+          const Vec3 place(0.01 + kPast, 0, touching - deep);
+          const double gap = std::hypot(kPast, place.z()) - kRadius;
+          Proximity proximity(first ? *plate : *other, first ? *other : *plate, kOptions);
+          ProximityScan scan;
+          proximity.scan({Mat3::Identity(), first ? place : Vec3(-place)}, 1e-3, scan);
+          // A sample that has sunk in finds the sheet carried on past its edge as well, where it lies deeper.
+          double lowest = 0, nearest = 1;
+          for (const LocalMinimum& m : scan.edge) lowest = std::min(lowest, m.gap);
+          for (const LocalMinimum& m : scan.edge) nearest = std::min(nearest, std::abs(m.gap - gap));
+          EXPECT_TRUE(gap > 0 ? lowest == 0 : nearest < 1e-6)
+              << c.cells << " cells, trimmed to " << c.trim << (first ? ", named first, " : ", named second, ")
+              << (other == ball ? "a meshed ball, " : "a sphere, ") << deep << ": " << gap << ", found " << lowest;
+        }
+  }
+}
+
 TEST(Proximity, NearSamplesAreAllThatOverlap) {
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
   Proximity proximity(*plane, *sphere, kOptions);

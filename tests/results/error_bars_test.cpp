@@ -8,8 +8,8 @@ namespace genu {
 namespace {
 
 /// Five poses; x is `off` away from row * 1 mm everywhere, and `peak` more in row 2. Row `unsolved` is not, nor are
-/// those from row `lost` on.
-ResultTable poses(double off, double peak = 0, int unsolved = -1, int lost = 5) {
+/// those from row `lost` on; from row `open` on x is empty.
+ResultTable poses(double off, double peak = 0, int unsolved = -1, int lost = 5, int open = 5) {
   ResultTable t;
   for (const char* column : {"step", "increment", "status", "knee.x_mm", "ACL.strain", "newton.iterations"})
     t.add_column(column);
@@ -20,7 +20,7 @@ ResultTable poses(double off, double peak = 0, int unsolved = -1, int lost = 5) 
     const bool ok = row != unsolved && row < lost;
     t.set("status", std::string(ok ? "ok" : "no_equilibrium"));
     if (!ok) continue;
-    t.set("knee.x_mm", static_cast<double>(row) + off + (row == 2 ? peak : 0));
+    if (row < open) t.set("knee.x_mm", static_cast<double>(row) + off + (row == 2 ? peak : 0));
     t.set("ACL.strain", 0.01);
     t.set("newton.iterations", row);
   }
@@ -80,6 +80,13 @@ TEST(ErrorBars, DoNotShrinkWhereTheVariantsThatDifferMostAreLost) {
     EXPECT_NEAR(out.bars.number(row, "knee.x_mm"), 2, 1e-15) << row;
     EXPECT_EQ(out.bars.number(row, "variants"), row < 2 ? 2 : 1) << row;
   }
+}
+
+/// A contact that is open in a variant, or in the results, has no cells.
+TEST(ErrorBars, KeepTheLastDistanceWhereACellIsEmpty) {
+  const ResultTable base = poses(0), near = poses(0.1), far = poses(2, 0, -1, 5, 2);
+  const ErrorBars out = error_bars(base, {{ErrorCause::fit, &far}, {ErrorCause::fit, &near}});
+  for (std::size_t row = 0; row < 5; ++row) EXPECT_NEAR(out.bars.number(row, "knee.x_mm"), 2, 1e-15) << row;
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ void print_lost_variants(const RunSummary& summary) {
   }
   if (count == 0) return;
   fmt::print(
-      "  {} of {} other surfaces do not solve all poses ({}). There a bar keeps what they last differed by; "
-      "it may be too small.\n\n",
+      "  {} of {} other surfaces do not solve all poses ({}). There a bar keeps what they last differed by, "
+      "nothing where they solve none: it may be too small.\n\n",
       count, summary.variants.size(), lost);
 }
 

@@ -67,12 +67,10 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
       spacing_(options.spacing),
       far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
       reserve_(0.5 * options.spacing),
+      rim_of_sampled_(*sampled_, *queried_, options.spacing, samples_b_ ? options.centre_b : options.centre_a,
+                      options.reach),
       rim_of_queried_(*queried_, *sampled_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                       options.reach) {
-  // The vertices of a mesh are samples, its rim's too.
-  if (sampled_->is_global())
-    rim_of_sampled_ =
-        Rim(*sampled_, *queried_, options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
   gap_.assign(samples_.points.size(), kInfinity);
@@ -302,7 +300,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
 void Proximity::find_rims(const Pose& X_qs, ProximityScan& out) {
   if (safeguards_.lacks(Safeguard::rims)) return;
   rims_.clear();
-  rim_of_sampled_.scan(X_qs, rims_);
+  if (!rim_of_sampled_.empty()) rim_of_sampled_.scan(X_qs, rims_);
   const std::size_t of_sampled = rims_.size();
   if (!rim_of_queried_.empty()) rim_of_queried_.scan(X_qs.inverse(), rims_);
   for (std::size_t k = of_sampled; k < rims_.size(); ++k) std::swap(rims_[k].contact.a, rims_[k].contact.b);

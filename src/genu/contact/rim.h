@@ -1,7 +1,7 @@
 // The rim of a surface that ends, against another surface: where a body would stand on an edge, which has no normal.
 //
-// Samples of a surface see its rim, those of the other surface do not: between two of them a rim may dip below. So the
-// rim itself is looked at.
+// Samples stand apart, on the rim too, and those of the other surface do not see it: between two of them a rim may dip
+// below. So the rim itself is looked at.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,6 @@ namespace genu {
 
 class Rim {
  public:
-  /// Of a surface whose own samples are enough.
-  Rim() = default;
-
   /// `spacing` (m) of samples, of which a few go to a segment of a closed form's rim; a mesh's is made of its edges.
   /// `reach` (m) bounds unbounded shapes around `centre`, in the frame of its body.
   Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach);

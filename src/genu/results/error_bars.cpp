@@ -78,12 +78,14 @@ class Spread {
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  /// Of variant `v` from the results; where it has no equilibrium any more, the distance `before` that: a bar does not
-  /// shrink because the surfaces that differ most carry the joint no further.
+  /// Of variant `v` from the results; where it has no equilibrium any more, or either has no such cell (an open
+  /// contact), the distance `before` that: a bar does not shrink because the surfaces that differ most carry the joint
+  /// no further.
   double distance(const std::string& column, std::size_t row, std::size_t v, double before) const {
     if (row_of_[v][row] == kNone) return before;
     if (!variants_[v].poses->has_column(column)) return kUnknown;
-    return std::abs(variants_[v].poses->number(row_of_[v][row], column) - poses_.number(row, column));
+    const double there = variants_[v].poses->number(row_of_[v][row], column), here = poses_.number(row, column);
+    return std::isfinite(there) && std::isfinite(here) ? std::abs(there - here) : before;
   }
 
   /// Of the variants that are `away` so far, NaN where that is not known.

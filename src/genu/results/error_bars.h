@@ -8,8 +8,8 @@
 //
 // The causes are independent: a bar is the root of the sum of their squares. Contacts pass a place of the path sooner
 // or later from variant to variant, so a column may differ much in one row and not in the next; each share is the
-// largest of its row and of those beside it. A variant that has no equilibrium any more counts as far away as it last
-// was.
+// largest of its row and of those beside it. A variant that has no equilibrium any more, or no such contact, counts as
+// far away as it last was.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct VariedPoses {
 
 struct ErrorBars {
   /// The columns of `poses` that are measures (not the statuses, counts and residuals), same rows, bars in place of
-  /// values; `variants` tells how many variants were solved there. A row or cell no variant has is empty.
+  /// values; `variants` tells how many variants were solved there. Empty where no variant has had the cell so far.
   ResultTable bars;
   /// step, increment, output, bar and the share of each cause, a row for each bar.
   ResultTable shares;

@@ -330,7 +330,8 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
       tried.status = PoseStatus::overlap;
       tried.why = kBehind;
     }
-    if (way.downhill && tried.status != PoseStatus::ok)
+    const bool vague = tried.status == PoseStatus::no_equilibrium;
+    if (way.downhill && (vague || (tried.status != PoseStatus::ok && seeded.status != PoseStatus::no_equilibrium)))
       seeded.iterations = tried.iterations;  // where the way down leads to nothing, what Newton met says more
     else
       seeded = tried;

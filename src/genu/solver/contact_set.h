@@ -62,7 +62,7 @@ class ContactSetSolver {
   PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false, double stiffer = 1);
 
   /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed; the seed as well
-  /// where the bodies would have to pass through each other on the way.
+  /// where the bodies would have to pass through each other on the way. Last downhill, where Newton's method wanders.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
   /// Follows open contacts to the new pose and forgets those that are no more.

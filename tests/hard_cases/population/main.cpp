@@ -39,7 +39,8 @@ struct Options {
 };
 
 struct Tally {
-  int knees = 0, solved = 0, diagnosed = 0, refused = 0, failed = 0, poses = 0, compared = 0, mirrored = 0, grave = 0;
+  int knees = 0, solved = 0, diagnosed = 0, refused = 0, failed = 0, poses = 0, compared = 0, mirrored = 0,
+      within_bars = 0, grave = 0;
   double seconds = 0;
 
   void add(const Trial& t) {
@@ -52,6 +53,7 @@ struct Tally {
     poses += t.poses;
     compared += t.compared;
     mirrored += t.mirrored;
+    within_bars += t.within_bars;
     seconds += t.seconds;
   }
 };
@@ -115,9 +117,9 @@ class Population {
           options_.seed, index, options_.compare > 0 ? 1 : 0, options_.mirror > 0 ? 1 : 0);
     fmt::print(
         "{} knees of seed {}: {} solved, {} diagnosed, {} refused, {} failed; {} poses judged, {} compared, {} in the "
-        "mirror\n",
+        "mirror ({} knees within their error bars only)\n",
         all_.knees, options_.seed, all_.solved, all_.diagnosed, all_.refused, all_.failed, all_.poses, all_.compared,
-        all_.mirrored);
+        all_.mirrored, all_.within_bars);
     constexpr int kOneIn = 1000;
     return all_.grave == 0 && all_.failed * kOneIn <= all_.knees ? 0 : 1;
   }

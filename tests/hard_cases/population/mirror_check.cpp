@@ -57,6 +57,9 @@ class Mirror {
                                          : kRounding) {}
 
   std::string compare() const {
+    if (b_.rows.empty()) return "in the mirror it is refused";
+    // A search that wandered: where it ends, and with which cause, the rounding decides.
+    if (common_rows() > 0 && !ok(0) && b_.text(0, "status") != "ok") return "";
     if (meshed_) return compare_poses();
     if (a_.columns.size() != b_.columns.size()) return "in the mirror it has more columns, or fewer";
     for (const std::string& column : a_.columns)  // translations stand in another order there
@@ -73,18 +76,19 @@ class Mirror {
     return "";
   }
 
- private:
-  /// Until a motion costs no force: then the pose is one of many, and which one it is the rounding decides, for the
-  /// poses after it too.
+  /// Until both say that a motion costs no force: then the pose is one of many, and which one it is the rounding
+  /// decides, for the poses after it too.
   std::size_t compared_rows() const {
     const auto one_of_many = [](const RunTable& table, std::size_t row) {
       return table.text(row, "stability") == "neutral" || table.text(row, "status") == "undetermined";
     };
     std::size_t row = 0;
-    while (row < common_rows() && !one_of_many(a_, row) && !one_of_many(b_, row)) ++row;
+    if (common_rows() > 0 && !ok(0)) return 0;
+    while (row < common_rows() && !(one_of_many(a_, row) && one_of_many(b_, row))) ++row;
     return row;
   }
 
+ private:
   std::size_t common_rows() const { return std::min(a_.rows.size(), b_.rows.size()); }
 
   /// Where both found one.
@@ -162,9 +166,10 @@ class Mirror {
 
 }  // namespace
 
-std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored,
-                                const BarsOfBoth& bars) {
-  return Mirror(knee, results, mirrored, bars).compare();
+MirrorVerdict compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored,
+                                  const BarsOfBoth& bars) {
+  const Mirror mirror(knee, results, mirrored, bars);
+  return {static_cast<int>(mirror.compared_rows()), mirror.compare()};
 }
 
 }  // namespace genu::population

@@ -13,10 +13,14 @@ struct BarsOfBoth {
   RunTable results, mirrored;
 };
 
+struct MirrorVerdict {
+  int compared = 0;   ///< rows, until the pose is one of many
+  std::string wrong;  ///< "" where all is well
+};
+
 /// `mirrored` is what a run of the same knee has written, as View{true} has it: the same rows and words, and numbers
-/// that are the same once seen in the mirror. "" where that is so. Poses of meshes may differ by what the bars of both
-/// add up to.
-std::string compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored,
-                                const BarsOfBoth& bars = {});
+/// that are the same once seen in the mirror. Poses of meshes may differ by what the bars of both add up to.
+MirrorVerdict compare_with_mirror(const Knee& knee, const RunTable& results, const RunTable& mirrored,
+                                  const BarsOfBoth& bars = {});
 
 }  // namespace genu::population

@@ -73,13 +73,15 @@ std::string try_mirror(const Knee& knee, const std::string& of_knee_scene, std::
       run_process({options.genu, "run", scene, "--out", folder + "/out", "--quiet"}, said, options.seconds);
   if (const std::string wrong = bad_end("genu run of the mirror image", run, said); !wrong.empty()) return wrong;
   const RunTable mirrored = RunTable::read(folder + "/out/results.csv");
-  std::string wrong = compare_with_mirror(knee, table, mirrored);
-  if (!wrong.empty() && knee.meshed())
-    wrong = compare_with_mirror(
+  MirrorVerdict verdict = compare_with_mirror(knee, table, mirrored);
+  if (!verdict.wrong.empty() && knee.meshed() && !mirrored.rows.empty()) {
+    verdict = compare_with_mirror(
         knee, table, mirrored,
         {error_bars(of_knee_scene, of_knee + "/bars", options), error_bars(scene, folder + "/bars", options)});
-  if (wrong.empty()) out.mirrored += out.poses;
-  return wrong;
+    out.within_bars = verdict.wrong.empty();
+  }
+  if (verdict.wrong.empty()) out.mirrored += verdict.compared;
+  return verdict.wrong;
 }
 
 std::string try_knee(const Knee& knee, std::uint64_t noise_seed, const std::string& folder, const TrialOptions& options,

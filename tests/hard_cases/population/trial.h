@@ -27,12 +27,13 @@ struct Trial {
   };
   End end = End::failed;
   std::string kind;
-  std::string status;  ///< diagnosed: of the first pose that is not ok
-  std::string why;     ///< failed: what is wrong; else what genu said last
-  bool grave = false;  ///< failed: crashed, wrote a NaN, rejected by the judge; not: took too long
-  int poses = 0;       ///< ok
-  int compared = 0;    ///< with the twin
-  int mirrored = 0;    ///< ok, and the same in the mirror
+  std::string status;        ///< diagnosed: of the first pose that is not ok
+  std::string why;           ///< failed: what is wrong; else what genu said last
+  bool grave = false;        ///< failed: crashed, wrote a NaN, rejected by the judge; not: took too long
+  int poses = 0;             ///< ok
+  int compared = 0;          ///< with the twin
+  int mirrored = 0;          ///< rows compared with those in the mirror, and the same
+  bool within_bars = false;  ///< the same in the mirror only within the error bars of both
   double seconds = 0;
 };
 
