@@ -1,11 +1,14 @@
 // The judge accepts what the solver finds, and rejects it with any one number of it changed.
 #include "genu/judge/judge.h"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "corrupted.h"
 #include "support/data.h"
+#include "support/published_knee.h"
 
 namespace genu {
 namespace {
@@ -123,7 +126,9 @@ TEST(Judge, RejectsAMotionThatDoesNotFollowFromItsForces) {
 TEST(Judge, JudgesMeasuredCartilageByItsOwnRays) {
   GENU_NEEDS_DATA("lenhart2015");
   Diagnostics out;
-  Corrupted run = Corrupted::of(knee_file("lenhart2015/scene-published-poses.toml"));
+  const std::string scene = testing::TempDir() + "judged_cartilage.toml";
+  std::ofstream(scene) << test::published_scene(test::data_path("lenhart2015/ACLC01-R-femur-cart.stl"));
+  Corrupted run = Corrupted::of(scene);
   EXPECT_THAT(run.rejections(), IsEmpty()) << to_text(run.judge());
   for (const char* column :
        {"tf.force_x_N", "tf.moment_y_Nm", "tf.area_mm2", "tf.max_pressure_MPa", "tf.max_depth_mm"}) {
