@@ -100,8 +100,16 @@ class Population {
       if (done.end == Trial::End::refused) ++statuses_["refused"];
       if (done.end == Trial::End::failed)
         failures_[options_.number(i)] = fmt::format("knee {} ({}): {}", options_.number(i), done.kind, done.why);
-      if (isatty(2) != 0) fmt::print(stderr, "\r{} of {} knees, {} failed", all_.knees, options_.knees, all_.failed);
+      say_progress();
     }
+  }
+
+  void say_progress() const {
+    constexpr int kEach = 500;
+    if (isatty(2) != 0)
+      fmt::print(stderr, "\r{} of {} knees, {} failed", all_.knees, options_.knees, all_.failed);
+    else if (all_.knees % kEach == 0)
+      fmt::print(stderr, "{} of {} knees, {} failed\n", all_.knees, options_.knees, all_.failed);
   }
 
   int report() const {
