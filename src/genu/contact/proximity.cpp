@@ -23,6 +23,8 @@ constexpr double kNearContact = 0.15;
 constexpr double kHopeless = 0.03;
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
 constexpr double kMerge = 0.1;
+// Facets lie off the smooth surface by no more.
+constexpr double kShallow = 0.05;
 // Outward normals within 60 degrees of each other: the sides cannot touch.
 constexpr double kFacingSameWay = 0.5;
 
@@ -191,12 +193,15 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   if (const auto gap = queried_->gap(x)) {
     memory.clearance = near_clearance(gap).value_or(-1);
     SurfacePoint foot;
-    if (direction == nullptr && *gap > 0) return *gap;
-    if (!queried_->project(x, foot)) return kInfinity;
+    const double shallow = kShallow * spacing_;
+    if (direction == nullptr && *gap > shallow) return *gap;
+    if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
     if (direction != nullptr) *direction = foot.n;
+    const bool same_way = foot.n.dot(normal) > kFacingSameWay, beyond = queried_->edge_distance(foot.p) < 0;
+    if (same_way && !beyond && std::abs(*gap) <= shallow && safeguards_.has(Safeguard::swallowed))
+      if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
-    if (*gap < 0 && (foot.n.dot(normal) > kFacingSameWay || queried_->edge_distance(foot.p) < 0))
-      return doubtful_gap(x, *gap, memory);
+    if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
     return *gap;
   }
   if (safeguards_.lacks(Safeguard::far_side)) return kInfinity;
@@ -206,15 +211,24 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   return nearest.distance;
 }
 
+/// Where both surfaces lie on one another and face the same way, as those of bodies that fill the same space do, no
+/// gap tells: how deep a point behind both is inside both, 0 where it is not.
+double Proximity::depth_behind(const Pose& X_qs, int sample) {
+  constexpr double kBehind = 0.5, kInside = 0.25;  // of the spacing
+  const Vec3 behind = samples_.points[at(sample)] - kBehind * spacing_ * samples_.normals[at(sample)];
+  if (swallowed_->distance_to_outer(behind) > -kInside * spacing_) return 0;
+  const double depth = far_.nearest(X_qs * behind).distance;
+  return depth < -kInside * spacing_ ? depth : 0;
+}
+
 /// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
 /// then the point is inside, as all of a small body may be that a large one has swallowed.
 double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const {
   if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
-  const double shallow = 0.05 * spacing_;  // facets lie off the smooth surface
   const FarDistance::Nearest facets = far_.nearest(x);
   memory.doubted_at = x;
-  memory.doubt = std::min(facets.distance + shallow, facets.same_side);
-  return facets.distance < -shallow ? std::max(gap, facets.distance) : kInfinity;
+  memory.doubt = std::min(facets.distance + kShallow * spacing_, facets.same_side);
+  return facets.distance < -kShallow * spacing_ ? std::max(gap, facets.distance) : kInfinity;
 }
 
 void Proximity::measure(const Pose& X_qs, double window) {

@@ -107,6 +107,7 @@ class Proximity {
   bool clear(Group& group, const Pose& X_qs, double window) const;
   void measure(const Pose& X_qs, double window);
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction);
+  double depth_behind(const Pose& X_qs, int sample);
   double doubtful_gap(const Vec3& x, double gap, Memory& memory) const;
   void build_groups();
   Group sphere_round(int first, int last, int& axis) const;

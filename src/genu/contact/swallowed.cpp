@@ -9,7 +9,7 @@ namespace {
 constexpr double kAcross = 10;        // points of the inner surface are a tenth of its box apart
 constexpr double kCoarseSpacing = 3;  // of the spacing: samples of the outer surface that are looked at first
 constexpr double kSideKept = 0.1;     // of its distance: so far a point moves before its side is asked for again
-constexpr double kShallow = 0.05;     // of the spacing: what facets may say wrongly of the smooth surface
+constexpr double kFacetsOff = 0.05;   // of the spacing: what facets may say wrongly of the smooth surface
 
 double box_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
@@ -70,7 +70,7 @@ Swallowed::Depth Swallowed::deepest(const Pose& X_oi) {
     if (point.clearance > (x - point.at).norm()) continue;
     const double g = gap(x, point.clearance);
     point.at = x;
-    if (g >= -kShallow * spacing_) continue;
+    if (g >= -kFacetsOff * spacing_) continue;
     point.clearance = -1;  // only what is outside stays so while it is clear
     if (g < out.gap) out = {g, point.p};
   }

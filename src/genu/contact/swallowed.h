@@ -25,6 +25,9 @@ class Swallowed {
   /// The deepest of a few points that stand for the whole of the inner surface; X_oi is its frame in the outer's.
   Depth deepest(const Pose& X_oi);
 
+  /// m, of a point x in the outer surface's frame: negative inside it.
+  double distance_to_outer(const Vec3& x) { return far().nearest(x).distance; }
+
   /// As if nothing had been looked at yet.
   void forget() {
     for (Point& point : points_) point.clearance = -1;

@@ -95,12 +95,12 @@ class Balance {
   /// Where hardly any force is at work.
   double least_force() const { return pose_.subject->least_force + pose_.slack * pose_.subject->force_scale; }
   double force_tolerance(const Sum& s) const {
-    return (kBalance + pose_.slack) * s.forces + more_force_ + least_force();
+    return (kBalance + pose_.slack) * s.forces + more_force_ + least_force() + pose_.rounding * pose_.subject->springs;
   }
   double moment_tolerance(const Sum& s) const {
     const double size = pose_.subject->size;
     return (kBalance + pose_.slack) * (s.forces * size + s.moments) + kRounding * s.levers + s.forces * pose_.rounding +
-           more_moment_ + least_force() * size;
+           more_moment_ + (least_force() + pose_.rounding * pose_.subject->springs) * size;
   }
 
   void add_joint(int j) {
@@ -229,8 +229,10 @@ class Balance {
       const auto angle = [&](const Vec3& normal) {
         return to::kDegree * std::atan2(direction[c].cross(normal).norm(), direction[c].dot(normal));
       };
-      pose_.out->expect("directions of contact forces", "deg", angle(f.normal_b), to::kDegree * f.turn_b, f.name);
-      pose_.out->expect("directions of contact forces", "deg", angle(-f.normal_a), to::kDegree * f.turn_a, f.name);
+      constexpr double kLeastCone = 1e-6;  // deg: the cone of facets in one plane is a line
+      for (const auto& [normal, cone] : {std::pair(Vec3(f.normal_b), f.turn_b), std::pair(Vec3(-f.normal_a), f.turn_a)})
+        pose_.out->expect("directions of contact forces", "deg", angle(normal), to::kDegree * cone + kLeastCone,
+                          f.name);
     }
   }
 

@@ -72,6 +72,7 @@ void scale_forces(Subject& subject) {
     const double stiffness = per_length ? l.stiffness * subject.size : l.stiffness;
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
     subject.least_force += kLeastShare * stiffness;
+    subject.springs += stiffness / subject.size;
   }
   for (const LoadDef& load : s.loads)
     subject.force_scale = std::max(subject.force_scale, largest_force(load, subject.size));

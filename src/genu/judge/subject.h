@@ -39,6 +39,7 @@ struct Subject {
   /// N: the largest load or weight, or what 1 % of strain costs in the stiffest ligament: what residuals refer to where
   /// next to no force is at work
   double force_scale = 0;
+  double springs = 0;      ///< N/m: of all ligaments, what the last digit of a place makes of their forces
   double least_force = 0;  ///< N: what rounding of lengths leaves in ligaments that are about to pull
 };
 

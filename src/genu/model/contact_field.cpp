@@ -12,14 +12,6 @@ namespace {
 /// Unbounded shapes are sampled within this many characteristic lengths of where the joint is.
 constexpr double kSamplingReach = 10;
 
-double choose_spacing(const JointModel& model) {
-  double spacing = model.scales.length / 30;
-  for (const auto& pair : model.pairs)
-    for (const auto& surface : {pair.a, pair.b})
-      if (!surface->is_unbounded()) spacing = std::min(spacing, box_diagonal(*surface, model.scales.length) / 60);
-  return spacing;
-}
-
 /// How far (m) what is missing may stand out of the points that stand for it: they lie on chords, and what bends about
 /// as a condyle does stands out of a chord by this. 0 where the smooth surface reaches across: contact is found there.
 double stands_out(const DoubtfulPlace& place) {
@@ -50,8 +42,16 @@ bool leans_on(const DoubtfulPlace& place, const std::vector<Vec3>& feet, const s
 
 }  // namespace
 
+double sample_spacing(const JointModel& model) {
+  double spacing = model.scales.length / 30;
+  for (const auto& pair : model.pairs)
+    for (const auto& surface : {pair.a, pair.b})
+      if (!surface->is_unbounded()) spacing = std::min(spacing, box_diagonal(*surface, model.scales.length) / 60);
+  return spacing;
+}
+
 ContactField::ContactField(const JointModel& model)
-    : model_(&model), spacing_(choose_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
+    : model_(&model), spacing_(sample_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
   pairs_.reserve(model.pairs.size());
   for (const auto& pair : model.pairs) {
     pairs_.push_back(proximity_of(pair));

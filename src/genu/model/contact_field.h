@@ -21,6 +21,9 @@ struct Survey {
   std::vector<double> smallest_gap;  ///< of each pair, m: samples and minima; +infinity when clear beyond the window
 };
 
+/// m: how far apart surfaces are looked at; finer where one is small.
+double sample_spacing(const JointModel& model);
+
 class ContactField {
  public:
   explicit ContactField(const JointModel& model);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,7 @@
 #include "genu/geometry/facet_surface.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_shape.h"
+#include "genu/model/contact_field.h"
 #include "genu/run/build_surface.h"
 #include "genu/run/mesh_diagnostics.h"
 #include "genu/run/read_bones.h"
@@ -79,6 +82,42 @@ void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDe
              .key = {},
              .found = {},
              .rule = "is inside out: its normals point into the volume it closes; inside = true turns them round"});
+}
+
+/// m: what lies across a closed form at its thinnest; +infinity where it is a socket, has no back, or is a mesh.
+double thickness_of(const SurfaceDef& def) {
+  switch (def.inside ? SurfaceDef::Shape::plane : def.shape) {
+    case SurfaceDef::Shape::sphere:
+    case SurfaceDef::Shape::cylinder:
+      return 2 * def.radius;
+    case SurfaceDef::Shape::ellipsoid:
+      return 2 * def.radii.minCoeff();
+    case SurfaceDef::Shape::torus:
+      return 2 * def.minor_radius;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// What crosses a body between the places where it is looked at goes unseen.
+void warn_thin(const Prepared& p, Diagnostics& out) {
+  const double spacing = sample_spacing(p.model);
+  std::set<int> told;
+  for (const ContactDef& c : p.scene.contacts)
+    for (const int k : {c.surface_a, c.surface_b}) {
+      const SurfaceDef& def = p.scene.surfaces[at(k)];
+      const double thick = thickness_of(def);
+      if (thick >= spacing || !told.insert(k).second) continue;
+      out.add({.severity = Diagnostic::Severity::warning,
+               .file = p.scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "surface." + def.name,
+               .found = {},
+               .rule = fmt::format("is {:.3g} mm thick, and surfaces are looked at every {:.3g} mm: that nothing "
+                                   "crosses it is not certain",
+                                   to::kMillimetre * thick, to::kMillimetre * spacing)});
+    }
 }
 
 /// Errors of a stage that does not know the scene get the place in the scene that named the file.
@@ -271,6 +310,7 @@ std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
+  warn_thin(p, out);
   p.model.safeguards = safeguards;
   if (safeguards.lacks(Safeguard::force_scale)) p.model.scales.force = 1;
   if (safeguards.lacks(Safeguard::length_scale)) p.model.scales.length = p.model.scales.size = 0.01;

@@ -162,8 +162,13 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
     if (model_->safeguards.lacks(Safeguard::edges)) continue;
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
-    out.over_edge = true;
-    out.where = model_->pairs[at(c.pair)].name;
+    if (std::isfinite(field_->edge_distance(c.pair, c.minimum.contact))) {
+      out.over_edge = true;
+      out.where = model_->pairs[at(c.pair)].name;
+    } else {  // no edge is there: what a descent did not get out of overlaps
+      out.deep_overlap = true;
+      out.where = fmt::format("{} by {:.3g} mm", model_->pairs[at(c.pair)].name, -1e3 * c.minimum.gap);
+    }
   }
   if (model_->safeguards.lacks(Safeguard::unexplained)) return;
   for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {

@@ -75,6 +75,10 @@ class ContactSetSolver {
   /// Most contacts that `target` leaves room for (N + M <= 5 for one moving body).
   int contact_limit(const Target& target) const;
 
+  /// Whether the bodies overlap by more than they may on the straight way from one pose to the other: by a tenth of the
+  /// characteristic length, and of `most` ways.
+  bool passes_through(const State& from, const State& to, double most = 1e300);
+
   Newton& newton() { return newton_; }
   const JointModel& model() const { return *model_; }
   ContactField& field() { return *field_; }
@@ -84,7 +88,6 @@ class ContactSetSolver {
                                 const PoseReport& failure);
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
   void close_touching(Balanced& pose, const Target& target, double below);
-  bool passes_through(const State& from, const State& to);
 
   const JointModel* model_;
   ContactField* field_;

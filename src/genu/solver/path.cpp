@@ -281,8 +281,7 @@ class PathRun {
     if (solver_.model().safeguards.lacks(Safeguard::uniqueness)) return;
     constexpr double kSingular = 1e-13;  // reciprocal condition
     const NewtonReport& newton = point.report.newton;
-    const bool motion =
-        point.stability.verdict == Stability::Verdict::neutral && (!newton.full_rank || newton.rcond < kSingular);
+    const bool motion = point.stability.neutral.cols() > 0 && (!newton.full_rank || newton.rcond < kSingular);
     if (!motion && point.stability.redundant.empty()) return;
     point.undetermined = find_undetermined(solver_.model(), point.pose.state, point.target, point.stability);
     point.report.status = PoseStatus::undetermined;

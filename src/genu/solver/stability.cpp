@@ -115,6 +115,20 @@ double smallest_about_own_origins(const Linearization& at, const MatX& basis, co
   return (smallest < 0) == (nearby < 0) ? smallest : nearby;
 }
 
+/// The motions that cost nothing, a column each; none is hidden by another that costs less than nothing.
+MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis) {
+  MatX out(basis.rows(), 0);
+  for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
+    if (std::abs(eigen.values[i]) > nothing) continue;
+    out.conservativeResize(Eigen::NoChange, out.cols() + 1);
+    // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
+    const Eigen::VectorXcd vector = eigen.vectors.col(i);
+    const bool second = eigen.values[i].imag() < 0;
+    out.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
+  }
+  return out.cols() == basis.cols() ? basis : out;  // everything: no eigenvector says it better
+}
+
 }  // namespace
 
 const char* to_string(Stability::Verdict verdict) {
@@ -156,20 +170,11 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   out.mode = basis * eigen.vectors.col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
   const double nothing = std::max(kNeutral * largest, known_to);
-  if (std::abs(value.real()) <= nothing) {
+  if (std::abs(value.real()) <= nothing)
     out.verdict = Stability::Verdict::neutral;
-    for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
-      if (std::abs(eigen.values[i]) > nothing) continue;
-      out.neutral.conservativeResize(at.wrench.size(), out.neutral.cols() + 1);
-      // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
-      const Eigen::VectorXcd vector = eigen.vectors.col(i);
-      const bool second = eigen.values[i].imag() < 0;
-      out.neutral.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
-    }
-    if (out.neutral.cols() == basis.cols()) out.neutral = basis;  // everything: no eigenvector says it better
-  } else {
+  else
     out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;
-  }
+  out.neutral = motions_below(nothing, eigen, basis);
   return out;
 }
 

@@ -21,7 +21,7 @@ struct Stability {
   bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
   bool flutter = false;       ///< the smallest belongs to one
   VecX mode;     ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
-  MatX neutral;  ///< 6B x k: all motions that cost nothing, of a neutral pose
+  MatX neutral;  ///< 6B x k: all motions that cost nothing, of an unstable pose too
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
   /// they hold the same motion twice. Empty where all forces are determined.

@@ -159,7 +159,8 @@ bool Walker::walk_to(double t_end) {
     const double t = std::min(t_end, t_ + h);
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
-    if (solved && trial.valid() && !far_from_predicted(trial)) {
+    if (solved && trial.valid() && !far_from_predicted(trial) &&
+        !solver_.passes_through(pose_.state, trial.pose.state, 1)) {
       compute_tangent_of_last(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
         const double inside = trial.findings.worst;
@@ -176,7 +177,7 @@ bool Walker::walk_to(double t_end) {
       continue;
     }
     failure_ = trial.report;
-    if (solved && failure_.why.empty()) failure_.why = "the solution found lies on another branch";
+    if (solved && failure_.why.empty()) failure_.why = "the solution found lies on another branch, or through a body";
     h = (t - t_) / 2;
     if (h < options_.smallest_increment) return false;
   }
