@@ -110,6 +110,11 @@ Proximity::Group Proximity::sphere_round(int first, int last, int& axis) const {
   return group;
 }
 
+double Proximity::motion(const Pose& from_ab, const Pose& to_ab) const {
+  if (groups_.empty()) return 0;
+  return largest_motion(query_from_samples(from_ab), query_from_samples(to_ab), groups_[0].centre, groups_[0].radius);
+}
+
 void Proximity::build_groups() {
   order_.resize(samples_.points.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -193,12 +198,11 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   if (const auto gap = queried_->gap(x)) {
     memory.clearance = near_clearance(gap).value_or(-1);
     SurfacePoint foot;
-    const double shallow = kShallow * spacing_;
-    if (direction == nullptr && *gap > shallow) return *gap;
+    if (direction == nullptr && *gap > kShallow * spacing_) return *gap;
     if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
     if (direction != nullptr) *direction = foot.n;
     const bool same_way = foot.n.dot(normal) > kFacingSameWay, beyond = queried_->edge_distance(foot.p) < 0;
-    if (same_way && !beyond && std::abs(*gap) <= shallow && safeguards_.has(Safeguard::swallowed))
+    if (same_way && !beyond && std::abs(*gap) <= kShallow * spacing_ && safeguards_.has(Safeguard::swallowed))
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);

@@ -59,6 +59,9 @@ class Proximity {
   /// true minimum.
   double smallest_sample_gap(const Pose& X_ab);
 
+  /// How far (m) a point of the sampled surface moves at most from one relative pose to another.
+  double motion(const Pose& from_ab, const Pose& to_ab) const;
+
   /// All samples with a gap below `window`, overlapping ones included, wherever they are.
   void near_samples(const Pose& X_ab, double window, std::vector<NearSample>& out);
 

@@ -67,12 +67,13 @@ double largest_force(const LoadDef& load, double size) {
 void scale_forces(Subject& subject) {
   const Scene& s = subject.scene;
   subject.least_force = kLeastShare;
-  for (const LigamentDef& l : s.ligaments) {
+  for (std::size_t i = 0; i < s.ligaments.size(); ++i) {
+    const LigamentDef& l = s.ligaments[i];
     const bool per_length = l.law == LigamentDef::Law::spring || l.law == LigamentDef::Law::abdel_rahman;
     const double stiffness = per_length ? l.stiffness * subject.size : l.stiffness;
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
     subject.least_force += kLeastShare * stiffness;
-    subject.springs += stiffness / subject.size;
+    subject.springs += per_length ? l.stiffness : l.stiffness / subject.laws[i].slack_length();
   }
   for (const LoadDef& load : s.loads)
     subject.force_scale = std::max(subject.force_scale, largest_force(load, subject.size));

@@ -222,6 +222,10 @@ bool ContactField::is_clear(const State& state, int pair, double gap) {
   return near_.empty();
 }
 
+double ContactField::motion(const State& from, const State& to, int pair) const {
+  return pairs_[at(pair)].motion(relative(from, pair), relative(to, pair));
+}
+
 double ContactField::overlap(const State& state, int pair) {
   return std::max(0.0, -pairs_[at(pair)].smallest_sample_gap(relative(state, pair)));
 }

@@ -72,6 +72,9 @@ class ContactField {
   /// Whether no sample of a pair has a gap below this (m), overlapping ones included: cheap.
   bool is_clear(const State& state, int pair, double gap);
 
+  /// How far (m) a point of one surface of a pair moves at most in the frame of the other.
+  double motion(const State& from, const State& to, int pair) const;
+
   /// How far (m) the samples of a pair overlap, 0 where none does: coarse, but cheap however deep it is.
   double overlap(const State& state, int pair);
 

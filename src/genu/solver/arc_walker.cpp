@@ -70,6 +70,10 @@ bool ArcWalker::on_the_path(const Point& from, const Point& point, double arc) c
          newton_.strayed() <= kStrayed * std::abs(arc) + kSlack;
 }
 
+bool ArcWalker::passes_through(const Point& from, const Point& to) const {
+  return solver_.passes_through(from.at.pose.state, to.at.pose.state, true);
+}
+
 ArcWalker::End ArcWalker::walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report) {
   if (!begin(plan, pose, 0)) return End::stuck;
   here_.report = report;
@@ -86,12 +90,13 @@ ArcWalker::End ArcWalker::walk(const StepPlan& plan, const Balanced& pose, const
 
 bool ArcWalker::substep(double arc) {
   Point next = attempt(arc);
-  if (next.report.newton.converged() && next.directed && on_the_path(here_, next, arc)) {
+  if (next.report.newton.converged() && next.directed && on_the_path(here_, next, arc) &&
+      !passes_through(here_, next)) {
     if (next.valid() && pass(arc, next)) return true;
     if (!next.findings.none()) return pass_change(arc, std::move(next));
   }
   failure_ = next.report;
-  if (failure_.why.empty()) failure_.why = "the path bends too sharply to be followed";
+  if (failure_.why.empty()) failure_.why = "the path bends too sharply to be followed, or leads through a body";
   return false;
 }
 
@@ -103,7 +108,7 @@ bool ArcWalker::pass_change(double arc, Point violated) {
     const double middle = bracket.next();
     Point trial = attempt(middle);
     const double worst = trial.findings.worst;
-    if (trial.report.newton.converged() && trial.directed && trial.valid()) {
+    if (trial.report.newton.converged() && trial.directed && trial.valid() && !passes_through(last, trial)) {
       bracket.move_low(middle, worst);
       last = std::move(trial);
     } else if (trial.report.newton.converged() && !trial.findings.none()) {

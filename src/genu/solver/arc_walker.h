@@ -72,6 +72,7 @@ class ArcWalker {
   Point solve(const Point& from, double arc);
   Stability assess(const State& state) const;
   bool on_the_path(const Point& from, const Point& point, double arc) const;
+  bool passes_through(const Point& from, const Point& to) const;
   bool substep(double arc);
   bool pass_change(double arc, Point violated);
   bool change(Point& point);

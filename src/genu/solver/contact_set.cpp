@@ -264,24 +264,22 @@ PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& targ
   return report;
 }
 
-bool ContactSetSolver::passes_through(const State& from, const State& to, double most) {
+bool ContactSetSolver::passes_through(const State& from, const State& to, bool followed) {
   // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
   // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
   // over the other, which no straight way follows.
   if (model_->safeguards.lacks(Safeguard::passing)) return false;
   constexpr int kMost = 200;
-  constexpr double kShallow = 0.1;  // of the characteristic length, or of the way
-  const double step = 2 * field_->spacing(), size = model_->scales.size;
-  double moved = 0;
-  for (std::size_t i = 0; i < from.poses.size(); ++i)
-    moved = std::max(moved, (to.poses[i].p - from.poses[i].p).norm() +
-                                size * log_rotation(to.poses[i].R * from.poses[i].R.transpose()).norm());
-  const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
-  if (steps <= 1) return false;
-  State between = from;
-  const double shallow = kShallow * std::min(model_->scales.length, moved * most);
+  constexpr double kShallow = 0.1;  // of the characteristic length
+  const double step = 2 * field_->spacing(),
+               shallow = followed ? step : std::max(step, kShallow * model_->scales.length);
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
-    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + std::max(step, shallow);
+    const double moved = field_->motion(from, to, pair);
+    const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
+    if (steps <= 1) continue;
+    if (followed && moved > kMost * step) return true;  // too far to be looked at
+    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
+    State between = from;
     for (int k = 1; k < steps; ++k) {
       const double u = static_cast<double>(k) / steps;
       for (std::size_t i = 0; i < from.poses.size(); ++i) {

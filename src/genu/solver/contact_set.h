@@ -75,9 +75,9 @@ class ContactSetSolver {
   /// Most contacts that `target` leaves room for (N + M <= 5 for one moving body).
   int contact_limit(const Target& target) const;
 
-  /// Whether the bodies overlap by more than they may on the straight way from one pose to the other: by a tenth of the
-  /// characteristic length, and of `most` ways.
-  bool passes_through(const State& from, const State& to, double most = 1e300);
+  /// Whether the bodies overlap on the straight way from one pose to the other by more than rolling over each other
+  /// does. `followed`: along a path, of which a shorter step can be tried.
+  bool passes_through(const State& from, const State& to, bool followed = false);
 
   Newton& newton() { return newton_; }
   const JointModel& model() const { return *model_; }

@@ -145,6 +145,10 @@ bool Walker::jumped(const State& state, double h) const {
          std::min(kFactor * h * path_speed(solver_.model(), tangent_.motion), kFarthest) + kSlack;
 }
 
+bool Walker::passes_through(const Attempt& trial) {
+  return solver_.passes_through(pose_.state, trial.pose.state, true);
+}
+
 bool Walker::walk_to(double t_end) {
   snap_ = {0, 0};
   law_jump_.clear();
@@ -159,8 +163,8 @@ bool Walker::walk_to(double t_end) {
     const double t = std::min(t_end, t_ + h);
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
-    if (solved && trial.valid() && !far_from_predicted(trial) &&
-        !solver_.passes_through(pose_.state, trial.pose.state, 1)) {
+    const bool followed = solved && !far_from_predicted(trial) && !passes_through(trial);
+    if (followed && trial.valid()) {
       compute_tangent_of_last(trial.pose.state, t, next_);
       if (!passes_a_fold(next_, t - t_)) {
         const double inside = trial.findings.worst;
@@ -171,7 +175,7 @@ bool Walker::walk_to(double t_end) {
         }
       }
     }
-    if (solved && !trial.findings.none() && !far_from_predicted(trial)) {
+    if (followed && !trial.findings.none()) {
       if (!pass_event(t, std::move(trial)) || events_without_end()) return false;
       h = std::max(h, (t_end - t_) / 4);
       continue;
@@ -209,7 +213,7 @@ bool Walker::pass_event(double t, Attempt violated) {
     const double middle = bracket.next();
     Attempt trial = attempt(middle);
     const double worst = trial.findings.worst;
-    const bool valid = trial.report.newton.converged() && trial.valid();
+    const bool valid = trial.report.newton.converged() && trial.valid() && !passes_through(trial);
     if (valid) compute_tangent_of_last(trial.pose.state, middle, next_);
     if (valid && pass(middle, trial)) {
       bracket.move_low(middle, worst);

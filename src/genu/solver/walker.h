@@ -96,6 +96,7 @@ class Walker {
   void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
   bool passes_a_fold(const Tangent& next, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
+  bool passes_through(const Attempt& trial);
   bool jumped(const State& state, double h) const;
   bool balance_at(double t, Balanced& next, PoseReport& report);
   bool pass_event(double t, Attempt violated);
