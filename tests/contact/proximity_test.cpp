@@ -13,6 +13,7 @@
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/noise_field.h"
 #include "support/brute_force.h"
+#include "support/layers.h"
 
 namespace genu {
 namespace {
@@ -257,18 +258,11 @@ TEST(Proximity, SwappedSurfacesGiveTheSameContactsMirrored) {
 
 /// An open sheet that ends at x = 10 mm, in `cells` x `cells` squares (an odd number: none of its vertices stands under
 /// the middle); `trim` (m): what is left of the last row.
-Mesh sheet(int cells, double trim) {
+Mesh trimmed_sheet(int cells, double trim) {
   const double half = 0.01, cell = 2 * half / cells;
-  Mesh mesh;
-  for (int i = 0; i <= cells; ++i)
-    for (int j = 0; j <= cells; ++j)
-      mesh.vertices.emplace_back(i == cells ? half : half - trim - (cells - 1 - i) * cell, -half + j * cell, 0);
-  for (int i = 0; i < cells; ++i)
-    for (int j = 0; j < cells; ++j) {
-      const int v = i * (cells + 1) + j, next = v + cells + 1;
-      mesh.triangles.push_back({v, next, next + 1});
-      mesh.triangles.push_back({v, next + 1, v + 1});
-    }
+  Mesh mesh = test::sheet(half, cells);
+  for (Vec3& v : mesh.vertices)
+    if (v.x() < half - 0.5 * cell) v.x() += cell - trim;
   return mesh;
 }
 
@@ -286,7 +280,8 @@ TEST(Proximity, TheRimOfAnOpenMeshIsFoundWhicheverSurfaceIsNamedFirst) {
     double trim;
   };
   for (const Case c : {Case{11, 0.02 / 11}, Case{5, 0.02 / 5}, Case{11, 0.5e-3}, Case{11, 0.1e-3}}) {
-    const std::shared_ptr<const Surface> plate = BlendSurface::build(sheet(c.cells, c.trim), {}, "sheet", ignored);
+    const std::shared_ptr<const Surface> plate =
+        BlendSurface::build(trimmed_sheet(c.cells, c.trim), {}, "sheet", ignored);
     ASSERT_TRUE(plate);
     for (const auto& other : {sphere, ball})
       for (const bool first : {true, false})

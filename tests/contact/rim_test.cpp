@@ -7,6 +7,7 @@
 #include "genu/geometry/analytic.h"
 #include "genu/geometry/blend_surface.h"
 #include "genu/geometry/patch.h"
+#include "support/layers.h"
 
 namespace genu {
 namespace {
@@ -64,26 +65,11 @@ TEST(Rim, SurfacesWithoutEdgesHaveNone) {
   EXPECT_FALSE(Rim(*roller(), *plane, 1e-3, Vec3::Zero(), 0.1).empty());
 }
 
-/// A sheet of triangles, 20 mm square, 2 mm each.
-Mesh sheet() {
-  Mesh mesh;
-  constexpr int kSide = 11;
-  for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j) mesh.vertices.emplace_back(2e-3 * (i - 5), 2e-3 * (j - 5), 0);
-  for (int i = 0; i + 1 < kSide; ++i)
-    for (int j = 0; j + 1 < kSide; ++j) {
-      const int v = i * kSide + j;
-      mesh.triangles.push_back({v, v + kSide, v + kSide + 1});
-      mesh.triangles.push_back({v, v + kSide + 1, v + 1});
-    }
-  return mesh;
-}
-
 /// A ball whose middle is 4 mm past the edge of an open sheet touches its rim from the side.
 TEST(Rim, OfAnOpenMeshAgainstAMesh) {
   constexpr double kRadius = 0.01;
   Diagnostics ignored;
-  const auto own = BlendSurface::build(sheet(), {}, "sheet", ignored);
+  const auto own = BlendSurface::build(test::sheet(0.01, 10), {}, "sheet", ignored);
   const auto ball = make_sphere(Pose{}, kRadius, false);
   const auto other = BlendSurface::build(ball->triangles(1e-3, Vec3::Zero(), 0.1), {}, "ball", ignored);
   ASSERT_TRUE(own && other);

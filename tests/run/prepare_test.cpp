@@ -133,6 +133,32 @@ TEST(Prepare, APlateOnALayerStandsAsFarIn) {
   }
 }
 
+/// A disc thinner than the places where it is looked at: told once, and only of bodies (a socket has no thickness).
+TEST(Prepare, WarnsOfABodyThinnerThanItsSamples) {
+  const auto warnings = [](double thick, const std::string& more) {
+    const test::TemporaryFolder folder;
+    const std::string radii = "radii = [10, 10, " + std::to_string(0.5 * thick) + "]\n";
+    const std::string scene =
+        test::bone_on_ground("{ z = 30 }") + test::surface("disc", "bone", "ellipsoid", radii + more) +
+        test::surface("ball", "ground", "sphere", "radius = 12\n") +
+        test::surface("other", "ground", "sphere", "radius = 12\norigin = [30, 0, 0]\n") +
+        test::contact("c", "disc", "ball") + test::contact("d", "disc", "other") + test::step("increments = 1");
+    Diagnostics out;
+    EXPECT_TRUE(prepare(folder.write("scene.toml", scene), out).has_value()) << test::messages(out);
+    std::size_t told = 0;
+    for (const Diagnostic& d : out.items()) {
+      if (d.rule.find("surfaces are looked at every") == std::string::npos) continue;
+      EXPECT_EQ(d.key, "surface.disc");
+      EXPECT_GT(d.line, 0);
+      ++told;
+    }
+    return told;
+  };
+  EXPECT_EQ(warnings(0.01, ""), 1U);
+  EXPECT_EQ(warnings(1, ""), 0U);
+  EXPECT_EQ(warnings(0.01, "inside = true\n"), 0U);
+}
+
 /// Terms in another unit than the file's make a wall of a condyle, for which no memory is enough.
 TEST(Prepare, APolynomialLargerThanAJointIsRefusedWithItsPlace) {
   const test::TemporaryFolder folder;
