@@ -16,7 +16,7 @@ using test::some_surfaces;
 
 constexpr double kLongestStep = 1e-3;  // m
 
-Pose at(double x, double y, double z) { return {Mat3::Identity(), {x, y, z}}; }
+Pose placed_at(double x, double y, double z) { return {Mat3::Identity(), {x, y, z}}; }
 
 TEST(LocalMinimum, SphereOverPlane) {
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false);
@@ -44,7 +44,7 @@ TEST(LocalMinimum, SphereAgainstSphereAndInSocket) {
   const auto ball = make_sphere({}, 0.01, false), other = make_sphere({}, 0.02, false),
              cup = make_sphere({}, 0.02, true);
   const Vec3 centre(0.001, 0.004, 0.002);
-  const auto apart = descend_gap(*other, *ball, at(0.02, 0.03, 0.01), {0, 0.01, 0}, {.max_step = kLongestStep});
+  const auto apart = descend_gap(*other, *ball, placed_at(0.02, 0.03, 0.01), {0, 0.01, 0}, {.max_step = kLongestStep});
   ASSERT_TRUE(apart && apart->settled);
   EXPECT_NEAR(apart->minimum.gap, Vec3(0.02, 0.03, 0.01).norm() - 0.03, 1e-15);
   const auto inside =
@@ -58,7 +58,7 @@ TEST(LocalMinimum, LeavesMaximaAndSaddles) {
   constexpr double kFar = 5e-3;  // m
   const auto plane = make_plane({}, false), sphere = make_sphere({}, 0.02, false),
              torus = make_torus({}, 0.015, 0.005, false);
-  const auto top = descend_gap(*plane, *sphere, at(0, 0, 0.03), {0, 0, 0.02}, {.max_step = kFar});
+  const auto top = descend_gap(*plane, *sphere, placed_at(0, 0, 0.03), {0, 0, 0.02}, {.max_step = kFar});
   ASSERT_TRUE(top);
   EXPECT_NEAR(top->minimum.gap, 0.01, 1e-14);
   const Pose upright{exp_rotation({1.5707963267948966, 0, 0}), {0, 0, 0.03}};

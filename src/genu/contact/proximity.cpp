@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "genu/core/decompositions.h"
 
@@ -11,7 +10,6 @@ namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kGroupSize = 12;
 // What follows are fractions of the samples' spacing, so that a joint of any size is looked at alike.
 // Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
 // tenths of the spacing stand well above.
@@ -40,11 +38,6 @@ bool too_dense(const SampleSet& samples, double spacing) {
   for (const double a : samples.areas) area += a;
   constexpr double kDense = 0.5;  // of one sample for each square of the spacing's side
   return samples.size() > 1000 && area / samples.size() < kDense * spacing * spacing;
-}
-
-/// The farthest that a point of the sphere (centre, radius) has moved between two poses.
-double largest_motion(const Pose& from, const Pose& to, const Vec3& centre, double radius) {
-  return (to * centre - from * centre).norm() + (to.R - from.R).norm() / std::sqrt(2.0) * radius;
 }
 
 void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found, double same) {
@@ -79,7 +72,9 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   memory_.resize(samples_.points.size());
   swallowed_.emplace(*queried_, *sampled_, samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
-  build_groups();
+  SampleTree tree = build_sample_tree(samples_.points);
+  order_ = std::move(tree.order);
+  for (const SampleNode& node : tree.nodes) groups_.push_back({node});
 }
 
 void Proximity::forget() {
@@ -95,44 +90,8 @@ void Proximity::forget() {
 /// Whether the gap rises from a minimum in every direction, by half a hundredth of the spacing over one spacing.
 bool Proximity::is_bowl(const Mat2& bend) const { return symmetric_eigen(bend).values[0] * spacing_ >= 0.01; }
 
-Proximity::Group Proximity::sphere_round(int first, int last, int& axis) const {
-  Vec3 low = Vec3::Constant(kInfinity), high = -low;
-  const auto point = [&](int k) -> const Vec3& { return samples_.points[at(order_[at(k)])]; };
-  for (int k = first; k < last; ++k) low = low.cwiseMin(point(k)), high = high.cwiseMax(point(k));
-  Group group;
-  group.first = first;
-  group.last = last;
-  group.centre = 0.5 * (low + high);
-  for (int k = first; k < last; ++k) group.radius = std::max(group.radius, (point(k) - group.centre).norm());
-  Eigen::Index longest = 0;
-  (high - low).maxCoeff(&longest);
-  axis = static_cast<int>(longest);
-  return group;
-}
-
 double Proximity::motion(const Pose& from_ab, const Pose& to_ab) const {
-  if (groups_.empty()) return 0;
-  return largest_motion(query_from_samples(from_ab), query_from_samples(to_ab), groups_[0].centre, groups_[0].radius);
-}
-
-void Proximity::build_groups() {
-  order_.resize(samples_.points.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  if (order_.empty()) return;
-  std::vector<int> axes(1);
-  groups_.push_back(sphere_round(0, static_cast<int>(order_.size()), axes[0]));
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const Group group = groups_[g];
-    if (group.last - group.first <= kGroupSize) continue;
-    const int middle = (group.first + group.last) / 2, axis = axes[g];
-    const auto coordinate = [&](int i) { return std::pair(samples_.points[at(i)][axis], i); };
-    std::nth_element(order_.begin() + group.first, order_.begin() + middle, order_.begin() + group.last,
-                     [&](int i, int j) { return coordinate(i) < coordinate(j); });
-    groups_[g].children = static_cast<int>(groups_.size());
-    axes.resize(axes.size() + 2);
-    groups_.push_back(sphere_round(group.first, middle, axes[axes.size() - 2]));
-    groups_.push_back(sphere_round(middle, group.last, axes[axes.size() - 1]));
-  }
+  return groups_.empty() ? 0 : groups_[0].motion(query_from_samples(from_ab), query_from_samples(to_ab));
 }
 
 /// Calls visit(sample) for the samples of all leaves that are not known to be clear of the other surface by `window`.
@@ -175,7 +134,7 @@ double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radi
 }
 
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
-  const double moved = largest_motion(group.measured, X_qs, group.centre, group.radius);
+  const double moved = group.motion(group.measured, X_qs);
   if (group.clearance - moved > window) return true;
   // It may be clear by now, if it went straight away; bodies in contact roll and slide.
   constexpr double kAway = 0.25;

@@ -15,6 +15,7 @@
 #include "genu/contact/far_distance.h"
 #include "genu/contact/local_minimum.h"
 #include "genu/contact/rim.h"
+#include "genu/contact/sample_tree.h"
 #include "genu/contact/swallowed.h"
 #include "genu/core/safeguards.h"
 
@@ -81,14 +82,9 @@ class Proximity {
   double edge_distance(const ContactGeometry& contact) const;
 
  private:
-  /// A node of the tree of spheres round the samples order_[first .. last).
-  struct Group {
-    int first = 0, last = 0;
-    int children = -1;  ///< index of the first of two, -1 for a leaf
-    Vec3 centre;
-    double radius = 0;
+  struct Group : SampleNode {
     double clearance = std::numeric_limits<double>::quiet_NaN();  ///< m, at `measured`; none before the first time
-    Pose measured;
+    Pose measured = {};
   };
 
   /// What is known of a sample from where it was when it was looked at, in the frame of the asked surface.
@@ -112,8 +108,6 @@ class Proximity {
   double sample_gap(const Pose& X_qs, int sample, Vec3* direction);
   double depth_behind(const Pose& X_qs, int sample);
   double doubtful_gap(const Vec3& x, double gap, Memory& memory) const;
-  void build_groups();
-  Group sphere_round(int first, int last, int& axis) const;
   template <typename Visit>
   void visit_near(const Pose& X_qs, double window, Visit visit);
 

@@ -124,10 +124,11 @@ class Population {
           "FAILED {}\n       build/bin/population --seed {} --knee {} --compare {} --mirror {} --keep out/knee\n", what,
           options_.seed, index, options_.compare > 0 ? 1 : 0, options_.mirror > 0 ? 1 : 0);
     fmt::print(
-        "{} knees of seed {}: {} solved, {} diagnosed, {} refused, {} failed; {} poses judged, {} compared, {} in the "
+        "{} knees from number {} of seed {}: {} solved, {} diagnosed, {} refused, {} failed; {} poses judged, {} "
+        "compared, {} in the "
         "mirror ({} knees within their error bars only)\n",
-        all_.knees, options_.seed, all_.solved, all_.diagnosed, all_.refused, all_.failed, all_.poses, all_.compared,
-        all_.mirrored, all_.within_bars);
+        all_.knees, options_.first, options_.seed, all_.solved, all_.diagnosed, all_.refused, all_.failed, all_.poses,
+        all_.compared, all_.mirrored, all_.within_bars);
     constexpr int kOneIn = 1000;
     return all_.grave == 0 && all_.failed * kOneIn <= all_.knees ? 0 : 1;
   }
