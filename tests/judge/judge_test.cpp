@@ -78,6 +78,23 @@ TEST(Judge, RejectsAPrescribedValueThatWasNotAskedFor) {
   EXPECT_THAT(run.add(kRow, "knee.flexion_deg", 1e-6).rejections(), Contains("prescribed values"));
 }
 
+TEST(Judge, RejectsRowsOutOfTheirOrderAndResidualsThatSolveNothing) {
+  constexpr const char* kCheck = "rows are those of the steps, in order";
+  Corrupted swapped = dortmans();
+  for (const std::string& column : swapped.columns()) std::swap(swapped.cell(3, column), swapped.cell(4, column));
+  EXPECT_THAT(swapped.rejections(), Contains(kCheck));
+  for (const char* step : {"7", "0", "1.5", ""}) {
+    Corrupted run = dortmans();
+    run.cell(kRow, "step") = step;
+    EXPECT_THAT(run.rejections(), Contains(kCheck)) << step;
+  }
+  for (const char* residual : {"1e9", "1e-7", "-1e-3"}) {
+    Corrupted run = dortmans();
+    run.cell(kRow, "residual") = residual;
+    EXPECT_THAT(run.rejections(), Contains("residuals")) << residual;
+  }
+}
+
 TEST(Judge, RejectsContactsThatPull) {
   // Both forces of a balanced pose turned round, and the load that asks for it: nothing but their sign is wrong.
   Corrupted run = dortmans();

@@ -32,6 +32,7 @@ void judge_static(const Subject& subject, const Row& row, bool surfaces, Finding
   PoseCase pose;
   if (!begin_pose(subject, row, out, pose)) return;
   PoseForces forces;
+  check_row(pose);
   check_prescribed(pose);
   check_ligaments(pose, nullptr, forces);
   add_loads(pose, forces);

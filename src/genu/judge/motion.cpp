@@ -230,6 +230,7 @@ void MotionRows::judge(std::size_t k, bool surfaces, Findings& out) const {
   const At& here = at_[k];
   const std::vector<Motion> motions = velocities(here.q, here.rates, pose.poses);
   PoseForces forces;
+  check_row(pose);
   check_prescribed(pose);
   check_courses(pose, here);
   const DynamicsDef& dynamics = *subject_.scene.dynamics;

@@ -54,6 +54,24 @@ bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase&
   return true;
 }
 
+void check_row(const PoseCase& pose) {
+  const Scene& scene = pose.scene();
+  const double step = pose.row("step"), increment = pose.row("increment");
+  const auto steps = static_cast<double>(std::max<std::size_t>(1, scene.steps.size()));
+  const bool named = step >= 1 && step <= steps && std::floor(step) == step && increment >= 0;
+  bool follows = true;
+  if (pose.row.index > 0) {
+    const Row before{pose.row.file, pose.row.index - 1};
+    const StepDef* def = step_of(scene, pose.row);
+    const bool by_arc = def != nullptr && def->arc_length;  // a value can come by several times
+    follows = before("step") < step || (before("step") == step && (by_arc || before("increment") < increment));
+  }
+  pose.out->expect("rows are those of the steps, in order", "", named && follows ? 0 : 1, 0, "step, increment");
+  const double residual = pose.row("residual"), most = std::max(kMostSlack, scene.solver.tolerance);
+  if (!scene.dynamics && !std::isnan(residual))
+    pose.out->expect("residuals", "1", std::abs(residual), most, residual < 0 ? "below 0" : "");
+}
+
 void check_prescribed(const PoseCase& pose) {
   const Scene& scene = pose.scene();
   for (int k = 0; k < static_cast<int>(scene.combinations.size()); ++k) {

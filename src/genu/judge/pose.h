@@ -53,6 +53,8 @@ struct PoseCase {
 /// The case of a row. Empty coordinates are said in `out`; then false.
 bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase& pose);
 
+/// Step and increment name a row of the scene, after the row before; the residual is one that a run calls solved.
+void check_row(const PoseCase& pose);
 /// What the scene's step asks of a row: prescribed coordinates and load factors against the columns.
 void check_prescribed(const PoseCase& pose);
 /// Lengths, strains and tensions; adds the pulls that stand in the table.
