@@ -5,7 +5,6 @@
 #include <set>
 
 #include "genu/solver/compliant_seed.h"
-#include "genu/solver/downhill_seed.h"
 #include "genu/solver/force_guess.h"
 #include "genu/solver/piece_changes.h"
 
@@ -245,11 +244,16 @@ void ContactSetSolver::close_touching(Balanced& pose, const Target& target, doub
     if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
 }
 
-PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill, double stiffer) {
+PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill) {
+  return settle_from_seed(pose, target, SeedWay{.downhill = downhill});
+}
+
+PoseReport ContactSetSolver::settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const SeedReport seed = downhill ? downhill_seed(*model_, *field_, target, trial.state, options_.cancelled)
-                                   : compliant_seed(*model_, *field_, target, trial.state, stiffer, options_.cancelled);
+  const SeedReport seed = way.downhill
+                              ? downhill_seed(*model_, *field_, target, trial.state, way.stride, options_.cancelled)
+                              : compliant_seed(*model_, *field_, target, trial.state, way.stiffer, options_.cancelled);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
@@ -314,16 +318,14 @@ PoseReport ContactSetSolver::settle_cold(Balanced& pose, const Target& target) {
   if (model_->safeguards.lacks(Safeguard::seed)) return report;
   // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
   // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one. From far
-  // Newton's method on it may wander without end, where the way down has one.
-  struct Way {
-    bool downhill;
-    double stiffer;
-  };
+  // Newton's method on it may wander without end, where the way down has one; and long steps down leap over the ends
+  // that a body would slide into.
   PoseReport seeded;
-  for (const Way way : {Way{false, 1}, Way{false, 30}, Way{false, 1000}, Way{true, 1}}) {
+  for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
+                             SeedWay{.downhill = true, .stride = Stride::careful}}) {
     if (way.downhill && model_->safeguards.lacks(Safeguard::downhill)) break;
     trial = pose;
-    PoseReport tried = settle_from_seed(trial, target, way.downhill, way.stiffer);
+    PoseReport tried = settle_from_seed(trial, target, way);
     tried.iterations += seeded.iterations;
     if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state)) {
       tried.status = PoseStatus::overlap;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "genu/solver/contact_inspection.h"
+#include "genu/solver/downhill_seed.h"
 #include "genu/solver/newton.h"
 
 namespace genu {
@@ -57,12 +58,12 @@ class ContactSetSolver {
   PoseReport settle(Balanced& pose, const Target& target);
 
   /// From far: a compliant seed first, then settle() from the contacts it shows. `downhill`: the seed moves toward less
-  /// energy all the way (downhill_seed.h), so that it ends at a stable pose. `stiffer`:
-  /// how much stiffer than usual the foundation is at first.
-  PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false, double stiffer = 1);
+  /// energy all the way (downhill_seed.h), so that it ends at a stable pose.
+  PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false);
 
   /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed; the seed as well
-  /// where the bodies would have to pass through each other on the way. Last downhill, where Newton's method wanders.
+  /// where the bodies would have to pass through each other on the way. Last downhill, where Newton's method wanders:
+  /// in long steps, then in short ones.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
   /// Follows open contacts to the new pose and forgets those that are no more.
@@ -84,6 +85,12 @@ class ContactSetSolver {
   ContactField& field() { return *field_; }
 
  private:
+  struct SeedWay {
+    bool downhill = false;
+    double stiffer = 1;  ///< than usual, the foundation at first
+    Stride stride = Stride::usual;
+  };
+  PoseReport settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way);
   PoseReport settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                 const PoseReport& failure);
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;

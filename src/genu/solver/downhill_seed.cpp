@@ -11,6 +11,8 @@ namespace genu {
 namespace {
 
 constexpr int kMostDescents = 150;         // of each stage
+constexpr int kMostCareful = 600;          // the same in careful strides
+constexpr double kCareful = 0.05;          // of the longest usual step
 constexpr double kBalancedForce = 1e-5;    // scaled force and moment along the free motions: a seed, not a result
 constexpr double kNearEnoughForce = 0.05;  // the same where samples that come and go let no step go further down
 constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: keeps steps finite along motions that are free
@@ -22,9 +24,9 @@ constexpr double kWorkRounding = 1e-13;    // of work, in the characteristic for
 
 class DownhillStage {
  public:
-  DownhillStage(const JointModel& model, ContactField& field, const Target& target, double modulus,
+  DownhillStage(const JointModel& model, ContactField& field, const Target& target, double modulus, Stride stride,
                 const Cancelled& cancelled)
-      : model_(model), field_(field), target_(target), modulus_(modulus), cancelled_(cancelled) {
+      : model_(model), field_(field), target_(target), modulus_(modulus), stride_(stride), cancelled_(cancelled) {
     stop_layers_when(cancelled, here_);
     stop_layers_when(cancelled, there_);
   }
@@ -32,8 +34,10 @@ class DownhillStage {
   bool run(State& state, SeedReport& report) {
     if (asked_to_stop(cancelled_)) return false;
     evaluate(state, here_);
-    double longest = 1;  // of the caps
-    for (int i = 0; i < kMostDescents; ++i) {
+    const double cap = stride_ == Stride::careful ? kCareful : 1;  // in units of excess()
+    const int most = stride_ == Stride::careful ? kMostCareful : kMostDescents;
+    double longest = cap;
+    for (int i = 0; i < most; ++i) {
       if (asked_to_stop(cancelled_)) return false;
       ++report.iterations;
       report.deepest = deepest_;
@@ -50,7 +54,7 @@ class DownhillStage {
       if (std::isfinite(slope) && slope >= -0.5 * slope_ - rounding) {
         std::swap(state, trial_);
         std::swap(here_, there_);
-        longest = std::min(1.0, 2 * longest);
+        longest = std::min(cap, 2 * longest);
         continue;
       }
       longest = 0.4 * fraction * excess();
@@ -127,6 +131,7 @@ class DownhillStage {
   ContactField& field_;
   const Target& target_;
   double modulus_;
+  Stride stride_;
   const Cancelled& cancelled_;
   Linearization here_, there_;
   Correction correction_;
@@ -138,9 +143,9 @@ class DownhillStage {
 }  // namespace
 
 SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
-                         const Cancelled& cancelled) {
+                         Stride stride, const Cancelled& cancelled) {
   return stiffen(model, target, state, [&](double modulus, State& stiffer, SeedReport& report) {
-    return DownhillStage(model, field, target, modulus, cancelled).run(stiffer, report);
+    return DownhillStage(model, field, target, modulus, stride, cancelled).run(stiffer, report);
   });
 }
 

@@ -13,8 +13,12 @@
 
 namespace genu {
 
+/// How long its steps may be: long ones may leap from one valley into another; short ones follow where things would
+/// slide, and take longer.
+enum class Stride { usual, careful };
+
 /// As compliant_seed(). Where nothing holds a body the descent has no end: not balanced.
 SeedReport downhill_seed(const JointModel& model, ContactField& field, const Target& target, State& state,
-                         const Cancelled& cancelled = {});
+                         Stride stride = Stride::usual, const Cancelled& cancelled = {});
 
 }  // namespace genu
