@@ -48,6 +48,10 @@ class Corrupted {
     cell(row, column) = fmt::format("{:.17g}", number(row, column) + delta);
     return *this;
   }
+  Corrupted& swap_rows(std::size_t one, std::size_t other) {
+    std::swap(cells_[one + 1], cells_[other + 1]);
+    return *this;
+  }
   std::size_t rows() const { return cells_.size() - 1; }
   Scene& scene() { return scene_; }
 
