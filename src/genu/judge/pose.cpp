@@ -58,12 +58,12 @@ void check_row(const PoseCase& pose) {
   const Scene& scene = pose.scene();
   const double step = pose.row("step"), increment = pose.row("increment");
   const auto steps = static_cast<double>(std::max<std::size_t>(1, scene.steps.size()));
-  const bool named = step >= 1 && step <= steps && std::floor(step) == step && increment >= 0;
+  const StepDef* def = step_of(scene, pose.row);
+  const bool by_arc = def != nullptr && def->arc_length;  // turns back, beyond its start too
+  const bool named = step >= 1 && step <= steps && std::floor(step) == step && (by_arc || increment >= 0);
   bool follows = true;
   if (pose.row.index > 0) {
     const Row before{pose.row.file, pose.row.index - 1};
-    const StepDef* def = step_of(scene, pose.row);
-    const bool by_arc = def != nullptr && def->arc_length;  // a value can come by several times
     follows = before("step") < step || (before("step") == step && (by_arc || before("increment") < increment));
   }
   pose.out->expect("rows are those of the steps, in order", "", named && follows ? 0 : 1, 0, "step, increment");
