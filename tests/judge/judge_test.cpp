@@ -79,7 +79,7 @@ TEST(Judge, RejectsAPrescribedValueThatWasNotAskedFor) {
 }
 
 TEST(Judge, RejectsRowsOutOfTheirOrderAndResidualsThatSolveNothing) {
-  constexpr const char* kCheck = "rows are those of the steps, in order";
+  constexpr const char* kCheck = "rows follow the steps";
   Corrupted swapped = dortmans();
   EXPECT_THAT(swapped.swap_rows(3, 4).rejections(), Contains(kCheck));
   for (const char* step : {"7", "0", "1.5", ""}) {
@@ -87,7 +87,12 @@ TEST(Judge, RejectsRowsOutOfTheirOrderAndResidualsThatSolveNothing) {
     run.cell(kRow, "step") = step;
     EXPECT_THAT(run.rejections(), Contains(kCheck)) << step;
   }
-  for (const char* residual : {"1e9", "1e-7", "-1e-3"}) {
+  for (const char* increment : {"30.5", "71", "-1", ""}) {
+    Corrupted run = dortmans();
+    run.cell(kRow, "increment") = increment;
+    EXPECT_THAT(run.rejections(), Contains(kCheck)) << increment;
+  }
+  for (const char* residual : {"1e9", "1e-7", "-1e-3", ""}) {
     Corrupted run = dortmans();
     run.cell(kRow, "residual") = residual;
     EXPECT_THAT(run.rejections(), Contains("residuals")) << residual;
