@@ -255,5 +255,27 @@ TEST(ContactEquations, VanishingRelativeCurvatureIsNamedSingular) {
   EXPECT_TRUE(regular(*sphere, *make_sphere({}, 0.02 * (1 + 1e-6), true)));
 }
 
+TEST(ContactEquations, SpheresThatFillTheirSocketsAreNamedSingularWhateverTheirSize) {
+  // Both relative curvatures vanish: the block lacks two ranks, and all its cofactors and its determinant are rounding.
+  int named = 0, all = 0;
+  for (double radius = 1e-3; radius < 0.1; radius *= 1.037)
+    for (const Vec3& way : {Vec3(3, -4, -12), Vec3(10, 20, -30), Vec3(3.3, -4.1, -12.7), Vec3(0.1, 7, 1)}) {
+      const auto ball = make_sphere({}, radius, false), socket = make_sphere({}, radius, true);
+      ContactGeometry contact;
+      ASSERT_TRUE(ball->project(radius * way.normalized(), contact.a));
+      ASSERT_TRUE(socket->project(radius * way.normalized(), contact.b));
+      // Moved by rounding, as where a solver ends.
+      const Pose X_Wa{Mat3::Identity(), 1e-16 * way};
+      ContactBlock block;
+      evaluate_contact(X_Wa, {}, contact, 10, block);
+      for (const double length : {0.005, radius, 0.05}) {
+        EliminatedContact eliminated;
+        named += eliminated.factor(block, length) ? 0 : 1;
+        ++all;
+      }
+    }
+  EXPECT_EQ(named, all);
+}
+
 }  // namespace
 }  // namespace genu

@@ -141,9 +141,13 @@ bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMo
   const Mat4 scaled = scaled_block(block, length);
   // By cofactors, whose digits one step of Newton's method for the inverse makes up for.
   inverse_ = scaled.inverse();
-  inverse_ = (inverse_ * (2 * Mat4::Identity() - scaled * inverse_)).eval();
+  const Mat4 missing = Mat4::Identity() - scaled * inverse_;
+  inverse_ += (inverse_ * missing).eval();
   rcond = 1 / (one_norm(scaled) * one_norm(inverse_));
-  if (!(rcond > kSingular)) {
+  // Where two directions conform at once all cofactors are rounding, and so is the size of their quotients: then it is
+  // no inverse, and a matrix that has none leaves 1 or more missing.
+  constexpr double kNoInverse = 0.5;
+  if (!(rcond > kSingular) || !(one_norm(missing) < kNoInverse)) {
     rcond = 0;
     return false;
   }
