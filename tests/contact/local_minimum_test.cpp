@@ -93,6 +93,20 @@ TEST(LocalMinimum, NeverRaisesTheGap) {
   EXPECT_GT(settled, 0.5 * started);  // planes and saddles leave some pairs without a minimum
 }
 
+TEST(LocalMinimum, EndsFartherAwayThanItIsAskedToLook) {
+  // In a socket with 0.1 mm of clearance the gap falls all the way to where the ball rests.
+  const auto cup = make_sphere({}, 0.0241, true), ball = make_sphere({}, 0.024, false);
+  const Pose pressed = placed_at(0, 0, -1e-4);
+  for (const double angle : {0.1, 0.5, 1.5}) {  // from the lowest point, rad
+    const Vec3 start = 0.024 * Vec3(std::sin(angle), 0, -std::cos(angle));
+    const double way = 2 * 0.024 * std::sin(angle / 2);
+    EXPECT_FALSE(descend_gap(*cup, *ball, pressed, start, {.max_step = 1e-3, .farthest = 0.9 * way}));
+    const auto d = descend_gap(*cup, *ball, pressed, start, {.max_step = 1e-3, .farthest = 1.1 * way});
+    ASSERT_TRUE(d && d->settled) << angle;
+    EXPECT_NEAR(d->minimum.gap, 0, 1e-15);
+  }
+}
+
 TEST(LocalMinimum, FallsOffTheEndOfAnUnboundedSlope) {
   // A tilted plane over a plane has no minimum: the descent must not claim one.
   const auto plane = make_plane({}, false), over = make_plane({}, true);

@@ -43,7 +43,8 @@ std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
   return radius * eigen.vectors.col(0);
 }
 
-/// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one.
+/// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one. Its
+/// length is the radius to a thousandth, which a trust region does not notice.
 Vec2 trust_step(const GapJet& jet, double radius) {
   const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
   const Vec2 g = eigen.vectors.transpose() * jet.gradient;
@@ -52,13 +53,21 @@ Vec2 trust_step(const GapJet& jet, double radius) {
   const double gradient = g.norm();
   if (gradient == 0) return Vec2::Zero();
   if (d.x() > 0 && step(0).norm() <= radius) return eigen.vectors * step(0);
-  // |step(shift)| falls with the shift: bisect between "just convex" and "surely inside".
-  double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y());
+  // |step(shift)| falls with the shift, between "just convex" and "surely inside". Newton's method on its inverse,
+  // which is nearly straight (Moré and Sorensen 1983), bisection where that leaves what is known.
+  constexpr double kLength = 1e-3;  // of the radius
+  double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y()), shift = high;
   for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (step(middle).norm() > radius ? low : high) = middle;
+    const Vec2 s = step(shift);
+    const double length = s.norm();
+    if (length <= radius && length >= (1 - kLength) * radius) break;
+    (length > radius ? low : high) = shift;
+    const double slope = s.x() * s.x() / (d.x() + shift) + s.y() * s.y() / (d.y() + shift);
+    const double newton = shift + length * length / slope * (length / radius - 1);
+    shift = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
-  return eigen.vectors * step(high);
+  const Vec2 s = step(shift);
+  return eigen.vectors * (s.norm() <= radius ? s : step(high));
 }
 
 bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.hessian.trace() > 0; }
@@ -111,6 +120,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
   constexpr double kShortest = 1e-14;  // m: steps below this no longer change the point
   double radius = limits.max_step;
   bool settled = false;
+  const Vec3 from = jet.b.p;
   for (int i = 0; i < kIterations && radius > kShortest; ++i) {
     const bool flat = jet.gradient.norm() <= kFlat;
     const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
@@ -137,6 +147,7 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     }
     if (step.norm() > 0.9 * radius) radius = std::min(2 * radius, limits.max_step);
     jet = next;
+    if ((jet.b.p - from).squaredNorm() > limits.farthest * limits.farthest) return std::nullopt;
     settled = jet.gradient.norm() <= 1e-9;
   }
   return Descent{{{jet.a, jet.b}, jet.value}, settled, 0.5 * (jet.hessian + jet.hessian.transpose())};

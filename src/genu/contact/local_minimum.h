@@ -35,6 +35,8 @@ struct DescentLimits {
   double same = 0;
   /// A convex model with a minimum above this gap (m) at the start ends the descent.
   double hopeless = std::numeric_limits<double>::infinity();
+  /// A descent that has come this far (m) from its start ends.
+  double farthest = std::numeric_limits<double>::infinity();
 };
 
 /// Descends from the point `start` of B (frame of b) to the nearest local minimum of the signed gap of B's points to A:

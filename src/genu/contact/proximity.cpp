@@ -19,6 +19,9 @@ constexpr double kSamePoint = 2e-3;
 constexpr double kNearContact = 0.15;
 // Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
 constexpr double kHopeless = 0.03;
+// What hides between samples is found from those around it: a start that is not the lowest of its neighbours is followed
+// no further. Where surfaces conform all of them would cross the whole of them.
+constexpr double kBetweenSamples = 4;
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
 constexpr double kMerge = 0.1;
 // Facets lie off the smooth surface by no more.
@@ -258,8 +261,9 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     if (raw_.size() >= kMostMinima) break;
     if (slopes_to_known(sample)) continue;
     const auto i = static_cast<std::size_t>(sample);
-    const DescentLimits limits{spacing_, &raw_, kMerge * spacing_,
-                               lowest_of_neighbours(sample) ? window : kHopeless * spacing_};
+    const bool lowest = lowest_of_neighbours(sample);
+    const DescentLimits limits{spacing_, &raw_, kMerge * spacing_, lowest ? window : kHopeless * spacing_,
+                               lowest ? kInfinity : kBetweenSamples * spacing_};
     const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_.points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);

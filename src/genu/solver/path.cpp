@@ -14,6 +14,7 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/solver/arc_walker.h"
 #include "genu/solver/fields.h"
+#include "genu/solver/one_way.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -281,12 +282,17 @@ class PathRun {
     if (solver_.model().safeguards.lacks(Safeguard::uniqueness)) return;
     constexpr double kSingular = 1e-13;  // reciprocal condition
     const NewtonReport& newton = point.report.newton;
-    const bool motion = point.stability.neutral.cols() > 0 && (!newton.full_rank || newton.rcond < kSingular);
+    look_one_way(solver_.model(), point.pose.state, point.target, solver_.newton().linearization().layer_loads,
+                 point.stability);
+    const bool one_way = point.stability.one_way && point.stability.verdict == Stability::Verdict::neutral;
+    const bool motion =
+        one_way || (point.stability.neutral.cols() > 0 && (!newton.full_rank || newton.rcond < kSingular));
     if (!motion && point.stability.redundant.empty()) return;
     point.undetermined = find_undetermined(solver_.model(), point.pose.state, point.target, point.stability);
     point.report.status = PoseStatus::undetermined;
-    point.report.why = motion ? "a motion costs no force: the pose is one of many"
-                              : "the same motion is held twice: how the force is shared is not determined";
+    point.report.why = one_way  ? "a motion costs no force, at least one way: the pose is one of many"
+                       : motion ? "a motion costs no force: the pose is one of many"
+                                : "the same motion is held twice: how the force is shared is not determined";
     result_.complete = false;
   }
 

@@ -15,16 +15,9 @@ constexpr double kNeutral = 1e-10;
 // Where every free motion costs nothing, all eigenvalues are what rounding leaves of the terms that cancel.
 constexpr double kCancelled = 1e-13;
 
-/// J: forces times 10 mm, moments times 1 rad.
-VecX metric(Eigen::Index n) {
-  VecX out(n);
-  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
-  return out;
-}
-
 /// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
 double size_of_terms(const ContactBlock& block, const EliminatedContact& contact, WhichMove moves) {
-  const Vec6 unit = metric(6);
+  const Vec6 unit = stability_metric(6);
   double squares = 0;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -39,14 +32,14 @@ double size_of_terms(const ContactBlock& block, const EliminatedContact& contact
 /// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
 /// conforming surfaces hold besides. Returns what the stiffness is known to, J: rounding of its terms, and the forces
 /// that do not balance, which make it unsymmetric by as much.
-double tangent(const Linearization& at, double length_scale, MatX& stiffness, MatX& held) {
+double tangent(const Linearization& at, double length_scale, double cancelled, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
   stiffness = at.stiffness;
   held.setZero(m + contacts, n);
   held.topRows(m) = at.gradient;
   Eigen::Index rows = m + contacts;
-  double terms = 0;
+  double terms = cancelled;
   for (Eigen::Index c = 0; c < contacts; ++c) {
     const auto k = static_cast<std::size_t>(c);
     EliminatedContact contact;
@@ -68,7 +61,7 @@ double tangent(const Linearization& at, double length_scale, MatX& stiffness, Ma
                [&](int from, int to) { held.block(rows, to, more, 6) = contact.closure.middleCols<6>(from); });
     rows += more;
   }
-  const VecX unit = metric(n);
+  const VecX unit = stability_metric(n);
   stiffness = -(unit.asDiagonal() * stiffness * unit.asDiagonal());
   held = held * unit.asDiagonal();
   for (Eigen::Index i = 0; i < held.rows(); ++i) {
@@ -131,6 +124,12 @@ MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis)
 
 }  // namespace
 
+VecX stability_metric(Eigen::Index n) {
+  VecX out(n);
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
+  return out;
+}
+
 const char* to_string(Stability::Verdict verdict) {
   switch (verdict) {
     case Stability::Verdict::stable:
@@ -143,10 +142,10 @@ const char* to_string(Stability::Verdict verdict) {
   return "";
 }
 
-Stability assess_stability(const Linearization& at, double length_scale) {
+Stability assess_stability(const Linearization& at, double length_scale, double cancelled) {
   Stability out;
   MatX stiffness, held;
-  const double known_to = tangent(at, length_scale, stiffness, held);
+  const double known_to = tangent(at, length_scale, cancelled, stiffness, held);
   const MatX basis = null_space(held, kDependentRow);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())

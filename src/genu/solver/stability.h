@@ -20,8 +20,9 @@ struct Stability {
   double smallest = 0;
   bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
   bool flutter = false;       ///< the smallest belongs to one
-  VecX mode;     ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
-  MatX neutral;  ///< 6B x k: all motions that cost nothing, of an unstable pose too
+  VecX mode;             ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
+  bool one_way = false;  ///< what makes it so is let go of (one_way.h), and is held the other way
+  MatX neutral;          ///< 6B x k: all motions that cost nothing, of an unstable pose too
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
   /// they hold the same motion twice. Empty where all forces are determined.
@@ -30,10 +31,14 @@ struct Stability {
 
 const char* to_string(Stability::Verdict verdict);
 
+/// What twists (n = 6B) in that metric are multiplied with for m and rad, and wrenches for J.
+VecX stability_metric(Eigen::Index n);
+
 /// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
 /// multipliers, included. At an equilibrium it is symmetric where every load has a potential (weights, dead forces,
 /// loads toward a point), and unsymmetric where one has none (followers, dead moments, most loads scaled over a
-/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length.
-Stability assess_stability(const Linearization& at, double length_scale);
+/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length; `cancelled`
+/// (J, in the metric) the size of terms that were taken out of the stiffness again, whose rounding is still in it.
+Stability assess_stability(const Linearization& at, double length_scale, double cancelled = 0);
 
 }  // namespace genu

@@ -1,0 +1,160 @@
+// What is held one way only: random fans of ligaments against the widest gap between them, contacts without force.
+#include "genu/solver/one_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solver/solved.h"
+
+namespace genu {
+namespace {
+
+using test::bone_on_ground;
+using test::contact;
+using test::ligament;
+using test::load;
+using test::step;
+using test::surface;
+using Verdict = Stability::Verdict;
+
+std::string number(double x) { return std::to_string(x); }
+
+/// Ligaments of law `law` in the plane z = 0 from the bone's origin toward `directions` (rad), about to become taut.
+std::string fan(const std::vector<double>& directions, const std::string& law) {
+  std::string out;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    out += ligament("l" + std::to_string(i), "[0, 0, 0]",
+                    "[" + number(30 * std::cos(directions[i])) + ", " + number(30 * std::sin(directions[i])) + ", 0]",
+                    law + "\nstiffness = 1000\nreference_strain = 0");
+  return out;
+}
+
+/// Each of them taken for taut.
+Stability stability_of_fan(const std::vector<double>& directions, const std::string& law = "law = \"linear\"") {
+  const auto s = test::scene_model(bone_on_ground() + fan(directions, law) +
+                                   step("prescribe = { " + test::kNoTurn + ", \"j.z\" = 0 }"));
+  State state = reference_state(s.model);
+  state.pieces.clear();
+  for (std::size_t i = 0; i < s.model.ligaments.size(); ++i)
+    if (!s.model.ligaments[i].ligament.law.sharp_breaks().empty()) state.pieces.push_back({static_cast<int>(i), 1});
+  const Target target = test::target_of(s.scene);
+  fit_multipliers(s.model, target, state);
+  Linearization here;
+  linearize(s.model, state, target, here);
+  Stability out = assess_stability(here, s.model.scales.length);
+  look_one_way(s.model, state, target, here.layer_loads, out);
+  return out;
+}
+
+/// The widest angle (rad) in which no ligament pulls: half a turn of it is a way out.
+double widest_gap(std::vector<double> directions) {
+  std::sort(directions.begin(), directions.end());
+  double widest = directions.front() + 2 * M_PI - directions.back();
+  for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
+  return widest;
+}
+
+TEST(OneWay, AFanOfLigamentsHoldsWhatItSurrounds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(0, 2 * M_PI);
+  int held = 0, free = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    std::vector<double> directions(3 + draw % 4);
+    for (double& d : directions) d = anywhere(random);
+    const double widest = widest_gap(directions);
+    if (std::abs(widest - M_PI) < 1e-3) continue;
+    const Stability found = stability_of_fan(directions);
+    EXPECT_EQ(found.one_way, widest > M_PI) << widest;
+    ++(found.one_way ? free : held);
+    if (!found.one_way) {
+      EXPECT_EQ(found.verdict, Verdict::stable);
+      continue;
+    }
+    EXPECT_EQ(found.verdict, Verdict::neutral);
+    const Vec3 way = found.mode.head<3>();
+    for (const double d : directions)
+      EXPECT_GE(way.dot(Vec3(std::cos(d), std::sin(d), 0)), -1e-7);  // none is stretched
+    EXPECT_NEAR(found.mode.norm(), 1, 1e-9);
+    EXPECT_TRUE(found.neutral.rightCols<1>().isApprox(found.mode));
+  }
+  EXPECT_GT(held, 30);
+  EXPECT_GT(free, 30);
+}
+
+TEST(OneWay, WhereAToeBeginsNothingIsHeldEitherWay) {
+  const std::vector<double> round = {0, 2, 4};
+  EXPECT_FALSE(stability_of_fan(round).one_way);
+  EXPECT_EQ(stability_of_fan(round, "law = \"quadratic\"").verdict, Verdict::neutral);
+}
+
+std::string ball_on_floor() {
+  return bone_on_ground("{ z = 20 }") + surface("ball", "bone", "sphere", "radius = 20") +
+         surface("floor", "ground", "plane") + contact("foot", "ball", "floor") + load("weight", "force = [0, 0, -10]");
+}
+
+/// The ball's weight is taken away; only x and what floor and springs leave are free.
+test::Walk unloaded(const std::string& springs) {
+  return test::walk(ball_on_floor() + springs +
+                    step("prescribe = { " + test::kNoTurn + ", \"j.y\" = 0 }\nload = { weight = [1, 0] }"));
+}
+
+const std::string kHeldFromAbove = test::spring("upright", "[0, 0, 0]", "[0, 0, 20]", 5, 0);
+const std::string kHeldSideways = test::spring("sideways", "[0, 0, 0]", "[50, 0, 20]", 5, 50);
+/// Compressed between the ball and walls beside it: it holds the ball there and throws it up.
+const std::string kProps = test::spring("left", "[0, 0, 0]", "[-40, 0, 20]", 10, 50) +
+                           test::spring("right", "[0, 0, 0]", "[40, 0, 20]", 10, 50);
+
+TEST(OneWay, AFloorThatCarriesNothingDoesNotHoldWhatLiesOnIt) {
+  const auto w = unloaded(kHeldSideways);
+  ASSERT_EQ(w.points.size(), 2U) << w.story();
+  EXPECT_EQ(w.points[0].report.status, PoseStatus::ok);
+  EXPECT_EQ(w.points[1].report.status, PoseStatus::undetermined);
+  ASSERT_EQ(w.points[1].undetermined.free_motion.size(), 1U);
+  EXPECT_EQ(w.points[1].undetermined.free_motion[0].index, 5);  // z
+}
+
+TEST(OneWay, WhatElseHoldsTheBallHoldsItWithoutTheFloorToo) {
+  const auto w = unloaded(kHeldFromAbove);
+  ASSERT_EQ(w.points.size(), 2U) << w.story();
+  EXPECT_TRUE(w.result.complete) << w.story();
+  EXPECT_EQ(w.points[1].stability.verdict, Verdict::stable);
+}
+
+TEST(OneWay, ABallThatLeavesTheFloorByItselfIsUnstable) {
+  const auto w = unloaded(kProps);
+  ASSERT_EQ(w.points.size(), 2U) << w.story();
+  EXPECT_EQ(w.points[0].stability.verdict, Verdict::stable);  // its weight presses it down
+  const Stability& s = w.points[1].stability;
+  EXPECT_EQ(s.verdict, Verdict::unstable);
+  EXPECT_NEAR(s.smallest, 2 * 10e3 * (1 - 50.0 / 40) * 1e-4, 1e-12);  // 2 k (1 - L0 / L), J
+  EXPECT_GT(s.mode[2], 0.99);
+}
+
+TEST(OneWay, PressedDownNothingOfThatMatters) {
+  for (const double weight : {1e-3, 1.0, 1e4}) {
+    const auto w = test::walk(
+        ball_on_floor() + kProps +
+        step("prescribe = { " + test::kNoTurn + ", \"j.y\" = 0 }\nload = { weight = " + number(weight) + " }"));
+    ASSERT_FALSE(w.points.empty());
+    EXPECT_FALSE(w.points[0].stability.one_way);
+    EXPECT_EQ(w.points[0].stability.verdict, Verdict::stable);
+  }
+}
+
+TEST(OneWay, ALayerThatCarriesNothingHoldsNothing) {
+  const auto w =
+      test::walk(bone_on_ground("{ z = 20 }") + surface("ball", "bone", "sphere", "radius = 20") +
+                 surface("floor", "ground", "plane") + test::layer("foot", "ball", "floor", "quadrature = \"smooth\"") +
+                 load("weight", "force = [0, 0, -10]") + kHeldSideways +
+                 step("prescribe = { " + test::kNoTurn + ", \"j.y\" = 0 }\nload = { weight = [1, 0] }"));
+  ASSERT_EQ(w.points.size(), 2U) << w.story();
+  EXPECT_EQ(w.points[0].stability.verdict, Verdict::stable);
+  EXPECT_EQ(w.points[1].report.status, PoseStatus::undetermined);
+}
+
+}  // namespace
+}  // namespace genu
