@@ -74,8 +74,8 @@ bool ArcWalker::passes_through(const Point& from, const Point& to) const {
   return solver_.passes_through(from.at.pose.state, to.at.pose.state, true);
 }
 
-ArcWalker::End ArcWalker::walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report) {
-  if (!begin(plan, pose, 0)) return End::stuck;
+ArcWalker::End ArcWalker::walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report, double t) {
+  if (!begin(plan, pose, t)) return End::stuck;
   here_.report = report;
   start_ = here_;
   double h = kFirstArc;

@@ -35,8 +35,8 @@ class ArcWalker {
         law_events_(law_events),
         outputs_(std::move(outputs)) {}
 
-  /// From a pose solved at t = 0 until t = 1. The path may leave that interval at 0 and come back.
-  End walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report);
+  /// From a pose solved at `t` until t = 1. The path may leave that interval at 0 and come back.
+  End walk(const StepPlan& plan, const Balanced& pose, const PoseReport& report, double t = 0);
 
   /// The limit point at which t stops growing, if the path from a solved pose at `t` leads to one without a change of
   /// contacts. Walks at most `reach` of arc length.

@@ -20,6 +20,8 @@
 namespace genu {
 namespace {
 
+constexpr const char* kTurnsBack = "the path turns back before this pose";
+
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 constexpr int kRest = 16;     // rows from rest to rest, at least
 
@@ -226,8 +228,14 @@ class PathRun {
     if (walker_.turning_back()) {
       const auto limit = limit_point(step);
       if (limit) emit(*limit);
-      report.why = limit ? "the path turns back before this pose"
-                         : "the path is too steep before this pose; control = \"arc_length\" may follow it";
+      report.why =
+          limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
+    } else if (report.status == PoseStatus::chatter) {
+      if (const auto limit = turn_at_a_change(step)) {
+        emit(*limit);
+        report.status = PoseStatus::no_equilibrium;
+        report.why = kTurnsBack;
+      }
     }
     const auto [distance, angle] = walker_.snap();
     if (distance > 0 || angle > 0) {
@@ -241,18 +249,38 @@ class PathRun {
     fail(step, k, t, report, "");
   }
 
+  PathEvent turn_at(const StepPlan& step, double t, const State& state) const {
+    constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
+    return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
+  }
+
   /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
   /// path is all but vertical and yet goes on.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
-    constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
     ArcWalker walker(solver_, options_, walker_.law_events(), {});
     const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
     result_.iterations += walker.iterations();
-    if (!limit && walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
-    const double t = limit ? limit->at.t : walker_.t();
-    const State& state = limit ? limit->at.pose.state : walker_.pose().state;
-    return PathEvent{PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
+    if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
+    if (walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
+    return turn_at(step, walker_.t(), walker_.pose().state);
+  }
+
+  /// Where contacts change and the path goes on backward, as one does that pulls where it is closed and without which
+  /// the joint is unstable: a limit point with a kink.
+  std::optional<PathEvent> turn_at_a_change(const StepPlan& step) {
+    constexpr int kMost = 30;  // substeps: the change is at hand
+    std::optional<PathEvent> out;
+    int looks = 0;
+    ArcWalker walker(solver_, options_, walker_.law_events(),
+                     {[](int, const ArcWalker::Point&) {},
+                      [&](PathEvent::Kind kind, const ArcWalker::Point& p, const std::string&) {
+                        if (kind == PathEvent::Kind::limit_point && !out) out = turn_at(step, p.at.t, p.at.pose.state);
+                      },
+                      [&] { return out.has_value() || ++looks > kMost || asked_to_stop(observer_.cancelled); }});
+    walker.walk(step, walker_.pose(), walker_.report(), walker_.t());
+    result_.iterations += walker.iterations();
+    return out;
   }
 
   void hand_over(const StepPlan& step, int k) {
