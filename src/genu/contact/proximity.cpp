@@ -19,8 +19,8 @@ constexpr double kSamePoint = 2e-3;
 constexpr double kNearContact = 0.15;
 // Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
 constexpr double kHopeless = 0.03;
-// What hides between samples is found from those around it: a start that is not the lowest of its neighbours is followed
-// no further. Where surfaces conform all of them would cross the whole of them.
+// What hides between samples is found from those around it: a start that is not the lowest of its neighbours is
+// followed no further. Where surfaces conform all of them would cross the whole of them.
 constexpr double kBetweenSamples = 4;
 // A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
 constexpr double kMerge = 0.1;

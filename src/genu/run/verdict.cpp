@@ -232,7 +232,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
       out.push_back(
-          fmt::format("The path turns back at {}{}: the smallest stiffness vanishes (or, where a contact lets go, jumps below 0) and no equilibrium lies beyond. "
+          fmt::format("The path turns back at {}{}: the smallest stiffness vanishes (or, where a contact lets go, "
+                      "jumps below 0) and no equilibrium lies beyond. "
                       "Prescribe another coordinate, or follow it round with control = \"arc_length\".",
                       place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
     if (e.kind == PathEvent::Kind::limit_point)

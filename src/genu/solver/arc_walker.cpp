@@ -224,4 +224,19 @@ std::optional<ArcWalker::Point> ArcWalker::limit_ahead(const StepPlan& plan, con
   return {};
 }
 
+std::optional<ArcWalker::Point> ArcWalker::turn_at_a_change(const StepPlan& plan, const Balanced& pose,
+                                                            const PoseReport& report, double t) {
+  constexpr int kMost = 30;  // substeps
+  std::optional<Point> out;
+  int looks = 0;
+  const Cancelled cancelled = outputs_.cancelled;
+  outputs_ = {[](int, const Point&) {},
+              [&out](PathEvent::Kind kind, const Point& p, const std::string&) {
+                if (kind == PathEvent::Kind::limit_point && !out) out = p;
+              },
+              [&out, &looks, cancelled] { return out.has_value() || ++looks > kMost || asked_to_stop(cancelled); }};
+  walk(plan, pose, report, t);
+  return out;
+}
+
 }  // namespace genu

@@ -42,6 +42,10 @@ class ArcWalker {
   /// contacts. Walks at most `reach` of arc length.
   std::optional<Point> limit_ahead(const StepPlan& plan, const Balanced& pose, double t, double reach);
 
+  /// Where contacts change at hand and the path goes on backward, as where one lets go without which the joint is
+  /// unstable: a limit point with a kink. Tells nothing of the way.
+  std::optional<Point> turn_at_a_change(const StepPlan& plan, const Balanced& pose, const PoseReport& report, double t);
+
   const Point& here() const { return here_; }
   const PoseReport& failure() const { return failure_; }
   int substeps() const { return substeps_; }

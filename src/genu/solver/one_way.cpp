@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@ constexpr double kHardly = 1e-9;   // of the force scale: what presses or pulls 
 /// A ligament that is about to become taut, or hardly is.
 struct Barely {
   double stiffness = 0;  ///< N/m, of the side it is on
-  bool resists = false;  ///< a longer one pulls at once: no toe begins here
+  double beyond = 0;     ///< N/m, of a longer one: 0 where a toe begins
 };
 
 /// Empty for a ligament that pulls with more than `force` (N), is slack, or held at a jump of its force.
@@ -35,7 +36,7 @@ std::optional<Barely> barely_taut(const JointModel& model, const State& state, s
   if (piece != state.pieces.end() && piece->held) return {};
   const LawValue pull = law.evaluate(length, piece == state.pieces.end() ? LigamentLaw::kByLength : piece->piece);
   if (beyond > rounding && std::abs(pull.force) > force) return {};
-  return Barely{pull.stiffness, law.breaks().front().above.stiffness > 0};
+  return Barely{pull.stiffness, std::max(0.0, law.breaks().front().above.stiffness)};
 }
 
 /// Whether there is anything to let go, told without the equations.
@@ -46,7 +47,9 @@ bool may_be_idle(const JointModel& model, const State& state, const std::vector<
   for (const ActiveContact& c : state.contacts)
     if (std::abs(c.force) <= hardly) return true;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i)
-    if (const auto barely = barely_taut(model, state, i, hardly); barely && barely->stiffness > 0) return true;
+    if (const auto barely = barely_taut(model, state, i, hardly);
+        barely && (barely->stiffness > 0 || barely->beyond > 0))
+      return true;
   return false;
 }
 
@@ -59,34 +62,40 @@ double idle_force(const JointModel& model, const Linearization& at) {
   return std::min(2 * unbalanced + kRounding * model.scales.force, kHardly * model.scales.force);
 }
 
-/// The pose without what is idle, and of that a row each: how fast a twist closes the contact or stretches the
-/// ligament.
+/// What holds one way: a contact, or a ligament that pulls at once where it becomes longer.
+struct OneSided {
+  VecX gradient;         ///< how fast a twist (6B) closes the contact, stretches the ligament
+  VecX row;              ///< the same of unit norm, over motions in the metric
+  double stiffness = 0;  ///< N/m, of the ligament once it is longer
+  bool contact = false;
+};
+
+/// The pose without what is idle, and that.
 struct Released {
   Linearization at;
-  MatX presses;          ///< rows of unit norm, over motions in the metric
+  std::vector<OneSided> sides;
   double cancelled = 0;  ///< J: the size of what was taken out of the stiffness, in the metric
 };
 
-void add_row(const VecX& row, const VecX& unit, MatX& rows) {
-  const VecX scaled = unit.cwiseProduct(row);
-  if (!(scaled.norm() > 0)) return;
-  rows.conservativeResize(rows.rows() + 1, row.size());
-  rows.bottomRows<1>() = scaled.normalized().transpose();
+void add_side(const VecX& gradient, double stiffness, bool contact, const VecX& unit, std::vector<OneSided>& sides) {
+  const VecX scaled = unit.cwiseProduct(gradient);
+  if (scaled.norm() > 0) sides.push_back({gradient, scaled.normalized(), stiffness, contact});
 }
 
 /// Moves the contacts that carry no more than `force` out of `state`.
-bool release_contacts(const Linearization& at_pose, double force, const VecX& unit, State& state, MatX& presses) {
+bool release_contacts(const Linearization& at_pose, double force, const VecX& unit, State& state,
+                      std::vector<OneSided>& sides) {
   std::vector<ActiveContact> kept;
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
     if (std::abs(state.contacts[c].force) > force) {
       kept.push_back(state.contacts[c]);
       continue;
     }
-    VecX row = VecX::Zero(unit.size());
+    VecX closing = VecX::Zero(unit.size());
     for (int side = 0; side < 2; ++side)
       if (const int body = at_pose.contact_bodies[c][at(side)]; body >= 0)
-        row.segment<6>(6 * body) -= at_pose.contacts[c].direction.segment<6>(6 * side);
-    add_row(row, unit, presses);
+        closing.segment<6>(6 * body) -= at_pose.contacts[c].direction.segment<6>(6 * side);
+    add_side(closing, 0, true, unit, sides);
   }
   const bool any = kept.size() < state.contacts.size();
   state.contacts = std::move(kept);
@@ -100,8 +109,9 @@ void release_ligament(const JointModel& model, const State& state, std::size_t i
   for (Eigen::Index j = 0; j < unit.size(); ++j)
     gradient[j] = ligament_length_rate(model, model.ligaments[i], state.poses, VecX::Unit(unit.size(), j));
   out.at.stiffness += barely.stiffness * gradient * gradient.transpose();
-  out.cancelled += barely.stiffness * gradient.cwiseProduct(unit).squaredNorm();
-  if (barely.resists) add_row(gradient, unit, out.presses);
+  const double size = gradient.cwiseProduct(unit).squaredNorm();
+  out.cancelled += std::max(barely.stiffness, barely.beyond) * size;
+  if (barely.beyond > 0) add_side(gradient, barely.beyond, false, unit, out.sides);
 }
 
 /// Layers begin to press as softly as a toe to pull.
@@ -129,30 +139,72 @@ bool release(const JointModel& model, const State& state, const Target& target, 
   linearize(model, state, target, out.at);
   const double force = idle_force(model, out.at);
   const VecX unit = stability_metric(out.at.wrench.size());
-  out.presses.resize(0, unit.size());
   State loose = state;
-  bool any = release_contacts(out.at, force, unit, loose, out.presses);
+  bool any = release_contacts(out.at, force, unit, loose, out.sides);
   if (any) linearize(model, loose, target, out.at);
   any = release_layers(model, state, force, out.at) || any;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto barely = barely_taut(model, state, i, force);
     if (!barely) continue;
-    any = any || barely->stiffness > 0;
+    any = any || barely->stiffness > 0 || barely->beyond > 0;
     release_ligament(model, state, i, *barely, unit, out);
   }
   return any;
 }
 
-bool presses_nothing(const MatX& presses, const VecX& motion) {
-  return presses.rows() == 0 || (presses * motion).maxCoeff() <= kPressed * motion.norm();
+/// What each of the sides does along a motion.
+enum class Doing { gives, resists, keeps };
+
+/// The pose with each side doing what `doing` says, and the rows that motions may not exceed 0 along to leave it so.
+struct Piece {
+  Linearization at;
+  MatX bounds;
+};
+
+Piece piece_of(const Released& released, const std::vector<Doing>& doing) {
+  Piece out{released.at, MatX(0, released.at.wrench.size())};
+  const auto append = [](const VecX& row, MatX& rows) {
+    rows.conservativeResize(rows.rows() + 1, row.size());
+    rows.bottomRows<1>() = row.transpose();
+  };
+  for (std::size_t i = 0; i < doing.size(); ++i) {
+    const OneSided& side = released.sides[i];
+    if (doing[i] == Doing::keeps) {
+      append(side.gradient, out.at.gradient);
+      out.at.constraint.conservativeResize(out.at.constraint.size() + 1);
+      out.at.constraint.tail<1>().setZero();
+      continue;
+    }
+    append(doing[i] == Doing::gives ? side.row : VecX(-side.row), out.bounds);
+    if (doing[i] == Doing::resists) out.at.stiffness -= side.stiffness * side.gradient * side.gradient.transpose();
+  }
+  return out;
 }
 
-/// A motion among `motions` (columns) that presses nothing and leaves something, of zeros where there is none. With
-/// R = presses * motions it is -R^T y for the y >= 1 that makes that least (Hildreth's method): 0 if R y = 0 for some y
+/// The next combination, as one counts; false behind the last.
+bool next(const std::vector<OneSided>& sides, std::vector<Doing>& doing) {
+  for (std::size_t i = 0; i < doing.size(); ++i) {
+    const bool contact = sides[i].contact;  // one that is closed does not move
+    doing[i] = doing[i] == Doing::gives && !contact ? Doing::resists
+               : doing[i] == Doing::keeps           ? Doing::gives
+                                                    : Doing::keeps;
+    if (doing[i] != Doing::gives) return true;
+  }
+  return false;
+}
+
+bool within(const MatX& bounds, const VecX& motion) {
+  return bounds.rows() == 0 || (bounds * motion).maxCoeff() <= kPressed * motion.norm();
+}
+
+/// A motion among `motions` (columns) within the bounds, of zeros where there is none. One that leaves some of them is,
+/// with R = bounds * motions, -R^T y for the y >= 1 that makes that least (Hildreth's method): 0 if R y = 0 for some y
 /// > 0, which by Stiemke's theorem is the case where no such motion exists.
-VecX way_out(const MatX& presses, const MatX& motions) {
-  if (presses.rows() == 0) return motions.col(0);
-  const MatX rates = presses * motions;
+VecX way_out(const MatX& bounds, const MatX& motions) {
+  for (Eigen::Index i = 0; i < motions.cols(); ++i)
+    for (const double sign : {1.0, -1.0})
+      if (const VecX motion = sign * motions.col(i); within(bounds, motion)) return motion;
+  const MatX rates = bounds * motions;
   VecX y = VecX::Ones(rates.rows()), left = rates.transpose() * y;
   constexpr int kSweeps = 1000;
   constexpr double kNone = 1e-6;  // of what is left: no way out
@@ -161,40 +213,60 @@ VecX way_out(const MatX& presses, const MatX& motions) {
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double norm = rates.row(i).squaredNorm();
       if (norm < kPressed * kPressed) continue;
-      const double next = std::max(1.0, y[i] - rates.row(i).dot(left) / norm);
-      left += (next - y[i]) * rates.row(i).transpose();
-      y[i] = next;
+      const double next_y = std::max(1.0, y[i] - rates.row(i).dot(left) / norm);
+      left += (next_y - y[i]) * rates.row(i).transpose();
+      y[i] = next_y;
     }
     if ((y - before).norm() <= 1e-14 * y.norm()) break;
   }
-  const VecX out = left.norm() > kNone * y.norm() ? VecX(-motions * left.normalized()) : VecX::Zero(motions.rows());
-  return presses_nothing(presses, out) ? out : VecX::Zero(motions.rows());
+  const VecX none = VecX::Zero(motions.rows());
+  const VecX out = left.norm() > kNone * y.norm() ? VecX(-motions * left.normalized()) : none;
+  return within(bounds, out) ? out : none;
+}
+
+/// The least that a motion costs, over all pieces: it is an eigenvector of the smallest eigenvalue of the piece, or of
+/// the face of one, that it lies in.
+struct Least {
+  Stability::Verdict verdict = Stability::Verdict::stable;
+  double smallest = std::numeric_limits<double>::infinity();
+  VecX motion;
+};
+
+void take_lower(const Stability& piece, const MatX& bounds, Least& least) {
+  const auto take = [&](Stability::Verdict verdict, double smallest, const VecX& motion) {
+    if (smallest < least.smallest) least = {verdict, smallest, motion};
+  };
+  if (piece.neutral.cols() > 0)
+    if (const VecX motion = way_out(bounds, piece.neutral); !motion.isZero(0))
+      take(Stability::Verdict::neutral, 0, motion);
+  if (piece.verdict == Stability::Verdict::neutral || piece.free_motions == 0) return;
+  for (const double sign : {1.0, -1.0})
+    if (const VecX motion = sign * piece.mode; within(bounds, motion)) take(piece.verdict, piece.smallest, motion);
 }
 
 }  // namespace
 
 void look_one_way(const JointModel& model, const State& state, const Target& target,
                   const std::vector<double>& layer_loads, Stability& stability) {
-  if (stability.verdict == Stability::Verdict::unstable || !may_be_idle(model, state, layer_loads)) return;
+  if (!may_be_idle(model, state, layer_loads)) return;
   Released released;
   if (!release(model, state, target, released)) return;
-  const Stability loose = assess_stability(released.at, model.scales.length, released.cancelled);
-  const auto take = [&](Stability::Verdict verdict, double smallest, const VecX& motion) {
-    stability.verdict = verdict;
-    stability.smallest = smallest;
-    stability.mode = motion;
-    stability.one_way = true;
-  };
-  if (loose.verdict == Stability::Verdict::unstable)
-    for (const double sign : {1.0, -1.0})
-      if (const VecX motion = sign * loose.mode; presses_nothing(released.presses, motion))
-        return take(Stability::Verdict::unstable, loose.smallest, motion);
-  if (loose.neutral.cols() == 0) return;
-  const VecX motion = way_out(released.presses, loose.neutral);
-  if (motion.isZero(0)) return;
-  take(Stability::Verdict::neutral, 0, motion);
-  stability.neutral.conservativeResize(motion.size(), stability.neutral.cols() + 1);
-  stability.neutral.rightCols<1>() = motion;
+  constexpr std::size_t kMost = 7;  // sides, of up to three pieces each
+  std::vector<Doing> doing(released.sides.size(), Doing::gives);
+  Least least{stability.verdict, stability.smallest, stability.mode};
+  const bool all = doing.size() <= kMost;
+  if (all) least = {};
+  do {
+    const Piece piece = piece_of(released, doing);
+    take_lower(assess_stability(piece.at, model.scales.length, released.cancelled), piece.bounds, least);
+  } while (all && next(released.sides, doing));
+  stability.verdict = least.verdict;
+  stability.smallest = least.smallest;
+  stability.one_way = true;
+  stability.neutral.resize(state.poses.empty() ? 0 : released.at.wrench.size(), 0);
+  if (least.motion.size() == 0) return;
+  stability.mode = least.motion;
+  if (least.verdict == Stability::Verdict::neutral) stability.neutral = least.motion;
 }
 
 }  // namespace genu

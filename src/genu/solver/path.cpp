@@ -15,6 +15,7 @@
 #include "genu/solver/arc_walker.h"
 #include "genu/solver/fields.h"
 #include "genu/solver/one_way.h"
+#include "genu/solver/settle_freed.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -76,9 +77,8 @@ class PathRun {
     factors_ = step.target(1).load_factors;
     approaching_ = true;
     const Target start = plan.target(0);
-    report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : solver_.settle(pose_, start);
+    report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : settle_freed(solver_, pose_, start);
     result_.iterations += report_.iterations;
-    if (report_.status != PoseStatus::ok && step_ > 1) report_ = solver_.settle_from_seed(pose_, start);
     if (report_.status != PoseStatus::ok) {
       if (settle_past_flaw(step, report_)) return true;
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
@@ -231,8 +231,11 @@ class PathRun {
       report.why =
           limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
     } else if (report.status == PoseStatus::chatter) {
-      if (const auto limit = turn_at_a_change(step)) {
-        emit(*limit);
+      ArcWalker walker(solver_, options_, walker_.law_events(), {{}, {}, observer_.cancelled});
+      const auto turn = walker.turn_at_a_change(step, walker_.pose(), walker_.report(), walker_.t());
+      result_.iterations += walker.iterations();
+      if (turn) {
+        emit(turn_at(step, turn->at.t, turn->at.pose.state));
         report.status = PoseStatus::no_equilibrium;
         report.why = kTurnsBack;
       }
@@ -264,23 +267,6 @@ class PathRun {
     if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
     if (walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
     return turn_at(step, walker_.t(), walker_.pose().state);
-  }
-
-  /// Where contacts change and the path goes on backward, as one does that pulls where it is closed and without which
-  /// the joint is unstable: a limit point with a kink.
-  std::optional<PathEvent> turn_at_a_change(const StepPlan& step) {
-    constexpr int kMost = 30;  // substeps: the change is at hand
-    std::optional<PathEvent> out;
-    int looks = 0;
-    ArcWalker walker(solver_, options_, walker_.law_events(),
-                     {[](int, const ArcWalker::Point&) {},
-                      [&](PathEvent::Kind kind, const ArcWalker::Point& p, const std::string&) {
-                        if (kind == PathEvent::Kind::limit_point && !out) out = turn_at(step, p.at.t, p.at.pose.state);
-                      },
-                      [&] { return out.has_value() || ++looks > kMost || asked_to_stop(observer_.cancelled); }});
-    walker.walk(step, walker_.pose(), walker_.report(), walker_.t());
-    result_.iterations += walker.iterations();
-    return out;
   }
 
   void hand_over(const StepPlan& step, int k) {
