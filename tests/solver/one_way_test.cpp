@@ -1,8 +1,10 @@
-// What is held one way only: random fans of ligaments against the widest gap between them, contacts without force.
+// What is held one way only: random fans of ligaments against the widest gap between them and a look all round,
+// contacts without force.
 #include "genu/solver/one_way.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -58,28 +60,46 @@ double widest_gap(std::vector<double> directions) {
   return widest;
 }
 
+/// J: what a motion of unit norm in the plane costs at least, looked for all round; each ligament pulls where it is
+/// stretched.
+double least_cost(const std::vector<double>& directions) {
+  constexpr double kStiffness = 1000 / 30e-3 * 1e-4;  // J for a motion of 10 mm, of each
+  constexpr int kRound = 20000;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kRound; ++k) {
+    double cost = 0;
+    for (const double d : directions) cost += std::pow(std::max(0.0, -std::cos(d - 2 * M_PI * k / kRound)), 2);
+    least = std::min(least, kStiffness * cost);
+  }
+  return least;
+}
+
 TEST(OneWay, AFanOfLigamentsHoldsWhatItSurrounds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> anywhere(0, 2 * M_PI);
   int held = 0, free = 0;
   for (int draw = 0; draw < 200; ++draw) {
-    std::vector<double> directions(3 + draw % 4);
+    std::vector<double> directions(static_cast<std::size_t>(3 + draw % 4));
     for (double& d : directions) d = anywhere(random);
     const double widest = widest_gap(directions);
     if (std::abs(widest - M_PI) < 1e-3) continue;
     const Stability found = stability_of_fan(directions);
-    EXPECT_EQ(found.one_way, widest > M_PI) << widest;
-    ++(found.one_way ? free : held);
-    if (!found.one_way) {
-      EXPECT_EQ(found.verdict, Verdict::stable);
+    EXPECT_TRUE(found.one_way);
+    EXPECT_NEAR(found.mode.norm(), 1, 1e-9);
+    if (widest < M_PI) {
+      ++held;
+      EXPECT_EQ(found.verdict, Verdict::stable) << widest;
+      EXPECT_NEAR(found.smallest, least_cost(directions), 1e-5);
+      EXPECT_EQ(found.neutral.cols(), 0);
       continue;
     }
-    EXPECT_EQ(found.verdict, Verdict::neutral);
+    ++free;
+    EXPECT_EQ(found.verdict, Verdict::neutral) << widest;
+    EXPECT_EQ(found.smallest, 0);
     const Vec3 way = found.mode.head<3>();
     for (const double d : directions)
       EXPECT_GE(way.dot(Vec3(std::cos(d), std::sin(d), 0)), -1e-7);  // none is stretched
-    EXPECT_NEAR(found.mode.norm(), 1, 1e-9);
-    EXPECT_TRUE(found.neutral.rightCols<1>().isApprox(found.mode));
+    EXPECT_GE(found.neutral.cols(), 1);
   }
   EXPECT_GT(held, 30);
   EXPECT_GT(free, 30);
@@ -87,7 +107,7 @@ TEST(OneWay, AFanOfLigamentsHoldsWhatItSurrounds) {
 
 TEST(OneWay, WhereAToeBeginsNothingIsHeldEitherWay) {
   const std::vector<double> round = {0, 2, 4};
-  EXPECT_FALSE(stability_of_fan(round).one_way);
+  EXPECT_EQ(stability_of_fan(round).verdict, Verdict::stable);
   EXPECT_EQ(stability_of_fan(round, "law = \"quadratic\"").verdict, Verdict::neutral);
 }
 

@@ -197,13 +197,10 @@ bool within(const MatX& bounds, const VecX& motion) {
   return bounds.rows() == 0 || (bounds * motion).maxCoeff() <= kPressed * motion.norm();
 }
 
-/// A motion among `motions` (columns) within the bounds, of zeros where there is none. One that leaves some of them is,
-/// with R = bounds * motions, -R^T y for the y >= 1 that makes that least (Hildreth's method): 0 if R y = 0 for some y
-/// > 0, which by Stiemke's theorem is the case where no such motion exists.
+/// A motion among `motions` (columns) that leaves bounds and exceeds none, of zeros where there is none: with R =
+/// bounds * motions, -R^T y for the y >= 1 that makes that least (Hildreth's method): 0 if R y = 0 for some y > 0,
+/// which by Stiemke's theorem is the case where no such motion exists.
 VecX way_out(const MatX& bounds, const MatX& motions) {
-  for (Eigen::Index i = 0; i < motions.cols(); ++i)
-    for (const double sign : {1.0, -1.0})
-      if (const VecX motion = sign * motions.col(i); within(bounds, motion)) return motion;
   const MatX rates = bounds * motions;
   VecX y = VecX::Ones(rates.rows()), left = rates.transpose() * y;
   constexpr int kSweeps = 1000;
@@ -230,18 +227,38 @@ struct Least {
   Stability::Verdict verdict = Stability::Verdict::stable;
   double smallest = std::numeric_limits<double>::infinity();
   VecX motion;
+  MatX neutral;  ///< motions that cost nothing, a column each
 };
 
-void take_lower(const Stability& piece, const MatX& bounds, Least& least) {
-  const auto take = [&](Stability::Verdict verdict, double smallest, const VecX& motion) {
-    if (smallest < least.smallest) least = {verdict, smallest, motion};
+/// Those of `motions` (columns) that are within the bounds, this way or the other; where none is by itself, a sum that
+/// is.
+MatX ways_out(const MatX& bounds, const MatX& motions) {
+  MatX out(motions.rows(), 0);
+  if (motions.cols() == 0) return out;
+  const auto add = [&out](const VecX& motion) {
+    out.conservativeResize(Eigen::NoChange, out.cols() + 1);
+    out.rightCols<1>() = motion;
   };
-  if (piece.neutral.cols() > 0)
-    if (const VecX motion = way_out(bounds, piece.neutral); !motion.isZero(0))
-      take(Stability::Verdict::neutral, 0, motion);
-  if (piece.verdict == Stability::Verdict::neutral || piece.free_motions == 0) return;
-  for (const double sign : {1.0, -1.0})
-    if (const VecX motion = sign * piece.mode; within(bounds, motion)) take(piece.verdict, piece.smallest, motion);
+  for (Eigen::Index i = 0; i < motions.cols(); ++i)
+    if (within(bounds, motions.col(i)))
+      add(motions.col(i));
+    else if (within(bounds, -motions.col(i)))
+      add(-motions.col(i));
+  if (out.cols() > 0) return out;
+  if (const VecX motion = way_out(bounds, motions); !motion.isZero(0)) add(motion);
+  return out;
+}
+
+void take_lower(const Stability& piece, const MatX& bounds, Least& least) {
+  MatX ways = ways_out(bounds, piece.neutral);
+  if (piece.verdict != Stability::Verdict::neutral && piece.free_motions > 0)
+    for (const double sign : {1.0, -1.0})
+      if (const VecX motion = sign * piece.mode; within(bounds, motion) && piece.smallest < least.smallest)
+        least = {piece.verdict, piece.smallest, motion, ways};
+  if (ways.cols() > 0 && least.smallest > 0) {
+    const VecX motion = ways.col(0);
+    least = {Stability::Verdict::neutral, 0, motion, std::move(ways)};
+  }
 }
 
 }  // namespace
@@ -253,7 +270,7 @@ void look_one_way(const JointModel& model, const State& state, const Target& tar
   if (!release(model, state, target, released)) return;
   constexpr std::size_t kMost = 7;  // sides, of up to three pieces each
   std::vector<Doing> doing(released.sides.size(), Doing::gives);
-  Least least{stability.verdict, stability.smallest, stability.mode};
+  Least least{stability.verdict, stability.smallest, stability.mode, stability.neutral};
   const bool all = doing.size() <= kMost;
   if (all) least = {};
   do {
@@ -263,10 +280,8 @@ void look_one_way(const JointModel& model, const State& state, const Target& tar
   stability.verdict = least.verdict;
   stability.smallest = least.smallest;
   stability.one_way = true;
-  stability.neutral.resize(state.poses.empty() ? 0 : released.at.wrench.size(), 0);
-  if (least.motion.size() == 0) return;
-  stability.mode = least.motion;
-  if (least.verdict == Stability::Verdict::neutral) stability.neutral = least.motion;
+  stability.neutral = least.neutral.rows() > 0 ? least.neutral : MatX(released.at.wrench.size(), 0);
+  if (least.motion.size() > 0) stability.mode = least.motion;
 }
 
 }  // namespace genu
