@@ -17,6 +17,7 @@ struct Certificate {
   double smallest_gap = 0;    ///< m, over the whole of every pair; +infinity when all are clear
   double least_opposed = -1;  ///< largest n_A . n_B of any contact, -1 is exactly opposed
   double edge_distance = 0;   ///< m: least distance of a contact point to an edge of its patch
+  int touching = 0;           ///< places where surfaces touch, gap 0 to rounding, and no contact is held
 };
 
 /// What is wrong with a converged state.
@@ -66,6 +67,9 @@ class ContactInspector {
   double same_contact() const { return 2e-3 * field_->spacing(); }
 
   void inspect(const State& state, Findings& out);
+
+  /// Where surfaces touch, at a point, in the state inspected last and no contact is held.
+  std::vector<Candidate> touching(const State& state) const;
 
   /// The facts at the state inspected last.
   Certificate certify(const State& state, double residual) const;

@@ -102,6 +102,12 @@ PoseReport ContactSetSolver::inspect(const State& state, const NewtonReport& new
   return judge(state, newton, findings);
 }
 
+std::vector<Candidate> ContactSetSolver::touching(const State& state) {
+  Findings findings;
+  inspector_.inspect(state, findings);
+  return inspector_.touching(state);
+}
+
 void ContactSetSolver::close(Balanced& pose, const Candidate& candidate) const {
   // An open contact is followed by descent and lands where the survey does.
   const double same_open = 0.1 * field_->spacing();

@@ -66,6 +66,9 @@ class ContactSetSolver {
   /// in long steps, then in short ones.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
+  /// Where surfaces touch in a solved state and no contact is held.
+  std::vector<Candidate> touching(const State& state);
+
   /// Follows open contacts to the new pose and forgets those that are no more.
   void follow_open(Balanced& pose);
 

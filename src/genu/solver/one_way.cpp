@@ -10,12 +10,12 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/solver/moving_blocks.h"
+#include "genu/solver/way_out.h"
 
 namespace genu {
 namespace {
 
-constexpr double kPressed = 1e-9;  // what a motion of unit norm closes or stretches by less is rounding
-constexpr double kHardly = 1e-9;   // of the force scale: what presses or pulls by more is not idle
+constexpr double kHardly = 1e-9;  // of the force scale: what presses or pulls by more is not idle
 
 /// A ligament that is about to become taut, or hardly is.
 struct Barely {
@@ -191,34 +191,6 @@ bool next(const std::vector<OneSided>& sides, std::vector<Doing>& doing) {
     if (doing[i] != Doing::gives) return true;
   }
   return false;
-}
-
-bool within(const MatX& bounds, const VecX& motion) {
-  return bounds.rows() == 0 || (bounds * motion).maxCoeff() <= kPressed * motion.norm();
-}
-
-/// A motion among `motions` (columns) that leaves bounds and exceeds none, of zeros where there is none: with R =
-/// bounds * motions, -R^T y for the y >= 1 that makes that least (Hildreth's method): 0 if R y = 0 for some y > 0,
-/// which by Stiemke's theorem is the case where no such motion exists.
-VecX way_out(const MatX& bounds, const MatX& motions) {
-  const MatX rates = bounds * motions;
-  VecX y = VecX::Ones(rates.rows()), left = rates.transpose() * y;
-  constexpr int kSweeps = 1000;
-  constexpr double kNone = 1e-6;  // of what is left: no way out
-  for (int sweep = 0; sweep < kSweeps && left.norm() > kNone * y.norm(); ++sweep) {
-    const VecX before = y;
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const double norm = rates.row(i).squaredNorm();
-      if (norm < kPressed * kPressed) continue;
-      const double next_y = std::max(1.0, y[i] - rates.row(i).dot(left) / norm);
-      left += (next_y - y[i]) * rates.row(i).transpose();
-      y[i] = next_y;
-    }
-    if ((y - before).norm() <= 1e-14 * y.norm()) break;
-  }
-  const VecX none = VecX::Zero(motions.rows());
-  const VecX out = left.norm() > kNone * y.norm() ? VecX(-motions * left.normalized()) : none;
-  return within(bounds, out) ? out : none;
 }
 
 /// The least that a motion costs, over all pieces: it is an eigenvector of the smallest eigenvalue of the piece, or of

@@ -14,8 +14,8 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/solver/arc_walker.h"
 #include "genu/solver/fields.h"
-#include "genu/solver/one_way.h"
 #include "genu/solver/settle_freed.h"
+#include "genu/solver/uniqueness.h"
 #include "genu/solver/walker.h"
 
 namespace genu {
@@ -285,29 +285,10 @@ class PathRun {
     if (asked_to_stop(observer_.cancelled)) return stop();
     point.step = step_;
     point.target = step.target(point.t);
-    judge_uniqueness(point);
+    result_.complete = judge_uniqueness(solver_, point) && result_.complete;
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
     ++rows_;
     observer_.pose(point, solver_.newton().layers().get());
-  }
-
-  /// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
-  void judge_uniqueness(PosePoint& point) {
-    if (solver_.model().safeguards.lacks(Safeguard::uniqueness)) return;
-    constexpr double kSingular = 1e-13;  // reciprocal condition
-    const NewtonReport& newton = point.report.newton;
-    look_one_way(solver_.model(), point.pose.state, point.target, solver_.newton().linearization().layer_loads,
-                 point.stability);
-    const bool one_way = point.stability.one_way && point.stability.verdict == Stability::Verdict::neutral;
-    const bool motion =
-        one_way || (point.stability.neutral.cols() > 0 && (!newton.full_rank || newton.rcond < kSingular));
-    if (!motion && point.stability.redundant.empty()) return;
-    point.undetermined = find_undetermined(solver_.model(), point.pose.state, point.target, point.stability);
-    point.report.status = PoseStatus::undetermined;
-    point.report.why = one_way  ? "a motion costs no force, at least one way: the pose is one of many"
-                       : motion ? "a motion costs no force: the pose is one of many"
-                                : "the same motion is held twice: how the force is shared is not determined";
-    result_.complete = false;
   }
 
   void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,

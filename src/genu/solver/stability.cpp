@@ -71,15 +71,11 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
   return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
 }
 
-/// The rows among the first `count` of `held` whose forces are not determined one by one.
-std::vector<int> dependent_rows(const MatX& held, Eigen::Index count) {
-  std::vector<int> out;
-  const MatX trades = kernel(held.transpose(), kDependentRow);  // forces in balance among themselves, one column each
-  constexpr double kTakesPart = 1e-6;
-  for (Eigen::Index i = 0; i < count; ++i)
-    if (trades.row(i).cwiseAbs().maxCoeff() > kTakesPart * trades.cwiseAbs().maxCoeff())
-      out.push_back(static_cast<int>(i));
-  return out;
+/// Of the first `count` rows of `held`; the others take part unseen.
+MatX trades_of(const MatX& held, Eigen::Index count) {
+  MatX out = kernel(held.transpose(), kDependentRow);
+  out.colwise().normalize();
+  return out.topRows(count);
 }
 
 /// `motions` (columns, in the metric) with twists about the bodies' own origins.
@@ -130,6 +126,20 @@ VecX stability_metric(Eigen::Index n) {
   return out;
 }
 
+MatX force_trades(const Linearization& at, double length_scale) {
+  MatX stiffness, held;
+  tangent(at, length_scale, 0, stiffness, held);
+  return trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()));
+}
+
+std::vector<int> trading(const MatX& trades) {
+  std::vector<int> out;
+  constexpr double kTakesPart = 1e-6;
+  for (Eigen::Index i = 0; i < trades.rows(); ++i)
+    if (trades.cols() > 0 && trades.row(i).cwiseAbs().maxCoeff() > kTakesPart) out.push_back(static_cast<int>(i));
+  return out;
+}
+
 const char* to_string(Stability::Verdict verdict) {
   switch (verdict) {
     case Stability::Verdict::stable:
@@ -149,7 +159,7 @@ Stability assess_stability(const Linearization& at, double length_scale, double 
   const MatX basis = null_space(held, kDependentRow);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
-    out.redundant = dependent_rows(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()));
+    out.redundant = trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size())));
   if (basis.cols() == 0) {
     out.smallest = std::numeric_limits<double>::infinity();
     out.mode = VecX::Zero(at.wrench.size());

@@ -41,4 +41,12 @@ VecX stability_metric(Eigen::Index n);
 /// (J, in the metric) the size of terms that were taken out of the stiffness again, whose rounding is still in it.
 Stability assess_stability(const Linearization& at, double length_scale, double cancelled = 0);
 
+/// Forces in balance among themselves, a column each, of norm 1 with what conforming surfaces exert besides: of
+/// constraints, then contacts (positive where one presses more), per unit of the generalised force that each of them
+/// can exert. Zeros where every force is determined.
+MatX force_trades(const Linearization& at, double length_scale);
+
+/// The rows of `trades` (columns of norm 1) that take part in any by more than rounding, rising.
+std::vector<int> trading(const MatX& trades);
+
 }  // namespace genu

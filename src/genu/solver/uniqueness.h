@@ -1,0 +1,13 @@
+// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
+#pragma once
+
+#include "genu/solver/path.h"
+
+namespace genu {
+
+/// Looks at a solved pose and its stability; where it or its forces are not determined, PoseStatus::undetermined, why,
+/// and what (PosePoint::undetermined). False then. Nothing is looked at without Safeguard::uniqueness. `solver` is
+/// where it has solved that pose, or one beside it.
+bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point);
+
+}  // namespace genu

@@ -1,0 +1,18 @@
+// Motions, or forces, that one-sided conditions leave.
+#pragma once
+
+#include "genu/core/types.h"
+
+namespace genu {
+
+/// Whether `motion` (n) has no positive product with any row of `bounds` (k x n, of norm 1 or less): by more than 1e-9
+/// of its norm, which is rounding.
+bool within(const MatX& bounds, const VecX& motion);
+
+/// A motion among `motions` (n x m, columns) that leaves bounds and exceeds none, of unit norm where the columns are
+/// orthonormal; of zeros where there is none. With R = bounds * motions it is -R^T y for the y >= 1 that makes that
+/// least (Hildreth's method): 0 if R y = 0 for some y > 0, which by Stiemke's theorem is the case where no such motion
+/// exists.
+VecX way_out(const MatX& bounds, const MatX& motions);
+
+}  // namespace genu
