@@ -8,8 +8,8 @@
 
 namespace genu {
 
-constexpr double kBlendRadius = 0.7;   ///< of the fit radius
-constexpr double kNodeSpacing = 0.25;  ///< of the fit radius
+constexpr double kBlendRadius = kFitReach;  ///< of the fit radius
+constexpr double kNodeSpacing = 0.25;       ///< of the fit radius
 
 struct NodeSeed {
   Vec3 position = Vec3::Zero();   ///< m, on the mesh

@@ -4,6 +4,10 @@
 // of a thin shell, or the other condyle, never takes part. Facet interiors are not on the surface and are not used.
 // A vertex counts by the area it stands for, so that an irregular mesh does not bias the fit, times a kernel that
 // vanishes at the fit radius, so that no vertex enters or leaves with a jump.
+//
+// Vertices that stand in three rows leave a cubic undetermined, the product of the rows' lines: where they all but do,
+// what a polynomial of the degree cannot follow (micrometres) is multiplied a thousandfold between them (a torus of
+// even triangles bulged by a millimetre). So a fit is taken only if it multiplies little.
 #pragma once
 
 #include <array>
@@ -35,6 +39,9 @@ struct HeightFit {
 /// A fit no wider than this fraction of the radius of curvature (1 / norm of the shape operator) truncates little.
 constexpr double kMostOfCurvature = 0.7;
 
+/// As far from its origin as this fraction of its radius a fit has to give heights.
+constexpr double kFitReach = 0.7;
+
 /// What is wanted of a fit.
 struct FitRequest {
   Vec3 origin = Vec3::Zero();
@@ -56,6 +63,8 @@ class HeightFitter {
   void gather(const FitRequest& request, double radius);
   void average_normal(HeightFit& fit, double radius) const;
   bool solve(HeightFit& fit, int degree, double radius);
+  bool determined(const HeightFit& fit, const Eigen::Ref<const MatX>& R, int degree, double radius,
+                  double weight) const;
 
   const Mesh& mesh_;
   const VertexGraph& graph_;
