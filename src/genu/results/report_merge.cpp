@@ -50,6 +50,7 @@ std::string merged_report(const std::vector<NamedReport>& reports) {
   std::string title;
   for (const NamedReport& report : reports) {
     auto more = parsed(report.page, "genu-data");
+    const auto more_times = parsed(report.page, "genu-times");
     const std::size_t count = more["runs"].size();
     for (std::size_t k = 0; k < count; ++k) {
       auto& run = more["runs"][k];
@@ -57,7 +58,7 @@ std::string merged_report(const std::vector<NamedReport>& reports) {
       run["name"] = count > 1 ? report.name + ": " + own : report.name;
       data["runs"].push_back(std::move(run));
     }
-    for (const auto& run : parsed(report.page, "genu-times")["runs"]) times["runs"].push_back(run);
+    for (const auto& run : more_times["runs"]) times["runs"].push_back(run);
     title += (title.empty() ? "" : " and ") + report.name;
   }
   return report_page(title, html_safe_json(data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)),
