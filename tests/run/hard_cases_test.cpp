@@ -59,6 +59,7 @@ HardCase ball_on_plate(const test::TemporaryFolder& folder) {
   c.expected.exit_code = 3;
   c.expected.safeguard = Safeguard::uniqueness;
   c.expected.statuses = {{"undetermined", 2}};
+  c.expected.limit = 3600;  // a thread sanitizer takes its time
   MeshRecipe recipe;
   recipe.file = "ball.stl";
   recipe.shape = "ball";
