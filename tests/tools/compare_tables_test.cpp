@@ -9,7 +9,7 @@ namespace {
 
 constexpr char kTable[] = "pose,status,force_N,moment_Nm,residual\n0,ok,100,1e-12,1e-17\n1,ok,-400.5,0,2e-16\n";
 
-/// The exit code for `kTable` beside `other`, and whether a line was said.
+/// The exit code for `kTable` beside `other`; one line has to be said.
 int compare(const std::string& other) {
   const test::TemporaryFolder folder;
   const std::string one = folder.write("one.csv", kTable), two = folder.write("two.csv", other), said = folder / "said";
@@ -43,6 +43,7 @@ TEST(CompareTables, FindWhatDiffers) {
   EXPECT_EQ(compare(with("-400.5", "nan")), 1);
   EXPECT_EQ(compare(with("1,ok,-400.5,0,2e-16\n", "")), 1);
   EXPECT_EQ(compare(with(",residual\n", "\n")), 1);
+  EXPECT_EQ(compare(with("2e-16\n", "2e-16,7\n")), 1);
   EXPECT_EQ(compare(""), 1);
 }
 
