@@ -54,6 +54,78 @@ TEST(WayOut, FindsOneWhereHalfATurnIsFree) {
   EXPECT_GT(found, 100);
 }
 
+/// k x n directions drawn at random.
+MatX directions(int k, int n, std::mt19937& random) {
+  std::normal_distribution<double> any;
+  MatX out(k, n);
+  for (Eigen::Index i = 0; i < out.size(); ++i) out.data()[i] = any(random);
+  return out.rowwise().normalized();
+}
+
+/// Bounds of which only `way` and what is within `margin` of it is free: pairs that all but oppose each other.
+MatX thin_cone(const VecX& way, double margin, int pairs, std::mt19937& random) {
+  const auto n = static_cast<int>(way.size());
+  MatX out(2 * pairs, n);
+  const MatX across = directions(pairs, n, random);
+  for (int i = 0; i < pairs; ++i) {
+    const VecX side = (across.row(i).transpose() - across.row(i).dot(way) * way).normalized();
+    out.row(2 * i) = (side - margin * way).transpose().normalized();
+    out.row(2 * i + 1) = (-side - margin * way).transpose().normalized();
+  }
+  return out;
+}
+
+TEST(WayOut, FindsTheWayOutOfThinCones) {
+  std::mt19937 random(5);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const int n = 2 + draw % 11, pairs = 1 + draw % 7;
+    const double margin = std::pow(10, -1 - draw % 4);  // down to 1e-4
+    const VecX way = directions(1, n, random).row(0).transpose();
+    const MatX bounds = thin_cone(way, margin, pairs, random);
+    const VecX found = way_out(bounds, MatX::Identity(n, n));
+    ASSERT_NEAR(found.norm(), 1, 1e-9) << "draw " << draw;
+    EXPECT_TRUE(within(bounds, found));
+    EXPECT_LT((bounds * found).minCoeff(), -1e-6);
+  }
+}
+
+TEST(WayOut, FindsNoneWhereForcesHoldEachOther) {
+  // y > 0 with R^T y = 0: the last row balances the others.
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> weight(0.01, 1);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const int n = 2 + draw % 11, k = 2 + draw % 15;
+    MatX bounds = directions(k, n, random);
+    VecX sum = VecX::Zero(n);
+    for (int i = 0; i + 1 < k; ++i) sum += weight(random) * bounds.row(i).transpose();
+    bounds.row(k - 1) = -sum.normalized().transpose();
+    EXPECT_TRUE(way_out(bounds, MatX::Identity(n, n)).isZero(0)) << "draw " << draw;
+  }
+}
+
+TEST(WayOut, LeavesAnyConeThatAMotionLeaves) {
+  // Every bound turned away from one direction: all of it, or all but what others hold.
+  std::mt19937 random(7);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const int n = 2 + draw % 11, k = 1 + draw % 20;
+    MatX bounds = directions(k, n, random);
+    const VecX way = directions(1, n, random).row(0).transpose();
+    for (int i = 0; i < k; ++i)
+      if (bounds.row(i).dot(way) > -1e-3)
+        bounds.row(i) = (bounds.row(i) - (bounds.row(i).dot(way) + 1e-3) * way.transpose()).normalized();
+    const VecX found = way_out(bounds, MatX::Identity(n, n));
+    ASSERT_NEAR(found.norm(), 1, 1e-9) << "draw " << draw;
+    EXPECT_TRUE(within(bounds, found));
+  }
+}
+
+TEST(WayOut, RowsOfAnyLengthAreTheSameBounds) {
+  const MatX bounds = fan({0, M_PI - 0.01, 2}) * 1e-3;
+  const VecX found = way_out(bounds, kPlane);
+  ASSERT_NEAR(found.norm(), 1, 1e-9);
+  EXPECT_LE((fan({0, M_PI - 0.01, 2}) * found).maxCoeff(), 1e-9);
+}
+
 TEST(WayOut, WithoutBoundsEverythingIsWithin) {
   EXPECT_TRUE(within(MatX(0, 2), Vec2(1, 2)));
   EXPECT_TRUE(way_out(MatX(0, 2), kPlane).isZero(0));  // there is nothing to leave

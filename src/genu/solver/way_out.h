@@ -10,9 +10,9 @@ namespace genu {
 bool within(const MatX& bounds, const VecX& motion);
 
 /// A motion among `motions` (n x m, columns) that leaves bounds and exceeds none, of unit norm where the columns are
-/// orthonormal; of zeros where there is none. With R = bounds * motions it is -R^T y for the y >= 1 that makes that
-/// least (Hildreth's method): 0 if R y = 0 for some y > 0, which by Stiemke's theorem is the case where no such motion
-/// exists.
+/// orthonormal; of zeros where there is none. With R = bounds * motions, its rows of norm 1, it is -R^T y for the y >=
+/// 1 that makes that least: 0 if R^T y = 0 for some y > 0, which by Stiemke's theorem is the case where no such motion
+/// exists. What is returned has been held to the bounds, and leaves one by more than 1e-6 of its norm.
 VecX way_out(const MatX& bounds, const MatX& motions);
 
 }  // namespace genu
