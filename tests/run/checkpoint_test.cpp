@@ -1,6 +1,8 @@
 // A run that is stopped anywhere goes on to the bytes of an undisturbed run; what cannot be trusted is not.
 #include "genu/run/checkpoint.h"
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <new>
 
@@ -173,6 +175,17 @@ TEST(Checkpoint, AFileOfSomebodyElseIsNeitherReadNorReplaced) {
   EXPECT_TRUE(test::contains(test::messages(r.out), "is no checkpoint of genu"));
   EXPECT_EQ(run(scene, folder / "out", kNever, false).code, kExitOk);
   EXPECT_EQ(read_file(folder / "out.checkpoint"), "years of work");
+}
+
+TEST(Checkpoint, APipeIsNeitherWaitedForNorReplaced) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("knee.toml", three_steps()), pipe = folder / "out.checkpoint";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Ended r = run(scene, folder / "out", kNever, true);
+  EXPECT_EQ(r.code, kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(r.out), "is no regular file"));
+  EXPECT_EQ(run(scene, folder / "out", kNever, false).code, kExitOk);
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 TEST(Checkpoint, WhatWasFoundBeforeMemoryEndedIsKept) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -75,6 +76,11 @@ bool locked(int descriptor) {
   return false;
 }
 
+bool is_regular(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 std::string why_it_failed() { return errno == ELOOP ? "is a symbolic link" : std::strerror(errno); }
 
 }  // namespace
@@ -100,8 +106,11 @@ bool Checkpoint::open() {
     return false;
   }
   std::string start(std::strlen(kFirstLine), '\0');
-  const ssize_t read = ::pread(descriptor_, start.data(), start.size(), 0);
-  if (!locked(descriptor_))
+  const bool regular = is_regular(descriptor_);
+  const ssize_t read = regular ? ::pread(descriptor_, start.data(), start.size(), 0) : -1;
+  if (!regular)
+    problem_ = "is no regular file, and is not replaced";
+  else if (!locked(descriptor_))
     problem_ = "another run is writing it";
   else if (read != 0 &&
            std::string(kFirstLine).rfind(start.substr(0, static_cast<std::size_t>(std::max<ssize_t>(read, 0))), 0) != 0)
