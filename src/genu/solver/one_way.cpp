@@ -223,14 +223,16 @@ MatX ways_out(const MatX& bounds, const MatX& motions) {
 
 void take_lower(const Stability& piece, const MatX& bounds, Least& least) {
   MatX ways = ways_out(bounds, piece.neutral);
+  if (ways.cols() == 0) ways = least.neutral;  // of another piece: they cost nothing all the same
   if (piece.verdict != Stability::Verdict::neutral && piece.free_motions > 0)
     for (const double sign : {1.0, -1.0})
       if (const VecX motion = sign * piece.mode; within(bounds, motion) && piece.smallest < least.smallest)
         least = {piece.verdict, piece.smallest, motion, ways};
   if (ways.cols() > 0 && least.smallest > 0) {
     const VecX motion = ways.col(0);
-    least = {Stability::Verdict::neutral, 0, motion, std::move(ways)};
+    least = {Stability::Verdict::neutral, 0, motion, ways};
   }
+  if (least.neutral.cols() == 0) least.neutral = std::move(ways);  // something else costs less than nothing
 }
 
 }  // namespace

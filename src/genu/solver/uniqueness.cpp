@@ -1,21 +1,38 @@
 #include "genu/solver/uniqueness.h"
 
+#include <algorithm>
+
 #include "genu/contact/elastic_layer.h"
 #include "genu/solver/idle_share.h"
 #include "genu/solver/one_way.h"
 
 namespace genu {
+namespace {
+
+/// Whether the Jacobian at the pose is as singular as rounding and the pose's own residual allow to tell. Where a
+/// motion along a curve costs no force, forces that are not yet quite balanced stiffen it by as much as they are; where
+/// it costs x^p with p > 1, the Jacobian there is far larger than the residual: x^(p - 1). The last one that Newton's
+/// method has factored may be that of the step before.
+bool singular_at(const JointModel& model, const State& state, const Target& target) {
+  constexpr double kSingular = 1e-13;  // reciprocal condition
+  constexpr double kOfResidual = 100;
+  Linearization at;
+  linearize(model, state, target, at);
+  NewtonStep step(model);
+  if (!step.factor(at, target) || !step.linear().full_rank()) return true;
+  return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
+}
+
+}  // namespace
 
 bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   const JointModel& model = solver.model();
   if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
-  constexpr double kSingular = 1e-13;  // reciprocal condition
-  const NewtonReport& newton = point.report.newton;
   look_one_way(model, point.pose.state, point.target, solver.newton().linearization().layer_loads, point.stability);
   share_with_idle(solver, point.target, point.report.certificate.touching > 0, point.pose, point.stability);
-  const bool one_way = point.stability.one_way && point.stability.verdict == Stability::Verdict::neutral;
-  const bool motion =
-      one_way || (point.stability.neutral.cols() > 0 && (!newton.full_rank || newton.rcond < kSingular));
+  const bool free = point.stability.neutral.cols() > 0;
+  const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
+  const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
