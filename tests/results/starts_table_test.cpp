@@ -23,7 +23,7 @@ TEST(StartsTable, OneRowAnEquilibriumThenOneAFailedStart) {
   e.found = Equilibrium::Found::downhill;
   search.equilibria = {e, e};
   search.equilibria[1].energy.reset();
-  search.equilibria[1].stability.flutter = true;
+  search.equilibria[1].stability.complex_pair = search.equilibria[1].stability.flutter = true;
   search.failed.push_back({3, {}});
   const ResultTable t = starts_table(s.scene, s.model, search);
   ASSERT_EQ(t.rows(), 3u);

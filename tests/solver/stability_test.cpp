@@ -216,6 +216,20 @@ TEST(Stability, FollowerLoadFlutters) {
   EXPECT_EQ(pull.verdict, Verdict::unstable);
   // The same load constant in the world turns no force: the plain spring, singular about its own point, is left.
   EXPECT_FALSE(follower("0").flutter);
+  EXPECT_STREQ(to_string(push), "flutter");
+  EXPECT_STREQ(to_string(pull), "unstable");
+  EXPECT_STREQ(to_string(follower("0")), to_string(follower("0").verdict));
+}
+
+TEST(Stability, FlutterIsToldBesideASofterMotion) {
+  // The same, and the turn c against a spring so soft that the smallest eigenvalue is real.
+  const Stability s = stability_of(bone_on_ground() + test::spring("s", "[0, 0, 10]", "[0, 0, 10]", 10, 0) +
+                                   test::spring("soft", "[10, 0, 0]", "[10, 0, 0]", 0.1, 0) +
+                                   load("p", "force = [0, 0, 300]\nframe = \"body\"") + all_but("bcx"));
+  EXPECT_EQ(s.verdict, Verdict::stable);
+  EXPECT_NEAR(s.smallest, 0.01, 1e-6);
+  EXPECT_FALSE(s.flutter);
+  EXPECT_STREQ(to_string(s), "flutter");
 }
 
 TEST(Stability, NothingFreeIsStable) {

@@ -4,9 +4,9 @@
 //   3. say whether it fails in the same way
 #include <sys/resource.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 
 #include "commands.h"
 #include "genu/core/file_text.h"
+#include "genu/core/scratch_folder.h"
 #include "genu/run/failure.h"
 #include "genu/run/input_hash.h"
 #include "tell.h"
@@ -33,19 +34,13 @@ void limit_memory(std::uint64_t bytes) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
-/// A new folder, or an empty one; empty with the reason in `out`.
-std::string unpacking_folder(const std::string& asked, Diagnostics& out) {
+/// A new folder, or an empty one; false with the reason in `out`.
+bool make_empty(const std::string& folder, Diagnostics& out) {
   std::error_code code;
-  if (asked.empty()) {
-    std::string name = (fs::temp_directory_path() / "genu-reproduce-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) return name;
-    out.error(name, "cannot be made");
-    return {};
-  }
-  fs::create_directories(asked, code);
-  if (!code && fs::is_empty(asked, code) && !code) return asked;
-  out.error(asked, "is no new or empty folder");
-  return {};
+  fs::create_directories(folder, code);
+  if (!code && fs::is_empty(folder, code) && !code) return true;
+  out.error(folder, "is no new or empty folder");
+  return false;
 }
 
 int reproduce_file(const std::string& file, const std::string& asked) {
@@ -54,16 +49,19 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   const auto text = text_of_file(file, why);
   if (!text) out.error(file, why);
   const auto failure = text ? read_failure(*text, file, out) : std::nullopt;
-  const std::string folder = failure ? unpacking_folder(asked, out) : std::string();
+  std::optional<ScratchFolder> scratch;
+  if (failure && asked.empty()) scratch.emplace("genu-reproduce");
+  if (scratch && !scratch->problem().empty()) out.error("", scratch->problem());
+  const bool ready = failure && !out.has_errors() && (scratch || make_empty(asked, out));
   print(out);
-  if (folder.empty()) return kRefused;
+  if (!ready) return kRefused;
+  const std::string folder = scratch ? scratch->path().string() : asked;
   if (failure->program != program_hash())
     tell("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
          printable(failure->version));
   std::error_code ignored;
   if (const std::string error = unpack(*failure, folder); !error.empty()) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) fs::remove(entry.path(), ignored);
-    if (asked.empty()) fs::remove(folder, ignored);
     tell("genu: {}\n", printable(error));
     return kFailed;
   }
@@ -77,7 +75,6 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   fmt::print("{}\n", same ? "fails in the same way" : "fails otherwise:");
   for (const std::string& line : found)
     if (!same) fmt::print("  {}\n", printable(line));
-  if (asked.empty()) fs::remove_all(folder, ignored);
   return same ? kOk : kNotAllOk;
 }
 

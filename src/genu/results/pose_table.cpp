@@ -93,8 +93,7 @@ class PoseTable {
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     if (record.given) return set_residual(*record.given);
     table_.set("stability.min_eigenvalue_Nmm", point.stability.smallest * to::kMillijoule);
-    const Stability& stability = point.stability;
-    table_.set("stability", std::string(stability.flutter ? "flutter" : to_string(stability.verdict)));
+    table_.set("stability", std::string(to_string(point.stability)));
     table_.set("newton.iterations", static_cast<long>(point.report.iterations));
     table_.set("residual", point.report.certificate.residual);
   }

@@ -29,7 +29,7 @@ void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibr
   table.set("contacts", static_cast<long>(state.contacts.size()));
   if (e.energy) table.set("energy_Nmm", *e.energy * to::kMillijoule);
   table.set("stability.min_eigenvalue_Nmm", e.stability.smallest * to::kMillijoule);
-  table.set("stability", std::string(e.stability.flutter ? "flutter" : to_string(e.stability.verdict)));
+  table.set("stability", std::string(to_string(e.stability)));
   table.set("residual", e.report.certificate.residual);
 }
 

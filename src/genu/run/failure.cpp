@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
+#include "genu/core/scratch_folder.h"
 #include "genu/geometry/mesh_reader.h"
 #include "genu/geometry/mesh_writer.h"
 #include "genu/run/input_hash.h"
@@ -161,23 +162,12 @@ std::optional<Failure> cut_out(const Failure& whole, Names& names, const Prepare
 
 constexpr const char* kPackedScene = "scene.toml";
 
-/// A folder that lives as long as a trial.
-struct TrialFolder {
-  fs::path path;
-  TrialFolder() {
-    std::string name = (fs::temp_directory_path() / "genu-failure-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path = name;
-  }
-  ~TrialFolder() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove_all(path, ignored);
-  }
-};
-
-bool fails_alike(const Failure& failure, const RunOptions& options) {
-  const TrialFolder folder;
-  return !folder.path.empty() && unpack(failure, folder.path.string()).empty() &&
-         alike(failure.verdict, reproduce(failure, folder.path.string(), options));
+/// Whether it does so again, unpacked by itself; `problem`: why that could not be tried.
+bool fails_alike(const Failure& failure, const RunOptions& options, std::string& problem) {
+  const ScratchFolder folder("genu-failure");
+  problem = folder.problem();
+  if (problem.empty()) problem = unpack(failure, folder.path().string());
+  return problem.empty() && alike(failure.verdict, reproduce(failure, folder.path().string(), options));
 }
 
 void tell_poses(const Prepared& prepared, const Solution& found, Failure& failure) {
@@ -267,13 +257,16 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
     for (const double reach : {5e-3, 10e-3, 20e-3, 40e-3})
       if (const auto cut = cut_out(failure, names, *prepared, found, reach)) trials.push_back(*cut);
   trials.push_back(failure);
+  std::string problem;
   auto alike = std::find_if(trials.begin(), trials.end(),
-                            [&](const Failure& f) { return !out_of_memory && fails_alike(f, options); });
+                            [&](const Failure& f) { return !out_of_memory && fails_alike(f, options, problem); });
   const bool tried = alike != trials.end();
   const Failure& kept = tried ? *alike : trials.back();
   if (const std::string error = write_file_atomically(file, to_json(kept)); !error.empty()) return out.error("", error);
   say("holds what genu reproduce needs; meshes: " + kept.meshes_are +
-      (tried || out_of_memory ? "" : "; but a trial did not fail in the same way"));
+      (tried || out_of_memory ? ""
+       : problem.empty()      ? "; but a trial did not fail in the same way"
+                              : "; whether it fails in the same way could not be tried: " + problem));
 }
 
 }  // namespace genu

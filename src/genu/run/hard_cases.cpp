@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "genu/core/scratch_folder.h"
 #include "genu/core/timer.h"
 #include "genu/run/hard_case_check.h"
 #include "genu/run/hard_case_mesh.h"
@@ -20,36 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a case is run: kept where results are asked for, else gone afterwards.
-class CaseFolder {
- public:
-  CaseFolder(const HardCase& hard_case, const std::optional<std::string>& kept) : kept_(kept.has_value()) {
-    std::error_code failed;
-    if (kept) {
-      path_ = fs::path(*kept) / hard_case.family / hard_case.name;
-      fs::create_directories(path_, failed);
-      return;
-    }
-    std::string name = (fs::temp_directory_path(failed) / "genu-hard-case-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~CaseFolder() {
-    std::error_code ignored;
-    if (!kept_ && !path_.empty()) fs::remove_all(path_, ignored);
-  }
-  CaseFolder(const CaseFolder&) = delete;
-  CaseFolder& operator=(const CaseFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-
- private:
-  fs::path path_;
-  bool kept_;
-};
-
 /// The scene and its meshes in `folder`. Returns what went wrong, else an empty text.
-std::string lay_out(const HardCase& hard_case, const std::string& shapes_folder, const CaseFolder& folder) {
+std::string lay_out(const HardCase& hard_case, const std::string& shapes_folder, const fs::path& folder) {
   std::error_code failed;
   fs::copy_file(hard_case.scene_file, folder / "scene.toml", fs::copy_options::overwrite_existing, failed);
   if (failed) return hard_case.scene_file + " cannot be copied: " + failed.message();
@@ -58,7 +32,7 @@ std::string lay_out(const HardCase& hard_case, const std::string& shapes_folder,
   const auto shapes = read_surface_file(shapes_folder + "/shapes.toml", problems);
   if (!shapes) return problems.items().empty() ? "no shapes.toml" : to_string(problems.items().front());
   for (const MeshRecipe& recipe : hard_case.expected.meshes)
-    if (const std::string error = write_recipe(recipe, *shapes, folder.path()); !error.empty()) return error;
+    if (const std::string error = write_recipe(recipe, *shapes, folder.string()); !error.empty()) return error;
   return {};
 }
 
@@ -82,7 +56,15 @@ HardCaseOutcome run_hard_case(const HardCase& hard_case, const std::string& shap
   out.hard_case = &hard_case;
   const Timer timer;
   try {
-    const CaseFolder folder(hard_case, options.folder);
+    std::optional<ScratchFolder> scratch;
+    if (!options.folder) scratch.emplace("genu-hard-case");
+    if (scratch && !scratch->problem().empty()) {
+      out.misses.push_back(scratch->problem());
+      return out;
+    }
+    const fs::path folder = scratch ? scratch->path() : fs::path(*options.folder) / hard_case.family / hard_case.name;
+    std::error_code failed;
+    fs::create_directories(folder, failed);
     if (const std::string error = lay_out(hard_case, shapes_folder, folder); !error.empty()) {
       out.misses.push_back(error);
       return out;
@@ -93,7 +75,8 @@ HardCaseOutcome run_hard_case(const HardCase& hard_case, const std::string& shap
     const double limit = hard_case.expected.limit;
     run.cancelled = [&timer, limit] { return timer.seconds() > limit; };
     CaseResult result;
-    result.exit_code = run_scene(folder / "scene.toml", folder / "results", run, result.diagnostics, &result.solution);
+    result.exit_code = run_scene((folder / "scene.toml").string(), (folder / "results").string(), run,
+                                 result.diagnostics, &result.solution);
     note_work(result.solution.summary, out);
     out.misses = misses(hard_case.expected, result);
     if (timer.seconds() > limit) out.misses.push_back(fmt::format("took longer than {:g} s", limit));

@@ -44,7 +44,7 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.fewest_contacts = s.poses_solved == 0 ? contacts : std::min(s.fewest_contacts, contacts);
   s.most_contacts = std::max(s.most_contacts, contacts);
   ++s.poses_solved;
-  if (point.stability.verdict == Stability::Verdict::stable) ++s.poses_stable;
+  if (point.stability.verdict == Stability::Verdict::stable && !point.stability.complex_pair) ++s.poses_stable;
   s.smallest_force = std::min(s.smallest_force, point.report.certificate.smallest_force);
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }

@@ -152,6 +152,11 @@ const char* to_string(Stability::Verdict verdict) {
   return "";
 }
 
+const char* to_string(const Stability& stability) {
+  const bool falls = stability.verdict == Stability::Verdict::unstable && !stability.flutter;
+  return stability.complex_pair && !falls ? "flutter" : to_string(stability.verdict);
+}
+
 Stability assess_stability(const Linearization& at, double length_scale, double cancelled) {
   Stability out;
   MatX stiffness, held;

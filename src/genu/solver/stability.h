@@ -31,6 +31,10 @@ struct Stability {
 
 const char* to_string(Stability::Verdict verdict);
 
+/// What tables say: the verdict, or flutter where a complex pair is what may move first: unless a real eigenvalue is
+/// negative, and the smallest.
+const char* to_string(const Stability& stability);
+
 /// What twists (n = 6B) in that metric are multiplied with for m and rad, and wrenches for J.
 VecX stability_metric(Eigen::Index n);
 

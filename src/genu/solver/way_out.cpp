@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <Eigen/QR>
+#include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
@@ -69,7 +69,7 @@ class LeastSum {
   /// Moves the raised weights to where the sum is least, or as far towards that as all of them stay above 1.
   void settle() {
     for (Set set = raised(); !set.empty(); set = raised()) {
-      const VecX step = columns_(Eigen::all, set).completeOrthogonalDecomposition().solve(-columns_ * y_);
+      const VecX step = minimum_norm_solution(columns_(Eigen::all, set), -columns_ * y_);
       double length = 1;
       Eigen::Index ends = -1;
       for (Eigen::Index k = 0; k < step.size(); ++k) {
