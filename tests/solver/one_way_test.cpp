@@ -26,18 +26,19 @@ using Verdict = Stability::Verdict;
 std::string number(double x) { return std::to_string(x); }
 
 /// Ligaments of law `law` in the plane z = 0 from the bone's origin toward `directions` (rad), about to become taut.
-std::string fan(const std::vector<double>& directions, const std::string& law) {
+std::string fan(const std::vector<double>& directions, const std::string& law, double strain) {
   std::string out;
   for (std::size_t i = 0; i < directions.size(); ++i)
     out += ligament("l" + std::to_string(i), "[0, 0, 0]",
                     "[" + number(30 * std::cos(directions[i])) + ", " + number(30 * std::sin(directions[i])) + ", 0]",
-                    law + "\nstiffness = 1000\nreference_strain = 0");
+                    law + "\nstiffness = 1000\nreference_strain = " + std::to_string(strain));
   return out;
 }
 
 /// Each of them taken for taut.
-Stability stability_of_fan(const std::vector<double>& directions, const std::string& law = "law = \"linear\"") {
-  const auto s = test::scene_model(bone_on_ground() + fan(directions, law) +
+Stability stability_of_fan(const std::vector<double>& directions, const std::string& law = "law = \"linear\"",
+                           double strain = 0) {
+  const auto s = test::scene_model(bone_on_ground() + fan(directions, law, strain) +
                                    step("prescribe = { " + test::kNoTurn + ", \"j.z\" = 0 }"));
   State state = reference_state(s.model);
   state.pieces.clear();
@@ -62,7 +63,7 @@ double widest_gap(std::vector<double> directions) {
 
 /// J: what a motion of unit norm in the plane costs at least, looked for all round; each ligament pulls where it is
 /// stretched.
-double least_cost(const std::vector<double>& directions) {
+double least_cost_round(const std::vector<double>& directions) {
   constexpr double kStiffness = 1000 / 30e-3 * 1e-4;  // J for a motion of 10 mm, of each
   constexpr int kRound = 20000;
   double least = std::numeric_limits<double>::infinity();
@@ -89,7 +90,7 @@ TEST(OneWay, AFanOfLigamentsHoldsWhatItSurrounds) {
     if (widest < M_PI) {
       ++held;
       EXPECT_EQ(found.verdict, Verdict::stable) << widest;
-      EXPECT_NEAR(found.smallest, least_cost(directions), 1e-5);
+      EXPECT_NEAR(found.smallest, least_cost_round(directions), 1e-5);
       EXPECT_EQ(found.neutral.cols(), 0);
       continue;
     }
@@ -105,10 +106,63 @@ TEST(OneWay, AFanOfLigamentsHoldsWhatItSurrounds) {
   EXPECT_GT(free, 30);
 }
 
+TEST(OneWay, AToeThatPullsByNoMoreThanFailsToBalanceHoldsNothing) {
+  const std::string toe = "law = \"quadratic\"";
+  const double little = 1e-6;  // 1e-9 N each
+  const Stability left = stability_of_fan({0, M_PI / 2}, toe, little), held = stability_of_fan({0, 2, 4}, toe, 1e-3);
+  EXPECT_TRUE(left.one_way);
+  EXPECT_EQ(left.verdict, Verdict::neutral);  // nothing balances the two but where both are slack
+  EXPECT_FALSE(held.one_way);                 // three that balance one another hold the body
+  EXPECT_EQ(held.verdict, Verdict::stable);
+}
+
+TEST(OneWay, ManyStrandsAreNoHarderThanFew) {
+  for (const int n : {9, 16, 40}) {
+    std::vector<double> round, half;
+    for (int i = 0; i < n; ++i) {
+      round.push_back(2 * M_PI * i / n);
+      half.push_back(2.5 * i / n);
+    }
+    const Stability held = stability_of_fan(round), free = stability_of_fan(half);
+    EXPECT_EQ(held.verdict, Verdict::stable) << n;
+    EXPECT_NEAR(held.smallest, least_cost_round(round), 1e-5 * held.smallest) << n;
+    EXPECT_EQ(free.verdict, Verdict::neutral) << n;
+  }
+}
+
 TEST(OneWay, WhereAToeBeginsNothingIsHeldEitherWay) {
   const std::vector<double> round = {0, 2, 4};
   EXPECT_EQ(stability_of_fan(round).verdict, Verdict::stable);
   EXPECT_EQ(stability_of_fan(round, "law = \"quadratic\"").verdict, Verdict::neutral);
+}
+
+/// An arm upside down, with 100 N mm/rad that throw it, and what holds it one way only.
+Stability stability_of_arm(const std::string& held) {
+  const auto w = test::walk(
+      "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.base]\nfixed = true\n[body.arm]\n"
+      "[joint.h]\ntype = \"revolute\"\nparent = \"base\"\nchild = \"arm\"\naxis = [0, 1, 0]\n" +
+      held + "[load.w]\nbody = \"arm\"\npoint = [0, 0, 100]\nforce = [0, 0, -1]\n[[step]]\nincrements = 1\n");
+  EXPECT_FALSE(w.points.empty()) << w.story();
+  return w.points.empty() ? Stability() : w.points.back().stability;
+}
+
+TEST(OneWay, AStopHoldsOneWay) {
+  for (const char* at : {"from = 0", "from = -90, to = 0"}) {
+    const Stability s = stability_of_arm(std::string("limits = { ") + at + ", stiffness = 1 }\n");
+    EXPECT_TRUE(s.one_way) << at;
+    EXPECT_EQ(s.verdict, Verdict::unstable) << at;
+    EXPECT_NEAR(s.smallest, -0.1, 1e-9) << at;
+  }
+}
+
+TEST(OneWay, ALoadWhoseScaleBeginsThereHoldsOneWay) {
+  const std::string load = "[load.m]\non = \"h.angle\"\nvalue = -1\nscale = { over = \"h.angle\", table = ";
+  const Stability s = stability_of_arm("stiffness = 0.001\n" + load + "[[0, 0], [10, 1]] }\n");
+  EXPECT_EQ(s.verdict, Verdict::unstable);
+  EXPECT_NEAR(s.smallest, 0.18 / M_PI - 0.1, 1e-9);
+  const Stability round = stability_of_arm("stiffness = 0.001\n" + load + "[[-10, -1], [10, 1]] }\n");
+  EXPECT_FALSE(round.one_way);
+  EXPECT_EQ(round.verdict, Verdict::stable);
 }
 
 std::string ball_on_floor() {

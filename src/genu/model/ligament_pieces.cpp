@@ -13,18 +13,36 @@ double ligament_length(const JointModel::LigamentBetween& l, const std::vector<P
   return length;
 }
 
-double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
-                            const std::vector<Pose>& poses, const VecX& twist) {
-  double rate = 0;
+namespace {
+
+/// f(moving body, what a unit of tension exerts on it) for every end of every line whose length can change.
+template <typename F>
+void for_each_pull(const JointModel& model, const JointModel::LigamentBetween& l, const std::vector<Pose>& poses,
+                   const F& f) {
   TwoBodyWrench pull;
   for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
     const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
-    if (a == b) return;  // its length is constant
+    if (a == b) return;
     line.evaluate(poses[at(body_a)], poses[at(body_b)], 1, 0, pull);
-    if (a >= 0) rate -= pull.on_a.dot(twist.segment<6>(6 * a));
-    if (b >= 0) rate -= pull.on_b.dot(twist.segment<6>(6 * b));
+    if (a >= 0) f(a, pull.on_a);
+    if (b >= 0) f(b, pull.on_b);
   });
+}
+
+}  // namespace
+
+double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
+                            const std::vector<Pose>& poses, const VecX& twist) {
+  double rate = 0;
+  for_each_pull(model, l, poses, [&](int body, const Vec6& pull) { rate -= pull.dot(twist.segment<6>(6 * body)); });
   return rate;
+}
+
+VecX ligament_length_gradient(const JointModel& model, const JointModel::LigamentBetween& l,
+                              const std::vector<Pose>& poses) {
+  VecX out = VecX::Zero(6 * model.moving_count);
+  for_each_pull(model, l, poses, [&](int body, const Vec6& pull) { out.segment<6>(6 * body) -= pull; });
+  return out;
 }
 
 LigamentShown show_ligament(const JointModel& model, const State& state, int ligament) {

@@ -27,6 +27,10 @@ double ligament_length(const JointModel::LigamentBetween& l, const std::vector<P
 double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
                             const std::vector<Pose>& poses, const VecX& twist);
 
+/// Its derivative to the twists, 6B.
+VecX ligament_length_gradient(const JointModel& model, const JointModel::LigamentBetween& l,
+                              const std::vector<Pose>& poses);
+
 /// What the results show of a ligament.
 struct LigamentShown {
   double length = 0;  ///< m

@@ -57,6 +57,11 @@ LoadScale::Value LoadScale::table(double x) const {
   return {value.y, inside ? value.slope : 0, inside ? value.curvature : 0};
 }
 
+std::vector<LoadScale::Kink> LoadScale::kinks_over_coordinate() const {
+  if (!coordinate_) return {};
+  return {{first_, 0, table_->evaluate(first_).slope}, {last_, table_->evaluate(last_).slope, 0}};
+}
+
 LoadScale::Value LoadScale::sine(double x) const {
   if (x < start_) return {offset_, 0, 0};
   const double w = angular_frequency_, phase = w * (x - start_);

@@ -34,6 +34,12 @@ class LoadScale {
   /// Times (s) where the factor or a derivative may jump; empty for a scale over a coordinate.
   std::vector<double> kinks_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
 
+  /// Where the slope jumps: the ends of a table over a coordinate (rad, m); none for other scales.
+  struct Kink {
+    double x = 0, below = 0, above = 0;  ///< and its slopes on both sides
+  };
+  std::vector<Kink> kinks_over_coordinate() const;
+
   /// Of a sine, s; else 0.
   double period() const { return kind_ == ScaleDef::Kind::sine ? 2 * std::numbers::pi / angular_frequency_ : 0; }
 

@@ -7,7 +7,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/solver/contact_choice.h"
-#include "genu/solver/stability.h"
+#include "genu/solver/one_way.h"
 
 namespace genu {
 namespace {
@@ -101,7 +101,10 @@ bool MotionContacts::balance(MotionPoint& point, std::string& why) {
   Linearization here;
   const auto unstable = [&](const State& state) {
     linearize(model_, state, target, here);
-    return assess_stability(here, model_.scales.length).verdict == Stability::Verdict::unstable;
+    Stability stability = assess_stability(here, model_.scales.length);
+    if (model_.safeguards.has(Safeguard::uniqueness))
+      look_one_way(model_, state, target, here.layer_loads, stability);
+    return stability.verdict == Stability::Verdict::unstable;
   };
   if (unstable(pose.state)) {
     Balanced lower;

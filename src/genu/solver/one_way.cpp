@@ -3,115 +3,128 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/model/kinks.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/solver/moving_blocks.h"
-#include "genu/solver/way_out.h"
+#include "genu/solver/newton_step.h"
+#include "genu/solver/one_sided.h"
 
 namespace genu {
 namespace {
 
-constexpr double kHardly = 1e-9;  // of the force scale: what presses or pulls by more is not idle
+constexpr double kHardly = 3e-8;   // of the force scale: what presses or pulls by more is not idle at any pose
+constexpr double kNear = 1e-6;     // of the length scale, rad: what is farther from a kink is on its side at any pose
+constexpr double kSolved = 2e-12;  // the same, at every pose: lengths are known to this by what Newton's method accepts
 
-/// A ligament that is about to become taut, or hardly is.
-struct Barely {
-  double stiffness = 0;  ///< N/m, of the side it is on
-  double beyond = 0;     ///< N/m, of a longer one: 0 where a toe begins
-};
-
-/// Empty for a ligament that pulls with more than `force` (N), is slack, or held at a jump of its force.
-std::optional<Barely> barely_taut(const JointModel& model, const State& state, std::size_t i, double force) {
-  const auto& l = model.ligaments[i];
-  const LigamentLaw& law = l.ligament.law;
-  if (law.slack_until() < 0) return {};
-  const double length = ligament_length(l, state.poses), beyond = length - law.slack_until();
-  const double rounding = 1e-14 * model.scales.length;
-  if (beyond < -rounding) return {};
-  const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
-                                  [&](const LigamentPiece& p) { return at(p.ligament) == i && !p.by_length; });
-  if (piece != state.pieces.end() && piece->held) return {};
-  const LawValue pull = law.evaluate(length, piece == state.pieces.end() ? LigamentLaw::kByLength : piece->piece);
-  if (beyond > rounding && std::abs(pull.force) > force) return {};
-  return Barely{pull.stiffness, std::max(0.0, law.breaks().front().above.stiffness)};
+bool idle_held(const JointModel& model, const LigamentPiece& p, double force) {
+  if (!p.held) return false;
+  const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
+  return std::min(std::abs(p.force - b.below.force), std::abs(p.force - b.above.force)) <= force;
 }
 
 /// Whether there is anything to let go, told without the equations.
-bool may_be_idle(const JointModel& model, const State& state, const std::vector<double>& layer_loads) {
+bool may_be_idle(const JointModel& model, const State& state, const Target& target,
+                 const std::vector<double>& layer_loads) {
   const double hardly = kHardly * model.scales.force;
-  for (const double load : layer_loads)
-    if (load <= hardly) return true;
-  for (const ActiveContact& c : state.contacts)
-    if (std::abs(c.force) <= hardly) return true;
-  for (std::size_t i = 0; i < model.ligaments.size(); ++i)
-    if (const auto barely = barely_taut(model, state, i, hardly);
-        barely && (barely->stiffness > 0 || barely->beyond > 0))
-      return true;
-  return false;
+  const auto idle = [hardly](double load) { return load <= hardly; };
+  return std::any_of(layer_loads.begin(), layer_loads.end(), idle) ||
+         std::any_of(state.contacts.begin(), state.contacts.end(),
+                     [&](const ActiveContact& c) { return idle(std::abs(c.force)); }) ||
+         std::any_of(state.pieces.begin(), state.pieces.end(),
+                     [&](const LigamentPiece& p) { return idle_held(model, p, hardly); }) ||
+         !kinks_near(model, state, target, kNear, hardly).empty();
 }
 
-/// N: twice what the forces at the pose fail to balance.
-double idle_force(const JointModel& model, const Linearization& at) {
+/// How far the pose may be from the one that is meant.
+struct Accuracy {
+  double force = 0;  ///< N: what presses or pulls with no more may not
+  VecX twist;        ///< 6B: what Newton's method would still correct; 0 where it cannot tell
+};
+
+Accuracy accuracy_of(const JointModel& model, const Target& target, const Linearization& at) {
   constexpr double kRounding = 1e-15;
   double unbalanced = 0;
   for (Eigen::Index i = 0; i < at.wrench.size(); ++i)
     unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : model.scales.length));
-  return std::min(2 * unbalanced + kRounding * model.scales.force, kHardly * model.scales.force);
+  Accuracy out{2 * unbalanced + kRounding * model.scales.force, VecX::Zero(at.wrench.size())};
+  NewtonStep step(model);
+  Correction correction;
+  if (step.factor(at, target) && step.linear().full_rank()) {
+    step.solve(at, correction);
+    if (correction.twist.allFinite()) out.twist = correction.twist;
+  }
+  return out;
 }
 
-/// What holds one way: a contact, or a ligament that pulls at once where it becomes longer.
-struct OneSided {
-  VecX gradient;         ///< how fast a twist (6B) closes the contact, stretches the ligament
-  VecX row;              ///< the same of unit norm, over motions in the metric
-  double stiffness = 0;  ///< N/m, of the ligament once it is longer
-  bool contact = false;
+/// A plane of motions: of a closed one, `gradient` is how fast a twist (6B) goes beyond it.
+struct Plane {
+  VecX gradient, wrench = {};   ///< of twists, 6B
+  double below = 0, above = 0;  ///< slopes, as of a Kink
+  bool closed = false;
 };
 
-/// The pose without what is idle, and that.
+/// The pose without what is idle and without what jumps, and that.
 struct Released {
   Linearization at;
-  std::vector<OneSided> sides;
+  std::vector<Plane> planes;
   double cancelled = 0;  ///< J: the size of what was taken out of the stiffness, in the metric
 };
 
-void add_side(const VecX& gradient, double stiffness, bool contact, const VecX& unit, std::vector<OneSided>& sides) {
-  const VecX scaled = unit.cwiseProduct(gradient);
-  if (scaled.norm() > 0) sides.push_back({gradient, scaled.normalized(), stiffness, contact});
-}
-
-/// Moves the contacts that carry no more than `force` out of `state`.
-bool release_contacts(const Linearization& at_pose, double force, const VecX& unit, State& state,
-                      std::vector<OneSided>& sides) {
+/// Moves what holds closed and carries no more than `force` out of `state`: contacts, ligaments held at a jump.
+bool release_closed(const JointModel& model, const Linearization& at_pose, double force, State& state,
+                    std::vector<Plane>& planes) {
+  const auto n = at_pose.wrench.size();
   std::vector<ActiveContact> kept;
+  bool any = false;
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
     if (std::abs(state.contacts[c].force) > force) {
       kept.push_back(state.contacts[c]);
       continue;
     }
-    VecX closing = VecX::Zero(unit.size());
+    VecX closing = VecX::Zero(n);
     for (int side = 0; side < 2; ++side)
       if (const int body = at_pose.contact_bodies[c][at(side)]; body >= 0)
         closing.segment<6>(6 * body) -= at_pose.contacts[c].direction.segment<6>(6 * side);
-    add_side(closing, 0, true, unit, sides);
+    planes.push_back({.gradient = closing, .closed = true});
+    any = true;
   }
-  const bool any = kept.size() < state.contacts.size();
   state.contacts = std::move(kept);
+  for (LigamentPiece& p : state.pieces) {
+    if (!idle_held(model, p, force)) continue;
+    const auto& l = model.ligaments[at(p.ligament)];
+    const LawBreak& b = l.ligament.law.sharp_breaks()[at(p.piece)];
+    const bool above = std::abs(p.force - b.above.force) < std::abs(p.force - b.below.force);
+    const VecX longer = ligament_length_gradient(model, l, state.poses);
+    planes.push_back({.gradient = above ? VecX(-longer) : longer, .closed = true});
+    p.held = false;
+    p.piece += above;
+    any = true;
+  }
   return any;
 }
 
-/// The stiffness falls by k g g^T, g = dL/dX.
-void release_ligament(const JointModel& model, const State& state, std::size_t i, const Barely& barely,
-                      const VecX& unit, Released& out) {
-  VecX gradient(unit.size());
-  for (Eigen::Index j = 0; j < unit.size(); ++j)
-    gradient[j] = ligament_length_rate(model, model.ligaments[i], state.poses, VecX::Unit(unit.size(), j));
-  out.at.stiffness += barely.stiffness * gradient * gradient.transpose();
-  const double size = gradient.cwiseProduct(unit).squaredNorm();
-  out.cancelled += std::max(barely.stiffness, barely.beyond) * size;
-  if (barely.beyond > 0) add_side(gradient, barely.beyond, false, unit, out.sides);
+/// Takes out of the stiffness what jumps where the pose cannot be told from the kink.
+bool release_kinks(const JointModel& model, const State& state, const Target& target, const Accuracy& accuracy,
+                   Released& out) {
+  constexpr double kTimes = 10;  // the correction that is left, which is an estimate
+  const VecX unit = stability_metric(out.at.wrench.size());
+  bool any = false;
+  for (Kink& k : kinks_near(model, state, target, kNear, kHardly * model.scales.force)) {
+    const double reach = kSolved * k.unit + kTimes * std::abs(k.gradient.dot(accuracy.twist));
+    const bool idle = k.force != 0 && std::abs(k.force) <= accuracy.force;
+    if (!idle && std::abs(k.past) > reach) continue;
+    any = any || k.here != 0 || k.below != k.above;
+    out.cancelled += std::max({std::abs(k.here), std::abs(k.below), std::abs(k.above)}) *
+                     k.gradient.cwiseProduct(unit).norm() * k.wrench.cwiseProduct(unit).norm();
+    const double base = k.below == k.above ? k.below : 0;
+    out.at.stiffness += (base - k.here) * k.wrench * k.gradient.transpose();
+    if (k.below != k.above) out.planes.push_back({std::move(k.gradient), std::move(k.wrench), k.below, k.above, false});
+  }
+  return any;
 }
 
 /// Layers begin to press as softly as a toe to pull.
@@ -137,125 +150,91 @@ bool release_layers(const JointModel& model, const State& state, double force, L
 /// False where there is nothing to let go.
 bool release(const JointModel& model, const State& state, const Target& target, Released& out) {
   linearize(model, state, target, out.at);
-  const double force = idle_force(model, out.at);
-  const VecX unit = stability_metric(out.at.wrench.size());
+  const Accuracy accuracy = accuracy_of(model, target, out.at);
   State loose = state;
-  bool any = release_contacts(out.at, force, unit, loose, out.sides);
+  bool any = release_closed(model, out.at, accuracy.force, loose, out.planes);
   if (any) linearize(model, loose, target, out.at);
-  any = release_layers(model, state, force, out.at) || any;
-  for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
-    const auto barely = barely_taut(model, state, i, force);
-    if (!barely) continue;
-    any = any || barely->stiffness > 0 || barely->beyond > 0;
-    release_ligament(model, state, i, *barely, unit, out);
-  }
-  return any;
+  any = release_layers(model, state, accuracy.force, out.at) || any;
+  return release_kinks(model, state, target, accuracy, out) || any;
 }
 
-/// What each of the sides does along a motion.
-enum class Doing { gives, resists, keeps };
-
-/// The pose with each side doing what `doing` says, and the rows that motions may not exceed 0 along to leave it so.
-struct Piece {
-  Linearization at;
-  MatX bounds;
-};
-
-Piece piece_of(const Released& released, const std::vector<Doing>& doing) {
-  Piece out{released.at, MatX(0, released.at.wrench.size())};
-  const auto append = [](const VecX& row, MatX& rows) {
-    rows.conservativeResize(rows.rows() + 1, row.size());
-    rows.bottomRows<1>() = row.transpose();
-  };
-  for (std::size_t i = 0; i < doing.size(); ++i) {
-    const OneSided& side = released.sides[i];
-    if (doing[i] == Doing::keeps) {
-      append(side.gradient, out.at.gradient);
-      out.at.constraint.conservativeResize(out.at.constraint.size() + 1);
-      out.at.constraint.tail<1>().setZero();
-      continue;
+/// Among the motions that are free.
+OneSidedStiffness among(const FreeStiffness& free, const std::vector<Plane>& planes) {
+  const MatX& basis = free.basis;
+  OneSidedStiffness out{basis.transpose() * free.stiffness * basis, {}, free.known_to};
+  const VecX unit = stability_metric(basis.rows());
+  for (const Plane& plane : planes) {
+    const VecX gradient = unit.cwiseProduct(plane.gradient), row = basis.transpose() * gradient;
+    if (!(row.norm() > kDependentRow * gradient.norm())) continue;  // nothing moves across
+    Side side{row.normalized(), VecX::Zero(row.size()), VecX::Zero(row.size()), plane.closed};
+    if (!plane.closed) {
+      const VecX push = -row.norm() * (basis.transpose() * unit.cwiseProduct(plane.wrench));
+      side.below = plane.below * push;
+      side.above = plane.above * push;
     }
-    append(doing[i] == Doing::gives ? side.row : VecX(-side.row), out.bounds);
-    if (doing[i] == Doing::resists) out.at.stiffness -= side.stiffness * side.gradient * side.gradient.transpose();
+    out.sides.push_back(std::move(side));
   }
   return out;
 }
 
-/// The next combination, as one counts; false behind the last.
-bool next(const std::vector<OneSided>& sides, std::vector<Doing>& doing) {
-  for (std::size_t i = 0; i < doing.size(); ++i) {
-    const bool contact = sides[i].contact;  // one that is closed does not move
-    doing[i] = doing[i] == Doing::gives && !contact ? Doing::resists
-               : doing[i] == Doing::keeps           ? Doing::gives
-                                                    : Doing::keeps;
-    if (doing[i] != Doing::gives) return true;
+/// The stiffness on the side of every plane that `motion` is on, and the motions in the closed ones that it is in.
+void beside(const VecX& motion, const OneSidedStiffness& at, MatX& stiffness, MatX& within) {
+  constexpr double kIn = 1e-9;
+  stiffness = at.stiffness;
+  within.resize(0, motion.size());
+  for (const Side& side : at.sides) {
+    const double past = side.row.dot(motion);
+    if (!side.closed) {
+      stiffness += (past > 0 ? side.above : side.below) * side.row.transpose();
+    } else if (std::abs(past) <= kIn) {
+      within.conservativeResize(within.rows() + 1, Eigen::NoChange);
+      within.bottomRows<1>() = side.row.transpose();
+    }
   }
-  return false;
 }
 
-/// The least that a motion costs, over all pieces: it is an eigenvector of the smallest eigenvalue of the piece, or of
-/// the face of one, that it lies in.
-struct Least {
-  Stability::Verdict verdict = Stability::Verdict::stable;
-  double smallest = std::numeric_limits<double>::infinity();
-  VecX motion;
-  MatX neutral;  ///< motions that cost nothing, a column each
-};
-
-/// Those of `motions` (columns) that are within the bounds, this way or the other; where none is by itself, a sum that
-/// is.
-MatX ways_out(const MatX& bounds, const MatX& motions) {
-  MatX out(motions.rows(), 0);
-  if (motions.cols() == 0) return out;
-  const auto add = [&out](const VecX& motion) {
-    out.conservativeResize(Eigen::NoChange, out.cols() + 1);
-    out.rightCols<1>() = motion;
-  };
-  for (Eigen::Index i = 0; i < motions.cols(); ++i)
-    if (within(bounds, motions.col(i)))
-      add(motions.col(i));
-    else if (within(bounds, -motions.col(i)))
-      add(-motions.col(i));
-  if (out.cols() > 0) return out;
-  if (const VecX motion = way_out(bounds, motions); !motion.isZero(0)) add(motion);
-  return out;
+double smallest(const Released& released, const FreeStiffness& free, const OneSidedStiffness& at,
+                const LeastCost& least) {
+  if (!least.any) return std::numeric_limits<double>::infinity();
+  if (released.at.own_origins.size() == 0) return least.cost;
+  MatX stiffness, within;
+  beside(least.motion, at, stiffness, within);
+  const MatX& basis = free.basis;
+  return in_own_metric(released.at, basis * null_space(within, kDependentRow), basis * stiffness * basis.transpose(),
+                       least.cost);
 }
 
-void take_lower(const Stability& piece, const MatX& bounds, Least& least) {
-  MatX ways = ways_out(bounds, piece.neutral);
-  if (ways.cols() == 0) ways = least.neutral;  // of another piece: they cost nothing all the same
-  if (piece.verdict != Stability::Verdict::neutral && piece.free_motions > 0)
-    for (const double sign : {1.0, -1.0})
-      if (const VecX motion = sign * piece.mode; within(bounds, motion) && piece.smallest < least.smallest)
-        least = {piece.verdict, piece.smallest, motion, ways};
-  if (ways.cols() > 0 && least.smallest > 0) {
-    const VecX motion = ways.col(0);
-    least = {Stability::Verdict::neutral, 0, motion, ways};
-  }
-  if (least.neutral.cols() == 0) least.neutral = std::move(ways);  // something else costs less than nothing
+void take(const Released& released, const FreeStiffness& free, const OneSidedStiffness& at, const LeastCost& least,
+          Stability& out) {
+  using Verdict = Stability::Verdict;
+  out.one_way = true;
+  out.told = least.told;
+  out.neutral = free.basis * least.free;
+  out.complex_pair = least.complex_pair;
+  const bool falls = least.any && least.cost<0, nothing = out.neutral.cols()> 0 || (least.any && least.cost == 0);
+  out.verdict = !least.told ? Verdict::neutral
+                : falls     ? Verdict::unstable
+                : nothing   ? Verdict::neutral
+                            : Verdict::stable;
+  out.flutter = least.oscillates && (falls || out.neutral.cols() == 0);
+  out.smallest = falls || !nothing ? smallest(released, free, at, least) : 0;
+  out.mode = VecX::Zero(free.basis.rows());
+  if (out.neutral.cols() > 0 && !falls)
+    out.mode = out.neutral.col(0);
+  else if (least.any)
+    out.mode = free.basis * least.motion;
 }
 
 }  // namespace
 
 void look_one_way(const JointModel& model, const State& state, const Target& target,
                   const std::vector<double>& layer_loads, Stability& stability) {
-  if (!may_be_idle(model, state, layer_loads)) return;
+  if (!may_be_idle(model, state, target, layer_loads)) return;
   Released released;
   if (!release(model, state, target, released)) return;
-  constexpr std::size_t kMost = 7;  // sides, of up to three pieces each
-  std::vector<Doing> doing(released.sides.size(), Doing::gives);
-  Least least{stability.verdict, stability.smallest, stability.mode, stability.neutral};
-  const bool all = doing.size() <= kMost;
-  if (all) least = {};
-  do {
-    const Piece piece = piece_of(released, doing);
-    take_lower(assess_stability(piece.at, model.scales.length, released.cancelled), piece.bounds, least);
-  } while (all && next(released.sides, doing));
-  stability.verdict = least.verdict;
-  stability.smallest = least.smallest;
-  stability.one_way = true;
-  stability.neutral = least.neutral.rows() > 0 ? least.neutral : MatX(released.at.wrench.size(), 0);
-  if (least.motion.size() > 0) stability.mode = least.motion;
+  const FreeStiffness free = free_stiffness(released.at, model.scales.length, released.cancelled);
+  const OneSidedStiffness at = among(free, released.planes);
+  take(released, free, at, least_cost(at), stability);
 }
 
 }  // namespace genu

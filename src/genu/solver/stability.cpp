@@ -157,11 +157,20 @@ const char* to_string(const Stability& stability) {
   return stability.complex_pair && !falls ? "flutter" : to_string(stability.verdict);
 }
 
-Stability assess_stability(const Linearization& at, double length_scale, double cancelled) {
+FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled) {
+  FreeStiffness out;
+  out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
+  out.basis = null_space(out.held, kDependentRow);
+  return out;
+}
+
+double in_own_metric(const Linearization& at, const MatX& basis, const MatX& stiffness, double cost) {
+  return at.own_origins.size() == 0 ? cost : smallest_about_own_origins(at, basis, stiffness, cost);
+}
+
+Stability assess_stability(const Linearization& at, double length_scale) {
   Stability out;
-  MatX stiffness, held;
-  const double known_to = tangent(at, length_scale, cancelled, stiffness, held);
-  const MatX basis = null_space(held, kDependentRow);
+  const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
     out.redundant = trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size())));
@@ -178,8 +187,7 @@ Stability assess_stability(const Linearization& at, double length_scale, double 
   constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
   const double real = std::max(kReal * largest, known_to);
   out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
-  out.smallest =
-      at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
+  out.smallest = in_own_metric(at, basis, stiffness, value.real());
   out.flutter = std::abs(value.imag()) > real;
   out.mode = basis * eigen.vectors.col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();

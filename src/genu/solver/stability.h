@@ -21,7 +21,8 @@ struct Stability {
   bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
   bool flutter = false;       ///< the smallest belongs to one
   VecX mode;             ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
-  bool one_way = false;  ///< what makes it so is let go of (one_way.h), and is held the other way
+  bool one_way = false;  ///< something lets go one way, or is stiffer there (one_way.h)
+  bool told = true;      ///< false: that is so in more ways than are looked at; the verdict is neutral then
   MatX neutral;          ///< 6B x k: all motions that cost nothing, of an unstable pose too
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
@@ -41,9 +42,24 @@ VecX stability_metric(Eigen::Index n);
 /// The tangent stiffness is -d(wrench)/d(twist) with the curvature of contacts and of constraints, times their
 /// multipliers, included. At an equilibrium it is symmetric where every load has a potential (weights, dead forces,
 /// loads toward a point), and unsymmetric where one has none (followers, dead moments, most loads scaled over a
-/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length; `cancelled`
-/// (J, in the metric) the size of terms that were taken out of the stiffness again, whose rounding is still in it.
-Stability assess_stability(const Linearization& at, double length_scale, double cancelled = 0);
+/// coordinate): no load has to say which it is. `length_scale` (m) is the model's characteristic length.
+Stability assess_stability(const Linearization& at, double length_scale);
+
+/// What assess_stability() looks at.
+struct FreeStiffness {
+  MatX stiffness;       ///< 6B x 6B, J, of all motions in the metric
+  MatX held;            ///< the gradients of what is held, rows of norm 1
+  MatX basis;           ///< 6B x d, orthonormal: the motions that are free
+  double known_to = 0;  ///< J: of its eigenvalues, by rounding and by the forces that do not balance
+};
+
+/// `cancelled` (J, in the metric): the size of terms that were taken out of the stiffness again, whose rounding is
+/// still in it.
+FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled = 0);
+
+/// What counts is where the length of a motion is measured about the bodies' own origins: of an eigenvalue `cost`, the
+/// smallest of `stiffness` among the motions of `basis`, the smallest in that metric.
+double in_own_metric(const Linearization& at, const MatX& basis, const MatX& stiffness, double cost);
 
 /// Forces in balance among themselves, a column each, of norm 1 with what conforming surfaces exert besides: of
 /// constraints, then contacts (positive where one presses more), per unit of the generalised force that each of them

@@ -36,9 +36,12 @@ bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
-  point.report.why = one_way  ? "a motion costs no force, at least one way: the pose is one of many"
-                     : motion ? "a motion costs no force: the pose is one of many"
-                              : "the same motion is held twice: how the force is shared is not determined";
+  point.report.why = !point.stability.told
+                         ? "more is about to become taut, open or touch a stop at once than can be told apart: whether "
+                           "the pose is stable is not known"
+                     : one_way ? "a motion costs no force, at least one way: the pose is one of many"
+                     : motion  ? "a motion costs no force: the pose is one of many"
+                               : "the same motion is held twice: how the force is shared is not determined";
   return false;
 }
 
