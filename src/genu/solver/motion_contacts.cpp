@@ -102,8 +102,7 @@ bool MotionContacts::balance(MotionPoint& point, std::string& why) {
   const auto unstable = [&](const State& state) {
     linearize(model_, state, target, here);
     Stability stability = assess_stability(here, model_.scales.length);
-    if (model_.safeguards.has(Safeguard::uniqueness))
-      look_one_way(model_, state, target, here.layer_loads, stability);
+    if (model_.safeguards.has(Safeguard::uniqueness)) look_one_way(model_, state, target, here.layer_loads, stability);
     return stability.verdict == Stability::Verdict::unstable;
   };
   if (unstable(pose.state)) {
