@@ -9,6 +9,7 @@
 #include "corrupted.h"
 #include "support/data.h"
 #include "support/published_knee.h"
+#include "support/temporary_folder.h"
 
 namespace genu {
 namespace {
@@ -97,6 +98,71 @@ TEST(Judge, RejectsRowsOutOfTheirOrderAndResidualsThatSolveNothing) {
     run.cell(kRow, "residual") = residual;
     EXPECT_THAT(run.rejections(), Contains("residuals")) << residual;
   }
+}
+
+TEST(Judge, RejectsWhatIsNoCountAndWhatStandsWhereNothingShould) {
+  for (const char* iterations : {"-3", "2.5", ""}) {
+    Corrupted run = dortmans();
+    run.cell(kRow, "newton.iterations") = iterations;
+    EXPECT_THAT(run.rejections(), Contains("iterations")) << iterations;
+  }
+  Corrupted torn = dortmans();
+  torn.cell(kRow, "medial.femur_medial.y_mm") = "";
+  EXPECT_THAT(torn.rejections(), Contains("contact points"));
+}
+
+TEST(Judge, RejectsAGapThatNothingElseTellsOf) {
+  // A ball 3 mm above a floor, between springs: no contact, its cells are empty but for the gap.
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("scene.toml", R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.floor]
+fixed = true
+[body.ball]
+[joint.j]
+type = "free"
+parent = "floor"
+child = "ball"
+rotations = ["a x", "b y", "c z"]
+translations = ["x", "y", "z"]
+start = { z = 13 }
+[surface.round]
+body = "ball"
+shape = "sphere"
+radius = 10
+[surface.flat]
+body = "floor"
+shape = "plane"
+[contact.foot]
+surfaces = ["round", "flat"]
+model = "rigid"
+[ligament.up]
+from = { body = "ball", point = [0, 0, 0] }
+to = { body = "floor", point = [0, 0, 33] }
+law = "spring"
+stiffness = 5
+slack_length = 10
+[ligament.down]
+from = { body = "ball", point = [0, 0, 0] }
+to = { body = "floor", point = [0, 0, -7] }
+law = "spring"
+stiffness = 5
+slack_length = 10
+[[step]]
+prescribe = { "j.a" = 0, "j.b" = 0, "j.c" = 0 }
+)");
+  const Corrupted run = Corrupted::of(file);
+  EXPECT_THAT(run.rejections(), IsEmpty()) << to_text(run.judge());
+  for (const double gap : {-5.0, -1e-3, 1.0, 4.0}) {
+    Corrupted changed = run;
+    ASSERT_EQ(changed.cell(0, "foot.force_N"), "0");
+    EXPECT_NEAR(changed.number(0, "foot.gap_mm"), 3, 1e-9);
+    changed.cell(0, "foot.gap_mm") = fmt::format("{:.17g}", gap);
+    EXPECT_THAT(changed.rejections(), Not(IsEmpty())) << gap;
+  }
+  Corrupted filled = run;
+  filled.cell(0, "foot.round.x_mm") = "1";
+  EXPECT_THAT(filled.rejections(), Contains("contact points"));
 }
 
 TEST(Judge, RejectsContactsThatPull) {

@@ -37,7 +37,7 @@ TEST_F(CliJudge, RefusesWhatWasCutOrHasOtherWords) {
   rewrite(text.substr(0, text.rfind('\n', text.size() - 2) + 1));
   const Outcome cut = genu("judge " + out());
   EXPECT_EQ(cut.exit_code, 2);
-  EXPECT_TRUE(contains(cut.err, "it was cut or changed")) << cut.err;
+  EXPECT_TRUE(contains(cut.err, "it was cut or added to")) << cut.err;
   std::string other = text;
   other.replace(other.find(",ok,"), 4, ",fine,");
   rewrite(other);

@@ -7,24 +7,41 @@
 #include <fmt/format.h>
 
 namespace genu {
+namespace {
+
+class Fnv1a64 {
+ public:
+  void add(std::string_view bytes) {
+    constexpr std::uint64_t kPrime = 0x100000001b3;
+    for (const char c : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * kPrime;
+    bytes_ += bytes.size();
+  }
+  FileChecksum checksum() const { return {bytes_, fmt::format("{:016x}", hash_)}; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+  std::uintmax_t bytes_ = 0;
+};
+
+}  // namespace
+
+FileChecksum checksum(std::string_view bytes) {
+  Fnv1a64 sum;
+  sum.add(bytes);
+  return sum.checksum();
+}
 
 std::optional<FileChecksum> file_checksum(const std::string& path) {
-  constexpr std::uint64_t kOffset = 0xcbf29ce484222325, kPrime = 0x100000001b3;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
-  std::uint64_t hash = kOffset;
-  FileChecksum out;
+  Fnv1a64 sum;
   std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    for (std::size_t i = 0; i < count; ++i) hash = (hash ^ static_cast<unsigned char>(block[i])) * kPrime;
-    out.bytes += count;
-  }
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+    sum.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   if (stream.bad()) return std::nullopt;
-  out.fnv1a64 = fmt::format("{:016x}", hash);
-  return out;
+  return sum.checksum();
 }
 
 }  // namespace genu

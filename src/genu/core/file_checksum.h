@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace genu {
 
@@ -15,5 +16,8 @@ struct FileChecksum {
 /// FNV-1a with 64 bits (Fowler, Noll and Vo) over a file's bytes: finds changes, not forgeries. Empty where the file
 /// cannot be read.
 std::optional<FileChecksum> file_checksum(const std::string& path);
+
+/// The same of bytes.
+FileChecksum checksum(std::string_view bytes);
 
 }  // namespace genu

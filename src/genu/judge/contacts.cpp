@@ -22,6 +22,8 @@ struct Written {
   Vec3 a, b;  ///< m, in the bodies
 
   bool there() const { return a.allFinite() && b.allFinite() && std::isfinite(gap); }
+  /// Some of its point's numbers are there, and others are not.
+  bool torn() const { return !there() && (a.array().isFinite().any() || b.array().isFinite().any()); }
 };
 
 class Contacts {
@@ -40,7 +42,9 @@ class Contacts {
         expect_empty(c);
     const bool single = k == 1;
     if (single && total.there()) all.push_back(total);
+    if (total.torn()) pose_.out->expect("contact points", "mm", std::nan(""), 0, total.name + " has empty cells");
     for (const Written& c : all) judge(c);
+    if (!single && total.there() && total.force == 0) judge(total);  // open: where the surfaces are nearest
     judge_total(total, all);
     for (const RegionDef& region : pair.regions) judge_region(region, all);
   }

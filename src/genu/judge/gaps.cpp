@@ -16,6 +16,7 @@ struct Gap {
   double gap = std::numeric_limits<double>::infinity();
   double sure = 0;  ///< m: what facets leave open: half of what either may be off, both are rarely at their worst
   Vec3 p = Vec3::Zero();
+  double spacing = 0;   ///< m: of the samples
   bool at_rim = false;  ///< of closed forms: the normals do not oppose there, so an end of one is nearest
 };
 
@@ -25,6 +26,10 @@ class Gaps {
 
   void judge(const std::string& name, int surface_a, int surface_b) {
     bool any = false;
+    const double written = units::kMillimetre * pose_.row(name + ".gap_mm");
+    pose_.out->expect("no overlap is written", "mm",
+                      std::isfinite(written) ? to::kMillimetre * std::max(0.0, -written) : 0,
+                      to::kMillimetre * (pose_.length_tolerance() + kWritten), name);
     for (const bool back : {false, true}) {
       const int from = back ? surface_b : surface_a, to = back ? surface_a : surface_b;
       const Side &sampled = pose_.subject->sides[at(from)], &other = pose_.subject->sides[at(to)];
@@ -36,11 +41,16 @@ class Gaps {
       pose_.out->expect("no overlap anywhere", "mm", to::kMillimetre * std::max(0.0, -least.gap),
                         to::kMillimetre * (pose_.length_tolerance() + 1e-9 + least.sure),
                         name + ", " + scene_.surfaces[at(from)].name + " in " + scene_.surfaces[at(to)].name);
-      const double written = units::kMillimetre * pose_.row(name + ".gap_mm");
-      if (std::isfinite(written) && sampled.shape && other.shape)
+      if (std::isfinite(written) && sampled.shape && other.shape) {
+        // Nothing lies deeper below the lowest sample than from one sample to the next.
+        if (!least.at_rim && !scene_.surfaces[at(from)].patch && !scene_.surfaces[at(to)].patch)
+          pose_.out->expect("smallest gap is not too small", "mm",
+                            to::kMillimetre * std::max(0.0, least.gap - least.spacing - written),
+                            to::kMillimetre * (pose_.length_tolerance() + 1e-8), name);
         pose_.out->expect(
             "smallest gap is the smallest", "mm", to::kMillimetre * std::max(0.0, written - least.gap),
             to::kMillimetre * (pose_.length_tolerance() + (least.at_rim ? kRim * pose_.subject->size : 1e-8)), name);
+      }
     }
     if (!any) pose_.out->skip("overlap of " + name + ": neither surface has ends");
   }
@@ -129,7 +139,8 @@ class Gaps {
     std::vector<Vec3> taken;
     double worst = -std::numeric_limits<double>::infinity();
     for (const auto& [gap, p] : low) {
-      if (taken.size() >= kDescents || gap > 2 * spacing) break;
+      const bool lowest = taken.empty() && sampled.shape && other.shape;  // followed wherever it is: for the gap
+      if (taken.size() >= kDescents || (gap > 2 * spacing && !lowest)) break;
       const auto beside = [&, at_p = p](const Vec3& q) { return (q - at_p).norm() < 4 * spacing; };
       if (sampled.shape && std::any_of(taken.begin(), taken.end(), beside)) continue;
       const Gap found = sampled.shape ? descend(*sampled.shape, other, X, p, spacing) : closely(other, X * p);
@@ -143,10 +154,12 @@ class Gaps {
         least.sure += own;
       }
     }
+    least.spacing = spacing;
     return least;
   }
 
-  static constexpr double kRim = 1e-3;  // of the size: samples pass over a rim by less than their spacing
+  static constexpr double kWritten = 1e-8;  // m: what certified gaps may be below 0 by
+  static constexpr double kRim = 1e-3;      // of the size: samples pass over a rim by less than their spacing
   const PoseCase& pose_;
   const Scene& scene_;
 };

@@ -70,7 +70,12 @@ void check_row(const PoseCase& pose) {
   }
   pose.out->expect("rows follow the steps", "", named && follows ? 0 : 1, 0, "step, increment");
   const double residual = pose.row("residual"), most = std::max(kMostSlack, scene.solver.tolerance);
-  if (!scene.dynamics) pose.out->expect("residuals", "1", std::abs(residual), most, residual < 0 ? "below 0" : "");
+  if (scene.dynamics) return;
+  pose.out->expect("residuals", "1", std::abs(residual), most, residual < 0 ? "below 0" : "");
+  const double iterations = pose.row("newton.iterations");
+  if (pose.row.has("newton.iterations"))
+    pose.out->expect("iterations", "", std::max(0.0, -iterations) + std::abs(iterations - std::round(iterations)), 0,
+                     "newton.iterations");
 }
 
 void check_prescribed(const PoseCase& pose) {
@@ -110,6 +115,8 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
     if (law.slack_length() > 0)
       pose.out->expect("ligament strains", "1", std::abs(pose.row(def.name + ".strain") - law.strain(length)),
                        2 * (1 + std::abs(law.strain(length))) * sure / law.slack_length() + kSame, def.name);
+    else if (std::isfinite(pose.row(def.name + ".strain")))
+      pose.out->expect("ligament strains", "1", std::nan(""), 0, def.name + " has none");
     const double force = pose.row(def.name + ".force_N");
     const double stiffness = law.stiffness(length);
     Tension tension = law.at(length, pose.length_tolerance());

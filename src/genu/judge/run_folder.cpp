@@ -1,5 +1,6 @@
 #include "genu/judge/run_folder.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -25,32 +26,46 @@ void warn(const std::string& file, std::string rule, Diagnostics& out) {
   out.add({.severity = Diagnostic::Severity::warning, .file = file, .key = {}, .found = {}, .rule = std::move(rule)});
 }
 
-/// Rows that the run called ok: a motion counts rows, a path poses.
-std::optional<std::size_t> ok_rows(const json& summary) {
-  for (const char* key : {"poses", "rows"})
-    if (const json counts = summary.value(key, json()); counts.is_object())
-      if (const json solved = counts.value("solved", json()); solved.is_number_unsigned())
-        return solved.get<std::size_t>();
-  return std::nullopt;
+bool is_count(const json& value) { return value.is_number_unsigned(); }
+
+/// What every run writes, of the kind that it writes it; the key that is none, or nothing.
+std::string wrong_key(const json& summary, bool given) {
+  if (!summary.value("partial", json()).is_boolean()) return "partial";
+  const json files = summary.value("files", json()), results = summary.value("results", json());
+  if (!files.is_array() || files.empty()) return "files";
+  for (const json& file : files)
+    if (!file.is_object() || !file.value("path", json()).is_string() || !file.value("fnv1a64", json()).is_string())
+      return "files";
+  if (!results.is_object() || !is_count(results.value("rows", json())) || !results.value("fnv1a64", json()).is_string())
+    return "results";
+  if (given) return {};
+  const char* counted = summary.contains("motion") ? "rows" : "poses";  // a motion counts rows, a path poses
+  const json counts = summary.value(counted, json());
+  return counts.is_object() && is_count(counts.value("solved", json())) ? "" : counted;
+}
+
+/// Whether the table is still the one that the run wrote.
+void compare_table(const json& written, const std::string& path, const std::string& text, Diagnostics& out) {
+  if (checksum(text).fnv1a64 == written["fnv1a64"].get<std::string>()) return;
+  const auto rows = written["rows"].get<std::size_t>();
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  const std::size_t now = lines - std::min<std::size_t>(lines, 1);
+  if (now != rows)
+    out.error(path, fmt::format("has {} rows where the run wrote {}: it was cut or added to since", now, rows));
+  else
+    warn(path, "is not, byte for byte, what the run wrote: it has changed since", out);
 }
 
 /// A scene of the caller's choice that is not what the run read.
 void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
-  const json files = summary.value("files", json());
-  if (!files.is_array() || files.empty() || !files.front().is_object()) return;
-  const json hash = files.front().value("fnv1a64", json());
   const auto now = file_checksum(scene);
-  if (now && hash.is_string() && hash.get<std::string>() != now->fnv1a64)
+  if (now && summary["files"].front()["fnv1a64"].get<std::string>() != now->fnv1a64)
     warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
 }
 
 /// Files that the run read and that have changed since.
 void compare_files(const json& summary, Diagnostics& out) {
-  const auto files = summary.find("files");
-  if (files == summary.end() || !files->is_array()) return;
-  for (const json& file : *files) {
-    if (!file.is_object() || !file.value("path", json()).is_string() || !file.value("fnv1a64", json()).is_string())
-      continue;
+  for (const json& file : summary["files"]) {
     const auto path = file["path"].get<std::string>();
     const auto now = file_checksum(path);
     if (!now)
@@ -71,8 +86,12 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   if (!results || !text) return std::nullopt;
   const json summary = json::parse(*text, nullptr, false);
   if (!summary.is_object()) return out.error(summary_path, "is no summary of a run"), std::nullopt;
-  if (summary.contains("columns") && !given_too)
+  const bool given = summary.contains("columns");
+  if (given && !given_too)
     return out.error(summary_path, "is of poses that were given: nothing there is called balanced"), std::nullopt;
+  if (const std::string wrong = wrong_key(summary, given); !wrong.empty())
+    return out.error(summary_path, "`" + wrong + "` is missing or not what a run writes: it is no summary of a run"),
+           std::nullopt;
   RunFolder found{scene, *results};
   if (scene.empty()) {
     for (const char* key : {"scene_path", "scene"})
@@ -83,9 +102,10 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   }
   if (!scene.empty()) compare_scene(summary, scene, out);
   compare_files(summary, out);
-  if (summary.value("partial", json()) == true)
-    warn(at.string(), "is partial: the run was stopped before its end", out);
-  found.ok_rows = ok_rows(summary);
+  compare_table(summary["results"], (at / "results.csv").string(), *results, out);
+  if (summary["partial"].get<bool>()) warn(at.string(), "is partial: the run was stopped before its end", out);
+  if (out.has_errors()) return std::nullopt;
+  if (!given) found.ok_rows = summary[summary.contains("motion") ? "rows" : "poses"]["solved"].get<std::size_t>();
   return found;
 }
 

@@ -15,8 +15,9 @@ struct RunFolder {
 };
 
 /// Reads results.csv and summary.json of `folder`. `scene`: of the caller's choice where it is not empty. A warning for
-/// each file that has other bytes than the run read, as the summary tells, and where the run was stopped; an error
-/// where the summary is none, a file is missing, or, but with `given_too`, the results are of poses that were given and
+/// each file that has other bytes than the run read, as the summary tells, for a table with other bytes than it
+/// wrote, and where it was stopped; an error where the summary is none, a file is missing, the table has more or fewer
+/// rows, or, but with `given_too`, the results are of poses that were given and
 /// not solved.
 std::optional<RunFolder> read_run_folder(const std::string& folder, const std::string& scene, Diagnostics& out,
                                          bool given_too = false);

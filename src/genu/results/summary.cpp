@@ -113,6 +113,9 @@ std::string to_json(const RunSummary& s) {
   if (!s.scene_path.empty()) j["scene_path"] = s.scene_path;
   for (const auto& f : s.files)
     j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"fnv1a64", f.checksum.fnv1a64}});
+  if (s.results)
+    j["results"] = {
+        {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"fnv1a64", s.results->checksum.fnv1a64}};
   j["title"] = s.title;
   j["verdict"] = s.verdict;
   j["exit_code"] = s.exit_code;

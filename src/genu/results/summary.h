@@ -95,6 +95,12 @@ struct RunSummary {
     FileChecksum checksum;
   };
   std::vector<InputFile> files;
+  /// The table of results as it was written: whether it is still whole can be seen later.
+  struct TableFile {
+    std::size_t rows = 0;
+    FileChecksum checksum;
+  };
+  std::optional<TableFile> results;
   std::vector<Effect> effects;
   std::vector<SurfaceFacts> surfaces;
   std::vector<BodyFacts> bodies;

@@ -190,9 +190,12 @@ std::string write_evaluation(const std::string& folder, const Prepared& prepared
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
-  write("results.csv", evaluation.poses.to_csv());
+  const std::string table = evaluation.poses.to_csv();
+  write("results.csv", table);
   write("curves.svg", picture(prepared, evaluation));
-  write("summary.json", to_json(evaluation.summary));
+  RunSummary summary = evaluation.summary;
+  summary.results = {evaluation.poses.rows(), checksum(table)};
+  write("summary.json", to_json(summary));
   for (const auto& [name, content] : maps) write(name, content);
   if (error.empty()) error = out.commit();
   return error;

@@ -83,14 +83,17 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
-  write("results" + mark + ".csv", solution.poses.to_csv());
+  const std::string table = solution.poses.to_csv();
+  write("results" + mark + ".csv", table);
   write("events" + mark + ".csv", solution.event_rows.to_csv());
   if (solution.starts) write("starts.csv", solution.starts->to_csv());
   if (solution.error_bars) write("error_bars.csv", solution.error_bars->bars.to_csv());
   if (solution.error_bars) write("error_shares.csv", solution.error_bars->shares.to_csv());
   const ResultTable* bars = solution.error_bars ? &solution.error_bars->bars : nullptr;
   write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events, bars)));
-  write("summary.json", to_json(solution.summary));
+  RunSummary summary = solution.summary;
+  summary.results = {solution.poses.rows(), checksum(table)};
+  write("summary.json", to_json(summary));
   for (const auto& [name, content] : more) write(name, content);
   if (error.empty()) error = out.commit();
   return error;
