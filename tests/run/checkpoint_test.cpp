@@ -207,6 +207,23 @@ TEST(Checkpoint, WhatWasFoundBeforeMemoryEndedIsKept) {
   expect_same_results(folder / "out", folder / "whole");
 }
 
+TEST(Checkpoint, WhatCannotBeWrittenIsNotSaidToBeKept) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "out.partial");
+  folder.write("out.partial/thesis.txt", "kept");
+  RunOptions options;
+  options.progress = [](int done, int) {
+    if (done == 10) throw std::bad_alloc();
+  };
+  Diagnostics out;
+  Solution found;
+  EXPECT_EQ(test::judged_run(test::dortmans_file(), folder / "out", options, out, &found), kExitFailed);
+  EXPECT_TRUE(out.has_errors());
+  const std::string said = found.summary.verdict.front();
+  EXPECT_TRUE(test::contains(said, "10 of 71 rows, which could not be written")) << said;
+  EXPECT_EQ(test::read_file(folder / "out.partial/thesis.txt"), "kept");
+}
+
 TEST(Checkpoint, AShortRunWritesNone) {
   const test::TemporaryFolder folder;
   bool any = false;

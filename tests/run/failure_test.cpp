@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <new>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -166,6 +165,41 @@ TEST(Failure, WhatIsNoneOrChangedIsRefused) {
   EXPECT_TRUE(refused("{\"genu_failure\": 1, \"genu\": 7}"));
   EXPECT_TRUE(refused(text.substr(0, text.size() / 2)));
   EXPECT_TRUE(refused(with_first(text, "stiffness = 50", "stiffness = 51")));
+}
+
+TEST(Failure, WhatIsSealedAgainIsHeldToWhatItCanBe) {
+  const test::TemporaryFolder folder;
+  const Failure good = saved(folder, folder.write("truss.toml", truss()), kExitIncomplete);
+  const auto refused = [](const Failure& f) {
+    Diagnostics out;
+    return !read_failure(to_json(f), "failure.json", out) && out.has_errors();
+  };
+  EXPECT_FALSE(refused(good));
+  for (const std::string& name : {std::string("../a.stl"), std::string(300, 'a'), std::string("a\0b.stl", 7),
+                                  std::string("scene.toml"), std::string()}) {
+    Failure f = good;
+    f.meshes.emplace_back(name, "bytes");
+    EXPECT_TRUE(refused(f)) << name;
+  }
+  Failure small = good;
+  small.memory_limit = 4096;
+  EXPECT_TRUE(refused(small));
+}
+
+TEST(Failure, AStateOfAnotherSceneIsNotGoneOnFrom) {
+  const test::TemporaryFolder folder;
+  Failure f = saved(folder, folder.write("truss.toml", truss()), kExitIncomplete);
+  ASSERT_FALSE(f.rest.empty());
+  f.scene +=
+      "[body.more]\n[joint.j2]\ntype = \"free\"\nparent = \"tibia\"\nchild = \"more\"\n"
+      "rotations = [\"a x\", \"b y\", \"c z\"]\ntranslations = [\"x\", \"y\", \"z\"]\n";
+  std::filesystem::create_directory(folder / "again");
+  ASSERT_EQ(unpack(f, folder / "again"), "");
+  EXPECT_THROW(
+      {
+        for (const std::string& line : reproduce(f, folder / "again", {})) ADD_FAILURE() << line;
+      },
+      SavedElsewhere);
 }
 
 TEST(Failure, NothingIsSavedWhereNothingFailed) {

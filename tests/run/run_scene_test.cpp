@@ -117,6 +117,22 @@ TEST(RunScene, ARefusedSceneLeavesTheEarlierResult) {
   EXPECT_EQ(read_file(folder / "a/summary.json"), before);
 }
 
+TEST(RunScene, AFileOfTheUsersInTheWayIsToldBeforeAnythingIsComputed) {
+  test::TemporaryFolder folder;
+  Diagnostics out;
+  ASSERT_EQ(run(test::dortmans_file(), folder / "a", out), kExitOk);
+  folder.write("a/report.html", "mine");
+  EXPECT_EQ(run(test::dortmans_file(), folder / "a", out), kExitOk);  // no report is asked for
+  RunOptions options;
+  options.report = true;
+  bool computed = false;
+  options.progress = [&](int, int) { computed = true; };
+  EXPECT_EQ(test::judged_run(test::dortmans_file(), folder / "a", options, out, nullptr), kExitRefused);
+  EXPECT_FALSE(computed);
+  EXPECT_TRUE(test::contains(test::messages(out), "report.html: was not written by genu"));
+  EXPECT_EQ(read_file(folder / "a/report.html"), "mine");
+}
+
 TEST(RunScene, RefusesAFolderThatIsNotItsOwnOrNotWritable) {
   test::TemporaryFolder folder;
   Diagnostics out;

@@ -43,6 +43,27 @@ TEST_F(Verdict, AllWell) {
       "`stability`).\n");
 }
 
+TEST_F(Verdict, OthersThatDoNotFallAreNotSaidToFall) {
+  summary.poses_solved = 3;
+  summary.exit_code = 0;
+  records.resize(3);
+  records[2].point.stability.verdict = Stability::Verdict::neutral;
+  expect_said("2 of 3 stable; what the others are stands in column `stability`.");
+}
+
+TEST_F(Verdict, ManyChangesOfStabilityAreCounted) {
+  for (int k = 0; k < 40; ++k) {
+    PathEvent e;
+    e.kind = PathEvent::Kind::stability_changed;
+    e.step = 1;
+    e.target = target;
+    e.what = "neutral";
+    events.push_back(e);
+  }
+  expect_said("28 more changes of stability are in events.csv.");
+  EXPECT_LT(said().size(), 2000U);
+}
+
 TEST_F(Verdict, EveryFailureSaysWhichWhereAndWhatToDo) {
   for (const PoseStatus status : {PoseStatus::no_equilibrium, PoseStatus::over_edge, PoseStatus::overlap,
                                   PoseStatus::chatter, PoseStatus::overconstrained, PoseStatus::undetermined}) {

@@ -19,6 +19,7 @@
 #include "genu/core/scratch_folder.h"
 #include "genu/run/failure.h"
 #include "genu/run/input_hash.h"
+#include "genu/solver/path.h"
 #include "tell.h"
 
 namespace genu::cli {
@@ -68,7 +69,14 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   limit_memory(failure->memory_limit);
   RunOptions options;
   options.cancelled = stop_on_interrupt();
-  const std::vector<std::string> found = reproduce(*failure, folder, options);
+  std::vector<std::string> found;
+  try {
+    found = reproduce(*failure, folder, options);
+  } catch (const SavedElsewhere&) {
+    out.error(file, "holds a state that its scene cannot be in");
+    print(out);
+    return kRefused;
+  }
   fmt::print("meshes: {}\nfailed then:\n", printable(failure->meshes_are));
   for (const std::string& line : failure->verdict) fmt::print("  {}\n", printable(line));
   const bool same = alike(failure->verdict, found);

@@ -32,7 +32,7 @@ bool is_count(const json& value) { return value.is_number_unsigned(); }
 std::string wrong_key(const json& summary, bool given) {
   if (!summary.value("partial", json()).is_boolean()) return "partial";
   const json files = summary.value("files", json()), results = summary.value("results", json());
-  if (!files.is_array() || files.empty()) return "files";
+  if (!files.is_array()) return "files";
   for (const json& file : files)
     if (!file.is_object() || !file.value("path", json()).is_string() || !file.value("fnv1a64", json()).is_string())
       return "files";
@@ -59,12 +59,13 @@ void compare_table(const json& written, const std::string& path, const std::stri
 /// A scene of the caller's choice that is not what the run read.
 void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
   const auto now = file_checksum(scene);
-  if (now && summary["files"].front()["fnv1a64"].get<std::string>() != now->fnv1a64)
+  if (now && !summary["files"].empty() && summary["files"].front()["fnv1a64"].get<std::string>() != now->fnv1a64)
     warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
 }
 
 /// Files that the run read and that have changed since.
-void compare_files(const json& summary, Diagnostics& out) {
+void compare_files(const json& summary, const std::string& path_of_summary, Diagnostics& out) {
+  if (summary["files"].empty()) warn(path_of_summary, "does not say which files the run has read", out);
   for (const json& file : summary["files"]) {
     const auto path = file["path"].get<std::string>();
     const auto now = file_checksum(path);
@@ -101,7 +102,7 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
       return out.error(summary_path, "does not say which scene it is of: give --scene"), std::nullopt;
   }
   if (!scene.empty()) compare_scene(summary, scene, out);
-  compare_files(summary, out);
+  compare_files(summary, summary_path, out);
   compare_table(summary["results"], (at / "results.csv").string(), *results, out);
   if (summary["partial"].get<bool>()) warn(at.string(), "is partial: the run was stopped before its end", out);
   if (out.has_errors()) return std::nullopt;

@@ -111,6 +111,7 @@ std::string to_json(const RunSummary& s) {
   j["genu"] = s.version;
   j["scene"] = s.scene_file;
   if (!s.scene_path.empty()) j["scene_path"] = s.scene_path;
+  j["files"] = ordered_json::array();
   for (const auto& f : s.files)
     j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"fnv1a64", f.checksum.fnv1a64}});
   if (s.results)

@@ -15,7 +15,10 @@ namespace {
 constexpr const char* kTime = "time_s";
 constexpr double kSameTime = 1e-9;  // of the time between rows
 
-bool is_no_value(const std::string& name) { return name == "step" || name == "increment" || name == "status"; }
+/// Counts and words of a results.csv: nothing to follow.
+bool is_no_value(const std::string& name) {
+  return name == "step" || name == "increment" || name == "status" || name == "stability";
+}
 
 std::optional<double> to_number(const std::string& text) {
   double value = 0;

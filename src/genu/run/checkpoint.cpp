@@ -160,7 +160,7 @@ void Checkpoint::add(const std::vector<PoseRecord>& all_records, const std::vect
   // Where writing is slow, or fails again and again on ever more rows, it may not take more than its share of the run.
   constexpr double kShare = 0.05;
   const double now = timer_.seconds();
-  if (every_ > 0) next_ = std::max(begun + every_, now + (now - begun) / kShare);
+  if (every_ > 0 || !problem_.empty()) next_ = std::max(begun + every_, now + (now - begun) / kShare);
 }
 
 void Checkpoint::write(const std::vector<PoseRecord>& all_records, const std::vector<PathEvent>& all_events,
@@ -244,6 +244,11 @@ bool Checkpoint::resume(Diagnostics& out) {
              .found = {},
              .rule = "holds no rows: computed from the start"});
   return true;
+}
+
+bool Checkpoint::earlier() const {
+  std::error_code ignored;
+  return size_ == 0 && std::filesystem::exists(file_, ignored);
 }
 
 void Checkpoint::remove() {

@@ -45,6 +45,8 @@ class Checkpoint {
   const std::string& file() const { return file_; }
   /// How many rows the file holds, of this run or an earlier one.
   std::size_t rows() const { return rows_; }
+  /// Whether the file is there and is still what an earlier run has left.
+  bool earlier() const;
   /// Why the last part could not be written; empty where it was.
   const std::string& problem() const { return problem_; }
   /// The work is done: removes the file.

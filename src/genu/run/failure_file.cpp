@@ -1,4 +1,8 @@
 // A Failure as text.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "genu/run/failure.h"
@@ -23,11 +27,15 @@ std::string to_hex(const std::string& bytes) {
   return out;
 }
 
-std::string from_hex(const std::string& text) {
-  const auto digit = [](char c) { return c <= '9' ? c - '0' : c - 'a' + 10; };
+/// Empty where the text is no bytes in hexadecimal digits.
+std::optional<std::string> from_hex(const std::string& text) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1; };
+  if (text.size() % 2 != 0) return std::nullopt;
   std::string out;
-  for (std::size_t k = 0; k + 1 < text.size(); k += 2)
+  for (std::size_t k = 0; k < text.size(); k += 2) {
+    if (digit(text[k]) < 0 || digit(text[k + 1]) < 0) return std::nullopt;
     out += static_cast<char>(16 * digit(text[k]) + digit(text[k + 1]));
+  }
   return out;
 }
 
@@ -35,7 +43,10 @@ std::string text_of(const ordered_json& j) { return j.dump(1, ' ', false, ordere
 
 /// A name that leads out of the folder it is unpacked into is none of ours.
 bool is_plain(const std::string& name) {
-  return !name.empty() && name[0] != '.' && name.find('/') == std::string::npos && name != "scene.toml";
+  constexpr std::size_t kLongest = 200;
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+  return !name.empty() && name.size() <= kLongest && name[0] != '.' && name.find('/') == std::string::npos &&
+         name != "scene.toml" && std::none_of(name.begin(), name.end(), control);
 }
 
 }  // namespace
@@ -89,13 +100,22 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
     f.memory_limit = j["memory_limit_bytes"];
     f.meshes_are = j["meshes_are"];
     f.scene = j["scene"];
+    const auto bytes = [&](const ordered_json& hex) {
+      auto read = from_hex(hex);
+      if (!read) out.error(file, "holds bytes that are not in hexadecimal digits");
+      return read.value_or(std::string());
+    };
     for (const auto& mesh : j["meshes"]) {
-      f.meshes.emplace_back(mesh["name"], from_hex(mesh["hex"]));
+      f.meshes.emplace_back(mesh["name"], bytes(mesh["hex"]));
       if (is_plain(f.meshes.back().first)) continue;
       out.error(file, "names a mesh that would lie elsewhere");
       return std::nullopt;
     }
-    f.rest = from_hex(j["rest_hex"]);
+    f.rest = bytes(j["rest_hex"]);
+    constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 26;  // bytes: the program itself needs as much
+    if (f.memory_limit != 0 && f.memory_limit < kLeastMemory)
+      out.error(file, "has a memory limit under which nothing runs");
+    if (out.has_errors()) return std::nullopt;
     return f;
   } catch (const ordered_json::exception&) {
     out.error(file, "is no failure that genu run --save-failure has written");

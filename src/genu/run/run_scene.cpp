@@ -93,6 +93,7 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events, bars)));
   RunSummary summary = solution.summary;
   summary.results = {solution.poses.rows(), checksum(table)};
+  note_files(prepared.scene, summary);
   write("summary.json", to_json(summary));
   for (const auto& [name, content] : more) write(name, content);
   if (error.empty()) error = out.commit();

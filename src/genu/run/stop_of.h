@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "genu/solver/path.h"
+
 namespace genu {
 
 /// Does `work`; what ended it before its end in words, else an empty text.
@@ -20,6 +22,8 @@ std::string stop_of(const Work& work) {
     return {};
   } catch (const std::bad_alloc&) {
     return "out of memory";
+  } catch (const SavedElsewhere&) {
+    throw;  // that is input
   } catch (const std::exception& error) {
     return std::string("internal error: ") + error.what();
   }

@@ -83,8 +83,13 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   const Undetermined& u = point.undetermined;
   std::vector<std::string> motion, forces;
   for (const CoordinateRef& c : u.free_motion) motion.push_back(coordinate_name(prepared.scene, c));
-  for (const QuantityRef& q : u.shared_reactions)
-    forces.push_back("the reaction of " + quantity_name(prepared.scene, q));
+  for (const QuantityRef& q : u.shared_reactions) {
+    const JointDef& joint = prepared.scene.joints[static_cast<std::size_t>(q.first.joint)];
+    const bool named = q.combination >= 0 || joint.leaves(q.first.index);  // what a joint holds has no name of its own
+    const std::string name =
+        named ? "the reaction of " + quantity_name(prepared.scene, q) : "reactions of joint " + joint.name;
+    if (std::find(forces.begin(), forces.end(), name) == forces.end()) forces.push_back(name);
+  }
   for (const int c : u.shared_contacts) {
     const ActiveContact& contact = point.pose.state.contacts[static_cast<std::size_t>(c)];
     forces.push_back(fmt::format("contact {}.{}", prepared.scene.contacts[static_cast<std::size_t>(contact.pair)].name,
@@ -210,6 +215,33 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
   }
 }
 
+/// What the poses are that are not stable.
+std::string of_the_others(const std::vector<PoseRecord>& records, const RunSummary& summary) {
+  if (summary.poses_stable == summary.poses_solved) return ".";
+  const bool fall = std::all_of(records.begin(), records.end(), [](const PoseRecord& r) {
+    const std::string said = to_string(r.point.stability);
+    return said == to_string(Stability::Verdict::stable) || said == to_string(Stability::Verdict::unstable);
+  });
+  return fall ? "; left to itself the joint would leave the others (column `stability`)."
+              : "; what the others are stands in column `stability`.";
+}
+
+/// Changes of stability, of which there can be as many as poses: the first of them.
+class StabilityChanges {
+ public:
+  void add(std::string sentence, std::vector<std::string>& out) {
+    constexpr int kTold = 12;
+    if (++count_ <= kTold) out.push_back(std::move(sentence));
+    left_ = std::max(0, count_ - kTold);
+  }
+  void end(std::vector<std::string>& out) const {
+    if (left_ > 0) out.push_back(fmt::format("{} more changes of stability are in events.csv.", left_));
+  }
+
+ private:
+  int count_ = 0, left_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
@@ -217,10 +249,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   std::vector<std::string> out;
   if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
     out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable{}", summary.poses_stable,
-                              summary.poses_solved,
-                              summary.poses_stable == summary.poses_solved
-                                  ? "."
-                                  : "; left to itself the joint would leave the others (column `stability`)."));
+                              summary.poses_solved, of_the_others(records, summary)));
   else if (summary.poses_solved == 0)
     out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else
@@ -228,6 +257,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                               summary.poses_asked));
   say_windows(prepared, events, out);
   bool turned_back = false;
+  StabilityChanges changes;
   for (const PathEvent& e : events) {
     turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
@@ -271,11 +301,12 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                       place(prepared, e.step, e.target)));
     const bool told = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
     if (e.kind == PathEvent::Kind::stability_changed && !told)
-      out.push_back(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)));
+      changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
     if (e.kind == PathEvent::Kind::over_edge)
       out.push_back(
           fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
   }
+  changes.end(out);
   say_reaction_turns(prepared, events, out);
   say_locations(prepared, records, summary.locations, out);
   for (const PoseRecord& r : records) {

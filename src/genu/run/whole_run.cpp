@@ -1,5 +1,7 @@
 // A run from the scene to the folder: what is refused, what is kept of work that was stopped, what is removed after it.
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -73,11 +75,28 @@ std::optional<Solution> move_all(const Prepared& prepared, const RunOptions& opt
 
 namespace {
 
+/// Files in the folder that genu did not write and that the run will write: said before anything is computed.
+bool holds_others(const std::string& folder, const RunOptions& options, Diagnostics& out) {
+  const auto list = read_file_list(folder);
+  if (!list) return false;
+  std::vector<std::string> names = {"results.csv", "events.csv", "curves.svg", "summary.json"};
+  if (options.report) names.emplace_back("report.html");
+  if (options.starts > 0) names.emplace_back("starts.csv");
+  if (options.error_bars) names.insert(names.end(), {"error_bars.csv", "error_shares.csv"});
+  bool any = false;
+  for (const std::string& file : not_listed(folder, *list)) {
+    if (std::find(names.begin(), names.end(), file) == names.end()) continue;
+    out.error((std::filesystem::path(folder) / file).string(),
+              "was not written by genu and would be replaced: move it, or choose another folder");
+    any = true;
+  }
+  return any;
+}
+
 /// Writes what was found where it belongs. The exit code.
 int keep_results(const Prepared& prepared, const std::string& folder, const RunOptions& options, Checkpoint& checkpoint,
                  Diagnostics& out, Solution& found) {
   const bool partial = found.summary.partial;
-  note_files(prepared.scene, found.summary);
   if (partial) mark_partial(prepared.scene.file, folder, prepared.scene.dynamics ? nullptr : &checkpoint, found);
   found.folder = partial ? beside(folder, ".partial") : folder;
   auto more = options.pressure_maps ? pressure_maps(prepared.scene, prepared.model, found.records)
@@ -87,6 +106,9 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
   if (options.report && memory) add_report(prepared, found, more);
   std::string error = write_results(found.folder, prepared, found, more, partial ? ".partial" : "");
   if (!error.empty()) {
+    if (partial)
+      found.summary.verdict.front() = fmt::format("PARTIAL: {} after {} of {} rows, which could not be written.",
+                                                  found.stopped, found.poses.rows(), found.summary.poses_asked);
     error += checkpoint.rows() > 0 ? fmt::format(
                                          "; {} rows are kept in {}: the same command with --resume goes on "
                                          "from there",
@@ -110,10 +132,9 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
   std::string said = fmt::format("PARTIAL: {} after {} of {} rows, which are kept in {}. ", found.stopped,
                                  found.poses.rows(), s.poses_asked, beside(folder, ".partial"));
   std::string goes_on = "computes them anew";
-  std::error_code ignored;
   if (rows > 0)
     goes_on = fmt::format("goes on from row {} and ends with the bytes of an undisturbed run", rows);
-  else if (checkpoint != nullptr && std::filesystem::exists(checkpoint->file(), ignored))
+  else if (checkpoint != nullptr && checkpoint->earlier())
     goes_on = fmt::format("goes on from what a run before has left in {}", checkpoint->file());
   said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder), goes_on);
   if (checkpoint != nullptr && !checkpoint->problem().empty())
@@ -133,6 +154,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
     if (!options.save_failure.empty()) save_failure(options.save_failure, path, nullptr, {}, options, out);
     return kExitRefused;
   }
+  if (holds_others(folder, options, out)) return kExitRefused;
   Checkpoint checkpoint(folder, input_hashes(prepared->scene), options.checkpoint_seconds);
   RunOptions own = options;
   own.keep_partial = true;

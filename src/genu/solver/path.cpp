@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <cereal/archives/binary.hpp>
@@ -44,11 +45,14 @@ class PathRun {
     pose_.last_number.assign(model.pairs.size(), 0);
   }
 
-  /// Goes on where save() was called, in another run of the same program on the same input.
+  /// Goes on where save() was called, in another run of the same program on the same input. Throws SavedElsewhere
+  /// where it was on another.
   void restore(const std::string& saved) {
     std::istringstream in(saved);
     cereal::BinaryInputArchive archive(in);
     remember(archive);
+    const bool in_plan = step_ >= 0 && at(step_) <= steps_.size() && row_ >= 0 && rows_ >= 0;
+    if (!in_plan || !fits(pose_)) throw SavedElsewhere("what was saved is of another scene");
     forget();
   }
 
@@ -70,6 +74,21 @@ class PathRun {
   }
 
  private:
+  bool fits(const Balanced& pose) const {
+    const JointModel& model = solver_.model();
+    const auto of_pair = [&](const auto& c) { return c.pair >= 0 && at(c.pair) < model.pairs.size(); };
+    const auto of_ligament = [&](const LigamentPiece& p) {
+      return p.ligament >= 0 && at(p.ligament) < model.ligaments.size() && p.piece >= 0 &&
+             at(p.piece) <= model.ligaments[at(p.ligament)].ligament.law.sharp_breaks().size();
+    };
+    const State& s = pose.state;
+    return s.poses.size() == model.bodies.size() && s.coordinates.size() == model.joints.size() &&
+           pose.last_number.size() == model.pairs.size() &&
+           std::all_of(s.contacts.begin(), s.contacts.end(), of_pair) &&
+           std::all_of(pose.open.begin(), pose.open.end(), of_pair) &&
+           std::all_of(s.pieces.begin(), s.pieces.end(), of_ligament);
+  }
+
   /// Balances the joint where it stands, then walks to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;

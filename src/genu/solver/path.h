@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,11 @@ struct PathObserver {
   /// on from, which follow_path() takes: bytes for the same program on the same input, and for nothing else. Rows and
   /// events handed over before are not among them.
   std::function<void(const std::function<std::string()>& save)> rest;
+};
+
+/// What follow_path() throws where it is to go on from what another scene has saved.
+struct SavedElsewhere : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later; a
