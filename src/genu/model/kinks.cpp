@@ -13,8 +13,8 @@ namespace {
 
 class Finder {
  public:
-  Finder(const JointModel& model, const State& state, const Target& target, double near, double force)
-      : model_(model), state_(state), target_(target), near_(near), force_(force) {}
+  Finder(const JointModel& model, const State& state, const Target& target, const KinkReach& reach)
+      : model_(model), state_(state), target_(target), reach_(reach) {}
 
   std::vector<Kink> find() {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) add_ligament(i);
@@ -26,10 +26,15 @@ class Finder {
   }
 
  private:
+  /// m, rad: how far a motion along `gradient` may still go.
+  double reach(double unit, const VecX& gradient) const {
+    const double moved = reach_.twist.size() > 0 ? std::abs(reach_.twist.dot(gradient)) : 0;
+    return reach_.least * unit + reach_.length + moved;
+  }
+
   /// Of several that the pose is so near to, the stiffness below the first and above the last.
-  static void meet(double past, double below, double above, std::optional<Kink>& kink) {
-    if (!kink) kink = Kink{.past = past, .below = below};
-    if (std::abs(past) < std::abs(kink->past)) kink->past = past;
+  static void meet(double below, double above, std::optional<Kink>& kink) {
+    if (!kink) kink = Kink{.gradient = {}, .wrench = {}, .below = below};
     kink->above = above;
   }
 
@@ -37,35 +42,44 @@ class Finder {
     const auto& l = model_.ligaments[i];
     const LigamentLaw& law = l.ligament.law;
     if (law.breaks().empty()) return;
-    const double length = ligament_length(l, state_.poses);
+    const double length = ligament_length(l, state_.poses), unit = model_.scales.length, most = reach_.most * unit;
     const auto piece = std::find_if(state_.pieces.begin(), state_.pieces.end(),
                                     [&](const LigamentPiece& p) { return at(p.ligament) == i && !p.by_length; });
-    if (piece != state_.pieces.end() && piece->held) return;
-    const LawValue pull = law.evaluate(length, piece == state_.pieces.end() ? LigamentLaw::kByLength : piece->piece);
+    const bool by_length = piece == state_.pieces.end();
+    if (!by_length && piece->held) return;
+    const int on = by_length ? law.piece_at(length) : piece->piece;
+    const LawValue pull = law.evaluate(length, by_length ? LigamentLaw::kByLength : on);
     std::optional<Kink> kink;
-    bool begun = false;
+    VecX gradient;
+    int sharp = 0;  // breaks before this one at which pieces meet
     for (const LawBreak& b : law.breaks()) {
-      const double past = length - b.length;
-      const bool begins = pull.force != 0 && std::abs(pull.force) <= force_ && (past > 0 ? b.below : b.above).slack;
-      if (b.jumps() || (!begins && std::abs(past) > near_ * model_.scales.length)) continue;
-      meet(past, b.below.stiffness, b.above.stiffness, kink);
-      begun = begun || begins;
+      const int pieces = b.sharp() ? sharp++ : sharp;
+      const double past = length - b.length, force = std::abs(pull.force);
+      const bool begun = force > 0 && force <= reach_.little && (past > 0 ? b.below : b.above).slack && !b.jumps();
+      if (!begun && std::abs(past) > most) continue;
+      if (gradient.size() == 0) gradient = ligament_length_gradient(model_, l, state_.poses);
+      if (!(begun && force <= reach_.idle) && std::abs(past) > reach(unit, gradient)) continue;
+      if (b.jumps())
+        out_.push_back({.gradient = gradient, .wrench = {}, .jump = b.force_jump(), .beyond = on > pieces});
+      else
+        meet(b.below.stiffness, b.above.stiffness, kink);
     }
-    if (!kink || (kink->below == kink->above && kink->below != 0)) return;
-    const VecX gradient = ligament_length_gradient(model_, l, state_.poses);
-    if (begun) kink->force = pull.force;
-    add(*kink, model_.scales.length, pull.stiffness, gradient, -gradient);
+    if (kink && (kink->below != kink->above || kink->below == 0)) add(*kink, pull.stiffness, gradient, -gradient);
   }
 
   void add_stops(const JointSpring& spring) {
     const double angle = state_.coordinates[at(spring.joint)][0], within = -spring.stiffness,
                  beyond = within - spring.stop;
     std::optional<Kink> kink;
-    if (std::abs(angle - spring.lower) <= near_) meet(angle - spring.lower, beyond, within, kink);
-    if (std::abs(angle - spring.upper) <= near_) meet(angle - spring.upper, within, beyond, kink);
-    if (!kink || kink->below == kink->above) return;
-    const VecX gradient = gradient_of({spring.joint, 0});
-    add(*kink, 1, spring.slope(angle), gradient, gradient);
+    VecX gradient;
+    const auto look = [&](double stop, double below, double above) {
+      if (!(std::abs(angle - stop) <= reach_.most)) return;
+      if (gradient.size() == 0) gradient = gradient_of({spring.joint, 0});
+      if (std::abs(angle - stop) <= reach(1, gradient)) meet(below, above, kink);
+    };
+    look(spring.lower, beyond, within);
+    look(spring.upper, within, beyond);
+    if (kink && kink->below != kink->above) add(*kink, spring.slope(angle), gradient, gradient);
   }
 
   void add_scale(const Load& load, double factor) {
@@ -73,11 +87,15 @@ class Finder {
     const CoordinateRef q = *load.scale->coordinate();
     const double value = state_.coordinates[at(q.joint)][at(q.index)], unit = q.index < 3 ? 1 : model_.scales.length;
     std::optional<Kink> kink;
-    for (const LoadScale::Kink& k : load.scale->kinks_over_coordinate())
-      if (std::abs(value - k.x) <= near_ * unit) meet(value - k.x, factor * k.below, factor * k.above, kink);
+    VecX gradient;
+    for (const LoadScale::Kink& k : load.scale->kinks_over_coordinate()) {
+      if (std::abs(value - k.x) > reach_.most * unit) continue;
+      if (gradient.size() == 0) gradient = gradient_of(q);
+      if (std::abs(value - k.x) <= reach(unit, gradient)) meet(factor * k.below, factor * k.above, kink);
+    }
     if (!kink || kink->below == kink->above) return;
     const VecX wrench = scattered(load_wrench(model_, state_, load).wrench, load.body_a, load.body_b);
-    add(*kink, unit, factor * load.scale->evaluate(value).slope, gradient_of(q), wrench);
+    add(*kink, factor * load.scale->evaluate(value).slope, gradient, wrench);
   }
 
   VecX scattered(const Vec12& of_two, int body_a, int body_b) const {
@@ -94,8 +112,7 @@ class Finder {
     return scattered(joint_point(model_, state_, q.joint).gradient(q.index).transpose(), joint.parent, joint.child);
   }
 
-  void add(Kink kink, double unit, double here, const VecX& gradient, const VecX& wrench) {
-    kink.unit = unit;
+  void add(Kink kink, double here, const VecX& gradient, const VecX& wrench) {
     kink.here = here;
     kink.gradient = gradient;
     kink.wrench = wrench;
@@ -105,15 +122,15 @@ class Finder {
   const JointModel& model_;
   const State& state_;
   const Target& target_;
-  const double near_, force_;
+  const KinkReach& reach_;
   std::vector<Kink> out_;
 };
 
 }  // namespace
 
-std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target, double near,
-                             double force) {
-  return Finder(model, state, target, near, force).find();
+std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target,
+                             const KinkReach& reach) {
+  return Finder(model, state, target, reach).find();
 }
 
 }  // namespace genu

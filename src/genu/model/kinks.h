@@ -1,5 +1,5 @@
-// Where the stiffness of a pose jumps, as its forces do not: breaks of the laws of ligaments, stops of joints, the ends
-// of the scales of loads over a coordinate.
+// Where the stiffness of a pose jumps, or a force: breaks of the laws of ligaments, stops of joints, the ends of the
+// scales of loads over a coordinate.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,26 @@ namespace genu {
 
 /// d wrench / d twist (6B x 6B) is slope * wrench * gradient^T, besides what does not jump.
 struct Kink {
-  double past = 0;              ///< m or rad: how far beyond it the pose is; negative: before it
-  double unit = 1;              ///< m or rad: the characteristic length, or 1 rad
-  VecX gradient = {};           ///< 6B: of `past`
-  VecX wrench = {};             ///< 6B: what the slope multiplies
+  VecX gradient;                ///< 6B: how fast a twist goes beyond it
+  VecX wrench;                  ///< 6B: what the slope multiplies
   double below = 0, above = 0;  ///< slopes on both sides of it
   double here = 0;              ///< the one that linearize() takes at the state
-  double force = 0;             ///< N: of a ligament that begins to pull there, and is past it; else 0
+  double jump = 0;              ///< N: of a ligament's force, from below to above; the slopes mean nothing then
+  bool beyond = false;          ///< of a jump: the state has the force above
 };
 
-/// Those that the pose is no further from than `near` (fraction of their unit), and ligaments that are taut and pull
-/// with no more than `force` (N). Jumps of the force are none, nor what a ligament held at one does.
-std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target, double near,
-                             double force);
+/// What counts as near: how well a pose is known.
+struct KinkReach {
+  double least = 0;   ///< of the characteristic length, rad: this near in any case
+  double length = 0;  ///< m, rad: and so much more, the rounding of coordinates
+  VecX twist = {};    ///< 6B: and what it may still move by; empty: nothing
+  double most = 0;    ///< of the characteristic length, rad: never farther, however little is known
+  double idle = 0;    ///< N: a ligament that has begun to pull with no more is as good as slack
+  double little = 0;  ///< N: one with more is not, however near it is to where it begins
+};
+
+/// Those within reach. Of several breaks of one law that are, what lies between them counts for nothing; what a
+/// ligament held at a jump does is none.
+std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target, const KinkReach& reach);
 
 }  // namespace genu

@@ -40,11 +40,19 @@ std::vector<int> possible(const MatX& trades, const MatX& bounds) {
 
 }  // namespace
 
-void share_with_idle(ContactSetSolver& solver, const Target& target, bool touching, Balanced& pose,
-                     Stability& stability) {
-  if (!touching && stability.redundant.empty()) return;
+std::vector<ActiveContact> touching_contacts(ContactSetSolver& solver, const Balanced& pose, int count) {
+  if (count == 0) return {};
   Balanced closed = pose;
-  if (touching)
+  for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
+  const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
+  return {first, closed.state.contacts.end()};
+}
+
+void share_with_idle(ContactSetSolver& solver, const Target& target, const std::vector<ActiveContact>& touching,
+                     Balanced& pose, Stability& stability) {
+  if (touching.empty() && stability.redundant.empty()) return;
+  Balanced closed = pose;
+  if (!touching.empty())
     for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
   const JointModel& model = solver.model();
   Linearization at;

@@ -7,6 +7,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/solver/contact_choice.h"
+#include "genu/solver/idle_share.h"
 #include "genu/solver/one_way.h"
 
 namespace genu {
@@ -99,18 +100,21 @@ bool MotionContacts::balance(MotionPoint& point, std::string& why) {
     return false;
   }
   Linearization here;
-  const auto unstable = [&](const State& state) {
+  const auto unstable = [&](const Balanced& pose_there, const PoseReport& as) {
+    const State& state = pose_there.state;
     linearize(model_, state, target, here);
     Stability stability = assess_stability(here, model_.scales.length);
-    if (model_.safeguards.has(Safeguard::uniqueness)) look_one_way(model_, state, target, here.layer_loads, stability);
+    if (model_.safeguards.has(Safeguard::uniqueness))
+      look_one_way(model_, state, touching_contacts(solver_, pose_there, as.certificate.touching), target,
+                   here.layer_loads, stability);
     return stability.verdict == Stability::Verdict::unstable;
   };
-  if (unstable(pose.state)) {
+  if (unstable(pose, report)) {
     Balanced lower;
     lower.state = point.state;
     fit_multipliers(model_, target, lower.state);
-    const bool found = solver_.settle_from_seed(lower, target, true).status == PoseStatus::ok;
-    if (!found || unstable(lower.state)) {
+    const PoseReport found = solver_.settle_from_seed(lower, target, true);
+    if (found.status != PoseStatus::ok || unstable(lower, found)) {
       why =
           "the equilibrium nearest to the joints' `start` is unstable, and none that is stable was found downhill from "
           "there";

@@ -11,7 +11,6 @@ namespace genu {
 namespace {
 
 constexpr int kMostCases = 20000;
-constexpr double kNothing = 1e-10;   // of the largest eigenvalue: rounding
 constexpr double kParallel = 1e-12;  // rows that differ by less are one
 constexpr double kSymmetric = 1e-12;
 
@@ -91,7 +90,7 @@ class Search {
     std::stable_partition(at_.sides.begin(), at_.sides.end(), [](const Side& s) { return !symmetric(s); });
     double stiffest = at_.stiffness.norm();
     for (const Side& s : at_.sides) stiffest += std::max(s.below.norm(), s.above.norm());
-    nothing_ = std::max(kNothing * stiffest, at_.known_to);
+    nothing_ = std::max(at_.nothing * stiffest, at_.known_to);
     symmetric_ = (at_.stiffness - at_.stiffness.transpose()).norm() <= std::max(at_.known_to, kSymmetric * stiffest) &&
                  std::all_of(at_.sides.begin(), at_.sides.end(), symmetric);
     out_.free.resize(at_.stiffness.rows(), 0);
@@ -172,7 +171,7 @@ class Search {
       inside = allowed(here.bounds, basis);
     if (inside.size() == 0) return;
     const MatX K = basis.transpose() * here.stiffness * basis;
-    const bool bounded = symmetric_ || decided_unsymmetric(is);
+    const bool bounded = symmetric_;  // else a complex pair may be where nothing costs little
     VecX softest = inside;
     if (bounded) {
       const auto eigen = symmetric_eigen(symmetric_part(K));
@@ -218,15 +217,9 @@ class Search {
     out_.motion = motion;
   }
 
-  bool decided_unsymmetric(const std::vector<Is>& is) const {
-    for (std::size_t i = 0; i < is.size(); ++i)
-      if (is[i] == Is::undecided && !symmetric(at_.sides[i])) return false;
-    return true;
-  }
-
   /// All sides are decided.
   void take(const Case& here, const MatX& basis, const MatX& K) {
-    const double nothing = std::max(kNothing * K.norm(), at_.known_to);
+    const double nothing = std::max(at_.nothing * K.norm(), at_.known_to);
     for (const Eigenspace& space : eigenspaces(K, nothing)) {
       out_.complex_pair = out_.complex_pair || space.complex;
       const MatX motions = basis * space.motions;

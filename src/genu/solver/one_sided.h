@@ -19,7 +19,8 @@ struct Side {
 struct OneSidedStiffness {
   MatX stiffness;  ///< d x d, J: an orthonormal basis of the motions that are free without the closed sides
   std::vector<Side> sides;
-  double known_to = 0;  ///< J: eigenvalues below it are rounding
+  double known_to = 0;     ///< J: eigenvalues below it are rounding
+  double nothing = 1e-10;  ///< of the largest eigenvalue: those below it too
 };
 
 /// One motion that is as stiff as itself: K x = cost x on the side of every plane that it is on; or one within a closed

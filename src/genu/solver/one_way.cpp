@@ -4,237 +4,223 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "genu/contact/elastic_layer.h"
-#include "genu/model/kinks.h"
-#include "genu/model/ligament_pieces.h"
-#include "genu/solver/moving_blocks.h"
-#include "genu/solver/newton_step.h"
+#include "genu/core/decompositions.h"
 #include "genu/solver/one_sided.h"
+#include "genu/solver/release.h"
+#include "genu/solver/way_out.h"
 
 namespace genu {
 namespace {
 
-constexpr double kHardly = 3e-8;   // of the force scale: what presses or pulls by more is not idle at any pose
-constexpr double kNear = 1e-6;     // of the length scale, rad: what is farther from a kink is on its side at any pose
-constexpr double kSolved = 2e-12;  // the same, at every pose: lengths are known to this by what Newton's method accepts
+using Verdict = Stability::Verdict;
+using Kind = ReleasedPlane::Kind;
 
-bool idle_held(const JointModel& model, const LigamentPiece& p, double force) {
-  if (!p.held) return false;
-  const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
-  return std::min(std::abs(p.force - b.below.force), std::abs(p.force - b.above.force)) <= force;
-}
+constexpr const char* kPressesAtOnce = "surfaces of a layer that nothing presses conform: it would press at once";
 
-/// Whether there is anything to let go, told without the equations.
-bool may_be_idle(const JointModel& model, const State& state, const Target& target,
-                 const std::vector<double>& layer_loads) {
-  const double hardly = kHardly * model.scales.force;
-  const auto idle = [hardly](double load) { return load <= hardly; };
-  return std::any_of(layer_loads.begin(), layer_loads.end(), idle) ||
-         std::any_of(state.contacts.begin(), state.contacts.end(),
-                     [&](const ActiveContact& c) { return idle(std::abs(c.force)); }) ||
-         std::any_of(state.pieces.begin(), state.pieces.end(),
-                     [&](const LigamentPiece& p) { return idle_held(model, p, hardly); }) ||
-         !kinks_near(model, state, target, kNear, hardly).empty();
-}
+/// The least cost among the motions of `basis` (6B x d, in the metric of stability).
+struct Among {
+  MatX basis;
+  OneSidedStiffness at;
+  bool drops = false;   ///< some motion goes beyond a drop
+  bool closed = false;  ///< there are closed planes
+  LeastCost least;
 
-/// How far the pose may be from the one that is meant.
-struct Accuracy {
-  double force = 0;  ///< N: what presses or pulls with no more may not
-  VecX twist;        ///< 6B: what Newton's method would still correct; 0 where it cannot tell
+  VecX motion(const VecX& x) const { return (basis * x).normalized(); }
 };
 
-Accuracy accuracy_of(const JointModel& model, const Target& target, const Linearization& at) {
-  constexpr double kRounding = 1e-15;
-  double unbalanced = 0;
-  for (Eigen::Index i = 0; i < at.wrench.size(); ++i)
-    unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : model.scales.length));
-  Accuracy out{2 * unbalanced + kRounding * model.scales.force, VecX::Zero(at.wrench.size())};
-  NewtonStep step(model);
-  Correction correction;
-  if (step.factor(at, target) && step.linear().full_rank()) {
-    step.solve(at, correction);
-    if (correction.twist.allFinite()) out.twist = correction.twist;
-  }
-  return out;
-}
-
-/// A plane of motions: of a closed one, `gradient` is how fast a twist (6B) goes beyond it.
-struct Plane {
-  VecX gradient, wrench = {};   ///< of twists, 6B
-  double below = 0, above = 0;  ///< slopes, as of a Kink
-  bool closed = false;
-};
-
-/// The pose without what is idle and without what jumps, and that.
-struct Released {
-  Linearization at;
-  std::vector<Plane> planes;
-  double cancelled = 0;  ///< J: the size of what was taken out of the stiffness, in the metric
-};
-
-/// Moves what holds closed and carries no more than `force` out of `state`: contacts, ligaments held at a jump.
-bool release_closed(const JointModel& model, const Linearization& at_pose, double force, State& state,
-                    std::vector<Plane>& planes) {
-  const auto n = at_pose.wrench.size();
-  std::vector<ActiveContact> kept;
-  bool any = false;
-  for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-    if (std::abs(state.contacts[c].force) > force) {
-      kept.push_back(state.contacts[c]);
-      continue;
-    }
-    VecX closing = VecX::Zero(n);
-    for (int side = 0; side < 2; ++side)
-      if (const int body = at_pose.contact_bodies[c][at(side)]; body >= 0)
-        closing.segment<6>(6 * body) -= at_pose.contacts[c].direction.segment<6>(6 * side);
-    planes.push_back({.gradient = closing, .closed = true});
-    any = true;
-  }
-  state.contacts = std::move(kept);
-  for (LigamentPiece& p : state.pieces) {
-    if (!idle_held(model, p, force)) continue;
-    const auto& l = model.ligaments[at(p.ligament)];
-    const LawBreak& b = l.ligament.law.sharp_breaks()[at(p.piece)];
-    const bool above = std::abs(p.force - b.above.force) < std::abs(p.force - b.below.force);
-    const VecX longer = ligament_length_gradient(model, l, state.poses);
-    planes.push_back({.gradient = above ? VecX(-longer) : longer, .closed = true});
-    p.held = false;
-    p.piece += above;
-    any = true;
-  }
-  return any;
-}
-
-/// Takes out of the stiffness what jumps where the pose cannot be told from the kink.
-bool release_kinks(const JointModel& model, const State& state, const Target& target, const Accuracy& accuracy,
-                   Released& out) {
-  constexpr double kTimes = 10;  // the correction that is left, which is an estimate
-  const VecX unit = stability_metric(out.at.wrench.size());
-  bool any = false;
-  for (Kink& k : kinks_near(model, state, target, kNear, kHardly * model.scales.force)) {
-    const double reach = kSolved * k.unit + kTimes * std::abs(k.gradient.dot(accuracy.twist));
-    const bool idle = k.force != 0 && std::abs(k.force) <= accuracy.force;
-    if (!idle && std::abs(k.past) > reach) continue;
-    any = any || k.here != 0 || k.below != k.above;
-    out.cancelled += std::max({std::abs(k.here), std::abs(k.below), std::abs(k.above)}) *
-                     k.gradient.cwiseProduct(unit).norm() * k.wrench.cwiseProduct(unit).norm();
-    const double base = k.below == k.above ? k.below : 0;
-    out.at.stiffness += (base - k.here) * k.wrench * k.gradient.transpose();
-    if (k.below != k.above) out.planes.push_back({std::move(k.gradient), std::move(k.wrench), k.below, k.above, false});
-  }
-  return any;
-}
-
-/// Layers begin to press as softly as a toe to pull.
-bool release_layers(const JointModel& model, const State& state, double force, Linearization& at_pose) {
-  bool any = false;
-  LayerWrench pressed;
-  for (std::size_t k = 0; k < model.layers.size(); ++k) {
-    if (at_pose.layer_loads[k] <= 0 || at_pose.layer_loads[k] > force) continue;
-    any = true;
-    const auto& layer = model.layers[k];
-    layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], at_pose.layers->each[k],
-                          pressed, state.layer_level(k), nullptr);
-    const std::array<int, 2> bodies = {model.bodies[at(layer.body_a)].moving, model.bodies[at(layer.body_b)].moving};
-    for_moving(bodies, [&](int from, int to) {
-      for_moving(bodies, [&](int from2, int to2) {
-        at_pose.stiffness.block<6, 6>(to, to2) -= pressed.stiffness.block<6, 6>(from, from2);
-      });
-    });
-  }
-  return any;
-}
-
-/// False where there is nothing to let go.
-bool release(const JointModel& model, const State& state, const Target& target, Released& out) {
-  linearize(model, state, target, out.at);
-  const Accuracy accuracy = accuracy_of(model, target, out.at);
-  State loose = state;
-  bool any = release_closed(model, out.at, accuracy.force, loose, out.planes);
-  if (any) linearize(model, loose, target, out.at);
-  any = release_layers(model, state, accuracy.force, out.at) || any;
-  return release_kinks(model, state, target, accuracy, out) || any;
-}
-
-/// Among the motions that are free.
-OneSidedStiffness among(const FreeStiffness& free, const std::vector<Plane>& planes) {
-  const MatX& basis = free.basis;
-  OneSidedStiffness out{basis.transpose() * free.stiffness * basis, {}, free.known_to};
-  const VecX unit = stability_metric(basis.rows());
-  for (const Plane& plane : planes) {
-    const VecX gradient = unit.cwiseProduct(plane.gradient), row = basis.transpose() * gradient;
+Among among(const FreeStiffness& free, MatX basis, const std::vector<ReleasedPlane>& planes) {
+  Among out{std::move(basis), {}, false, false, {}};
+  out.at.stiffness = out.basis.transpose() * free.stiffness * out.basis;
+  out.at.known_to = free.known_to;
+  const VecX unit = stability_metric(out.basis.rows());
+  for (const ReleasedPlane& plane : planes) {
+    const VecX gradient = unit.cwiseProduct(plane.gradient), row = out.basis.transpose() * gradient;
     if (!(row.norm() > kDependentRow * gradient.norm())) continue;  // nothing moves across
-    Side side{row.normalized(), VecX::Zero(row.size()), VecX::Zero(row.size()), plane.closed};
-    if (!plane.closed) {
-      const VecX push = -row.norm() * (basis.transpose() * unit.cwiseProduct(plane.wrench));
+    out.drops = out.drops || plane.kind == Kind::drop;
+    out.closed = out.closed || plane.kind == Kind::closed;
+    if (plane.kind == Kind::drop) continue;
+    Side side{row.normalized(), VecX::Zero(row.size()), VecX::Zero(row.size()), plane.kind == Kind::closed};
+    if (!side.closed) {
+      const VecX push = -row.norm() * (out.basis.transpose() * unit.cwiseProduct(plane.wrench));
       side.below = plane.below * push;
       side.above = plane.above * push;
     }
-    out.sides.push_back(std::move(side));
+    out.at.sides.push_back(std::move(side));
   }
   return out;
 }
 
-/// The stiffness on the side of every plane that `motion` is on, and the motions in the closed ones that it is in.
-void beside(const VecX& motion, const OneSidedStiffness& at, MatX& stiffness, MatX& within) {
-  constexpr double kIn = 1e-9;
-  stiffness = at.stiffness;
-  within.resize(0, motion.size());
-  for (const Side& side : at.sides) {
-    const double past = side.row.dot(motion);
-    if (!side.closed) {
-      stiffness += (past > 0 ? side.above : side.below) * side.row.transpose();
-    } else if (std::abs(past) <= kIn) {
-      within.conservativeResize(within.rows() + 1, Eigen::NoChange);
-      within.bottomRows<1>() = side.row.transpose();
+Among searched(const FreeStiffness& free, const MatX& basis, const std::vector<ReleasedPlane>& planes) {
+  Among out = among(free, basis, planes);
+  if (basis.cols() > 0) out.least = least_cost(out.at);
+  return out;
+}
+
+Verdict verdict_of(const LeastCost& least) {
+  if (least.any && least.cost < 0) return Verdict::unstable;
+  return least.free.cols() > 0 || (least.any && least.cost == 0) ? Verdict::neutral : Verdict::stable;
+}
+
+/// The same motions, but orthonormal where lengths of motions are measured about the bodies' own origins.
+MatX in_own_metric(const Linearization& at, const MatX& basis) {
+  const MatX motions = about_own_origins(at, basis);
+  const MatX lengths = motions.transpose() * motions;
+  const auto eigen = symmetric_eigen(lengths);
+  return basis * (eigen.vectors *
+                  eigen.values.cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse().asDiagonal());
+}
+
+/// The smallest eigenvalue, in the metric about the bodies' own origins; NaN where that cannot be resolved.
+double smallest(const Released& released, const FreeStiffness& free, const Among& found) {
+  if (!found.least.any) return std::numeric_limits<double>::infinity();
+  if (released.at.own_origins.size() == 0) return found.least.cost;
+  Among own = among(free, in_own_metric(released.at, found.basis), released.planes);
+  own.at.known_to = 0;
+  own.at.nothing = 1e-15;
+  own.least = least_cost(own.at);
+  const bool told = own.least.told && own.least.any && (own.least.cost < 0) == (found.least.cost < 0);
+  return told ? own.least.cost : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Layers that nothing presses, and whether a motion would meet a force from them at once.
+class IdleLayers {
+ public:
+  IdleLayers(const JointModel& model, const State& state, std::vector<int> layers)
+      : model_(model), state_(state), layers_(std::move(layers)) {}
+
+  /// Whether some layer begins to press in proportion to how far one goes along `motion` (in the metric): surfaces that
+  /// conform do, others begin more softly.
+  bool bar(const VecX& motion) {
+    constexpr double kFar = 1e-6;  // of the length scale
+    const double length = kFar * model_.scales.length / Stability::kMetricLength;
+    for (const int k : layers_) {
+      const double near = load_after(k, length * motion);
+      if (!(near > 0)) continue;
+      constexpr double kTimes = 100, kProportional = 3;  // where it grows with its square: 10'000 times
+      if (load_after(k, kTimes * length * motion) < kProportional * kTimes * near) return true;
     }
+    return false;
   }
+
+ private:
+  double load_after(int k, const VecX& motion) {
+    Correction by;
+    by.resize(model_.moving_count, 0, 0);
+    by.twist = stability_metric(motion.size()).cwiseProduct(motion);
+    State state, moved;
+    state.poses = state_.poses;
+    state.coordinates = state_.coordinates;
+    if (!retract(model_, state, by, 1, moved)) return 0;
+    const auto& layer = model_.layers[at(k)];
+    ElasticLayer::Memory memory;
+    LayerWrench pressed;
+    layer.layer->evaluate(moved.poses[at(layer.body_a)], moved.poses[at(layer.body_b)], memory, pressed,
+                          state_.layer_level(at(k)), nullptr);
+    return pressed.load;
+  }
+
+  const JointModel& model_;
+  const State& state_;
+  std::vector<int> layers_;
+};
+
+/// x . K(x) x on the sides that x is on; infinite beyond a closed plane.
+double cost_of(const OneSidedStiffness& at, const VecX& x) {
+  double out = x.dot(at.stiffness * x);
+  for (const Side& s : at.sides) {
+    const double past = s.row.dot(x);
+    if (s.closed && past > 1e-9) return std::numeric_limits<double>::infinity();
+    if (!s.closed) out += past * x.dot(past > 0 ? s.above : s.below);
+  }
+  return out;
 }
 
-double smallest(const Released& released, const FreeStiffness& free, const OneSidedStiffness& at,
-                const LeastCost& least) {
-  if (!least.any) return std::numeric_limits<double>::infinity();
-  if (released.at.own_origins.size() == 0) return least.cost;
-  MatX stiffness, within;
-  beside(least.motion, at, stiffness, within);
-  const MatX& basis = free.basis;
-  return in_own_metric(released.at, basis * null_space(within, kDependentRow), basis * stiffness * basis.transpose(),
-                       least.cost);
+/// Whether idle layers bar a motion, that way and, where it costs the same, the other.
+bool barred(IdleLayers& layers, const Among& found, const VecX& x) {
+  if (!layers.bar(found.motion(x))) return false;
+  const double forth = cost_of(found.at, x), back = cost_of(found.at, -x);
+  return std::abs(back - forth) > 1e-6 * std::abs(forth) + found.at.known_to || layers.bar(-found.motion(x));
 }
 
-void take(const Released& released, const FreeStiffness& free, const OneSidedStiffness& at, const LeastCost& least,
-          Stability& out) {
-  using Verdict = Stability::Verdict;
+bool barred(IdleLayers& layers, const Among& found) {
+  if (found.least.any && barred(layers, found, found.least.motion)) return true;
+  for (Eigen::Index k = 0; k < found.least.free.cols(); ++k)
+    if (barred(layers, found, found.least.free.col(k))) return true;
+  return false;
+}
+
+/// Whether idle contacts along lines and areas matter: where all that they might bar is barred, does something else
+/// come out?
+bool depends_on_extent(const Released& released, const FreeStiffness& free, const Among& found) {
+  if (released.conforming.rows() == 0) return false;
+  const VecX unit = stability_metric(free.basis.rows());
+  const MatX left = null_space((released.conforming * unit.asDiagonal()) * free.basis, kDependentRow);
+  const LeastCost held = searched(free, free.basis * left, released.planes).least;
+  if (!held.told || verdict_of(held) != verdict_of(found.least)) return true;
+  return held.any && std::abs(held.cost - found.least.cost) > 1e-9 * std::abs(held.cost) + free.known_to;
+}
+
+void take(const JointModel& model, const State& state, const Released& released, const FreeStiffness& free,
+          const Among& found, Stability& out) {
+  const LeastCost& least = found.least;
+  IdleLayers layers(model, state, released.idle_layers);
   out.one_way = true;
-  out.told = least.told;
-  out.neutral = free.basis * least.free;
+  out.neutral = found.basis * least.free;
   out.complex_pair = least.complex_pair;
-  const bool falls = least.any && least.cost<0, nothing = out.neutral.cols()> 0 || (least.any && least.cost == 0);
-  out.verdict = !least.told ? Verdict::neutral
-                : falls     ? Verdict::unstable
-                : nothing   ? Verdict::neutral
-                            : Verdict::stable;
-  out.flutter = least.oscillates && (falls || out.neutral.cols() == 0);
-  out.smallest = falls || !nothing ? smallest(released, free, at, least) : 0;
+  out.verdict = verdict_of(least);
+  out.flutter = least.oscillates && (out.verdict == Verdict::unstable || out.neutral.cols() == 0);
+  const bool falls = out.verdict == Verdict::unstable;
+  out.smallest = out.verdict == Verdict::neutral ? 0 : smallest(released, free, found);
+  if (!least.told)
+    out.untold = "more is about to become taut, to open or at a stop at once than can be told apart";
+  else if (found.drops && found.closed)
+    out.untold = "the force of a ligament drops where a contact holds no force";
+  else if (depends_on_extent(released, free, found))
+    out.untold = "surfaces touch without force along a line or an area, and how far matters";
+  else if (barred(layers, found))
+    out.untold = kPressesAtOnce;
+  else if (std::isnan(out.smallest))
+    out.untold = "the origins of the bodies are too far from where things are";
   out.mode = VecX::Zero(free.basis.rows());
   if (out.neutral.cols() > 0 && !falls)
     out.mode = out.neutral.col(0);
   else if (least.any)
-    out.mode = free.basis * least.motion;
+    out.mode = found.motion(least.motion);
+  if (found.drops) {  // infinitely stiff downward
+    out.verdict = Verdict::unstable;
+    out.smallest = -std::numeric_limits<double>::infinity();
+  }
+  if (out.untold.empty()) return;
+  out.verdict = Verdict::neutral;
+  out.smallest = 0;
+}
+
+/// Where there is nothing one-sided but layers that touch: their tangent stiffness there is none.
+void look_at_layers(const JointModel& model, const State& state, const std::vector<int>& idle, Stability& stability) {
+  if (idle.empty() || stability.free_motions == 0) return;
+  IdleLayers layers(model, state, idle);
+  const auto bars = [&](const VecX& motion) { return layers.bar(motion) && layers.bar(-motion); };
+  bool some = stability.mode.norm() > 0 && layers.bar(stability.mode) && layers.bar(-stability.mode);
+  for (Eigen::Index k = 0; k < stability.neutral.cols(); ++k) some = some || bars(stability.neutral.col(k));
+  if (!some) return;
+  stability.untold = kPressesAtOnce;
+  stability.one_way = true;
+  stability.verdict = Verdict::neutral;
+  stability.smallest = 0;
 }
 
 }  // namespace
 
-void look_one_way(const JointModel& model, const State& state, const Target& target,
-                  const std::vector<double>& layer_loads, Stability& stability) {
-  if (!may_be_idle(model, state, target, layer_loads)) return;
+void look_one_way(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
+                  const Target& target, const std::vector<double>& layer_loads, Stability& stability) {
+  if (touching.empty() && !may_release(model, state, target, layer_loads)) return;
   Released released;
-  if (!release(model, state, target, released)) return;
+  release(model, state, touching, target, released);
+  if (!released.any) return look_at_layers(model, state, released.idle_layers, stability);
   const FreeStiffness free = free_stiffness(released.at, model.scales.length, released.cancelled);
-  const OneSidedStiffness at = among(free, released.planes);
-  take(released, free, at, least_cost(at), stability);
+  take(model, state, released, free, searched(free, free.basis, released.planes), stability);
 }
 
 }  // namespace genu

@@ -78,15 +78,6 @@ MatX trades_of(const MatX& held, Eigen::Index count) {
   return out.topRows(count);
 }
 
-/// `motions` (columns, in the metric) with twists about the bodies' own origins.
-MatX about_own_origins(const Linearization& at, MatX motions) {
-  for (Eigen::Index k = 0; k < at.own_origins.size() / 3; ++k) {
-    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / Stability::kMetricLength);
-    motions.middleRows<3>(6 * k) += turn * motions.middleRows<3>(6 * k + 3);
-  }
-  return motions;
-}
-
 /// The smallest eigenvalue where the length of a motion is measured about the bodies' own origins, far from where
 /// things are: K y = lambda M y on the free motions. The metric M spans so many decades that rounding would hide the
 /// small eigenvalues of M^-1 K, but not the large ones of K^-1 M; the small ones of that are rounding in turn, and left
@@ -119,6 +110,14 @@ MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis)
 }
 
 }  // namespace
+
+MatX about_own_origins(const Linearization& at, MatX motions) {
+  for (Eigen::Index k = 0; k < at.own_origins.size() / 3; ++k) {
+    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / Stability::kMetricLength);
+    motions.middleRows<3>(6 * k) += turn * motions.middleRows<3>(6 * k + 3);
+  }
+  return motions;
+}
 
 VecX stability_metric(Eigen::Index n) {
   VecX out(n);
@@ -164,10 +163,6 @@ FreeStiffness free_stiffness(const Linearization& at, double length_scale, doubl
   return out;
 }
 
-double in_own_metric(const Linearization& at, const MatX& basis, const MatX& stiffness, double cost) {
-  return at.own_origins.size() == 0 ? cost : smallest_about_own_origins(at, basis, stiffness, cost);
-}
-
 Stability assess_stability(const Linearization& at, double length_scale) {
   Stability out;
   const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
@@ -187,7 +182,8 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
   const double real = std::max(kReal * largest, known_to);
   out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
-  out.smallest = in_own_metric(at, basis, stiffness, value.real());
+  out.smallest =
+      at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
   out.flutter = std::abs(value.imag()) > real;
   out.mode = basis * eigen.vectors.col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();

@@ -2,6 +2,7 @@
 // free.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "genu/model/linearization.h"
@@ -22,7 +23,7 @@ struct Stability {
   bool flutter = false;       ///< the smallest belongs to one
   VecX mode;             ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
   bool one_way = false;  ///< something lets go one way, or is stiffer there (one_way.h)
-  bool told = true;      ///< false: that is so in more ways than are looked at; the verdict is neutral then
+  std::string untold;    ///< why the verdict is not known; it is neutral then. Empty: it is
   MatX neutral;          ///< 6B x k: all motions that cost nothing, of an unstable pose too
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
@@ -57,9 +58,8 @@ struct FreeStiffness {
 /// still in it.
 FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled = 0);
 
-/// What counts is where the length of a motion is measured about the bodies' own origins: of an eigenvalue `cost`, the
-/// smallest of `stiffness` among the motions of `basis`, the smallest in that metric.
-double in_own_metric(const Linearization& at, const MatX& basis, const MatX& stiffness, double cost);
+/// `motions` (columns, in the metric) with twists about the bodies' own origins in the file.
+MatX about_own_origins(const Linearization& at, MatX motions);
 
 /// Forces in balance among themselves, a column each, of norm 1 with what conforming surfaces exert besides: of
 /// constraints, then contacts (positive where one presses more), per unit of the generalised force that each of them

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "genu/model/potential_energy.h"
+#include "genu/solver/idle_share.h"
 #include "genu/solver/one_way.h"
 
 namespace genu {
@@ -127,7 +128,8 @@ class StartsSearcher {
     e.first_start = start;
     linearize(model_, e.pose.state, target_, here_);
     e.stability = assess_stability(here_, model_.scales.length);
-    look_one_way(model_, e.pose.state, target_, here_.layer_loads, e.stability);
+    look_one_way(model_, e.pose.state, touching_contacts(solver_, e.pose, e.report.certificate.touching), target_,
+                 here_.layer_loads, e.stability);
     e.energy = potential_energy(model_, e.pose.state, target_);
     out_.equilibria.push_back(std::move(e));
     return out_.equilibria.size() - 1;

@@ -28,17 +28,18 @@ bool singular_at(const JointModel& model, const State& state, const Target& targ
 bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   const JointModel& model = solver.model();
   if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
-  look_one_way(model, point.pose.state, point.target, solver.newton().linearization().layer_loads, point.stability);
-  share_with_idle(solver, point.target, point.report.certificate.touching > 0, point.pose, point.stability);
+  const std::vector<ActiveContact> touching = touching_contacts(solver, point.pose, point.report.certificate.touching);
+  look_one_way(model, point.pose.state, touching, point.target, solver.newton().linearization().layer_loads,
+               point.stability);
+  share_with_idle(solver, point.target, touching, point.pose, point.stability);
   const bool free = point.stability.neutral.cols() > 0;
   const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
   const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
-  point.report.why = !point.stability.told
-                         ? "more is about to become taut, open or touch a stop at once than can be told apart: whether "
-                           "the pose is stable is not known"
+  point.report.why = !point.stability.untold.empty()
+                         ? point.stability.untold + ": whether the pose is stable is not known"
                      : one_way ? "a motion costs no force, at least one way: the pose is one of many"
                      : motion  ? "a motion costs no force: the pose is one of many"
                                : "the same motion is held twice: how the force is shared is not determined";
