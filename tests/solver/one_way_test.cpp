@@ -208,6 +208,34 @@ TEST(OneWay, ABallThatLeavesTheFloorByItselfIsUnstable) {
   EXPECT_GT(s.mode[2], 0.99);
 }
 
+TEST(OneWay, AFloorThatIsJustLeftBarsAllTheSame) {
+  // Lifted until the last row, where it lies on the floor and no contact is held: down is barred, up a strand is taut.
+  const auto w = test::walk(
+      ball_on_floor() + kProps +
+      ligament("strand", "[0, 0, 0]", "[0, 0, -20]", "law = \"linear\"\nstiffness = 400\nreference_strain = 0") +
+      step("prescribe = { " + test::kNoTurn + ", \"j.y\" = 0 }\nload = { weight = [-0.5, 0] }"));
+  ASSERT_EQ(w.points.size(), 2U) << w.story();
+  EXPECT_EQ(w.points[1].report.status, PoseStatus::ok) << w.story();
+  EXPECT_EQ(w.points[1].stability.verdict, Verdict::stable);
+  EXPECT_NEAR(w.points[1].stability.smallest, (10e3 + 2 * 10e3 * (1 - 50.0 / 40)) * 1e-4, 1e-9);
+}
+
+TEST(OneWay, ARiseOfAForceBarsWhatComesFromBelow) {
+  // 2.25 N at the end of the toe, 7.5 N beyond: shorter, the toe's 3 N/mm hold with 10 of a spring against -5 of props.
+  const std::string strand = ligament("rise", "[0, 0, 0]", "[0, 0, 51.5]",
+                                      "law = \"abdel-rahman\"\nstiffness = 10\ntoe_stiffness = 1\n"
+                                      "transition_strain = 0.05\nslack_length = 30");
+  const auto w =
+      test::walk(bone_on_ground("{ z = 20 }") + kProps + strand +
+                 test::spring("hold", "[0, 0, 0]", "[0, 0, 50]", 10, 30) + load("pull", "force = [0, 0, -2.25]") +
+                 step("prescribe = { " + test::kNoTurn + ", \"j.x\" = 0, \"j.y\" = 0 }\nload = { pull = 1 }"));
+  ASSERT_FALSE(w.points.empty()) << w.story();
+  const Stability& s = w.points.back().stability;
+  EXPECT_TRUE(s.one_way);
+  EXPECT_EQ(s.verdict, Verdict::stable);
+  EXPECT_NEAR(s.smallest, (3e3 + 10e3 - 5e3) * 1e-4, 1e-6);
+}
+
 TEST(OneWay, PressedDownNothingOfThatMatters) {
   for (const double weight : {1e-3, 1.0, 1e4}) {
     const auto w = test::walk(
