@@ -116,6 +116,17 @@ State start_state(const JointModel& model) {
   return state;
 }
 
+bool fits_model(const JointModel& model, const State& state) {
+  const auto of_pair = [&](const ActiveContact& c) { return c.pair >= 0 && at(c.pair) < model.pairs.size(); };
+  const auto of_ligament = [&](const LigamentPiece& p) {
+    return p.ligament >= 0 && at(p.ligament) < model.ligaments.size() && p.piece >= 0 &&
+           at(p.piece) + (p.held ? 1 : 0) <= model.ligaments[at(p.ligament)].ligament.law.sharp_breaks().size();
+  };
+  return state.poses.size() == model.bodies.size() && state.coordinates.size() == model.joints.size() &&
+         std::all_of(state.contacts.begin(), state.contacts.end(), of_pair) &&
+         std::all_of(state.pieces.begin(), state.pieces.end(), of_ligament);
+}
+
 int held_count(const State& state) {
   int count = 0;
   for (const LigamentPiece& piece : state.pieces) count += piece.held;

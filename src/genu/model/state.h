@@ -58,6 +58,9 @@ State reference_state(const JointModel& model);
 /// The same at the coordinates where the search for equilibrium starts.
 State start_state(const JointModel& model);
 
+/// Whether a state can be one of the model, by what it counts and names.
+bool fits_model(const JointModel& model, const State& state);
+
 /// The constraints beside those of constraint_count(): ligaments held at a break.
 int held_count(const State& state);
 

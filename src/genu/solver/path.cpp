@@ -75,18 +75,10 @@ class PathRun {
 
  private:
   bool fits(const Balanced& pose) const {
-    const JointModel& model = solver_.model();
-    const auto of_pair = [&](const auto& c) { return c.pair >= 0 && at(c.pair) < model.pairs.size(); };
-    const auto of_ligament = [&](const LigamentPiece& p) {
-      return p.ligament >= 0 && at(p.ligament) < model.ligaments.size() && p.piece >= 0 &&
-             at(p.piece) <= model.ligaments[at(p.ligament)].ligament.law.sharp_breaks().size();
-    };
-    const State& s = pose.state;
-    return s.poses.size() == model.bodies.size() && s.coordinates.size() == model.joints.size() &&
-           pose.last_number.size() == model.pairs.size() &&
-           std::all_of(s.contacts.begin(), s.contacts.end(), of_pair) &&
-           std::all_of(pose.open.begin(), pose.open.end(), of_pair) &&
-           std::all_of(s.pieces.begin(), s.pieces.end(), of_ligament);
+    const auto& pairs = solver_.model().pairs;
+    return fits_model(solver_.model(), pose.state) && pose.last_number.size() == pairs.size() &&
+           std::all_of(pose.open.begin(), pose.open.end(),
+                       [&](const OpenContact& c) { return c.pair >= 0 && at(c.pair) < pairs.size(); });
   }
 
   /// Balances the joint where it stands, then walks to the first values of the step.
