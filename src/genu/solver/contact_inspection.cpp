@@ -179,10 +179,12 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
   }
 }
 
-std::vector<Candidate> ContactInspector::touching(const State& state) const {
+std::vector<Candidate> ContactInspector::touching(const State& state, Touching which) const {
   constexpr double kRounding = 16;  // of the tolerance: of what Newton's method leaves, and levers
   // Along a valley (a cylinder on a plane) one contact stands for all that is pressed.
   const auto is_a_place = [&](const Candidate& c) {
+    const auto of_pair = [&](const ActiveContact& held) { return held.pair == c.pair; };
+    if (which == Touching::all && std::none_of(state.contacts.begin(), state.contacts.end(), of_pair)) return true;
     return least_curvature(*model_, state, {c.pair, 0, c.minimum.contact, 0}) > kNearSplit / field_->spacing();
   };
   std::vector<Candidate> out;
@@ -196,7 +198,8 @@ Certificate ContactInspector::certify(const State& state, double residual) const
   Certificate c;
   c.residual = residual;
   c.smallest_force = c.smallest_gap = c.edge_distance = std::numeric_limits<double>::infinity();
-  c.touching = static_cast<int>(touching(state).size());
+  c.barring = static_cast<int>(touching(state, Touching::all).size());
+  c.touching = c.barring == 0 ? 0 : static_cast<int>(touching(state).size());
   for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
   for (const ActiveContact& contact : state.contacts) {
     const auto& pair = model_->pairs[at(contact.pair)];

@@ -17,6 +17,7 @@ struct Certificate {
   double smallest_gap = 0;    ///< m, over the whole of every pair; +infinity when all are clear
   double least_opposed = -1;  ///< largest n_A . n_B of any contact, -1 is exactly opposed
   double edge_distance = 0;   ///< m: least distance of a contact point to an edge of its patch
+  int barring = 0;            ///< the same, and of pairs without a contact along valleys too: what bars a motion
   int touching = 0;           ///< places where surfaces touch, gap 0 to rounding, and no contact is held
 };
 
@@ -69,7 +70,8 @@ class ContactInspector {
   void inspect(const State& state, Findings& out);
 
   /// Where surfaces touch, at a point, in the state inspected last and no contact is held.
-  std::vector<Candidate> touching(const State& state) const;
+  enum class Touching { places, all };  ///< all: along valleys too, of pairs that hold no contact
+  std::vector<Candidate> touching(const State& state, Touching which = Touching::places) const;
 
   /// The facts at the state inspected last.
   Certificate certify(const State& state, double residual) const;

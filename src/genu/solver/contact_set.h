@@ -67,7 +67,8 @@ class ContactSetSolver {
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
   /// Where surfaces touch in a solved state and no contact is held.
-  std::vector<Candidate> touching(const State& state);
+  std::vector<Candidate> touching(const State& state,
+                                  ContactInspector::Touching which = ContactInspector::Touching::places);
 
   /// Follows open contacts to the new pose and forgets those that are no more.
   void follow_open(Balanced& pose);

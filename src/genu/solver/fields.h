@@ -83,7 +83,7 @@ void serialize(Archive& a, NewtonReport& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Certificate& x) {
-  a(x.residual, x.smallest_force, x.smallest_gap, x.least_opposed, x.edge_distance, x.touching);
+  a(x.residual, x.smallest_force, x.smallest_gap, x.least_opposed, x.edge_distance, x.barring, x.touching);
 }
 template <typename Archive>
 void serialize(Archive& a, PoseReport& x) {

@@ -9,7 +9,8 @@
 namespace genu {
 namespace {
 
-constexpr std::size_t kMost = 12;  // touching places looked at, those with the smallest gap
+constexpr double kRounding = 1e-9;  // of a trade, whose norm is 1: what takes part by less takes none
+constexpr std::size_t kMost = 60;   // touching places looked at, those with the smallest gap
 
 std::vector<Candidate> nearest(std::vector<Candidate> touching) {
   std::stable_sort(touching.begin(), touching.end(),
@@ -23,9 +24,10 @@ MatX no_less(const MatX& trades, const State& state, double no_force) {
   const auto first = trades.rows() - static_cast<Eigen::Index>(state.contacts.size());
   MatX out(0, trades.cols());
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-    if (std::abs(state.contacts[c].force) > no_force) continue;
+    const auto row = trades.row(first + static_cast<Eigen::Index>(c));
+    if (std::abs(state.contacts[c].force) > no_force || row.norm() < kRounding) continue;
     out.conservativeResize(out.rows() + 1, Eigen::NoChange);
-    out.bottomRows<1>() = -trades.row(first + static_cast<Eigen::Index>(c));
+    out.bottomRows<1>() = -row;
   }
   return out;
 }
@@ -40,19 +42,11 @@ std::vector<int> possible(const MatX& trades, const MatX& bounds) {
 
 }  // namespace
 
-std::vector<ActiveContact> touching_contacts(ContactSetSolver& solver, const Balanced& pose, int count) {
-  if (count == 0) return {};
+void share_with_idle(ContactSetSolver& solver, const Target& target, bool touching, Balanced& pose,
+                     Stability& stability) {
+  if (!touching && stability.redundant.empty()) return;
   Balanced closed = pose;
-  for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
-  const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
-  return {first, closed.state.contacts.end()};
-}
-
-void share_with_idle(ContactSetSolver& solver, const Target& target, const std::vector<ActiveContact>& touching,
-                     Balanced& pose, Stability& stability) {
-  if (touching.empty() && stability.redundant.empty()) return;
-  Balanced closed = pose;
-  if (!touching.empty())
+  if (touching)
     for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
   const JointModel& model = solver.model();
   Linearization at;

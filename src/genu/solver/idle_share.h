@@ -8,13 +8,10 @@
 
 namespace genu {
 
-/// Contacts that would be held at the `count` places where surfaces touch and none is: those with the smallest gap.
-std::vector<ActiveContact> touching_contacts(ContactSetSolver& solver, const Balanced& pose, int count);
-
-/// Looks at a solved pose, whose `stability` is known, where forces can be traded or `touching` contacts are not held.
-/// Of all trades those count in which no contact without force would pull. Stability::redundant
+/// Looks at a solved pose, whose `stability` is known, where forces can be traded or surfaces touch and no contact is
+/// held (`touching`). Of all trades those count in which no contact without force would pull. Stability::redundant
 /// names what takes part in them; the contacts among that which are not held become contacts of `pose` without force.
-void share_with_idle(ContactSetSolver& solver, const Target& target, const std::vector<ActiveContact>& touching,
-                     Balanced& pose, Stability& stability);
+void share_with_idle(ContactSetSolver& solver, const Target& target, bool touching, Balanced& pose,
+                     Stability& stability);
 
 }  // namespace genu

@@ -7,8 +7,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/solver/contact_choice.h"
-#include "genu/solver/idle_share.h"
-#include "genu/solver/one_way.h"
+#include "genu/solver/uniqueness.h"
 
 namespace genu {
 namespace {
@@ -99,15 +98,8 @@ bool MotionContacts::balance(MotionPoint& point, std::string& why) {
                       report.why.empty() ? "" : ", " + report.why);
     return false;
   }
-  Linearization here;
-  const auto unstable = [&](const Balanced& pose_there, const PoseReport& as) {
-    const State& state = pose_there.state;
-    linearize(model_, state, target, here);
-    Stability stability = assess_stability(here, model_.scales.length);
-    if (model_.safeguards.has(Safeguard::uniqueness))
-      look_one_way(model_, state, touching_contacts(solver_, pose_there, as.certificate.touching), target,
-                   here.layer_loads, stability);
-    return stability.verdict == Stability::Verdict::unstable;
+  const auto unstable = [&](const Balanced& there, const PoseReport& as) {
+    return stability_of(solver_, there, as, target).verdict == Stability::Verdict::unstable;
   };
   if (unstable(pose, report)) {
     Balanced lower;

@@ -13,6 +13,7 @@ namespace {
 constexpr int kMostCases = 20000;
 constexpr double kParallel = 1e-12;  // rows that differ by less are one
 constexpr double kSymmetric = 1e-12;
+constexpr double kInside = 1e-9;  // of a motion's norm: what leaves a bound by less is on it
 
 MatX symmetric_part(const MatX& K) { return (K + K.transpose()) / 2; }
 
@@ -165,11 +166,12 @@ class Search {
     const Case here = case_of(is);
     const MatX basis = null_space(here.within, kParallel);
     if (basis.cols() == 0) return;
-    // A motion that is known to be on these sides saves the search for one.
+    // A motion that is known to be on these sides saves the search for one. Where none is inside, others have them all.
     VecX inside = known;
-    if (inside.size() == 0 || here.within.rows() > 0 || !within(here.bounds, inside))
-      inside = allowed(here.bounds, basis);
-    if (inside.size() == 0) return;
+    const bool known_inside = inside.size() > 0 && here.within.rows() == 0 &&
+                              (here.bounds.rows() == 0 || (here.bounds * inside).maxCoeff() < -kInside);
+    if (!known_inside) inside = way_inside(here.bounds, basis);
+    if (inside.isZero(0)) return;
     const MatX K = basis.transpose() * here.stiffness * basis;
     const bool bounded = symmetric_;  // else a complex pair may be where nothing costs little
     VecX softest = inside;

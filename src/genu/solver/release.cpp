@@ -32,38 +32,49 @@ double to_end(const JointModel& model, const LigamentPiece& p) {
 /// How far the pose, and its forces, may be from what is meant.
 class Accuracy {
  public:
-  Accuracy(const JointModel& model, const Target& target, const Linearization& at) {
+  Accuracy(const JointModel& model, const Target& target, const Linearization& at)
+      : most_(kHardly * model.scales.force), solved_(kSolved * model.scales.length), at_(at) {
     constexpr double kRounding = 1e-15;
-    const double length = model.scales.length;
-    double unbalanced = 0, stiffest = 0;  // N, N/m
-    for (Eigen::Index i = 0; i < at.wrench.size(); ++i) {
-      unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : length));
-      stiffest = std::max(stiffest, std::abs(at.stiffness(i, i)) / (i % 6 < 3 ? 1 : length * length));
-    }
-    most_ = kHardly * model.scales.force;
-    force_ = 2 * unbalanced + kRounding * model.scales.force + kSolved * length * stiffest;
-    correction_.resize(model.moving_count, static_cast<int>(at.constraint.size()),
-                       static_cast<int>(at.contacts.size()));
+    double unbalanced = 0;  // N
+    for (Eigen::Index i = 0; i < at.wrench.size(); ++i)
+      unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : model.scales.length));
+    force_ = 2 * unbalanced + kRounding * model.scales.force;
     twist_.setZero(at.wrench.size());
     NewtonStep step(model);
-    Correction found = correction_;
+    correction_.resize(model.moving_count, static_cast<int>(at.constraint.size()),
+                       static_cast<int>(at.contacts.size()));
     if (!step.factor(at, target) || !step.linear().full_rank()) return;
-    step.solve(at, found);
-    if (!found.twist.allFinite() || !found.forces.allFinite() || !found.multipliers.allFinite()) return;
-    correction_ = std::move(found);
-    twist_ = kTimes * correction_.twist;
+    step.solve(at, correction_);
+    known_ = correction_.twist.allFinite() && correction_.forces.allFinite() && correction_.multipliers.allFinite();
+    if (known_) twist_ = kTimes * correction_.twist;
   }
 
   /// N: no more than this is none.
   double force() const { return std::min(force_, most_); }
-  double of_contact(std::size_t i) const { return also(correction_.forces[static_cast<Eigen::Index>(i)]); }
-  double of_multiplier(Eigen::Index i) const { return also(correction_.multipliers[i]); }
+  /// The same of a contact, whose bodies are held as stiffly as they are. Where forces can be traded each is anything.
+  double of_contact(std::size_t c) const {
+    double stiffest = 0;  // N/m
+    for (const int body : at_.contact_bodies[c])
+      if (body >= 0)
+        stiffest = std::max(stiffest, at_.stiffness.block<3, 3>(6 * body, 6 * body).diagonal().cwiseAbs().maxCoeff());
+    return also(known_ ? correction_.forces[static_cast<Eigen::Index>(c)] : most_, stiffest);
+  }
+  double of_multiplier(Eigen::Index i) const {
+    double stiffest = 0;  // N/m
+    for (Eigen::Index k = 0; k < at_.wrench.size(); ++k)
+      if (k % 6 < 3) stiffest = std::max(stiffest, std::abs(at_.stiffness(k, k)));
+    return also(known_ ? correction_.multipliers[i] : most_, stiffest);
+  }
   const VecX& twist() const { return twist_; }
 
  private:
-  double also(double correction) const { return std::min(std::max(force_, kTimes * std::abs(correction)), most_); }
+  double also(double correction, double stiffest) const {
+    return std::min(std::max(force_, kTimes * std::abs(correction)) + solved_ * stiffest, most_);
+  }
 
-  double force_ = 0, most_ = 0;
+  double most_, solved_, force_ = 0;
+  const Linearization& at_;
+  bool known_ = false;
   Correction correction_;
   VecX twist_;
 };
@@ -203,14 +214,15 @@ bool may_release(const JointModel& model, const State& state, const Target& targ
 void release(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
              const Target& target, Released& out) {
   linearize(model, state, target, out.at);
-  const Accuracy accuracy(model, target, out.at);
+  const Linearization solved = out.at;
+  const Accuracy accuracy(model, target, solved);
   out.conforming.resize(0, out.at.wrench.size());
   State loose = state;
   out.any = release_contacts(model, touching, target, accuracy, loose, out);
   out.any = release_held(model, target, accuracy, loose, out) || out.any;
   if (out.any) linearize(model, loose, target, out.at);
   out.any = release_layers(model, state, accuracy.force(), out) || out.any;
-  out.any = release_kinks(model, loose, target, accuracy, out) || out.any;
+  out.any = release_kinks(model, state, target, accuracy, out) || out.any;
 }
 
 }  // namespace genu

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "genu/model/potential_energy.h"
-#include "genu/solver/idle_share.h"
-#include "genu/solver/one_way.h"
+#include "genu/solver/uniqueness.h"
 
 namespace genu {
 namespace {
@@ -126,10 +125,7 @@ class StartsSearcher {
     e.report = settled.report;
     e.found = found;
     e.first_start = start;
-    linearize(model_, e.pose.state, target_, here_);
-    e.stability = assess_stability(here_, model_.scales.length);
-    look_one_way(model_, e.pose.state, touching_contacts(solver_, e.pose, e.report.certificate.touching), target_,
-                 here_.layer_loads, e.stability);
+    e.stability = stability_of(solver_, e.pose, e.report, target_);
     e.energy = potential_energy(model_, e.pose.state, target_);
     out_.equilibria.push_back(std::move(e));
     return out_.equilibria.size() - 1;
@@ -230,7 +226,6 @@ class StartsSearcher {
   const StartOptions& options_;
   const Cancelled& cancelled_;
   ContactSetSolver solver_;
-  Linearization here_;
   StartSearch out_;
 };
 

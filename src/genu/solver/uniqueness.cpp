@@ -23,15 +23,34 @@ bool singular_at(const JointModel& model, const State& state, const Target& targ
   return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
 }
 
+/// look_one_way(), with all that touches and is not held.
+void look_at_what_touches(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report,
+                          const Target& target, const std::vector<double>& layer_loads, Stability& stability) {
+  Balanced closed = pose;
+  if (report.certificate.barring > 0)
+    for (const Candidate& c : solver.touching(pose.state, ContactInspector::Touching::all)) solver.close(closed, c);
+  const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
+  look_one_way(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads, stability);
+}
+
 }  // namespace
+
+Stability stability_of(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target) {
+  const JointModel& model = solver.model();
+  Linearization at;
+  linearize(model, pose.state, target, at);
+  Stability out = assess_stability(at, model.scales.length);
+  if (model.safeguards.has(Safeguard::uniqueness))
+    look_at_what_touches(solver, pose, report, target, at.layer_loads, out);
+  return out;
+}
 
 bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   const JointModel& model = solver.model();
   if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
-  const std::vector<ActiveContact> touching = touching_contacts(solver, point.pose, point.report.certificate.touching);
-  look_one_way(model, point.pose.state, touching, point.target, solver.newton().linearization().layer_loads,
-               point.stability);
-  share_with_idle(solver, point.target, touching, point.pose, point.stability);
+  look_at_what_touches(solver, point.pose, point.report, point.target, solver.newton().linearization().layer_loads,
+                       point.stability);
+  share_with_idle(solver, point.target, point.report.certificate.touching > 0, point.pose, point.stability);
   const bool free = point.stability.neutral.cols() > 0;
   const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
   const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));

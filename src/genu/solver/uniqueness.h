@@ -10,4 +10,7 @@ namespace genu {
 /// where it has solved that pose, or one beside it.
 bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point);
 
+/// Of a solved pose, what holds one way only looked at the other way too.
+Stability stability_of(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target);
+
 }  // namespace genu

@@ -15,4 +15,9 @@ bool within(const MatX& bounds, const VecX& motion);
 /// exists. What is returned has been held to the bounds, and leaves one by more than 1e-6 of its norm.
 VecX way_out(const MatX& bounds, const MatX& motions);
 
+/// One that leaves all bounds (but those that no motion comes to) by more than 1e-9 of its norm; of zeros where there
+/// is none. The rows of R, of norm 1, have a nearest point to 0 in their convex hull; the motion is opposite to it, and
+/// exists, by Gordan's theorem, unless that point is 0.
+VecX way_inside(const MatX& bounds, const MatX& motions);
+
 }  // namespace genu
