@@ -179,7 +179,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
   }
 }
 
-std::vector<Candidate> ContactInspector::touching(const State& state, Touching which) const {
+std::vector<Candidate> ContactInspector::touching(const State& state, Touching which, double within) const {
   constexpr double kRounding = 16;  // of the tolerance: of what Newton's method leaves, and levers
   // Along a valley (a cylinder on a plane) one contact stands for all that is pressed.
   const auto is_a_place = [&](const Candidate& c) {
@@ -189,7 +189,7 @@ std::vector<Candidate> ContactInspector::touching(const State& state, Touching w
   };
   std::vector<Candidate> out;
   for (const Candidate& c : survey_.minima)
-    if (c.minimum.gap <= kRounding * gap_tolerance_ && !held(state, c) && is_a_place(c))
+    if (c.minimum.gap <= std::max(kRounding * gap_tolerance_, within) && !held(state, c) && is_a_place(c))
       add_distinct(out, c, same_contact());
   return out;
 }
@@ -198,7 +198,7 @@ Certificate ContactInspector::certify(const State& state, double residual) const
   Certificate c;
   c.residual = residual;
   c.smallest_force = c.smallest_gap = c.edge_distance = std::numeric_limits<double>::infinity();
-  c.barring = static_cast<int>(touching(state, Touching::all).size());
+  c.barring = static_cast<int>(touching(state, Touching::all, residual * model_->scales.length).size());
   c.touching = c.barring == 0 ? 0 : static_cast<int>(touching(state).size());
   for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
   for (const ActiveContact& contact : state.contacts) {

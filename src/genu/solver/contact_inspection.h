@@ -71,7 +71,7 @@ class ContactInspector {
 
   /// Where surfaces touch, at a point, in the state inspected last and no contact is held.
   enum class Touching { places, all };  ///< all: along valleys too, of pairs that hold no contact
-  std::vector<Candidate> touching(const State& state, Touching which = Touching::places) const;
+  std::vector<Candidate> touching(const State& state, Touching which = Touching::places, double within = 0) const;
 
   /// The facts at the state inspected last.
   Certificate certify(const State& state, double residual) const;

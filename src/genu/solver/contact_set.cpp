@@ -102,10 +102,10 @@ PoseReport ContactSetSolver::inspect(const State& state, const NewtonReport& new
   return judge(state, newton, findings);
 }
 
-std::vector<Candidate> ContactSetSolver::touching(const State& state, ContactInspector::Touching which) {
+std::vector<Candidate> ContactSetSolver::touching(const State& state, ContactInspector::Touching which, double within) {
   Findings findings;
   inspector_.inspect(state, findings);
-  return inspector_.touching(state, which);
+  return inspector_.touching(state, which, within);
 }
 
 void ContactSetSolver::close(Balanced& pose, const Candidate& candidate) const {

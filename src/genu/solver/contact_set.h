@@ -66,9 +66,13 @@ class ContactSetSolver {
   /// in long steps, then in short ones.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
+  /// The residual that Newton's method is to come below; where rounding keeps it above, it may accept a larger one.
+  double tolerance() const { return options_.residual_tolerance; }
+
   /// Where surfaces touch in a solved state and no contact is held.
   std::vector<Candidate> touching(const State& state,
-                                  ContactInspector::Touching which = ContactInspector::Touching::places);
+                                  ContactInspector::Touching which = ContactInspector::Touching::places,
+                                  double within = 0);
 
   /// Follows open contacts to the new pose and forgets those that are no more.
   void follow_open(Balanced& pose);

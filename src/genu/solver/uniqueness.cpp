@@ -28,7 +28,9 @@ void look_at_what_touches(ContactSetSolver& solver, const Balanced& pose, const 
                           const Target& target, const std::vector<double>& layer_loads, Stability& stability) {
   Balanced closed = pose;
   if (report.certificate.barring > 0)
-    for (const Candidate& c : solver.touching(pose.state, ContactInspector::Touching::all)) solver.close(closed, c);
+    for (const Candidate& c : solver.touching(pose.state, ContactInspector::Touching::all,
+                                              report.certificate.residual * solver.model().scales.length))
+      solver.close(closed, c);
   const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
   look_one_way(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads, stability);
 }
@@ -54,14 +56,19 @@ bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   const bool free = point.stability.neutral.cols() > 0;
   const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
   const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
-  if (!motion && point.stability.redundant.empty()) return true;
+  // Where Newton's method comes no nearer along singular equations, there may be nothing to come to.
+  const bool stuck =
+      point.report.certificate.residual > solver.tolerance() && singular_at(model, point.pose.state, point.target);
+  if (!motion && !stuck && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
-  point.report.why = !point.stability.untold.empty()
-                         ? point.stability.untold + ": whether the pose is stable is not known"
-                     : one_way ? "a motion costs no force, at least one way: the pose is one of many"
-                     : motion  ? "a motion costs no force: the pose is one of many"
-                               : "the same motion is held twice: how the force is shared is not determined";
+  point.report.why =
+      !point.stability.untold.empty() ? point.stability.untold + ": whether the pose is stable is not known"
+      : one_way                       ? "a motion costs no force, at least one way: the pose is one of many"
+      : motion                        ? "a motion costs no force: the pose is one of many"
+      : stuck ? "the equations are singular and not solved better than that: the pose, or how the force is "
+                "shared, is not determined"
+              : "the same motion is held twice: how the force is shared is not determined";
   return false;
 }
 
