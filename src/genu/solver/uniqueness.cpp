@@ -56,9 +56,9 @@ bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   const bool free = point.stability.neutral.cols() > 0;
   const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
   const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
-  // Where Newton's method comes no nearer along singular equations, there may be nothing to come to.
-  const bool stuck =
-      point.report.certificate.residual > solver.tolerance() && singular_at(model, point.pose.state, point.target);
+  // Where contacts oppose one another and Newton stops short along singular equations, there may be no answer.
+  const bool stuck = point.pose.state.contacts.size() > 1 && point.report.certificate.residual > solver.tolerance() &&
+                     singular_at(model, point.pose.state, point.target);
   if (!motion && !stuck && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
