@@ -89,5 +89,42 @@ TEST(IdleShare, AFootThatDoesNotReachTheFloorHasNoPart) {
   EXPECT_NEAR(largest, 24, 1e-4);
 }
 
+/// Strands upright at `places` (mm), each at its jump from 2.25 to 7.5 N, that carry `load_N` together at x = `at`;
+/// springs keep the rest.
+std::string hung_on(const std::vector<double>& places, double load_N, double at = 0) {
+  std::string out = bone_on_ground();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    out += test::ligament("t" + std::to_string(i), vec({places[i], 0, 0}), vec({places[i], 0, 31.5}),
+                          "law = \"abdel-rahman\"\nstiffness = 10\ntoe_stiffness = 1\ntransition_strain = 0.05\n"
+                          "slack_length = 30");
+  return out + spring("x", "[0, 0, 20]", "[50, 0, 20]", 0.1, 50) + spring("y", "[0, 0, -20]", "[0, 50, -20]", 0.1, 50) +
+         spring("c", "[0, 20, -20]", "[50, 20, -20]", 0.1, 50) +
+         load("w", "force = [0, 0, " + std::to_string(-load_N) + "]\npoint = " + vec({at, 0, 0})) +
+         step("prescribe = { \"j.a\" = 0 }\nload = { w = 1 }");
+}
+
+TEST(IdleShare, ThreeStrandsAtTheirJumpsShareALoadInManyWays) {
+  for (const double load_N : {7.0, 10.0, 13.5, 18.0, 22.0}) {
+    const auto w = test::walk(hung_on({-10, 0, 10}, load_N));
+    ASSERT_FALSE(w.points.empty());
+    // Found with forces, or not found as no two of three can be chosen: never one choice passed for the answer.
+    EXPECT_FALSE(w.result.complete) << load_N << w.story();
+    if (w.points[0].report.status != PoseStatus::undetermined) continue;
+    EXPECT_EQ(w.points[0].undetermined.shared_ligaments, (std::vector<int>{0, 1, 2})) << load_N;
+  }
+}
+
+TEST(IdleShare, AtTheEndsOfTheirJumpsStrandsLeaveNoChoice) {
+  for (const double load_N : {6.75, 22.5}) {
+    const auto w = test::walk(hung_on({-10, 0, 10}, load_N));
+    EXPECT_TRUE(w.result.complete) << load_N << w.story();
+  }
+}
+
+TEST(IdleShare, TwoStrandsAtTheirJumpsAreHeldByLevers) {
+  const auto w = test::walk(hung_on({-10, 10}, 9, 2));
+  EXPECT_TRUE(w.result.complete) << w.story();
+}
+
 }  // namespace
 }  // namespace genu

@@ -49,7 +49,7 @@ Stability stability_of_fan(const std::vector<double>& directions, const std::str
   Linearization here;
   linearize(s.model, state, target, here);
   Stability out = assess_stability(here, s.model.scales.length);
-  look_one_way(s.model, state, {}, target, here.layer_loads, out);
+  look_one_way(s.model, state, {}, target, here.layer_loads, 0, out);
   return out;
 }
 

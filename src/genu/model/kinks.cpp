@@ -17,15 +17,24 @@ class Finder {
       : model_(model), state_(state), target_(target), reach_(reach) {}
 
   std::vector<Kink> find() {
+    find_all();
+    return std::move(out_);
+  }
+
+  bool any() {
+    find_all();
+    return met_ || !out_.empty();
+  }
+
+ private:
+  void find_all() {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) add_ligament(i);
     for (const JointSpring& spring : model_.joint_springs) add_stops(spring);
     for (std::size_t i = 0; i < model_.loads.size(); ++i)
       if (target_.load_factors[i] != 0) add_scale(model_.loads[i], target_.load_factors[i]);
     for (const Load& weight : model_.weights) add_scale(weight, 1);
-    return std::move(out_);
   }
 
- private:
   /// m, rad: how far a motion along `gradient` may still go.
   double reach(double unit, const VecX& gradient) const {
     const double moved = reach_.twist.size() > 0 ? std::abs(reach_.twist.dot(gradient)) : 0;
@@ -33,7 +42,8 @@ class Finder {
   }
 
   /// Of several that the pose is so near to, the stiffness below the first and above the last.
-  static void meet(double below, double above, std::optional<Kink>& kink) {
+  void meet(double below, double above, std::optional<Kink>& kink) {
+    met_ = true;
     if (!kink) kink = Kink{.gradient = {}, .wrench = {}, .below = below};
     kink->above = above;
   }
@@ -60,7 +70,12 @@ class Finder {
       if (gradient.size() == 0) gradient = ligament_length_gradient(model_, l, state_.poses);
       if (!(begun && force <= reach_.idle) && std::abs(past) > reach(unit, gradient)) continue;
       if (b.jumps())
-        out_.push_back({.gradient = gradient, .wrench = {}, .jump = b.force_jump(), .beyond = on > pieces});
+        out_.push_back({.gradient = gradient,
+                        .wrench = {},
+                        .jump = b.force_jump(),
+                        .beyond = on > pieces,
+                        .ligament = static_cast<int>(i),
+                        .law_break = pieces});
       else
         meet(b.below.stiffness, b.above.stiffness, kink);
     }
@@ -124,6 +139,7 @@ class Finder {
   const Target& target_;
   const KinkReach& reach_;
   std::vector<Kink> out_;
+  bool met_ = false;
 };
 
 }  // namespace
@@ -131,6 +147,10 @@ class Finder {
 std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target,
                              const KinkReach& reach) {
   return Finder(model, state, target, reach).find();
+}
+
+bool any_kink_near(const JointModel& model, const State& state, const Target& target, const KinkReach& reach) {
+  return Finder(model, state, target, reach).any();
 }
 
 }  // namespace genu

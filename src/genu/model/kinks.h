@@ -16,6 +16,8 @@ struct Kink {
   double here = 0;              ///< the one that linearize() takes at the state
   double jump = 0;              ///< N: of a ligament's force, from below to above; the slopes mean nothing then
   bool beyond = false;          ///< of a jump: the state has the force above
+  int ligament = -1;            ///< of a jump: whose it is,
+  int law_break = 0;            ///< and which of its sharp breaks
 };
 
 /// What counts as near: how well a pose is known.
@@ -31,5 +33,8 @@ struct KinkReach {
 /// Those within reach. Of several breaks of one law that are, what lies between them counts for nothing; what a
 /// ligament held at a jump does is none.
 std::vector<Kink> kinks_near(const JointModel& model, const State& state, const Target& target, const KinkReach& reach);
+
+/// Whether any break is within reach, even where several together are no kink.
+bool any_kink_near(const JointModel& model, const State& state, const Target& target, const KinkReach& reach);
 
 }  // namespace genu

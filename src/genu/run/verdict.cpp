@@ -95,6 +95,8 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
     forces.push_back(fmt::format("contact {}.{}", prepared.scene.contacts[static_cast<std::size_t>(contact.pair)].name,
                                  contact.number));
   }
+  for (const int l : u.shared_ligaments)
+    forces.push_back("ligament " + prepared.model.ligaments[static_cast<std::size_t>(l)].name);
   std::string out;
   if (!motion.empty())
     out +=

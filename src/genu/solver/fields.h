@@ -96,7 +96,7 @@ void serialize(Archive& a, Stability& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Undetermined& x) {
-  a(x.free_motion, x.shared_reactions, x.shared_contacts);
+  a(x.free_motion, x.shared_reactions, x.shared_contacts, x.shared_ligaments);
 }
 template <typename Archive>
 void serialize(Archive& a, PosePoint& x) {

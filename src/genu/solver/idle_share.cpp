@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "genu/core/decompositions.h"
+#include "genu/model/ligament_pieces.h"
+#include "genu/solver/pose_accuracy.h"
 #include "genu/solver/way_out.h"
 
 namespace genu {
@@ -19,17 +21,62 @@ std::vector<Candidate> nearest(std::vector<Candidate> touching) {
   return touching;
 }
 
-/// The rows of `trades` that belong to contacts without force, as bounds: none of these may press less.
-MatX no_less(const MatX& trades, const State& state, double no_force) {
-  const auto first = trades.rows() - static_cast<Eigen::Index>(state.contacts.size());
-  MatX out(0, trades.cols());
-  for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-    const auto row = trades.row(first + static_cast<Eigen::Index>(c));
-    if (std::abs(state.contacts[c].force) > no_force || row.norm() < kRounding) continue;
-    out.conservativeResize(out.rows() + 1, Eigen::NoChange);
-    out.bottomRows<1>() = -row;
+/// What a force may do in a trade that has come to an end of what it can be.
+enum class May { anything, grow, fall };
+
+/// The rows of `trades` that are no less, or no more, as bounds.
+class Bounds {
+ public:
+  explicit Bounds(const MatX& trades) : trades_(trades), rows_(0, trades.cols()) {}
+
+  void add(Eigen::Index row, May may) {
+    if (may == May::anything || trades_.row(row).norm() < kRounding) return;
+    rows_.conservativeResize(rows_.rows() + 1, Eigen::NoChange);
+    rows_.bottomRows<1>() = (may == May::grow ? -1 : 1) * trades_.row(row);
   }
-  return out;
+  const MatX& rows() const { return rows_; }
+
+ private:
+  const MatX& trades_;
+  MatX rows_;
+};
+
+May of_held(const JointModel& model, const LigamentPiece& p, double no_force) {
+  const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
+  const auto [low, high] = std::minmax(b.below.force, b.above.force);
+  return p.force <= low + no_force ? May::grow : p.force >= high - no_force ? May::fall : May::anything;
+}
+
+/// Contacts without force may not pull, ligaments held at a jump have no force beyond its ends.
+MatX bounds_of(const JointModel& model, const Target& target, const MatX& trades, const State& state) {
+  const double no_force = ContactInspector::kForceTolerance * model.scales.force;
+  Bounds out(trades);
+  auto row = static_cast<Eigen::Index>(constraint_count(model, target));
+  for (const LigamentPiece& p : state.pieces)
+    if (p.held) out.add(row++, of_held(model, p, no_force));
+  for (const ActiveContact& c : state.contacts)
+    out.add(row++, std::abs(c.force) > no_force ? May::anything : May::grow);
+  return out.rows();
+}
+
+/// Whether there may be a ligament at a jump of its force, told without the equations.
+bool may_jump(const JointModel& model, const State& state, const Target& target, double residual) {
+  const auto kinks = kinks_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
+  return std::any_of(kinks.begin(), kinks.end(), [](const Kink& k) { return k.jump > 0; });
+}
+
+/// Ligaments at a length where their force jumps up, as held there: any force between could balance too.
+void hold_at_jumps(const JointModel& model, const Target& target, const PoseAccuracy& accuracy, State& state) {
+  for (const Kink& k : kinks_near(model, state, target, accuracy.reach())) {
+    if (!(k.jump > 0)) continue;
+    const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
+                                    [&](const LigamentPiece& p) { return p.ligament == k.ligament; });
+    if (piece == state.pieces.end()) continue;
+    const LawBreak& b = model.ligaments[at(k.ligament)].ligament.law.sharp_breaks()[at(k.law_break)];
+    piece->force = k.beyond ? b.above.force : b.below.force;
+    piece->piece = k.law_break;
+    piece->held = true;
+  }
 }
 
 /// The rows of `trades` that can take part in one, where what `bounds` says holds.
@@ -42,18 +89,23 @@ std::vector<int> possible(const MatX& trades, const MatX& bounds) {
 
 }  // namespace
 
-void share_with_idle(ContactSetSolver& solver, const Target& target, bool touching, Balanced& pose,
+void share_with_idle(ContactSetSolver& solver, const Target& target, const Certificate& certificate, Balanced& pose,
                      Stability& stability) {
-  if (!touching && stability.redundant.empty()) return;
+  const JointModel& model = solver.model();
+  const bool touching = certificate.touching > 0, unsolved = certificate.residual > solver.tolerance();
+  if (!touching && !unsolved && stability.redundant.empty() &&
+      !may_jump(model, pose.state, target, certificate.residual))
+    return;
+  Linearization at;
+  linearize(model, pose.state, target, at);
+  const PoseAccuracy accuracy(model, target, at);
   Balanced closed = pose;
+  hold_at_jumps(model, target, accuracy, closed.state);
   if (touching)
     for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
-  const JointModel& model = solver.model();
-  Linearization at;
   linearize(model, closed.state, target, at);
-  const MatX trades = force_trades(at, model.scales.length);
-  const double no_force = ContactInspector::kForceTolerance * model.scales.force;
-  stability.redundant = possible(trades, no_less(trades, closed.state, no_force));
+  const MatX trades = force_trades(at, model.scales.length, accuracy.of_rows());
+  stability.redundant = possible(trades, bounds_of(model, target, trades, closed.state));
   if (!stability.redundant.empty()) pose = std::move(closed);
 }
 

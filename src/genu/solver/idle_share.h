@@ -1,6 +1,7 @@
-// Contacts that touch and carry nothing, of which a force could: between four feet of a stool a load is shared in many
-// ways, in some of which one carries nothing. Such a foot opens at gap 0, and those that are left have forces that look
-// determined. And four that are all held share a load over the line between two of them in one way only.
+// Forces that could be others, though those that are held look determined. Contacts that touch and carry nothing:
+// between four feet of a stool a load is shared in many ways, in some of which one carries nothing; such a foot opens
+// at gap 0. And four that are all held share a load over the line between two of them in one way only. Ligaments at a
+// length where their force jumps up: it could be any between.
 #pragma once
 
 #include "genu/solver/contact_set.h"
@@ -8,10 +9,12 @@
 
 namespace genu {
 
-/// Looks at a solved pose, whose `stability` is known, where forces can be traded or surfaces touch and no contact is
-/// held (`touching`). Of all trades those count in which no contact without force would pull. Stability::redundant
-/// names what takes part in them; the contacts among that which are not held become contacts of `pose` without force.
-void share_with_idle(ContactSetSolver& solver, const Target& target, bool touching, Balanced& pose,
+/// Looks at a solved pose, whose `stability` is known, where forces can be traded, surfaces touch and no contact is
+/// held, a ligament stands at a jump of its force, or Newton's method has come no nearer than what rows are then known
+/// to (PoseAccuracy::of_rows). Of all trades those count in which no contact without force would pull, and no ligament
+/// would leave its jump. Stability::redundant names what takes part in them; what of that is not held becomes contacts
+/// of `pose` without force, and ligaments held at their jumps.
+void share_with_idle(ContactSetSolver& solver, const Target& target, const Certificate& certificate, Balanced& pose,
                      Stability& stability);
 
 }  // namespace genu

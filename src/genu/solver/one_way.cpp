@@ -202,7 +202,7 @@ void look_at_layers(const JointModel& model, const State& state, const std::vect
   if (idle.empty() || stability.free_motions == 0) return;
   IdleLayers layers(model, state, idle);
   const auto bars = [&](const VecX& motion) { return layers.bar(motion) && layers.bar(-motion); };
-  bool some = stability.mode.norm() > 0 && layers.bar(stability.mode) && layers.bar(-stability.mode);
+  bool some = stability.mode.norm() > 0 && bars(stability.mode);
   for (Eigen::Index k = 0; k < stability.neutral.cols(); ++k) some = some || bars(stability.neutral.col(k));
   if (!some) return;
   stability.untold = kPressesAtOnce;
@@ -214,8 +214,8 @@ void look_at_layers(const JointModel& model, const State& state, const std::vect
 }  // namespace
 
 void look_one_way(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
-                  const Target& target, const std::vector<double>& layer_loads, Stability& stability) {
-  if (touching.empty() && !may_release(model, state, target, layer_loads)) return;
+                  const Target& target, const std::vector<double>& layer_loads, double residual, Stability& stability) {
+  if (touching.empty() && !may_release(model, state, target, layer_loads, residual)) return;
   Released released;
   release(model, state, touching, target, released);
   if (!released.any) return look_at_layers(model, state, released.idle_layers, stability);

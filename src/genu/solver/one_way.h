@@ -18,9 +18,9 @@ namespace genu {
 /// smallest eigenvalue 0. Laws that begin with a toe, and layers between surfaces that do not conform, hold nothing
 /// either way: to first order. Where what is barred depends on how far an idle contact reaches along a line or an area,
 /// or on a layer that presses at once, and the answer with it, Stability::untold says so. `touching`: contacts that are
-/// closed, carry nothing and are not of `state`. `layer_loads` (N), of this pose or one beside it, and a look at each
-/// kink tell whether there is anything of that; it is all it costs elsewhere.
+/// closed, carry nothing and are not of `state`. `layer_loads` (N), of this pose or one beside it, `residual` (scaled)
+/// of the pose, and a look at each kink tell whether there is anything of that; it is all it costs elsewhere.
 void look_one_way(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
-                  const Target& target, const std::vector<double>& layer_loads, Stability& stability);
+                  const Target& target, const std::vector<double>& layer_loads, double residual, Stability& stability);
 
 }  // namespace genu

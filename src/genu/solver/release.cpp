@@ -9,16 +9,11 @@
 #include "genu/model/kinks.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/solver/moving_blocks.h"
-#include "genu/solver/newton_step.h"
+#include "genu/solver/pose_accuracy.h"
 #include "genu/solver/stability.h"
 
 namespace genu {
 namespace {
-
-constexpr double kHardly = 3e-8;   // of the force scale: what presses or pulls by more is not idle at any pose
-constexpr double kNear = 1e-6;     // of the length scale, rad: what is farther from a kink is on its side at any pose
-constexpr double kSolved = 2e-12;  // the same, at every pose: lengths are known to this by what Newton's method accepts
-constexpr double kTimes = 10;      // the correction that is left, which is an estimate
 
 using Kind = ReleasedPlane::Kind;
 
@@ -27,72 +22,6 @@ double to_end(const JointModel& model, const LigamentPiece& p) {
   if (!p.held) return std::numeric_limits<double>::infinity();
   const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
   return std::min(std::abs(p.force - b.below.force), std::abs(p.force - b.above.force));
-}
-
-/// How far the pose, and its forces, may be from what is meant.
-class Accuracy {
- public:
-  Accuracy(const JointModel& model, const Target& target, const Linearization& at)
-      : most_(kHardly * model.scales.force), solved_(kSolved * model.scales.length), at_(at) {
-    constexpr double kRounding = 1e-15;
-    double unbalanced = 0;  // N
-    for (Eigen::Index i = 0; i < at.wrench.size(); ++i)
-      unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : model.scales.length));
-    force_ = 2 * unbalanced + kRounding * model.scales.force;
-    twist_.setZero(at.wrench.size());
-    NewtonStep step(model);
-    correction_.resize(model.moving_count, static_cast<int>(at.constraint.size()),
-                       static_cast<int>(at.contacts.size()));
-    if (!step.factor(at, target) || !step.linear().full_rank()) return;
-    step.solve(at, correction_);
-    known_ = correction_.twist.allFinite() && correction_.forces.allFinite() && correction_.multipliers.allFinite();
-    if (known_) twist_ = kTimes * correction_.twist;
-  }
-
-  /// N: no more than this is none.
-  double force() const { return std::min(force_, most_); }
-  /// The same of a contact, whose bodies are held as stiffly as they are. Where forces can be traded each is anything.
-  double of_contact(std::size_t c) const {
-    double stiffest = 0;  // N/m
-    for (const int body : at_.contact_bodies[c])
-      if (body >= 0)
-        stiffest = std::max(stiffest, at_.stiffness.block<3, 3>(6 * body, 6 * body).diagonal().cwiseAbs().maxCoeff());
-    return also(known_ ? correction_.forces[static_cast<Eigen::Index>(c)] : most_, stiffest);
-  }
-  double of_multiplier(Eigen::Index i) const {
-    double stiffest = 0;  // N/m
-    for (Eigen::Index k = 0; k < at_.wrench.size(); ++k)
-      if (k % 6 < 3) stiffest = std::max(stiffest, std::abs(at_.stiffness(k, k)));
-    return also(known_ ? correction_.multipliers[i] : most_, stiffest);
-  }
-  const VecX& twist() const { return twist_; }
-
- private:
-  double also(double correction, double stiffest) const {
-    return std::min(std::max(force_, kTimes * std::abs(correction)) + solved_ * stiffest, most_);
-  }
-
-  double most_, solved_, force_ = 0;
-  const Linearization& at_;
-  bool known_ = false;
-  Correction correction_;
-  VecX twist_;
-};
-
-/// m: what coordinates that far from the origin are rounded to.
-double rounding_of_coordinates(const JointModel& model) {
-  double farthest = 0;
-  for (const JointModel::Body& body : model.bodies) farthest = std::max(farthest, body.centre.norm());
-  return 8 * std::numeric_limits<double>::epsilon() * farthest;
-}
-
-KinkReach reach_of(const JointModel& model, const Accuracy& accuracy) {
-  return {.least = kSolved,
-          .length = rounding_of_coordinates(model),
-          .twist = accuracy.twist(),
-          .most = kNear,
-          .idle = accuracy.force(),
-          .little = kHardly * model.scales.force};
 }
 
 void add_rows(const MatX& rows, MatX& out) {
@@ -117,7 +46,7 @@ void release_contact(const JointModel& model, const Linearization& at_pose, std:
 
 /// Moves contacts that carry nothing out of `state`.
 bool release_contacts(const JointModel& model, const std::vector<ActiveContact>& touching, const Target& target,
-                      const Accuracy& accuracy, State& state, Released& out) {
+                      const PoseAccuracy& accuracy, State& state, Released& out) {
   State closed = state;
   closed.contacts.insert(closed.contacts.end(), touching.begin(), touching.end());
   if (closed.contacts.empty()) return false;
@@ -135,7 +64,7 @@ bool release_contacts(const JointModel& model, const std::vector<ActiveContact>&
 }
 
 /// Ligaments held at a jump whose force has come to an end of what it can be: they can go on from there.
-bool release_held(const JointModel& model, const Target& target, const Accuracy& accuracy, State& state,
+bool release_held(const JointModel& model, const Target& target, const PoseAccuracy& accuracy, State& state,
                   Released& out) {
   auto row = static_cast<Eigen::Index>(constraint_count(model, target));
   bool any = false;
@@ -176,11 +105,11 @@ bool release_layers(const JointModel& model, const State& state, double force, R
 }
 
 /// Takes out of the stiffness what jumps where the pose cannot be told from the kink.
-bool release_kinks(const JointModel& model, const State& state, const Target& target, const Accuracy& accuracy,
+bool release_kinks(const JointModel& model, const State& state, const Target& target, const PoseAccuracy& accuracy,
                    Released& out) {
   const VecX unit = stability_metric(out.at.wrench.size());
   bool any = false;
-  for (Kink& k : kinks_near(model, state, target, reach_of(model, accuracy))) {
+  for (Kink& k : kinks_near(model, state, target, accuracy.reach())) {
     if (k.jump != 0) {
       any = true;
       out.planes.push_back({.gradient = k.beyond ? VecX(-k.gradient) : std::move(k.gradient),
@@ -200,22 +129,21 @@ bool release_kinks(const JointModel& model, const State& state, const Target& ta
 }  // namespace
 
 bool may_release(const JointModel& model, const State& state, const Target& target,
-                 const std::vector<double>& layer_loads) {
-  const double hardly = kHardly * model.scales.force;
+                 const std::vector<double>& layer_loads, double residual) {
+  const double hardly = PoseAccuracy::least_told(model, residual);
   const auto idle = [hardly](double load) { return std::abs(load) <= hardly; };
   return std::any_of(layer_loads.begin(), layer_loads.end(), idle) ||
          std::any_of(state.contacts.begin(), state.contacts.end(),
                      [&](const ActiveContact& c) { return idle(c.force); }) ||
          std::any_of(state.pieces.begin(), state.pieces.end(),
                      [&](const LigamentPiece& p) { return idle(to_end(model, p)); }) ||
-         !kinks_near(model, state, target, {.least = kNear, .most = kNear, .idle = hardly, .little = hardly}).empty();
+         any_kink_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
 }
 
 void release(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
              const Target& target, Released& out) {
   linearize(model, state, target, out.at);
-  const Linearization solved = out.at;
-  const Accuracy accuracy(model, target, solved);
+  const PoseAccuracy accuracy(model, target, out.at);
   out.conforming.resize(0, out.at.wrench.size());
   State loose = state;
   out.any = release_contacts(model, touching, target, accuracy, loose, out);

@@ -28,13 +28,13 @@ struct Released {
   double cancelled = 0;          ///< J: the size of what was taken out of the stiffness, in the metric of stability
 };
 
-/// Whether there may be anything of that, told without the equations. `layer_loads` (N): of this pose or one beside it.
+/// Whether there may be anything of that, told without the equations. `layer_loads` (N): of this pose or one beside it;
+/// `residual`: to what the pose is solved, scaled.
 bool may_release(const JointModel& model, const State& state, const Target& target,
-                 const std::vector<double>& layer_loads);
+                 const std::vector<double>& layer_loads, double residual);
 
-/// `touching`: contacts that are closed and carry nothing, besides those of `state`. The pose is known to what Newton's
-/// method would still correct, to what it accepts, and to the rounding of coordinates: no nearer to it can a force be
-/// told from none, a length from a break.
+/// `touching`: contacts that are closed and carry nothing, besides those of `state`. How well the pose is
+/// known (pose_accuracy.h) says what is told from none, or from a kink.
 void release(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
              const Target& target, Released& out);
 

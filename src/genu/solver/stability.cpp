@@ -72,8 +72,8 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
 }
 
 /// Of the first `count` rows of `held`; the others take part unseen.
-MatX trades_of(const MatX& held, Eigen::Index count) {
-  MatX out = kernel(held.transpose(), kDependentRow);
+MatX trades_of(const MatX& held, Eigen::Index count, double dependent) {
+  MatX out = kernel(held.transpose(), dependent);
   out.colwise().normalize();
   return out.topRows(count);
 }
@@ -125,10 +125,10 @@ VecX stability_metric(Eigen::Index n) {
   return out;
 }
 
-MatX force_trades(const Linearization& at, double length_scale) {
+MatX force_trades(const Linearization& at, double length_scale, double dependent) {
   MatX stiffness, held;
   tangent(at, length_scale, 0, stiffness, held);
-  return trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()));
+  return trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), dependent);
 }
 
 std::vector<int> trading(const MatX& trades) {
@@ -168,7 +168,8 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
-    out.redundant = trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size())));
+    out.redundant =
+        trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), kDependentRow));
   if (basis.cols() == 0) {
     out.smallest = std::numeric_limits<double>::infinity();
     out.mode = VecX::Zero(at.wrench.size());

@@ -63,8 +63,9 @@ MatX about_own_origins(const Linearization& at, MatX motions);
 
 /// Forces in balance among themselves, a column each, of norm 1 with what conforming surfaces exert besides: of
 /// constraints, then contacts (positive where one presses more), per unit of the generalised force that each of them
-/// can exert. Zeros where every force is determined.
-MatX force_trades(const Linearization& at, double length_scale);
+/// can exert. Zeros where every force is determined. `dependent`: rows of norm 1 that are so near to a combination of
+/// others are one.
+MatX force_trades(const Linearization& at, double length_scale, double dependent = kDependentRow);
 
 /// The rows of `trades` (columns of norm 1) that take part in any by more than rounding, rising.
 std::vector<int> trading(const MatX& trades);

@@ -34,13 +34,18 @@ Undetermined find_undetermined(const JointModel& model, const State& state, cons
   Undetermined out;
   const int prescribed = static_cast<int>(target.prescribed.size());
   const int constraints = static_cast<int>(constraint_count(model, target));
+  std::vector<int> held;
+  for (const LigamentPiece& p : state.pieces)
+    if (p.held) held.push_back(p.ligament);
   for (const int row : stability.redundant) {
     if (row < prescribed)
       out.shared_reactions.push_back(target.prescribed[at(row)].coordinate);
     else if (row < constraints)
       out.shared_reactions.push_back(model.held[at(row - prescribed)].coordinate);
-    else if (row >= constraints + held_count(state))  // a ligament held at its break has no coordinate to name
-      out.shared_contacts.push_back(row - constraints - held_count(state));
+    else if (row < constraints + static_cast<int>(held.size()))
+      out.shared_ligaments.push_back(held[at(row - constraints)]);
+    else
+      out.shared_contacts.push_back(row - constraints - static_cast<int>(held.size()));
   }
   constexpr double kWorthNaming = 0.2;
   std::vector<std::pair<CoordinateRef, bool>> named;

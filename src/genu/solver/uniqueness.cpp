@@ -32,7 +32,8 @@ void look_at_what_touches(ContactSetSolver& solver, const Balanced& pose, const 
                                               report.certificate.residual * solver.model().scales.length))
       solver.close(closed, c);
   const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
-  look_one_way(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads, stability);
+  look_one_way(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads,
+               report.certificate.residual, stability);
 }
 
 }  // namespace
@@ -52,23 +53,18 @@ bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
   if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
   look_at_what_touches(solver, point.pose, point.report, point.target, solver.newton().linearization().layer_loads,
                        point.stability);
-  share_with_idle(solver, point.target, point.report.certificate.touching > 0, point.pose, point.stability);
+  share_with_idle(solver, point.target, point.report.certificate, point.pose, point.stability);
   const bool free = point.stability.neutral.cols() > 0;
   const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
   const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
-  // Where contacts oppose one another and Newton stops short along singular equations, there may be no answer.
-  const bool stuck = point.pose.state.contacts.size() > 1 && point.report.certificate.residual > solver.tolerance() &&
-                     singular_at(model, point.pose.state, point.target);
-  if (!motion && !stuck && point.stability.redundant.empty()) return true;
+  if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
-  point.report.why =
-      !point.stability.untold.empty() ? point.stability.untold + ": whether the pose is stable is not known"
-      : one_way                       ? "a motion costs no force, at least one way: the pose is one of many"
-      : motion                        ? "a motion costs no force: the pose is one of many"
-      : stuck ? "the equations are singular and not solved better than that: the pose, or how the force is "
-                "shared, is not determined"
-              : "the same motion is held twice: how the force is shared is not determined";
+  point.report.why = !point.stability.untold.empty()
+                         ? point.stability.untold + ": whether the pose is stable is not known"
+                     : one_way ? "a motion costs no force, at least one way: the pose is one of many"
+                     : motion  ? "a motion costs no force: the pose is one of many"
+                               : "the same motion is held twice: how the force is shared is not determined";
   return false;
 }
 
