@@ -65,10 +65,21 @@ bool may_jump(const JointModel& model, const State& state, const Target& target,
   return std::any_of(kinks.begin(), kinks.end(), [](const Kink& k) { return k.jump > 0; });
 }
 
-/// Ligaments at a length where their force jumps up, as held there: any force between could balance too.
-void hold_at_jumps(const JointModel& model, const Target& target, const PoseAccuracy& accuracy, State& state) {
+/// The motions that what is prescribed, or held by joints, leaves, in the metric of stability.
+MatX left_by_constraints(const Linearization& at, Eigen::Index constraints) {
+  MatX rows = at.gradient.topRows(constraints) * stability_metric(at.wrench.size()).asDiagonal();
+  rows.rowwise().normalize();
+  return null_space(rows, kDependentRow);
+}
+
+/// Ligaments at a length where their force jumps up, as held there: any force between could balance too. Where the
+/// length is a prescribed one the force is what the law says there, on the side that the path comes from.
+void hold_at_jumps(const JointModel& model, const Target& target, const Linearization& at_pose,
+                   const PoseAccuracy& accuracy, State& state) {
+  const MatX left = left_by_constraints(at_pose, static_cast<Eigen::Index>(constraint_count(model, target)));
   for (const Kink& k : kinks_near(model, state, target, accuracy.reach())) {
-    if (!(k.jump > 0)) continue;
+    const VecX longer = stability_metric(k.gradient.size()).cwiseProduct(k.gradient);
+    if (!(k.jump > 0) || (left.transpose() * longer).norm() <= kDependentRow * longer.norm()) continue;
     const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
                                     [&](const LigamentPiece& p) { return p.ligament == k.ligament; });
     if (piece == state.pieces.end()) continue;
@@ -100,7 +111,7 @@ void share_with_idle(ContactSetSolver& solver, const Target& target, const Certi
   linearize(model, pose.state, target, at);
   const PoseAccuracy accuracy(model, target, at);
   Balanced closed = pose;
-  hold_at_jumps(model, target, accuracy, closed.state);
+  hold_at_jumps(model, target, at, accuracy, closed.state);
   if (touching)
     for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
   linearize(model, closed.state, target, at);

@@ -1,7 +1,7 @@
 // Forces that could be others, though those that are held look determined. Contacts that touch and carry nothing:
 // between four feet of a stool a load is shared in many ways, in some of which one carries nothing; such a foot opens
 // at gap 0. And four that are all held share a load over the line between two of them in one way only. Ligaments at a
-// length where their force jumps up: it could be any between.
+// length where their force jumps up, unless that length is prescribed: it could be any between.
 #pragma once
 
 #include "genu/solver/contact_set.h"
