@@ -131,7 +131,7 @@ TEST_F(Faults, AKilledRunWithoutAnEarlierResultLeavesNoneAndGoesOn) {
 }
 
 TEST_F(Faults, CtrlCKeepsTheRowsMarkedPartialAndSaysHowToGoOn) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     fs::remove(folder_ / "out.checkpoint");
     const pid_t child = run("out");
     wait_for(folder_ / "out.checkpoint");
@@ -190,6 +190,7 @@ TEST_F(Faults, AFailureIsSeenAgainFromOneFile) {
   const std::string text = with_first(kBall, "radius = 20", "radius = -20");
   const std::string scene = folder_.write("ball.toml", text), file = folder_ / "failure.json";
   EXPECT_EQ(genu("run " + scene + " --out " + out() + " --save-failure " + file).exit_code, 2);
+  EXPECT_EQ(genu("run " + scene + " --out " + out() + " --save-failure \"\"").exit_code, 2);
   fs::remove(scene);
   const Outcome again = genu("reproduce " + file);
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;

@@ -14,6 +14,7 @@ void interrupt(int) { interrupted = true; }
 std::function<bool()> stop_on_interrupt() {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
+  if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup wants it
   return [] { return interrupted.load(); };
 }
 

@@ -43,8 +43,9 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   Diagnostics problems;
   if (says_more_than_it_uses(command, asked, problems)) return refuse(problems);
   const auto written = write_new_scene(asked, problems);
-  print(problems);
+  print(problems, written && !written->written);
   if (!written) return kRefused;
+  if (!written->written) return kFailed;
   fmt::print("written     {}\n", printable(written->file));
   for (const std::string& line : written->choices) fmt::print("{}\n", line);
   fmt::print("tried       {} of {} poses solved\n", written->poses_solved, written->poses_asked);

@@ -248,9 +248,11 @@ void add_run(CLI::App& app, int& exit_code) {
                    "how many seconds apart what is computed is added to DIR.checkpoint; 0: wherever it can be")
       ->check(number_within(0, kMostSeconds))
       ->capture_default_str();
-  command->add_option("--save-failure", arguments->save_failure,
-                      "where not every pose is ok: write what it takes to see that again to this file, for genu "
-                      "reproduce; of meshes only what is needed, no names of folders");
+  command
+      ->add_option("--save-failure", arguments->save_failure,
+                   "where not every pose is ok: write what it takes to see that again to this file, for genu "
+                   "reproduce; of meshes only what is needed, no names of folders")
+      ->check([](const std::string& name) { return name.empty() ? "names no file" : ""; });
   command->add_flag("--no-report", arguments->no_report,
                     "leave out report.html, the page that shows the joint and its results in a browser");
   command->add_flag("--quiet", arguments->quiet, "print errors only");

@@ -41,6 +41,8 @@ std::string why_no_report(const std::string& page) {
   for (const auto& run : data["runs"])
     if (!run.is_object() || !run.contains("summary") || !run.contains("chart") || !run.contains("poses"))
       return "is no report.html of genu";
+  const std::size_t last = page.find_last_not_of(" \t\r\n");
+  if (!std::string_view(page).substr(0, last + 1).ends_with("</html>")) return "is cut: its page has no end";
   return {};
 }
 

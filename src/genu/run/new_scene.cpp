@@ -270,13 +270,15 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   if (!composed) return std::nullopt;
   StagedFolder staged("");  // it will be edited: never to be replaced
   std::string error = staged.open(folder);
+  if (!error.empty()) {
+    out.error({}, error);
+    return std::nullopt;
+  }
   NewSceneReport report;
   report.file = (folder / (name + ".toml")).string();
   report.choices = composed->choices;
-  const std::string staged_file = error.empty() ? (staged.path() / (name + ".toml")).string() : "";
-  const auto write = [&] {
-    if (error.empty()) error = write_file_atomically(staged_file, filled_in(composed->text, composed->words));
-  };
+  const std::string staged_file = (staged.path() / (name + ".toml")).string();
+  const auto write = [&] { error = write_file_atomically(staged_file, filled_in(composed->text, composed->words)); };
   write();
   if (error.empty()) {
     auto found = try_out(staged_file, report.file, asked, out);
@@ -292,10 +294,9 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
     if (found->summary.exit_code != kExitOk) report.verdict = found->summary.verdict;
   }
   if (error.empty()) error = staged.commit();
-  if (!error.empty()) {
-    out.error({}, error);
-    return std::nullopt;
-  }
+  if (error.empty()) return report;
+  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  report.written = false;
   return report;
 }
 

@@ -26,11 +26,12 @@ struct NewSceneReport {
   std::string file;
   std::vector<std::string> choices;  ///< what was found in the meshes or chosen for want of knowledge, a line each
   int poses_solved = 0, poses_asked = 0;
+  bool written = true;               ///< else why not is in the diagnostics: a full disk
   std::vector<std::string> verdict;  ///< where not every pose of the trial is ok: why, and what to do
 };
 
-/// Writes FOLDER/NAME.toml and solves it once. Empty, with the reasons in `out`, where nothing is written: the folder
-/// exists, or a mesh cannot be read. Of kind stl the flexion that is asked for ends where the trial did.
+/// Writes FOLDER/NAME.toml and solves it once. Empty, with the reasons in `out`, where what is asked is refused: the
+/// folder exists, or a mesh cannot be read. Of kind stl the flexion that is asked for ends where the trial did.
 std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out);
 
 }  // namespace genu
