@@ -102,10 +102,11 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
     out +=
         fmt::format("Free is {}: prescribe it, or add the ligament or load that holds it. ", joined_with_and(motion));
   if (!forces.empty())
-    out += fmt::format(
-        "Not determined one by one: {}. Prescribe one coordinate less, or give one of them a ligament's "
-        "elasticity. ",
-        joined_with_and(forces));
+    out += fmt::format("Not determined one by one: {}. {} ", joined_with_and(forces),
+                       u.shared_ligaments.empty()
+                           ? "Prescribe one coordinate less, or give one of them a ligament's elasticity."
+                           : "A ligament at a length where its force jumps can hold any force between: give it a law "
+                             "without the jump.");
   if (out.empty()) return "Prescribe the free motion, or add the ligament or load that holds it.";
   out.pop_back();
   return out;

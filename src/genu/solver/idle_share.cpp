@@ -61,6 +61,12 @@ MatX bounds_of(const JointModel& model, const Target& target, const MatX& trades
 
 /// Whether there may be a ligament at a jump of its force, told without the equations.
 bool may_jump(const JointModel& model, const State& state, const Target& target, double residual) {
+  const auto jumps_up = [](const LawBreak& b) { return b.force_jump() > 0; };
+  const bool some = std::any_of(model.ligaments.begin(), model.ligaments.end(), [&](const auto& l) {
+    const auto& breaks = l.ligament.law.sharp_breaks();
+    return std::any_of(breaks.begin(), breaks.end(), jumps_up);
+  });
+  if (!some) return false;
   const auto kinks = kinks_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
   return std::any_of(kinks.begin(), kinks.end(), [](const Kink& k) { return k.jump > 0; });
 }
