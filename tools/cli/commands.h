@@ -54,6 +54,9 @@ void print_advice(int exit_code);
 /// Refuses what is no number from `low` to `high`; CLI11's own checks let nan pass.
 CLI::Validator number_within(double low, double high);
 
+/// Refuses the empty text, which a script may give where it means a name.
+CLI::Validator not_empty();
+
 /// From here on Ctrl-C, or being asked to end (SIGTERM), stops the work at the next pose and keeps what was found: says
 /// whether it was pressed.
 std::function<bool()> stop_on_interrupt();

@@ -21,4 +21,8 @@ CLI::Validator number_within(double low, double high) {
       "FROM " + range);
 }
 
+CLI::Validator not_empty() {
+  return CLI::Validator([](std::string& text) { return text.empty() ? "names nothing" : ""; }, "");
+}
+
 }  // namespace genu::cli

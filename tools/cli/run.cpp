@@ -252,7 +252,7 @@ void add_run(CLI::App& app, int& exit_code) {
       ->add_option("--save-failure", arguments->save_failure,
                    "where not every pose is ok: write what it takes to see that again to this file, for genu "
                    "reproduce; of meshes only what is needed, no names of folders")
-      ->check([](const std::string& name) { return name.empty() ? "names no file" : ""; });
+      ->check(not_empty());
   command->add_flag("--no-report", arguments->no_report,
                     "leave out report.html, the page that shows the joint and its results in a browser");
   command->add_flag("--quiet", arguments->quiet, "print errors only");

@@ -72,6 +72,8 @@ std::string why_not_writable(const std::string& path) {
 }
 
 bool has_title(const std::string& path, const std::string& start) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return false;  // a pipe would be waited for
   std::ifstream in(path, std::ios::binary);
   std::string bytes(512, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

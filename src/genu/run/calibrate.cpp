@@ -287,6 +287,11 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
     out.error(path, "cannot be fitted from these values: not all of its rows can be computed (genu run says why)");
     return kExitRefused;
   }
+  if (!std::isfinite(start->squaredNorm())) {
+    out.error(choice.target,
+              "cannot be fitted: beside its values, or how they differ, the scene's are beyond all numbers");
+    return kExitRefused;
+  }
   const LeastSquaresResult fit = calibration.fit(choice.most_iterations);
   if (fit.jacobian.size() == 0) {
     out.error(path, std::string("is not fitted: ") + to_string(fit.stop));
