@@ -111,10 +111,10 @@ TEST(Judge, RejectsWhatIsNoCountAndWhatStandsWhereNothingShould) {
   EXPECT_THAT(torn.rejections(), Contains("contact points"));
 }
 
-TEST(Judge, RejectsAGapThatNothingElseTellsOf) {
-  // A ball 3 mm above a floor, between springs: no contact, its cells are empty but for the gap.
+/// A body with a surface `round` above a floor, between springs that hold its origin 13 mm above it.
+Corrupted held_above(const std::string& round) {
   const test::TemporaryFolder folder;
-  const std::string file = folder.write("scene.toml", R"(format = 1
+  return Corrupted::of(folder.write("scene.toml", R"(format = 1
 units = { length = "mm", angle = "deg" }
 [body.floor]
 fixed = true
@@ -126,10 +126,6 @@ child = "ball"
 rotations = ["a x", "b y", "c z"]
 translations = ["x", "y", "z"]
 start = { z = 13 }
-[surface.round]
-body = "ball"
-shape = "sphere"
-radius = 10
 [surface.flat]
 body = "floor"
 shape = "plane"
@@ -150,8 +146,12 @@ stiffness = 5
 slack_length = 10
 [[step]]
 prescribe = { "j.a" = 0, "j.b" = 0, "j.c" = 0 }
-)");
-  const Corrupted run = Corrupted::of(file);
+)" + ("[surface.round]\nbody = \"ball\"\n" + round)));
+}
+
+TEST(Judge, RejectsAGapThatNothingElseTellsOf) {
+  // No contact: its cells are empty but for the gap.
+  const Corrupted run = held_above("shape = \"sphere\"\nradius = 10\n");
   EXPECT_THAT(run.rejections(), IsEmpty()) << to_text(run.judge());
   for (const double gap : {-5.0, -1e-3, 1.0, 4.0}) {
     Corrupted changed = run;
@@ -163,6 +163,17 @@ prescribe = { "j.a" = 0, "j.b" = 0, "j.c" = 0 }
   Corrupted filled = run;
   filled.cell(0, "foot.round.x_mm") = "1";
   EXPECT_THAT(filled.rejections(), Contains("contact points"));
+}
+
+TEST(Judge, AGapAtARimIsKnownAsWellAsTheRimIsSampledHoweverNearlyTheNormalsOppose) {
+  const std::string dish =
+      "shape = \"polynomial\"\norigin = [0, 0, -10]\nz_axis = [0, 0, -1]\n"
+      "terms = [[2, 0, -0.02], [0, 1, 0.0308], [0, 2, -0.02]]\npatch = { x = [0.03, 8], y = [-5, 4.3] }\n";
+  Corrupted run = held_above(dish);
+  EXPECT_THAT(run.rejections(), IsEmpty()) << to_text(run.judge());
+  EXPECT_NEAR(run.number(0, "foot.gap_mm"), 3 - 0.0308 * 0.0308 / 0.08, 1e-3) << run.number(0, "foot.gap_mm");
+  run.cell(0, "foot.gap_mm") = "3.2";
+  EXPECT_THAT(run.rejections(), Contains("smallest gap is the smallest"));
 }
 
 TEST(Judge, RejectsContactsThatPull) {

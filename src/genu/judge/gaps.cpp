@@ -17,7 +17,7 @@ struct Gap {
   double sure = 0;  ///< m: what facets leave open: half of what either may be off, both are rarely at their worst
   Vec3 p = Vec3::Zero();
   double spacing = 0;   ///< m: of the samples
-  bool at_rim = false;  ///< of closed forms: the normals do not oppose there, so an end of one is nearest
+  bool at_rim = false;  ///< of closed forms: an end of one is nearest, where the normals need not oppose
 };
 
 class Gaps {
@@ -96,6 +96,26 @@ class Gaps {
     return gap;
   }
 
+  /// Whether a closed form ends beside its point p.
+  bool ends_beside(const Shape& shape, const Vec3& p) const {
+    constexpr double kBeside = 1e-5;  // of the size
+    const Vec3 n = shape.normal(p), one = n.unitOrthogonal(), two = n.cross(one);
+    for (int k = 0; k < 8; ++k) {
+      const double angle = k * M_PI / 4;
+      const auto q = shape.onto(p + kBeside * pose_.subject->size * (std::cos(angle) * one + std::sin(angle) * two));
+      if (!q || !shape.in_patch(*q)) return true;
+    }
+    return false;
+  }
+
+  /// Whether the normals do not oppose at p, or one of the two ends beside it.
+  bool at_rim(const Shape& sampled, const Shape& other, const Pose& X, const Vec3& p) const {
+    constexpr double kOpposed = 1e-6;  // 1 - cosine: they are within 0.1 deg
+    if (1 + (X.R * sampled.normal(p)).dot(other.normal(X * p)) > kOpposed || ends_beside(sampled, p)) return true;
+    const auto foot = other.nearest(X * p);
+    return !foot || ends_beside(other, *foot);
+  }
+
   /// Downhill over the sampled closed form, in steps that halve.
   Gap descend(const Shape& sampled, const Side& other, const Pose& X, Vec3 p, double step) const {
     double best = over(other, X * p).gap;
@@ -112,8 +132,7 @@ class Gaps {
       p = better;
     }
     Gap found = closely(other, X * p);
-    constexpr double kOpposed = 1e-6;  // 1 - cosine: they are within 0.1 deg
-    if (other.shape) found.at_rim = 1 + (X.R * sampled.normal(p)).dot(other.shape->normal(X * p)) > kOpposed;
+    if (other.shape) found.at_rim = at_rim(sampled, *other.shape, X, p);
     return found;
   }
 
