@@ -85,7 +85,7 @@ void hold_at_jumps(const JointModel& model, const Target& target, const Lineariz
   const MatX left = left_by_constraints(at_pose, static_cast<Eigen::Index>(constraint_count(model, target)));
   for (const Kink& k : kinks_near(model, state, target, accuracy.reach())) {
     const VecX longer = stability_metric(k.gradient.size()).cwiseProduct(k.gradient);
-    if (!(k.jump > 0) || (left.transpose() * longer).norm() <= kDependentRow * longer.norm()) continue;
+    if (!(k.jump > 0) || (left.transpose() * longer).norm() <= accuracy.of_rows() * longer.norm()) continue;
     const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
                                     [&](const LigamentPiece& p) { return p.ligament == k.ligament; });
     if (piece == state.pieces.end()) continue;

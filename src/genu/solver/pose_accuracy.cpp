@@ -90,9 +90,9 @@ double PoseAccuracy::of_multiplier(Eigen::Index i) const {
 }
 
 double PoseAccuracy::of_rows() const {
-  if (!known_) return kDependentRow;
+  if (!known_) return widest_.most;
   const VecX off = twist_.cwiseQuotient(stability_metric(twist_.size()));
-  return std::max(kDependentRow, off.cwiseAbs().maxCoeff());
+  return std::clamp(off.cwiseAbs().maxCoeff(), kDependentRow, widest_.most);
 }
 
 double PoseAccuracy::also(double correction, double stiffest) const {

@@ -26,7 +26,7 @@ class PoseAccuracy {
   KinkReach reach() const;
 
   /// How far the gradients of what is held may be off, in the metric of stability and of rows of norm 1: where surfaces
-  /// are curved by no more than its length, as far as the pose is.
+  /// are curved by no more than its length, as far as the pose is; never more than the widest reach.
   double of_rows() const;
 
   /// N: at no pose solved to this (scaled) residual is more than this none.
