@@ -152,6 +152,7 @@ std::vector<std::string> Advice::lines(int exit_code) const {
   };
   if (exit_code != kFailed)
     for (const Diagnostic& d : errors_) say(advice_on(d, command_));
+  if (out.empty()) say(next_);
   if (out.empty() && exit_code == kNotAllOk) say(advice_on_status(status_));
   if (out.empty()) say(advice_on_command(command_, exit_code));
   return out;

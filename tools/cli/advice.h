@@ -16,12 +16,14 @@ class Advice {
   void error(const Diagnostic& problem) { errors_.push_back(problem); }
   /// The status of the pose at which results end, as in results.csv.
   void status(std::string name) { status_ = std::move(name); }
+  /// What the command itself knows to be next.
+  void next(std::string line) { next_ = std::move(line); }
 
   /// Lines for the user, one at least: for what was met where it is known, else for the command.
   std::vector<std::string> lines(int exit_code) const;
 
  private:
-  std::string command_, status_;
+  std::string command_, status_, next_;
   std::vector<Diagnostic> errors_;
 };
 

@@ -73,8 +73,10 @@ int run_catalogue(const HardCaseArguments& arguments) {
   if (problems.has_errors()) return refuse(problems);
   if (!arguments.table.empty()) return write_table(arguments.table, cases);
   std::erase_if(cases, [&](const HardCase& c) { return !chosen(c, arguments); });
+  const bool some = !cases.empty();
   if (arguments.bite) std::erase_if(cases, [](const HardCase& c) { return !c.expected.safeguard; });
-  if (cases.empty()) problems.error(folder, "has no such case; --cases names another folder");
+  if (cases.empty() && some) problems.error("--bite", "of those cases none names a safeguard to leave out");
+  if (!some) problems.error(folder, "has no such case; --table lists all, --cases names another folder");
   if (problems.has_errors()) return refuse(problems);
   auto progress = std::make_shared<Progress>();
   if (!arguments.quiet) options.progress = [progress](int done, int all) { (*progress)(done, all, "cases"); };
@@ -83,6 +85,7 @@ int run_catalogue(const HardCaseArguments& arguments) {
   fmt::print("{}", to_text(outcomes));
   bool good = true;
   for (const HardCaseOutcome& o : outcomes) good = good && o.met() != arguments.bite;
+  if (arguments.bite && good) fmt::print("all are missed without the safeguard they are about, as they must be\n");
   return good ? kOk : kExitIncomplete;
 }
 

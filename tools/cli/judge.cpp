@@ -13,6 +13,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/diagnostics.h"
@@ -67,6 +68,9 @@ int judge_folder(const JudgeArguments& arguments) {
       return kFailed;
     }
   }
+  if (found->judged == 0) advice().next("no row is ok, so there is none to judge: the run's verdict says why");
+  if (!found->accepted() && !diagnostics.items().empty())
+    advice().next("the scene or the results have changed, as the warnings say: run the scene again, then judge that");
   return found->accepted() && found->judged > 0 ? kOk : kNotAllOk;
 }
 

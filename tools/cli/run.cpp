@@ -186,6 +186,7 @@ int run_scene_file(const RunArguments& arguments) {
   print(diagnostics, code == kExitFailed);
   note_status(solution.poses);
   const std::string mark = solution.summary.partial ? ".partial" : "";
+  if (solution.stopped == "interrupted") advice().next("the same command with --resume goes on, where rows were kept");
   const bool unsaid = quiet && code == kExitIncomplete;  // why, that is
   if ((!mark.empty() || unsaid) && !solution.summary.verdict.empty())
     tell("{}\n", printable(solution.summary.verdict.front()));

@@ -256,8 +256,9 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   else if (summary.poses_solved == 0)
     out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else
-    out.push_back(fmt::format("{} of {} poses are solved; those are certified and kept.", summary.poses_solved,
-                              summary.poses_asked));
+    out.push_back(fmt::format(
+        "{} of {} poses are solved; those are certified and kept{}.", summary.poses_solved, summary.poses_asked,
+        summary.poses_stable == summary.poses_solved ? "" : fmt::format(", {} of them stable", summary.poses_stable)));
   say_windows(prepared, events, out);
   bool turned_back = false;
   StabilityChanges changes;
