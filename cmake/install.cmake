@@ -1,22 +1,21 @@
 # What `cmake --install` puts where, and the .deb that CPack makes of it: everything that is installed is named here.
 #
-# bin/genu links the layers into itself. lib/libgenu.so is the same layers for other programs, with the libraries they
+# bin/genu links the rooms into itself. lib/libgenu.so is the same rooms for other programs, with the libraries they
 # use linked in privately: who uses genu::genu sees its headers, Eigen, and nothing of FCL, assimp, CGAL and the rest.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(genu_layers core geometry scene contact model solver results judge run)
 set(genu_objects "")
-foreach(layer ${genu_layers})
-  list(APPEND genu_objects $<TARGET_OBJECTS:genu_${layer}>)
+foreach(room ${genu_rooms})
+  list(APPEND genu_objects $<TARGET_OBJECTS:genu_${room}>)
 endforeach()
 if(GENU_WITH_CGAL)
-  list(APPEND genu_objects $<TARGET_OBJECTS:genu_geometry_cgal>)
+  list(APPEND genu_objects $<TARGET_OBJECTS:genu_mesh_care_cgal>)
 endif()
 add_library(genu_library SHARED ${genu_objects})
 set_target_properties(genu_library PROPERTIES OUTPUT_NAME genu EXPORT_NAME genu LINKER_LANGUAGE CXX
                       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-target_link_libraries(genu_library PRIVATE genu_run genu_judge genu_options INTERFACE Eigen3::Eigen)
+target_link_libraries(genu_library PRIVATE genu_study genu_judge genu_options INTERFACE Eigen3::Eigen)
 target_link_options(genu_library PRIVATE -Wl,-Bsymbolic-functions -Wl,--as-needed)
 target_include_directories(genu_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Part of the layout of what crosses the border (cmake/options.cmake): whoever compiles against genu has to have it too.

@@ -9,10 +9,11 @@
 
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/geometry/blend_surface.h"
-#include "genu/geometry/tessellate.h"
-#include "genu/run/run_scene.h"
-#include "genu/solver/walker.h"
+#include "genu/model/build_model.h"
+#include "genu/path/walker.h"
+#include "genu/study/run_scene.h"
+#include "genu/surface/blend_surface.h"
+#include "genu/surface/tessellate.h"
 
 namespace genu::bench {
 

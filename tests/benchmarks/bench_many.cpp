@@ -20,11 +20,11 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/prepare.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/run/prepare.h"
-#include "genu/run/run_scene.h"
-#include "genu/solver/contact_set.h"
+#include "genu/equilibrium/contact_set.h"
+#include "genu/study/run_scene.h"
 
 namespace {
 thread_local bool counting = false;

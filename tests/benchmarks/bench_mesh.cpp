@@ -8,8 +8,8 @@
 #include <sys/resource.h>
 
 #include "genu/core/timer.h"
-#include "genu/geometry/mesh_examination.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/mesh_care/mesh_examination.h"
+#include "genu/mesh_files/stl_writer.h"
 #include "support/temporary_folder.h"
 
 namespace {

@@ -12,11 +12,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/prepare.h"
 #include "genu/core/timer.h"
-#include "genu/run/prepare.h"
-#include "genu/run/run_motion.h"
+#include "genu/model/build_model.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
+#include "genu/study/run_motion.h"
 #include "planar_knee.h"
 
 namespace {

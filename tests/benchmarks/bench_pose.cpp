@@ -18,8 +18,8 @@
 #include <Eigen/LU>
 
 #include "bench_knee.h"
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/stl_writer.h"
 
 namespace genu::bench {
 namespace {

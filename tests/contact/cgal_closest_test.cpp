@@ -14,10 +14,10 @@
 
 #include "genu/contact/far_distance.h"
 #include "genu/core/timer.h"
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/facet_surface.h"
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/mesh_topology.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/surface/analytic.h"
+#include "genu/surface/facet_surface.h"
 #include "support/data.h"
 
 namespace genu {

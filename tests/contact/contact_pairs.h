@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/contact/contact_equations.h"
-#include "genu/geometry/analytic.h"
+#include "genu/surface/analytic.h"
 #include "support/wrench_difference.h"
 
 namespace genu::test {

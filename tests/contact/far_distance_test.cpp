@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
-#include "genu/geometry/facet_surface.h"
+#include "genu/surface/facet_surface.h"
 #include "support/brute_force.h"
 
 namespace genu {

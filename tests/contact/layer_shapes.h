@@ -11,8 +11,8 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/contact/smooth_layer.h"
 #include "genu/contact/triangle_layer.h"
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/blend_surface.h"
+#include "genu/surface/analytic.h"
+#include "genu/surface/blend_surface.h"
 
 namespace genu::layer_tests {
 

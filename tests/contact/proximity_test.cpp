@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
-#include "genu/geometry/blend_surface.h"
-#include "genu/geometry/noise_field.h"
+#include "genu/mesh_care/noise_field.h"
+#include "genu/surface/blend_surface.h"
 #include "support/brute_force.h"
 #include "support/layers.h"
 

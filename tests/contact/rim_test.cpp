@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/blend_surface.h"
-#include "genu/geometry/patch.h"
+#include "genu/surface/analytic.h"
+#include "genu/surface/blend_surface.h"
+#include "genu/surface/patch.h"
 #include "support/layers.h"
 
 namespace genu {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/facet_surface.h"
+#include "genu/surface/analytic.h"
+#include "genu/surface/facet_surface.h"
 #include "support/layers.h"
 
 namespace genu {

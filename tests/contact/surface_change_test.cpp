@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
+#include "genu/surface/analytic.h"
 #include "support/finite_difference.h"
 
 namespace genu {

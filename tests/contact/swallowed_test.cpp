@@ -5,8 +5,8 @@
 
 #include "contact/contact_pairs.h"
 #include "genu/contact/proximity.h"
-#include "genu/geometry/blend_surface.h"
-#include "genu/geometry/patch.h"
+#include "genu/surface/blend_surface.h"
+#include "genu/surface/patch.h"
 #include "support/layers.h"
 
 namespace genu {

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "fuzz/table_scene.h"
-#include "genu/run/pose_columns.h"
+#include "genu/assemble/pose_columns.h"
 #include "genu/scene/region_text.h"
 #include "genu/scene/words.h"
 

@@ -1,7 +1,7 @@
 // `genu fit` on an OFF file of any bytes, facing up: as a chart over a plane, round an axis, and as genu chooses. What
 // it writes is a file that genu reads.
 #include "fuzz/fuzz_checks.h"
-#include "genu/run/fit_mesh.h"
+#include "genu/assemble/fit_mesh.h"
 #include "genu/scene/reader.h"
 #include "support/temporary_folder.h"
 

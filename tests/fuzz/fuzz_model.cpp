@@ -1,10 +1,10 @@
 // The text of a scene of any bytes, prepared as `genu check` does it: meshes read, surfaces and the model built. Only
 // the search for contacts is left out: here it would take seconds a scene. Beside it lie ball.stl and cup.stl.
 #include "fuzz/fuzz_checks.h"
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/assemble/prepare.h"
+#include "genu/mesh_files/stl_writer.h"
 #include "genu/model/state.h"
-#include "genu/run/prepare.h"
+#include "genu/surface/analytic.h"
 #include "support/temporary_folder.h"
 
 namespace genu::fuzz {

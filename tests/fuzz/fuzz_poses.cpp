@@ -1,6 +1,6 @@
 // A table of poses of any bytes, as CSV and as OpenSim's storage: read, its columns matched, its numbers taken.
 #include "fuzz/table_scene.h"
-#include "genu/run/given_poses.h"
+#include "genu/assemble/given_poses.h"
 
 namespace genu::fuzz {
 

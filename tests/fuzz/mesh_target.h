@@ -6,9 +6,9 @@
 #include <string>
 
 #include "fuzz/fuzz_checks.h"
-#include "genu/geometry/mesh_examination.h"
-#include "genu/geometry/mesh_formats.h"
-#include "genu/geometry/mesh_reader.h"
+#include "genu/mesh_care/mesh_examination.h"
+#include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "support/temporary_folder.h"
 
 namespace genu::fuzz {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/run/hard_cases.h"
+#include "hard_cases/hard_cases.h"
 #include "support/judged.h"
 #include "support/temporary_folder.h"
 

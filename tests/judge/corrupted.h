@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "genu/judge/judge.h"
-#include "genu/run/run_motion.h"
-#include "genu/run/run_scene.h"
 #include "genu/scene/reader.h"
+#include "genu/study/run_motion.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::test {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/facet_surface.h"
+#include "genu/surface/facet_surface.h"
 #include "support/scene_model.h"
 #include "support/wrench_difference.h"
 

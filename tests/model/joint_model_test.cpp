@@ -1,5 +1,5 @@
 // A scene turned into indices: bodies, reference poses, slack lengths and the scales everything is measured in.
-#include "genu/model/joint_model.h"
+#include "genu/model/build_model.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/model/build_model.h"
 #include "genu/model/ligament_pieces.h"
 #include "support/scene_model.h"
 

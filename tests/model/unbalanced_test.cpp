@@ -1,5 +1,6 @@
 // What a pose lacks to balance: a closed form, and the derivative of the potential energy to every coordinate.
 #include "genu/model/unbalanced.h"
+#include "genu/model/build_model.h"
 
 #include <algorithm>
 #include <cmath>

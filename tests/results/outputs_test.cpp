@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/solved.h"
+#include "support/solved.h"
 
 namespace genu {
 namespace {

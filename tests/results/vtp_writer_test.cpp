@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/mesh_reader.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "support/layers.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"

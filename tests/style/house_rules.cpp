@@ -2,40 +2,24 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
-#include <optional>
+#include <iterator>
 #include <regex>
-#include <set>
+#include <sstream>
 
 namespace genu::style {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestFile = 400;        // lines; past this something wants to be two things
-constexpr std::size_t kFilesPerLibrary = 2;      // .cpp files that may include one guarded library
-constexpr const char* kLayerPrefix = "genu/";    // of an include
-constexpr const char* kLayerRoot = "src/genu/";  // of a file
+constexpr std::size_t kLongestFile = 400;       // lines; past this something wants to be two things
+constexpr std::size_t kFilesPerLibrary = 2;     // .cpp files that may include one guarded library
+constexpr double kLargestRoom = 0.1;            // of all lines of the house
+constexpr const char* kRoomPrefix = "genu/";    // of an include
+constexpr const char* kRoomRoot = "src/genu/";  // of a file
 
-// What each layer may include besides itself. Each names layers above it alone, so there can be no cycle.
-const std::map<std::string, std::set<std::string>>& allowed_layers() {
-  static const std::map<std::string, std::set<std::string>> allowed = {
-      {"core", {}},
-      {"geometry", {"core"}},
-      {"scene", {"core"}},
-      {"contact", {"core", "geometry"}},
-      {"model", {"core", "geometry", "scene", "contact"}},
-      {"solver", {"core", "contact", "model"}},  // never a torus, an STL or a scene file
-      {"results", {"core", "scene", "model", "solver"}},
-      {"judge", {"core", "scene"}},  // and needed_by_judge(): it shares no code with what it judges
-      {"run", {"core", "geometry", "scene", "contact", "model", "solver", "results"}},
-  };
-  return allowed;
-}
-
-// What the judge may know of geometry: triangles as they stand in a file.
+// What the judge may know of meshes: triangles as they stand in a file. It shares no code with what it judges.
 const std::set<std::string>& needed_by_judge() {
-  static const std::set<std::string> headers = {"genu/geometry/mesh.h", "genu/geometry/mesh_reader.h"};
+  static const std::set<std::string> headers = {"genu/mesh/mesh.h", "genu/mesh_files/mesh_reader.h"};
   return headers;
 }
 
@@ -69,7 +53,7 @@ std::vector<Include> includes_of(const SourceFile& file) {
 }
 
 // "core" for "genu/core/pose.h" behind the prefix "genu/"; empty for a path elsewhere or directly under the prefix.
-std::string layer_of(const std::string& path, const std::string& prefix) {
+std::string room_of(const std::string& path, const std::string& prefix) {
   if (!path.starts_with(prefix)) return {};
   const std::size_t slash = path.find('/', prefix.size());
   return slash == std::string::npos ? std::string() : path.substr(prefix.size(), slash - prefix.size());
@@ -79,15 +63,50 @@ std::string at(const SourceFile& file, const Include& include) {
   return file.path + ":" + std::to_string(include.line) + ": includes " + include.header + ": ";
 }
 
-// Why a file of the layer `from` (empty: a tool) must not include `header`; empty if it may.
-std::string why_wrong(const std::string& from, const std::string& header) {
-  const std::string to = layer_of(header, kLayerPrefix);
-  const bool ours = header.starts_with(kLayerPrefix);
-  if (!ours) return from.empty() || header.find("../") == std::string::npos ? "" : "write it as genu/LAYER/FILE";
-  if (!allowed_layers().contains(to)) return "there is no layer " + (to.empty() ? "in it" : to);
-  if (from == "judge" && needed_by_judge().contains(header)) return {};
-  if (from.empty() || from == to || allowed_layers().at(from).contains(to)) return {};
+// Why a file of the room `from` (empty: a tool) must not include `header`; empty if it may.
+std::string why_wrong(const Rooms& rooms, const std::string& from, const std::string& header) {
+  const std::string to = room_of(header, kRoomPrefix);
+  const bool ours = header.starts_with(kRoomPrefix);
+  if (!ours) return from.empty() || header.find("../") == std::string::npos ? "" : "write it as genu/ROOM/FILE";
+  if (!rooms.contains(to)) return "there is no room " + (to.empty() ? "in it" : to);
+  if (from.empty() || from == to) return {};
+  const bool files_alone = from == "judge" && to.starts_with("mesh");
+  if (files_alone ? needed_by_judge().contains(header) : rooms.at(from).contains(to)) return {};
   return "wrong arrow " + from + " -> " + to;
+}
+
+// A unit is a header with its source: "genu/core/pose" for both, empty for files that stand in no room.
+std::string unit_of(const std::string& path) {
+  const std::string inside = path.starts_with("src/") ? path.substr(4) : path;
+  return inside.starts_with(kRoomPrefix) ? inside.substr(0, inside.rfind('.')) : std::string();
+}
+
+using Graph = std::map<std::string, std::set<std::string>>;
+
+Graph units_of(const std::vector<SourceFile>& files) {
+  Graph graph;
+  for (const SourceFile& file : files) {
+    const std::string from = unit_of(file.path);
+    if (from.empty()) continue;
+    std::set<std::string>& uses = graph[from];
+    for (const Include& include : includes_of(file))
+      if (const std::string to = unit_of(include.header); !to.empty() && to != from) uses.insert(to);
+  }
+  return graph;
+}
+
+// Everything that can be reached from `start`, without `start` itself unless a way leads back to it.
+std::set<std::string> reached_from(const Graph& graph, const std::string& start) {
+  std::set<std::string> reached;
+  std::vector<std::string> open = {start};
+  while (!open.empty()) {
+    const auto unit = graph.find(open.back());
+    open.pop_back();
+    if (unit == graph.end()) continue;
+    for (const std::string& next : unit->second)
+      if (reached.insert(next).second) open.push_back(next);
+  }
+  return reached;
 }
 
 }  // namespace
@@ -108,21 +127,78 @@ std::vector<SourceFile> read_sources(const fs::path& root) {
   return files;
 }
 
-std::vector<std::string> wrong_arrows(const std::vector<SourceFile>& files) {
+Rooms read_rooms(const fs::path& root) {
+  static const std::regex pattern(R"re(set\(genu_([a-z_]+)_uses([^)]*)\))re");
+  std::ifstream stream(root / "cmake/rooms.cmake");
+  const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  Rooms rooms;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    std::istringstream names((*match)[2].str());
+    std::set<std::string>& uses = rooms[(*match)[1]];
+    for (std::string name; names >> name;) uses.insert(name);
+  }
+  return rooms;
+}
+
+std::vector<std::string> wrong_arrows(const std::vector<SourceFile>& files, const Rooms& rooms) {
   std::vector<std::string> wrong;
   for (const SourceFile& file : files) {
     const bool in_house = file.path.starts_with("src/");
-    const std::string from = layer_of(file.path, kLayerRoot);
-    if (in_house && !allowed_layers().contains(from)) {
-      wrong.push_back(file.path + ":1: stands in no layer");
+    const std::string from = room_of(file.path, kRoomRoot);
+    if (in_house && !rooms.contains(from)) {
+      wrong.push_back(file.path + ":1: stands in no room");
       continue;
     }
     for (const Include& include : includes_of(file)) {
-      if (const std::string why = why_wrong(from, include.header); !why.empty())
+      if (const std::string why = why_wrong(rooms, from, include.header); !why.empty())
         wrong.push_back(at(file, include) + why);
     }
   }
   return wrong;
+}
+
+std::vector<std::string> room_cycles(const Rooms& rooms) {
+  std::vector<std::string> found;
+  for (const auto& [room, uses] : rooms)
+    if (reached_from(rooms, room).contains(room)) found.push_back("room " + room + " uses itself by way of others");
+  return found;
+}
+
+std::vector<std::string> unit_cycles(const std::vector<SourceFile>& files) {
+  const Graph graph = units_of(files);
+  std::map<std::string, std::set<std::string>> reached;
+  for (const auto& [unit, uses] : graph) reached[unit] = reached_from(graph, unit);
+  std::vector<std::string> found;
+  std::set<std::string> seen;
+  for (const auto& [unit, far] : reached) {
+    if (!far.contains(unit) || seen.contains(unit)) continue;
+    std::string line = "cycle of units:";
+    for (const std::string& other : far) {
+      if (!reached.contains(other) || !reached.at(other).contains(unit)) continue;
+      seen.insert(other);
+      line += " " + other;
+    }
+    found.push_back(line);
+  }
+  return found;
+}
+
+std::vector<std::string> crowded_rooms(const std::vector<SourceFile>& files) {
+  std::map<std::string, std::size_t> lines;
+  std::size_t all = 0;
+  for (const SourceFile& file : files) {
+    const std::string room = room_of(file.path, kRoomRoot);
+    if (room.empty()) continue;
+    lines[room] += file.lines.size();
+    all += file.lines.size();
+  }
+  std::vector<std::string> found;
+  for (const auto& [room, count] : lines) {
+    if (static_cast<double>(count) <= kLargestRoom * static_cast<double>(all)) continue;
+    found.push_back("room " + room + " has " + std::to_string(count) + " of " + std::to_string(all) +
+                    " lines, more than a tenth");
+  }
+  return found;
 }
 
 std::vector<std::string> wandering_libraries(const std::vector<SourceFile>& files) {

@@ -18,6 +18,7 @@ using ::testing::SizeIs;
 class TheTree : public ::testing::Test {
  protected:
   const std::vector<SourceFile> files_ = read_sources(GENU_SOURCE_DIR);
+  const Rooms rooms_ = read_rooms(GENU_SOURCE_DIR);
 };
 
 TEST_F(TheTree, IsRead) {
@@ -27,55 +28,93 @@ TEST_F(TheTree, IsRead) {
   EXPECT_TRUE(has_pose);
 }
 
-TEST_F(TheTree, FollowsTheOrderOfLayers) { EXPECT_THAT(wrong_arrows(files_), IsEmpty()); }
+TEST_F(TheTree, FollowsTheOrderOfRooms) { EXPECT_THAT(wrong_arrows(files_, rooms_), IsEmpty()); }
+TEST_F(TheTree, HasRoomsWithoutCycles) {
+  EXPECT_GT(rooms_.size(), 15U);
+  EXPECT_THAT(room_cycles(rooms_), IsEmpty());
+}
+TEST_F(TheTree, HasUnitsWithoutCycles) { EXPECT_THAT(unit_cycles(files_), IsEmpty()); }
+TEST_F(TheTree, HasNoCrowdedRooms) { EXPECT_THAT(crowded_rooms(files_), IsEmpty()); }
 TEST_F(TheTree, KeepsLibrariesBehindOneOrTwoSources) { EXPECT_THAT(wandering_libraries(files_), IsEmpty()); }
 TEST_F(TheTree, HasNoLongFiles) { EXPECT_THAT(long_files(files_), IsEmpty()); }
 
-TEST(WrongArrows, AreNamedWithFileAndLine) {
-  const SourceFile solver{"src/genu/solver/newton.cpp",
-                          {"// text", "#include \"genu/model/model.h\"", "  #  include <genu/geometry/torus.h>"}};
-  const SourceFile core{"src/genu/core/pose.h", {"#include \"genu/run/run.h\""}};
-  EXPECT_THAT(
-      wrong_arrows({solver, core}),
-      ElementsAre("src/genu/solver/newton.cpp:3: includes genu/geometry/torus.h: wrong arrow solver -> geometry",
-                  "src/genu/core/pose.h:1: includes genu/run/run.h: wrong arrow core -> run"));
+// A small house: who may include whom.
+Rooms house() {
+  return {{"core", {}},
+          {"mesh", {"core"}},
+          {"mesh_files", {"core", "mesh"}},
+          {"scene", {"core"}},
+          {"contact", {"core", "mesh"}},
+          {"model", {"core", "contact", "scene"}},
+          {"judge", {"core", "scene", "mesh", "mesh_files"}},
+          {"study", {"core", "model"}}};
 }
 
-TEST(WrongArrows, GeometryAndSceneDoNotKnowEachOther) {
-  const SourceFile geometry{"src/genu/geometry/torus.cpp", {"#include \"genu/scene/scene.h\""}};
-  const SourceFile scene{"src/genu/scene/reader.cpp", {"#include \"genu/geometry/mesh.h\""}};
-  EXPECT_THAT(wrong_arrows({geometry, scene}), SizeIs(2));
+TEST(WrongArrows, AreNamedWithFileAndLine) {
+  const SourceFile model{"src/genu/model/load.cpp",
+                         {"// text", "#include \"genu/contact/pair.h\"", "  #  include <genu/mesh/mesh.h>"}};
+  const SourceFile core{"src/genu/core/pose.h", {"#include \"genu/study/run.h\""}};
+  EXPECT_THAT(wrong_arrows({model, core}, house()),
+              ElementsAre("src/genu/model/load.cpp:3: includes genu/mesh/mesh.h: wrong arrow model -> mesh",
+                          "src/genu/core/pose.h:1: includes genu/study/run.h: wrong arrow core -> study"));
 }
 
 TEST(WrongArrows, CannotHideInAPathOrAnUnknownFolder) {
-  const SourceFile relative{"src/genu/solver/newton.cpp", {"#include \"../geometry/torus.h\""}};
+  const SourceFile relative{"src/genu/model/load.cpp", {"#include \"../mesh/mesh.h\""}};
   const SourceFile unknown{"src/genu/utils/misc.h", {}};
-  const SourceFile missing{"src/genu/run/run.cpp", {"#include \"genu/utils/misc.h\""}};
-  EXPECT_THAT(wrong_arrows({relative, unknown, missing}),
-              ElementsAre(HasSubstr("newton.cpp:1:"), HasSubstr("no layer"), HasSubstr("no layer utils")));
+  const SourceFile missing{"src/genu/study/run.cpp", {"#include \"genu/utils/misc.h\""}};
+  EXPECT_THAT(wrong_arrows({relative, unknown, missing}, house()),
+              ElementsAre(HasSubstr("load.cpp:1:"), HasSubstr("no room"), HasSubstr("no room utils")));
 }
 
 TEST(WrongArrows, TheJudgeKnowsFilesOfMeshesAndNothingElseOfWhatItJudges) {
   const SourceFile judge{"src/genu/judge/subject.cpp",
-                         {"#include \"genu/geometry/mesh_reader.h\"", "#include \"genu/scene/scene.h\"",
-                          "#include \"genu/geometry/surface.h\"", "#include \"genu/contact/layer_law.h\"",
-                          "#include \"genu/model/ligament_law.h\"", "#include \"genu/run/run_scene.h\""}};
-  EXPECT_THAT(wrong_arrows({judge}), ElementsAre(HasSubstr("judge -> geometry"), HasSubstr("judge -> contact"),
-                                                 HasSubstr("judge -> model"), HasSubstr("judge -> run")));
-  const SourceFile judged{"src/genu/run/run_scene.cpp", {"#include \"genu/judge/judge.h\""}};
-  EXPECT_THAT(wrong_arrows({judged}), SizeIs(1));
+                         {"#include \"genu/mesh_files/mesh_reader.h\"", "#include \"genu/scene/scene.h\"",
+                          "#include \"genu/mesh/mesh.h\"", "#include \"genu/mesh/triangle_tree.h\"",
+                          "#include \"genu/contact/layer_law.h\"", "#include \"genu/model/ligament_law.h\""}};
+  EXPECT_THAT(wrong_arrows({judge}, house()),
+              ElementsAre(HasSubstr("judge -> mesh"), HasSubstr("judge -> contact"), HasSubstr("judge -> model")));
+  const SourceFile judged{"src/genu/study/run_scene.cpp", {"#include \"genu/judge/judge.h\""}};
+  EXPECT_THAT(wrong_arrows({judged}, house()), SizeIs(1));
 }
 
 TEST(WrongArrows, RightOnesPass) {
   const SourceFile contact{"src/genu/contact/candidates.cpp",
                            {"#include \"genu/contact/candidates.h\"", "#include <vector>",
-                            "#include \"genu/geometry/mesh.h\"", "// #include \"genu/run/run.h\""}};
-  const SourceFile tool{"tools/cli/main.cpp", {"#include \"genu/run/run.h\"", "#include \"genu/core/timer.h\""}};
-  EXPECT_THAT(wrong_arrows({contact, tool}), IsEmpty());
+                            "#include \"genu/mesh/mesh.h\"", "// #include \"genu/study/run.h\""}};
+  const SourceFile tool{"tools/cli/main.cpp", {"#include \"genu/study/run.h\"", "#include \"genu/core/timer.h\""}};
+  EXPECT_THAT(wrong_arrows({contact, tool}, house()), IsEmpty());
+}
+
+TEST(RoomCycles, AreNamed) {
+  EXPECT_THAT(room_cycles(house()), IsEmpty());
+  Rooms turned = house();
+  turned["mesh"].insert("model");
+  EXPECT_THAT(room_cycles(turned), ElementsAre(HasSubstr("contact"), HasSubstr("mesh"), HasSubstr("model")));
+}
+
+TEST(UnitCycles, AreSeenThroughHeadersAndSources) {
+  const SourceFile path{"src/genu/path/path.h", {"#include \"genu/path/walker.h\""}};
+  const SourceFile walker{"src/genu/path/walker.h", {"#include <string>"}};
+  const SourceFile source{"src/genu/path/walker.cpp", {"#include \"genu/path/event.h\""}};
+  const SourceFile event{"src/genu/path/event.h", {"#include \"genu/path/path.h\""}};
+  const SourceFile own{"src/genu/path/path.cpp", {"#include \"genu/path/path.h\""}};
+  EXPECT_THAT(unit_cycles({path, walker, event, own}), IsEmpty());
+  EXPECT_THAT(unit_cycles({path, walker, source, event, own}),
+              ElementsAre("cycle of units: genu/path/event genu/path/path genu/path/walker"));
+}
+
+TEST(CrowdedRooms, HaveMoreThanATenth) {
+  std::vector<SourceFile> files;
+  for (int i = 0; i < 10; ++i)
+    files.push_back({"src/genu/room" + std::to_string(i) + "/a.cpp", std::vector<std::string>(100)});
+  EXPECT_THAT(crowded_rooms(files), IsEmpty());
+  files.front().lines.emplace_back();
+  EXPECT_THAT(crowded_rooms(files), ElementsAre("room room0 has 101 of 1001 lines, more than a tenth"));
 }
 
 TEST(WanderingLibraries, InAHeaderOrAThirdSourceAreNamed) {
-  const SourceFile header{"src/genu/geometry/repair.h", {"#include <CGAL/Surface_mesh.h>"}};
+  const SourceFile header{"src/genu/mesh_care/repair.h", {"#include <CGAL/Surface_mesh.h>"}};
   const std::string fcl = "#include <fcl/fcl.h>";
   const SourceFile a{"src/genu/contact/a.cpp", {fcl, fcl}};
   const SourceFile b{"src/genu/contact/b.cpp", {fcl}};

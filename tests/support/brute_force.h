@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "genu/geometry/surface.h"
+#include "genu/surface/surface.h"
 
 namespace genu::test {
 

@@ -1,7 +1,7 @@
 // What scanners, segmentation and exporters do to meshes, done on purpose at a known place.
 #pragma once
 
-#include "genu/geometry/mesh_damage.h"
+#include "genu/mesh_care/mesh_damage.h"
 
 namespace genu::test {
 

@@ -7,10 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/assemble/build_surface.h"
+#include "genu/equilibrium/contact_set.h"
+#include "genu/model/build_model.h"
 #include "genu/model/parameters.h"
 #include "genu/results/pose_table.h"
-#include "genu/run/build_surface.h"
-#include "genu/solver/contact_set.h"
 #include "support/moved_surface.h"
 
 namespace genu::test {

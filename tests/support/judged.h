@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "genu/judge/run_folder.h"
-#include "genu/run/run_scene.h"
 #include "genu/scene/reader.h"
+#include "genu/study/run_scene.h"
 #include "support/judged_table.h"
 
 namespace genu::test {

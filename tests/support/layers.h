@@ -6,8 +6,8 @@
 
 #include "genu/contact/layer_quadrature.h"
 #include "genu/contact/triangle_layer.h"
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
+#include "genu/surface/analytic.h"
 
 namespace genu::test {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-#include "genu/geometry/surface.h"
+#include "genu/surface/surface.h"
 
 namespace genu::test {
 

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/model/joint_model.h"
+#include "genu/model/build_model.h"
 #include "genu/model/state.h"
 #include "genu/scene/reader.h"
+#include "genu/surface/analytic.h"
 
 namespace genu::test {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "genu/geometry/surface.h"
+#include "genu/surface/surface.h"
 
 namespace genu::test {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/mesh_topology.h"
-#include "genu/run/surface_fits.h"
+#include "genu/assemble/surface_fits.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "genu/scene/reader.h"
 #include "support/data.h"
 #include "tools/cli_scenes.h"

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/mesh_intersections.h"
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/mesh_writer.h"
+#include "genu/mesh_care/mesh_intersections.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/mesh_writer.h"
+#include "genu/surface/analytic.h"
 #include "support/dirt.h"
 #include "tools/cli_scenes.h"
 

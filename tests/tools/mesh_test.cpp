@@ -6,9 +6,9 @@
 #include <sys/wait.h>
 
 #include "genu/core/diagnostics.h"
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/mesh_check.h"
-#include "genu/geometry/mesh_reader.h"
+#include "genu/mesh/mesh_check.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/surface/analytic.h"
 #include "support/temporary_folder.h"
 
 namespace genu {

@@ -8,7 +8,7 @@
 
 #include "accuracy_table.h"
 #include "blend_shapes.h"
-#include "genu/geometry/blend_surface.h"
+#include "genu/surface/blend_surface.h"
 
 namespace genu {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 
 namespace genu::test {
 

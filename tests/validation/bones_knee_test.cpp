@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/mesh_topology.h"
-#include "genu/geometry/solid_inertia.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/solid_inertia.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "motion_scene.h"
 #include "support/data.h"
 #include "support/judged.h"

@@ -10,9 +10,9 @@
 
 #include "genu/core/units.h"
 #include "genu/model/potential_energy.h"
-#include "run/scenes.h"
-#include "solver/solved.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
+#include "support/solved.h"
 
 namespace genu {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "run/scenes.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/stl_writer.h"
-#include "run/scenes.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/stl_writer.h"
 #include "support/brute_force.h"
 #include "support/dirt.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

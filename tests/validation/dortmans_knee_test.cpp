@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/judged.h"
 

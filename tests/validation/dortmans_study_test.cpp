@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "run/scenes.h"
+#include "support/scenes.h"
 #include "validation/study_files.h"
 
 namespace genu::studies {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/timer.h"
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/temporary_folder.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::test {
 

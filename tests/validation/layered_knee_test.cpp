@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/mesh_reader.h"
-#include "run/scenes.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/layers.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

@@ -8,7 +8,7 @@
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
 #include "motion_scene.h"
-#include "run/scenes.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

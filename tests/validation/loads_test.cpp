@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/units.h"
-#include "run/scenes.h"
 #include "support/scene_model.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "run/scenes.h"
 #include "support/data.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

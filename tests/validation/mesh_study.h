@@ -9,12 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/build_surface.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/geometry/blend_surface.h"
-#include "genu/geometry/stl_writer.h"
-#include "genu/run/build_surface.h"
-#include "genu/run/run_scene.h"
+#include "genu/mesh_files/stl_writer.h"
+#include "genu/model/build_model.h"
+#include "genu/study/run_scene.h"
+#include "genu/surface/blend_surface.h"
 #include "support/judged.h"
 #include "support/temporary_folder.h"
 

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "genu/contact/layer_law.h"
-#include "genu/run/evaluate.h"
-#include "run/scenes.h"
+#include "genu/study/evaluate.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/scene_model.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

@@ -1,5 +1,5 @@
 // Bodies that fly: conserved quantities and closed forms.
-#include "genu/model/motion_rates.h"
+#include "genu/motion/motion_rates.h"
 #include "motion_scene.h"
 
 namespace genu {

@@ -9,10 +9,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/run/prepare.h"
-#include "genu/run/run_motion.h"
+#include "genu/assemble/prepare.h"
+#include "genu/model/build_model.h"
 #include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
+#include "genu/study/run_motion.h"
 #include "support/judged.h"
 
 namespace genu::test {

@@ -8,10 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/units.h"
-#include "genu/geometry/chart_mesh.h"
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/stl_writer.h"
-#include "genu/run/fit_scene.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/stl_writer.h"
+#include "genu/model/build_model.h"
+#include "genu/shape_fit/chart_mesh.h"
+#include "genu/study/fit_scene.h"
 #include "knee_run.h"
 #include "mesh_study.h"
 #include "support/judged.h"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/geometry/mesh_reader.h"
-#include "genu/run/evaluate.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/study/evaluate.h"
 #include "support/published_knee.h"
 #include "support/temporary_folder.h"
 

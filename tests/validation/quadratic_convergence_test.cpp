@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "run/scenes.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

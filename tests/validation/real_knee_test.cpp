@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 #include "knee_run.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"

@@ -11,7 +11,7 @@
 
 #include "case_scene.h"
 #include "genu/core/units.h"
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/judged.h"
 #include "support/temporary_folder.h"

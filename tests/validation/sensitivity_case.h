@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/run/sensitivity.h"
+#include "genu/model/build_model.h"
 #include "genu/scene/reader.h"
+#include "genu/study/sensitivity.h"
 #include "support/edited_scene.h"
 #include "support/finite_difference.h"
 #include "support/judged.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/stl_writer.h"
+#include "genu/mesh_files/stl_writer.h"
+#include "genu/surface/analytic.h"
 #include "support/knee_scene.h"
 #include "support/scene_model.h"
 #include "support/temporary_folder.h"

@@ -10,9 +10,9 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/stl_writer.h"
-#include "run/scenes.h"
+#include "genu/mesh_files/stl_writer.h"
+#include "genu/surface/analytic.h"
+#include "support/scenes.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {

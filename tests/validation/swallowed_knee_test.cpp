@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "genu/geometry/analytic.h"
-#include "genu/geometry/mesh_reader.h"
-#include "genu/geometry/mesh_topology.h"
-#include "genu/geometry/stl_writer.h"
-#include "run/scenes.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/stl_writer.h"
+#include "genu/surface/analytic.h"
 #include "support/brute_force.h"
 #include "support/knee_scene.h"
+#include "support/scenes.h"
 #include "support/ssm_scene.h"
 
 namespace genu {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "run/scenes.h"
+#include "support/scenes.h"
 
 namespace genu {
 namespace {

@@ -13,7 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
-#include "genu/run/accuracy.h"
+#include "genu/study/accuracy.h"
 #include "progress.h"
 
 namespace genu::cli {

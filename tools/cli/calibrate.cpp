@@ -13,7 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
-#include "genu/run/calibrate.h"
+#include "genu/study/calibrate.h"
 
 namespace genu::cli {
 namespace {

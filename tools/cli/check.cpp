@@ -10,8 +10,8 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
-#include "genu/geometry/mesh_intersections.h"
-#include "genu/run/run_scene.h"
+#include "genu/mesh_care/mesh_intersections.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
-#include "genu/run/compare.h"
+#include "genu/store/compare.h"
 
 namespace genu::cli {
 namespace {

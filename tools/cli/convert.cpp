@@ -16,7 +16,7 @@
 #include "genu/core/diagnostics.h"
 #include "genu/judge/run_folder.h"
 #include "genu/results/storage_text.h"
-#include "genu/run/convert.h"
+#include "genu/store/convert.h"
 
 namespace genu::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
-#include "genu/run/evaluate.h"
+#include "genu/study/evaluate.h"
 
 namespace genu::cli {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "command_table.h"
 #include "commands.h"
-#include "genu/run/explain.h"
-#include "genu/run/run_scene.h"
+#include "genu/appraise/explain.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
+#include "genu/study/run_scene.h"
 #include "topics.h"
 
 namespace genu::cli {

@@ -17,12 +17,12 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
+#include "genu/assemble/fit_mesh.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/units.h"
-#include "genu/run/fit_mesh.h"
-#include "genu/run/fit_scene.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
+#include "genu/study/fit_scene.h"
 #include "tell.h"
 
 namespace genu::cli {

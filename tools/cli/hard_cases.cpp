@@ -17,8 +17,8 @@
 
 #include "commands.h"
 #include "genu/core/atomic_output.h"
-#include "genu/run/hard_cases.h"
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
+#include "hard_cases/hard_cases.h"
 #include "progress.h"
 #include "tell.h"
 

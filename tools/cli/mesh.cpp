@@ -17,15 +17,15 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
+#include "genu/assemble/build_solid.h"
+#include "genu/assemble/build_surface.h"
 #include "genu/core/diagnostics.h"
-#include "genu/geometry/mesh_check.h"
-#include "genu/geometry/mesh_writer.h"
-#include "genu/geometry/solid_mesh.h"
-#include "genu/geometry/tessellate.h"
-#include "genu/geometry/thicken.h"
-#include "genu/run/build_solid.h"
-#include "genu/run/build_surface.h"
+#include "genu/mesh/mesh_check.h"
+#include "genu/mesh_files/mesh_writer.h"
 #include "genu/scene/reader.h"
+#include "genu/shape_fit/solid_mesh.h"
+#include "genu/shape_fit/thicken.h"
+#include "genu/surface/tessellate.h"
 #include "tell.h"
 
 namespace genu::cli {

@@ -16,9 +16,9 @@
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/core/timer.h"
-#include "genu/geometry/mesh_examination.h"
-#include "genu/geometry/mesh_repair.h"
-#include "genu/geometry/mesh_writer.h"
+#include "genu/mesh_care/mesh_examination.h"
+#include "genu/mesh_care/mesh_repair.h"
+#include "genu/mesh_files/mesh_writer.h"
 #include "tell.h"
 
 namespace genu::cli {

@@ -14,7 +14,7 @@
 
 #include "commands.h"
 #include "genu/core/file_text.h"
-#include "genu/run/new_scene.h"
+#include "genu/study/new_scene.h"
 
 namespace genu::cli {
 namespace {

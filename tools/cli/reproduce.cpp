@@ -17,9 +17,9 @@
 #include "commands.h"
 #include "genu/core/file_text.h"
 #include "genu/core/scratch_folder.h"
-#include "genu/run/failure.h"
-#include "genu/run/input_hash.h"
-#include "genu/solver/path.h"
+#include "genu/path/path.h"
+#include "genu/study/failure.h"
+#include "genu/store/input_hash.h"
 #include "tell.h"
 
 namespace genu::cli {

@@ -22,8 +22,8 @@
 #include "commands.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/run/checkpoint.h"
-#include "genu/run/run_scene.h"
+#include "genu/store/checkpoint.h"
+#include "genu/study/run_scene.h"
 #include "progress.h"
 #include "tell.h"
 

@@ -13,7 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "commands.h"
-#include "genu/run/sensitivity.h"
+#include "genu/study/sensitivity.h"
 
 namespace genu::cli {
 namespace {

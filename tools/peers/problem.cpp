@@ -4,8 +4,9 @@
 #include <filesystem>
 
 #include "genu/core/units.h"
+#include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::peers {
 namespace {

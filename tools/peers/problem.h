@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "genu/run/prepare.h"
+#include "genu/assemble/prepare.h"
 #include "peers/exchange.h"
 
 namespace genu::peers {

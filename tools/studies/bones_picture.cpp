@@ -1,8 +1,8 @@
 #include "studies/bones_picture.h"
 
-#include "genu/geometry/solid_mesh.h"
-#include "genu/run/build_solid.h"
+#include "genu/assemble/build_solid.h"
 #include "genu/scene/reader.h"
+#include "genu/shape_fit/solid_mesh.h"
 #include "studies/mesh_picture.h"
 
 namespace genu::studies {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "genu/core/pose.h"
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 
 namespace genu::studies {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "genu/run/run_scene.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::studies {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "genu/contact/layer_thickness.h"
-#include "genu/geometry/triangle_tree.h"
+#include "genu/mesh/triangle_tree.h"
 
 namespace genu {
 

@@ -10,7 +10,7 @@
 
 #include "genu/core/pose.h"
 #include "genu/core/which_move.h"
-#include "genu/geometry/surface.h"
+#include "genu/surface/surface.h"
 
 namespace genu {
 

@@ -14,8 +14,8 @@
 #include <Eigen/Geometry>
 
 #include "genu/contact/feature_normals.h"
-#include "genu/geometry/mesh_topology.h"
-#include "genu/geometry/winding_number.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/winding_number.h"
 
 namespace genu {
 namespace {

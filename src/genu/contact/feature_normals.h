@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "genu/core/types.h"
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 
 namespace genu {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "genu/core/pose.h"
-#include "genu/geometry/sheet_atlas.h"
+#include "genu/mesh/sheet_atlas.h"
 
 namespace genu {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 
 namespace genu {
 

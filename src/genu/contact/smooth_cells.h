@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "genu/geometry/surface.h"
+#include "genu/surface/surface.h"
 
 namespace genu {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "genu/contact/far_distance.h"
-#include "genu/geometry/samples.h"
+#include "genu/surface/samples.h"
 
 namespace genu {
 

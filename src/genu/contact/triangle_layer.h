@@ -12,7 +12,7 @@
 
 #include "genu/contact/layer_quadrature.h"
 #include "genu/contact/layer_thickness.h"
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 
 namespace genu {
 

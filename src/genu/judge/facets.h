@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "genu/geometry/mesh.h"
+#include "genu/mesh/mesh.h"
 #include "genu/scene/scene.h"
 
 namespace genu::judge {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "genu/geometry/mesh_reader.h"
+#include "genu/mesh_files/mesh_reader.h"
 
 namespace genu::judge {
 namespace {

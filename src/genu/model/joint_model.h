@@ -7,7 +7,6 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/core/safeguards.h"
-#include "genu/geometry/surface.h"
 #include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
@@ -15,6 +14,7 @@
 #include "genu/model/ligament.h"
 #include "genu/model/load.h"
 #include "genu/scene/scene.h"
+#include "genu/surface/surface.h"
 
 namespace genu {
 
@@ -110,16 +110,6 @@ struct JointModel {
   std::shared_ptr<EffectMeter> meter;
   Safeguards safeguards;  ///< all of them, but in tests of what each is good for
 };
-
-/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each
-/// whose thickness is measured (null for others; may be empty where there is none). What the scene's laws cannot be is
-/// added to `out`, and the result is empty; so are warnings on thicknesses.
-std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                                      Diagnostics& out, const Bones& bones = {});
-
-/// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
-/// are indices into JointModel::bodies. Only before a State is made of the model.
-void add_ligament(JointModel& model, JointModel::LigamentBetween ligament);
 
 /// Calls add(coordinate, factor) for each term of what is prescribed.
 template <typename Add>

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "genu/equilibrium/contact_set.h"
 #include "genu/model/layer_report.h"
 #include "genu/results/result_table.h"
-#include "genu/solver/contact_set.h"
 
 namespace genu {
 

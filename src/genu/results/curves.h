@@ -2,9 +2,9 @@
 // smallest eigenvalue over the coordinate that was prescribed.
 #pragma once
 
+#include "genu/path/path_options.h"
 #include "genu/results/chart.h"
 #include "genu/results/result_table.h"
-#include "genu/solver/path.h"
 
 namespace genu {
 

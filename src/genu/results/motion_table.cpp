@@ -6,7 +6,7 @@
 #include "genu/core/units.h"
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
-#include "genu/model/motion_rates.h"
+#include "genu/motion/motion_rates.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "genu/motion/motion.h"
 #include "genu/results/result_table.h"
-#include "genu/solver/motion.h"
 
 namespace genu {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "genu/equilibrium/sensitivity.h"
 #include "genu/results/pose_table.h"
-#include "genu/solver/sensitivity.h"
 
 namespace genu {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "genu/model/layer_report.h"
+#include "genu/path/path_options.h"
 #include "genu/results/result_table.h"
-#include "genu/solver/path.h"
 
 namespace genu {
 

@@ -2,51 +2,13 @@
 // computes nothing but changes of unit; the page's own program (src/report_page) draws.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "genu/model/joint_model.h"
-#include "genu/results/chart.h"
 #include "genu/results/report_page.h"
-#include "genu/results/result_table.h"
-#include "genu/results/summary.h"
+#include "genu/results/report_run.h"
 
 namespace genu {
-
-/// Triangles to be looked at, in the frame of their body's pose. They are never computed with.
-struct ReportMesh {
-  enum class Kind { surface, bone };
-  std::string name;
-  int body = 0;  ///< index into JointModel::bodies
-  Kind kind = Kind::surface;
-  std::vector<Vec3> vertices;  ///< m
-  std::vector<std::array<int, 3>> triangles;
-  std::size_t triangles_in_full = 0;  ///< what it was made from, where it was thinned out for the page
-};
-
-/// Where one contact, or one region of an elastic layer, carries load in each row: in the frame of the second body's
-/// pose, NaN where it does not.
-struct ReportContact {
-  std::string name, surface;  ///< of the second body
-  int body_a = 0, body_b = 0;
-  std::vector<Vec3> point;  ///< m
-  std::vector<Vec3> force;  ///< N, on the second body
-};
-
-/// One result. What is pointed at must live until report_html() returns.
-struct ReportRun {
-  const Scene* scene = nullptr;
-  const JointModel* model = nullptr;
-  const RunSummary* summary = nullptr;
-  const ResultTable* poses = nullptr;
-  const ResultTable* events = nullptr;
-  std::string scene_text;  ///< the file's own
-  Chart chart;
-  std::vector<std::vector<Pose>> body_poses;  ///< of each row the poses of all bodies; empty where there is none
-  std::vector<ReportMesh> meshes;
-  std::vector<ReportContact> contacts;
-};
 
 /// The page. All that depends on time or machine stands in one line of it, that of the element `genu-times`: the rest
 /// is the same for the same runs.

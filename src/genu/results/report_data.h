@@ -1,7 +1,10 @@
 // What report.html shows, as JSON for the page's program (src/report_page/data.js reads it).
 #pragma once
 
-#include "genu/results/report.h"
+#include <string>
+#include <vector>
+
+#include "genu/results/report_run.h"
 
 namespace genu {
 

@@ -1,8 +1,8 @@
 // starts.csv: the equilibria that were found from several starts.
 #pragma once
 
+#include "genu/path/starts.h"
 #include "genu/results/result_table.h"
-#include "genu/solver/starts.h"
 
 namespace genu {
 

@@ -10,7 +10,7 @@
 
 #include "genu/core/file_checksum.h"
 #include "genu/core/types.h"
-#include "genu/solver/path.h"
+#include "genu/path/path_options.h"
 
 namespace genu {
 
@@ -28,7 +28,7 @@ struct ContactLocation {
   double ratio() const { return least_curvature / curvature_uncertainty; }
 };
 
-/// What half spaces of a layer's material would carry at the same approach (run/hertz_check.h), in one row.
+/// What half spaces of a layer's material would carry at the same approach (appraise/hertz_check.h), in one row.
 struct HertzCheck {
   std::string contact;
   std::size_t row = 0;                                ///< of results.csv, from 1
@@ -112,11 +112,11 @@ struct RunSummary {
   int fewest_contacts = 0, most_contacts = 0;
   int iterations = 0, substeps = 0;
   double worst_residual = 0;
-  double bearable_loads = 0;               ///< of all, where there is no first pose under all of them (run/overload.h)
-  double smallest_force = 0;               ///< N, +infinity without contact
-  double smallest_gap = 0;                 ///< m, +infinity without contact
-  std::vector<ContactLocation> locations;  ///< of pairs with a noisy mesh
-  std::vector<HertzCheck> hertz;           ///< of layers in contact
+  double bearable_loads = 0;  ///< of all, where there is no first pose under all of them (appraise/overload.h)
+  double smallest_force = 0;  ///< N, +infinity without contact
+  double smallest_gap = 0;    ///< m, +infinity without contact
+  std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh
+  std::vector<HertzCheck> hertz;                        ///< of layers in contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::string> verdict;                     ///< sentences
   bool partial = false;  ///< the work was stopped before its end: there would be more rows

@@ -26,7 +26,7 @@ struct BodyDef {
   std::string name;
   bool fixed = false;
   /// Where mass, centre of mass and inertia come from: they are 0 as read, and known once its mesh is
-  /// (run/read_solids.h).
+  /// (assemble/read_solids.h).
   std::optional<Solid> solid;
   double mass = 0;                     ///< kg; 0 has no weight
   Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body

@@ -1,4 +1,4 @@
-// A solid put together of round shapes, as a file for `genu mesh` describes it (geometry/solid_field.h is its
+// A solid put together of round shapes, as a file for `genu mesh` describes it (shape_fit/solid_field.h is its
 // mathematics).
 #pragma once
 

@@ -1,7 +1,7 @@
 // consumer SCENE COLUMN: solves a scene and prints one column of its results, a line each pose.
 #include <cstdio>
 
-#include <genu/run/run_scene.h>
+#include <genu/study/run_scene.h>
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

@@ -1,0 +1,85 @@
+#include "genu/appraise/layer_verdict.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "genu/appraise/layer_doubts.h"
+#include "genu/contact/layer_law.h"
+#include "genu/core/units.h"
+
+namespace genu {
+namespace {
+
+constexpr double kFewTriangles = 50;  // a sum over fewer jumps visibly from pose to pose
+constexpr double kNearlyAll = 0.95;   // of the search depth
+
+/// The row where a column has its extreme, over cells with a number; no row where none has.
+struct Extreme {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::size_t row = 0, count = 0;  ///< rows beyond the limit
+};
+
+template <typename Beyond>
+Extreme extreme(const ResultTable& poses, const std::string& column, double sign, Beyond beyond) {
+  Extreme out;
+  for (std::size_t row = 0; row < poses.rows(); ++row) {
+    const double x = poses.number(row, column);
+    if (std::isnan(x)) continue;
+    if (std::isnan(out.value) || sign * x > sign * out.value) out.value = x, out.row = row;
+    if (beyond(x)) ++out.count;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& model, const ResultTable& poses) {
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+    const LayerDef& layer = scene.layers[k];
+    const std::string& name = layer.pair.name;
+    const Extreme used =
+        extreme(poses, name + ".max_strain", 1, [](double strain) { return strain > LayerLaw::kDeepest; });
+    const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [](double) { return false; });
+    if (used.count > 0)
+      out.push_back(fmt::format(
+          "The layer of {} is pressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows): it is "
+          "too soft or too thin for the load, and its law no longer holds.",
+          name, 100 * used.value, used.row + 1, 100 * LayerLaw::kDeepest, used.count));
+    else if (deepest.value > kNearlyAll * to::kMillimetre * model.layers[k].search_depth)
+      out.push_back(
+          fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
+                      "`search_depth` may find more.",
+                      name, deepest.value, deepest.row + 1));
+    if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
+    const Extreme few =
+        extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewTriangles; });
+    if (few.count > 0)
+      out.push_back(
+          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles of {} "
+                      "carry it ({:.0f} in row {}). A finer mesh or quadrature = \"smooth\" resolves it.",
+                      name, few.count, poses.rows(), kFewTriangles,
+                      scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name, few.value, few.row + 1));
+  }
+  return out;
+}
+
+void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records, std::vector<std::string>& out) {
+  if (prepared.model.layers.empty()) return;
+  constexpr std::size_t kLooked = 8;
+  const State start = start_state(prepared.model);
+  std::vector<const State*> states{&start};
+  for (std::size_t k = 0; k < std::min(kLooked, records.size()); ++k) {
+    const std::size_t row = records.size() <= kLooked ? k : k * (records.size() - 1) / (kLooked - 1);
+    const State& state = records[row].point.pose.state;
+    if (!state.poses.empty()) states.push_back(&state);
+  }
+  for (std::string& sentence : facing_doubts(prepared, states)) out.push_back(std::move(sentence));
+  states.erase(states.begin());  // where the search starts bodies may lie anyhow
+  for (std::string& sentence : reach_doubts(prepared, states)) out.push_back(std::move(sentence));
+  for (std::string& sentence : footing_doubts(prepared, records)) out.push_back(std::move(sentence));
+}
+
+}  // namespace genu

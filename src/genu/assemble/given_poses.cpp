@@ -1,0 +1,116 @@
+#include "genu/assemble/given_poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "genu/mesh_files/text_words.h"
+
+namespace genu {
+namespace {
+
+constexpr double kLargestAngle = 1e5, kLargestLength = 1e7;  // rad, m: as in scenes
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+class GivenPosesReader {
+ public:
+  GivenPosesReader(const Scene& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
+      : scene_(scene), file_(file), columns_(columns), errors_(file.path, out), out_(out) {
+    for (const JointDef& joint : scene.joints) held_.push_back(joint.reference);
+  }
+
+  std::optional<GivenPoses> read() {
+    if (!time_is_known()) return std::nullopt;
+    for (const PoseFile::Row& row : file_.rows) {
+      const bool solved = !columns_.status || row.cells[*columns_.status].text == "ok" ||
+                          row.cells[*columns_.status].text == "undetermined";
+      if (solved)
+        add(row);
+      else
+        ++given_.left_out;
+    }
+    if (errors_.count() > 0) return std::nullopt;
+    if (given_.poses.empty()) {
+      out_.error(file_.path, "holds no pose that was solved: the status of every row says so");
+      return std::nullopt;
+    }
+    return std::move(given_);
+  }
+
+ private:
+  bool time_is_known() const {
+    const auto load = std::find_if(scene_.loads.begin(), scene_.loads.end(), [](const auto& l) { return l.in_time(); });
+    if (columns_.time || load == scene_.loads.end()) return true;
+    out_.error(file_.path, "has no column time, over which load." + load->name +
+                               " changes: name it so, or say --columns \"time=COLUMN\"");
+    return false;
+  }
+
+  /// Finite and not beyond `largest` in SI; NaN otherwise, and said.
+  double number(const PoseFile::Row& row, std::size_t column, double unit, double largest) {
+    const PoseFile::Cell& cell = row.cells[column];
+    const std::string& name = file_.names.cells[column].text;
+    double value = 0;
+    const auto refuse = [&](const std::string& rule) {
+      errors_.add(row.line, cell.column, name, in_quotes(cell.text), rule);
+      return kNone;
+    };
+    if (cell.text.empty()) return refuse("is empty: a number is expected");
+    if (!TextWords::number(cell.text, value)) return refuse("is no number");
+    if (!std::isfinite(value)) return refuse("must be a finite number");
+    if (!(std::abs(unit * value) <= largest)) return refuse("is too large for a joint");
+    return unit * value;
+  }
+
+  void add(const PoseFile::Row& row) {
+    GivenPose pose;
+    pose.coordinates = held_;
+    for (const PoseColumns::Match& m : columns_.coordinates)
+      pose.coordinates[static_cast<std::size_t>(m.coordinate.joint)][static_cast<std::size_t>(m.coordinate.index)] =
+          number(row, m.column, m.unit, m.coordinate.index < 3 ? kLargestAngle : kLargestLength);
+    pose.load_factors.assign(scene_.loads.size(), 1);
+    constexpr double kLargest = 1e20, kLargestCount = 1e9;
+    for (const auto& f : columns_.factors)
+      pose.load_factors[static_cast<std::size_t>(f.load)] = number(row, f.column, 1, kLargest);
+    pose.time = columns_.time ? number(row, *columns_.time, 1, kLargest) : kNone;
+    check_time(row, pose.time);
+    pose.increment = static_cast<int>(given_.poses.size());
+    if (columns_.own_results()) {
+      const double step = number(row, *columns_.step, 1, kLargestCount),
+                   increment = number(row, *columns_.increment, 1, kLargestCount);
+      if (std::isfinite(step + increment)) {
+        pose.step = static_cast<int>(step);
+        pose.increment = static_cast<int>(increment);
+      }
+    }
+    given_.poses.push_back(std::move(pose));
+  }
+
+  /// A path by arc length turns back, and its time with it.
+  void check_time(const PoseFile::Row& row, double time) {
+    if (!columns_.time || columns_.own_results()) return;
+    if (!given_.poses.empty() && time <= given_.poses.back().time)
+      errors_.add(row.line, row.cells[*columns_.time].column, file_.names.cells[*columns_.time].text,
+                  row.cells[*columns_.time].text,
+                  fmt::format("must be > {:g}, the time before it", given_.poses.back().time));
+  }
+
+  const Scene& scene_;
+  const PoseFile& file_;
+  const PoseColumns& columns_;
+  LongErrors errors_;
+  Diagnostics& out_;
+  std::vector<JointValues> held_;
+  GivenPoses given_;
+};
+
+}  // namespace
+
+std::optional<GivenPoses> read_given_poses(const Scene& scene, const PoseFile& file, const PoseColumns& columns,
+                                           Diagnostics& out) {
+  return GivenPosesReader(scene, file, columns, out).read();
+}
+
+}  // namespace genu

@@ -1,0 +1,337 @@
+#include "genu/assemble/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "genu/assemble/build_surface.h"
+#include "genu/assemble/mesh_diagnostics.h"
+#include "genu/assemble/read_bones.h"
+#include "genu/assemble/read_solids.h"
+#include "genu/core/timer.h"
+#include "genu/core/units.h"
+#include "genu/mesh_care/mesh_shape.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/model/build_model.h"
+#include "genu/model/contact_field.h"
+#include "genu/scene/centre_bodies.h"
+#include "genu/scene/reader.h"
+#include "genu/surface/blend_surface.h"
+#include "genu/surface/facet_surface.h"
+
+namespace genu {
+namespace {
+
+std::string describe(const MeshReport& r, const BlendFacts& f) {
+  return fmt::format("{} triangles, edge {:.2f} mm; degree {}, fit radius {:.2f} mm, {} nodes; {}", r.triangles,
+                     to::kMillimetre * r.edge_length[2], f.degree, to::kMillimetre * f.fit_radius, f.node_count, f.why);
+}
+
+const char* unit_word(double metres) { return metres == 1 ? "m" : "mm"; }
+
+/// Carries a mesh into its body's frame, its outward side where the scene wants it.
+void move_to_body(const SurfaceDef& def, Mesh& mesh) {
+  for (Vec3& v : mesh.vertices) v = def.placement * v;
+  if (!def.inside) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+/// Takes the flaws out of a mesh, tells of them with the place of each, and remembers where they were.
+std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Diagnostics& out) {
+  constexpr std::size_t kTold = 4;
+  std::vector<DoubtfulPlace> places;
+  std::string told;
+  std::size_t count = 0;
+  for (const Flaw& flaw : cut_out_flaws(mesh)) {
+    const std::string what = describe(flaw, def.file_unit);
+    if (++count <= kTold) told += (told.empty() ? "" : "; ") + what;
+    // What lies inside another piece is out of reach and leaves nothing missing.
+    if (flaw.kind == Flaw::Kind::inner_piece) continue;
+    places.push_back({def.file + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
+  }
+  if (count == 0) return places;
+  if (count > kTold) told += fmt::format("; and {} more (genu mesh-check lists them)", count - kTold);
+  out.add({.severity = Diagnostic::Severity::warning,
+           .file = def.file,
+           .key = {},
+           .found = {},
+           .rule = "has flaws, left out of its surface; poses whose contact leans on one are refused: " + told});
+  return places;
+}
+
+void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
+  if (turned == 0) return;
+  out.add({.severity = Diagnostic::Severity::warning,
+           .file = def.file,
+           .key = {},
+           .found = {},
+           .rule = fmt::format("has {} triangles wound against the rest of it: turned round", turned)});
+}
+
+/// A closed mesh tells its outward side by its volume. An open sheet cannot be judged.
+void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDef& def, Diagnostics& out) {
+  if (report.boundary_loops > 0 || report.non_manifold_edges > 0 || def.inside) return;
+  double volume = 0;
+  const auto from_corner = [&](int i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(i)] - report.box.low; };
+  for (const auto& t : mesh.triangles) volume += from_corner(t[0]).dot(from_corner(t[1]).cross(from_corner(t[2]))) / 6;
+  if (volume < 0)
+    out.add({.severity = Diagnostic::Severity::warning,
+             .file = def.file,
+             .key = {},
+             .found = {},
+             .rule = "is inside out: its normals point into the volume it closes; inside = true turns them round"});
+}
+
+/// m: what lies across a closed form at its thinnest; +infinity where it is a socket, has no back, or is a mesh.
+double thickness_of(const SurfaceDef& def) {
+  switch (def.inside ? SurfaceDef::Shape::plane : def.shape) {
+    case SurfaceDef::Shape::sphere:
+    case SurfaceDef::Shape::cylinder:
+      return 2 * def.radius;
+    case SurfaceDef::Shape::ellipsoid:
+      return 2 * def.radii.minCoeff();
+    case SurfaceDef::Shape::torus:
+      return 2 * def.minor_radius;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// What crosses a body between the places where it is looked at goes unseen.
+void warn_thin(const Prepared& p, Diagnostics& out) {
+  const double spacing = sample_spacing(p.model);
+  std::set<int> told;
+  for (const ContactDef& c : p.scene.contacts)
+    for (const int k : {c.surface_a, c.surface_b}) {
+      const SurfaceDef& def = p.scene.surfaces[at(k)];
+      const double thick = thickness_of(def);
+      if (thick >= spacing || !told.insert(k).second) continue;
+      out.add({.severity = Diagnostic::Severity::warning,
+               .file = p.scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "surface." + def.name,
+               .found = {},
+               .rule = fmt::format("is {:.3g} mm thick, and surfaces are looked at every {:.3g} mm: that nothing "
+                                   "crosses it is not certain",
+                                   to::kMillimetre * thick, to::kMillimetre * spacing)});
+    }
+}
+
+/// Errors of a stage that does not know the scene get the place in the scene that named the file.
+void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
+  Diagnostics of_file;
+  for (Diagnostic d : found.items()) {
+    if (d.key != def.file + ".fit_radius") {
+      of_file.add(d);
+      continue;
+    }
+    d.file = scene.file;
+    d.line = def.fit_radius_where.line;
+    d.column = def.fit_radius_where.column;
+    d.key = "surface." + def.name + ".fit_radius";
+    out.add(d);
+  }
+  add_at_key(scene, def.file_where, "surface." + def.name + ".file", def.file, of_file, out);
+}
+
+/// Whether nothing but the triangles of a surface is asked for: then it is not made smooth.
+bool triangles_alone(const Scene& scene, std::size_t surface) {
+  const auto uses = [&](const ContactDef& c) {
+    return c.surface_a == static_cast<int>(surface) || c.surface_b == static_cast<int>(surface);
+  };
+  return std::none_of(scene.contacts.begin(), scene.contacts.end(), uses) &&
+         std::none_of(
+             scene.layers.begin(), scene.layers.end(),
+             [&](const LayerDef& l) { return l.quadrature == LayerDef::Quadrature::smooth && uses(l.pair); }) &&
+         std::any_of(scene.layers.begin(), scene.layers.end(), [&](const LayerDef& l) { return uses(l.pair); });
+}
+
+std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace> doubtful, SurfaceNote& note) {
+  note.text = fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
+                          to::kMillimetre * note.mesh->edge_length[2]);
+  auto facets = std::make_shared<FacetSurface>(std::move(mesh));
+  for (DoubtfulPlace& d : doubtful) d.reach = note.mesh->edge_length[2];
+  facets->set_doubtful(std::move(doubtful));
+  return facets;
+}
+
+std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, bool facets,
+                                                  SurfaceNote& note, double& read_seconds, const Safeguards& safeguards,
+                                                  Diagnostics& out) {
+  Diagnostics found;
+  std::shared_ptr<BlendSurface> surface;
+  std::optional<Mesh> mesh;
+  std::vector<DoubtfulPlace> doubtful;
+  {
+    const ScopedTimer timing(read_seconds);
+    mesh = read_mesh(def.file, def.file_unit, found);
+    if (mesh) {
+      note.mesh = check_mesh(*mesh);
+      if (safeguards.has(Safeguard::scale_doubts)) check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
+      if (safeguards.has(Safeguard::winding)) make_winding_consistent(*mesh, mesh_edges(*mesh));
+      warn_inside_out(*mesh, *note.mesh, def, found);
+      if (safeguards.has(Safeguard::flaws)) doubtful = set_flaws_apart(*mesh, def, found);
+      if (safeguards.has(Safeguard::winding)) warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
+      move_to_body(def, *mesh);
+      for (DoubtfulPlace& d : doubtful)
+        for (Vec3& p : d.points) p = def.placement * p;
+    }
+  }
+  if (mesh && !found.has_errors() && facets) {
+    add_at(scene, def, found, out);
+    return as_triangles(std::move(*mesh), std::move(doubtful), note);
+  }
+  std::optional<double> fit_radius = def.fit_radius;
+  if (mesh && !fit_radius && safeguards.lacks(Safeguard::noise)) fit_radius = 3 * note.mesh->edge_length[2];
+  if (mesh && !found.has_errors())
+    surface = BlendSurface::build(std::move(*mesh), {fit_radius, def.degree}, def.file, found);
+  if (surface) {
+    note.text = describe(*note.mesh, surface->facts());
+    surface->set_doubtful(std::move(doubtful));
+    note.blend = surface;
+  }
+  add_at(scene, def, found, out);
+  return surface;
+}
+
+/// What is left of a surface within its patch has to be something, and what polynomials become there no larger than a
+/// joint.
+void check_patch(const Scene& scene, const SurfaceDef& def, const Surface* part, Diagnostics& out) {
+  constexpr double kCoarse = 0.01, kTooLarge = 5;  // m: as check_scale() has it of meshes
+  std::string rule = "holds no part of the surface: its ranges are in the surface's own frame";
+  if (part != nullptr) {
+    if (def.terms.empty()) return;
+    const double size = box_diagonal(*part, kCoarse);
+    if (size <= kTooLarge) return;
+    rule = fmt::format(
+        "holds a surface of {:.3g} m, at most {:g} m make a joint: check its ranges and the terms, which "
+        "are in the file's units",
+        size, kTooLarge);
+  }
+  out.add({.file = scene.file,
+           .line = def.patch->where.line,
+           .column = def.patch->where.column,
+           .key = "surface." + def.name + ".patch",
+           .found = {},
+           .rule = rule});
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
+                                                           std::vector<std::pair<std::string, double>>& seconds,
+                                                           Diagnostics& out, const Safeguards& safeguards) {
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  double read = 0;
+  const Timer timer;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const SurfaceDef& def = scene.surfaces[i];
+    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
+    if (def.shape == SurfaceDef::Shape::mesh)
+      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), note, read, safeguards, out));
+    else
+      surfaces.push_back(make_analytic_surface(def));
+    if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
+      out.add({.file = scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "surface." + def.name,
+               .found = {},
+               .rule = "has sizes that make no surface"});
+    if (surfaces.back() && def.patch) {
+      note.text += "; limited to a patch";
+      surfaces.back() = within_patch(surfaces.back(), def);
+      check_patch(scene, def, surfaces.back().get(), out);
+    }
+    notes.push_back(std::move(note));
+  }
+  seconds.emplace_back("reading meshes", read);
+  seconds.emplace_back("building surfaces", timer.seconds() - read);
+  return surfaces;
+}
+
+namespace {
+
+/// Two planes touch over an area or not at all: no point of contact can stand for that. A layer between them is sound
+/// as long as that area has an end.
+void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
+  const auto flat = [&](int surface) {
+    return p.scene.surfaces[static_cast<std::size_t>(surface)].shape == SurfaceDef::Shape::plane;
+  };
+  const auto endless = [&](int surface) {
+    const auto& built = p.surfaces[static_cast<std::size_t>(surface)];
+    return flat(surface) && built && built->is_unbounded();
+  };
+  const auto refuse = [&](const ContactDef& c, const char* rule) {
+    out.add({.file = p.scene.file,
+             .line = c.where.line,
+             .column = c.where.column,
+             .key = "contact." + c.name + ".surfaces",
+             .found = {},
+             .rule = rule});
+  };
+  for (const ContactDef& c : p.scene.contacts)
+    if (flat(c.surface_a) && flat(c.surface_b))
+      refuse(c, "two planes never touch at a point: give one of them a curved surface, however slightly");
+  for (const LayerDef& layer : p.scene.layers)
+    if (endless(layer.pair.surface_a) && endless(layer.pair.surface_b))
+      refuse(layer.pair,
+             "two planes without end press over an area without end: limit one of them by a `patch` with x "
+             "and y");
+}
+
+/// What cannot be read is told when the surface is built.
+std::optional<Vec3> middle_of_mesh(const SurfaceDef& def) {
+  Diagnostics ignored;
+  const auto mesh = read_mesh(def.file, def.file_unit, ignored);
+  if (!mesh) return std::nullopt;
+  const BoundingBox box = bounding_box(*mesh);
+  return 0.5 * (box.low + box.high);
+}
+
+}  // namespace
+
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
+  Prepared p;
+  const Timer timer;
+  auto scene = read_scene(path, out, safeguards);
+  if (!scene) return std::nullopt;
+  p.scene = std::move(*scene);
+  if (safeguards.has(Safeguard::centring)) centre_bodies(p.scene, middle_of_mesh);
+  p.seconds.emplace_back("reading scene", timer.seconds());
+  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out, safeguards);
+  if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);
+  p.bones = read_bones(p.scene, out);
+  p.bodies = read_solids(p.scene, out);
+  if (out.has_errors()) return std::nullopt;
+  auto model = build_model(p.scene, p.surfaces, out, p.bones);
+  if (!model || out.has_errors()) return std::nullopt;
+  p.model = std::move(*model);
+  warn_thin(p, out);
+  p.model.safeguards = safeguards;
+  if (safeguards.lacks(Safeguard::force_scale)) p.model.scales.force = 1;
+  if (safeguards.lacks(Safeguard::length_scale)) p.model.scales.length = p.model.scales.size = 0.01;
+  p.model.meter = std::make_shared<EffectMeter>();
+  p.steps = plan_steps(p.scene);
+  return p;
+}
+
+RunSummary begin_summary(const Prepared& prepared) {
+  RunSummary s;
+  s.scene_file = prepared.scene.file;
+  s.title = prepared.scene.title;
+  s.version = GENU_VERSION;
+  s.rigid_pairs = static_cast<int>(prepared.scene.contacts.size());
+  s.length_scale = prepared.model.scales.length;
+  s.force_scale = prepared.model.scales.force;
+  s.seconds = prepared.seconds;
+  for (const SurfaceNote& note : prepared.notes) s.surfaces.push_back({note.name, note.text});
+  s.bodies = prepared.bodies;
+  return s;
+}
+
+}  // namespace genu

@@ -1,0 +1,39 @@
+#include "genu/assemble/read_bones.h"
+
+#include "genu/assemble/mesh_diagnostics.h"
+#include "genu/contact/bone_thickness.h"
+#include "genu/mesh/mesh_check.h"
+#include "genu/mesh/mesh_topology.h"
+#include "genu/mesh_care/mesh_shape.h"
+#include "genu/mesh_files/mesh_reader.h"
+
+namespace genu {
+namespace {
+
+std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef& surface, Diagnostics& out) {
+  const SurfaceDef::Thickness& thickness = *surface.thickness;
+  Diagnostics found;
+  auto mesh = read_mesh(thickness.bone, thickness.bone_unit, found);
+  if (mesh) check_scale(check_mesh(*mesh), thickness.bone, thickness.bone_unit == 1 ? "m" : "mm", found);
+  add_at_key(scene, thickness.bone_where, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
+  if (!mesh || found.has_errors()) return nullptr;
+  make_winding_consistent(*mesh, mesh_edges(*mesh));
+  turn_odd_pieces(*mesh);
+  for (Vec3& v : mesh->vertices) v = surface.placement * v;
+  BoneUnder bone;
+  bone.triangles = std::make_shared<const TriangleTree>(*mesh);
+  bone.least = thickness.least;
+  bone.most = thickness.most;
+  return std::make_shared<const BoneUnder>(std::move(bone));
+}
+
+}  // namespace
+
+Bones read_bones(const Scene& scene, Diagnostics& out) {
+  Bones bones;
+  for (const SurfaceDef& surface : scene.surfaces)
+    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, out) : nullptr);
+  return bones;
+}
+
+}  // namespace genu

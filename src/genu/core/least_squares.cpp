@@ -1,0 +1,169 @@
+#include "genu/core/least_squares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "genu/core/decompositions.h"
+
+namespace genu {
+namespace {
+
+using Stop = LeastSquaresStop;
+
+class LeastSquaresSearcher {
+ public:
+  LeastSquaresSearcher(const LeastSquaresProblem& problem, const LeastSquaresOptions& options)
+      : problem_(problem), options_(options), damping_(options.first_damping) {}
+
+  LeastSquaresResult run(const VecX& start) {
+    result_.x = start;
+    const auto first = problem_.residuals(start);
+    ++result_.trials;
+    if (!first) return result_;
+    result_.residuals = *first;
+    while (!step()) ++result_.iterations;
+    return std::move(result_);
+  }
+
+ private:
+  bool stop(Stop why) {
+    result_.stop = why;
+    return true;
+  }
+
+  bool cancelled() const { return problem_.cancelled && problem_.cancelled(); }
+
+  /// One linearisation and the steps tried on it; true when there is nothing more to do.
+  bool step() {
+    if (cancelled()) return stop(Stop::cancelled);
+    if (result_.iterations >= options_.most_iterations) return stop(Stop::most_iterations);
+    const auto J = problem_.jacobian(result_.x);
+    if (!J) return stop(cancelled() ? Stop::cancelled : Stop::no_derivatives);
+    result_.jacobian = *J;
+    scale_ = scale_.size() == 0 ? VecX(J->colwise().norm()) : VecX(scale_.cwiseMax(J->colwise().norm().transpose()));
+    const double largest = scale_.maxCoeff();
+    if (!(largest > 0)) return stop(Stop::flat);
+    const VecX measure = scale_.unaryExpr([&](double s) { return s > options_.noise * largest ? s : largest; });
+    MatX scaled = *J * measure.cwiseInverse().asDiagonal();
+    for (Eigen::Index k = 0; k < scale_.size(); ++k)
+      if (!(scale_[k] > options_.noise * largest)) scaled.col(k).setZero();
+    return try_steps(scaled, measure);
+  }
+
+  /// The damped step of the linearised problem, without the directions in which it is noise.
+  VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient) const {
+    const double least = std::max(options_.noise * options_.noise, 1e-30) * normal.values.maxCoeff();
+    VecX z = VecX::Zero(gradient.size());
+    for (Eigen::Index k = 0; k < z.size(); ++k) {
+      const double square = normal.values[k];
+      const auto v = normal.vectors.col(k);
+      if (square > least) z -= v.dot(gradient) / (square + damping_) * v;
+    }
+    return z;
+  }
+
+  bool try_steps(const MatX& scaled, const VecX& measure) {
+    constexpr double kMostDamping = 1e12;
+    constexpr double kUndamped = 1e-2;  // below this a short step is short of itself
+    const VecX gradient = scaled.transpose() * result_.residuals;
+    const auto normal = symmetric_eigen(MatX(scaled.transpose() * scaled));
+    const double cost = result_.residuals.squaredNorm();
+    double faster = 2;
+    while (damping_ < kMostDamping) {
+      const VecX whole = damped_step(normal, gradient);
+      const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
+      const VecX z = std::min(1.0, options_.most_step / std::max(longest, 1e-300)) * whole;
+      const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
+      const VecX dx = z.cwiseQuotient(measure);
+      const bool freely = damping_ < kUndamped;
+      if (freely && longest < options_.step_tolerance) return stop(Stop::small_step);
+      if (freely && promised <= options_.reduction_tolerance * cost) return stop(Stop::flat);
+      const auto residuals = problem_.residuals(result_.x + dx);
+      ++result_.trials;
+      if (cancelled()) return stop(Stop::cancelled);
+      const double gain = residuals ? (cost - residuals->squaredNorm()) / promised : -1;
+      if (gain > 0) {
+        result_.x += dx;
+        result_.residuals = *residuals;
+        damping_ *= std::max(0.1, 1 - std::pow(2 * gain - 1, 3));
+        return false;
+      }
+      damping_ *= faster;
+      faster *= 2;
+    }
+    return stop(Stop::no_progress);
+  }
+
+  const LeastSquaresProblem& problem_;
+  const LeastSquaresOptions& options_;
+  double damping_;
+  VecX scale_;
+  LeastSquaresResult result_;
+};
+
+}  // namespace
+
+const char* to_string(LeastSquaresStop stop) {
+  switch (stop) {
+    case Stop::small_step:
+      return "converged: the last step is below the tolerance";
+    case Stop::flat:
+      return "converged: no step would lower the sum of squares";
+    case Stop::no_progress:
+      return "stalled: however short the step, the sum of squares does not fall";
+    case Stop::most_iterations:
+      return "stopped after the most iterations allowed";
+    case Stop::cancelled:
+      return "interrupted";
+    case Stop::no_start:
+      return "the start could not be computed";
+    case Stop::no_derivatives:
+      return "beside the last values the scene could not be computed, which the derivatives need";
+  }
+  return "";
+}
+
+LeastSquaresResult least_squares(const LeastSquaresProblem& problem, const VecX& start,
+                                 const LeastSquaresOptions& options) {
+  return LeastSquaresSearcher(problem, options).run(start);
+}
+
+LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double kInvolved = 1e-3;  // of an undetermined direction: less is rounding
+  const Eigen::Index n = jacobian.cols(), m = jacobian.rows();
+  LeastSquaresUncertainty out;
+  out.deviation = VecX::Constant(n, infinity);
+  out.correlation = MatX::Identity(n, n);
+  const SingularValues svd = singular_values(jacobian, LeftVectors::thin);
+  const auto singular = [&](Eigen::Index k) { return k < svd.values.size() ? svd.values[k] : 0; };
+  const double least = noise * singular(0);
+  MatX covariance = MatX::Zero(n, n);
+  VecX lost = VecX::Zero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    VecX v = svd.V.col(k);
+    if (singular(k) > least) {
+      covariance += v * v.transpose() / (singular(k) * singular(k));
+      continue;
+    }
+    Eigen::Index most = 0;
+    v.cwiseAbs().maxCoeff(&most);
+    if (v[most] < 0) v = -v;
+    out.undetermined.push_back(v);
+    lost = lost.cwiseMax(v.cwiseAbs());
+  }
+  if (m <= n - static_cast<Eigen::Index>(out.undetermined.size())) return out;
+  const double variance =
+      residuals.squaredNorm() / static_cast<double>(m - n + static_cast<Eigen::Index>(out.undetermined.size()));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (lost[i] > kInvolved) continue;
+    out.deviation[i] = std::sqrt(variance * covariance(i, i));
+    for (Eigen::Index j = 0; j < n; ++j)
+      if (j != i && !(lost[j] > kInvolved))
+        out.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+  }
+  return out;
+}
+
+}  // namespace genu

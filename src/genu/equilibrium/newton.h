@@ -1,0 +1,96 @@
+// Damped Newton on manifolds for one pose with its contacts given.
+#pragma once
+
+#include <string>
+
+#include "genu/core/cancelled.h"
+#include "genu/equilibrium/newton_step.h"
+
+namespace genu {
+
+struct NewtonOptions {
+  /// Scaled residual (see NewtonStep::residual) at which a pose is solved. Quadratic convergence passes it by far; when
+  /// rounding stops the fall earlier, a residual below `residual_floor` is still accepted and reported.
+  double residual_tolerance = 1e-12;
+  double residual_floor = 1e-8;
+  int max_iterations = 40;
+  double smallest_damping = 1.0 / 1024;
+  double max_translation = 0.15;  ///< cap on one iteration's motion of a body's origin, of the model's size
+  double max_rotation = 0.1;      ///< rad
+  double max_slide = 0.2;         ///< cap on one iteration's motion of a contact point, of the model's size
+  NewtonStep::Route route = NewtonStep::Route::automatic;
+  Cancelled cancelled;  ///< asked in every iteration, and while layers are summed
+};
+
+/// The same, left off once `cancelled` says so.
+inline NewtonOptions stoppable(NewtonOptions options, const Cancelled& cancelled) {
+  options.cancelled = cancelled;
+  return options;
+}
+
+struct NewtonReport {
+  enum class Outcome { converged, iterations_used_up, no_descent, left_the_surface, not_finite, cancelled };
+  Outcome outcome = Outcome::not_finite;
+  int iterations = 0;
+  double residual = 0;        ///< scaled, at the state returned
+  double rcond = 0;           ///< of the last Jacobian, scaled
+  bool full_rank = true;      ///< of the last Jacobian
+  bool minimum_norm = false;  ///< the last Jacobian was too ill-conditioned for LU
+  /// The last three residuals, oldest first, and whether the step to each was taken with the Jacobian of the one
+  /// before.
+  double residual_history[3] = {0, 0, 0};
+  bool simplified_history[3] = {false, false, false};
+
+  /// Adds a residual to those remembered.
+  void remember(double next, bool simplified);
+  bool converged() const { return outcome == Outcome::converged; }
+};
+
+std::string to_string(NewtonReport::Outcome outcome);
+
+/// Newton with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems,
+/// 2004, section 3.3). Keeps its memory between solves.
+class Newton {
+ public:
+  explicit Newton(const JointModel& model) : model_(&model), step_(model) {}
+  Newton(const Newton&) = delete;
+  Newton& operator=(const Newton&) = delete;
+
+  /// Solves from `state` in place, again where elastic layers have to be summed more finely (layer_levels.h). On
+  /// failure `state` is left as it was.
+  NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
+
+  /// After a converged solve: the linearization at the solution, its derivatives evaluated now if no step needed them.
+  const Linearization& linearization();
+  /// What earlier poses have shown of elastic layers.
+  const std::shared_ptr<LayerMemories>& layers() const { return here_->layers; }
+
+  /// After a converged solve: how much of itself the Jacobian that step() has factored may differ from that at the
+  /// solution; 0 where it is that.
+  double jacobian_error() const { return jacobian_error_; }
+  /// Lets step() factor the Jacobian at the solution. False where it cannot be.
+  bool factor_at_solution(NewtonStep::Route route = NewtonStep::Route::automatic);
+
+  NewtonStep& step() { return step_; }
+
+ private:
+  void solve_as_fine(const NewtonOptions& options, NewtonReport& report);
+  bool factor(const NewtonOptions& options, NewtonReport& report);
+  void complete();
+  void polish(const NewtonOptions& options, NewtonReport& report);
+  double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
+  double simplified_norm();
+  bool advance(const NewtonOptions& options, double& residual, NewtonReport& report);
+
+  const JointModel* model_;
+  NewtonStep step_;
+  Linearization first_, second_;
+  Linearization *here_ = &first_, *there_ = &second_;  ///< of current_ and trial_
+  Correction correction_, simplified_;
+  State current_, trial_;
+  Target target_;
+  double jacobian_error_ = 0;
+  bool simplified_at_hand_ = false;  ///< simplified_ is the step from here_ with the Jacobian at hand
+};
+
+}  // namespace genu

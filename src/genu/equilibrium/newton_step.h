@@ -1,0 +1,79 @@
+// The Newton step of a linearization, by two routes to the same numbers.
+//
+//   dense       all 6B + M + 5N unknowns at once: the reference, and the way out of a contact's own singular block
+//   eliminated  each contact's four surface coordinates first (Schur complement), then 6B + M + N: the fast one
+// Rows and columns are scaled by the model's characteristic length and force.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "genu/equilibrium/scaled_solver.h"
+#include "genu/model/linearization.h"
+
+namespace genu {
+
+/// One more unknown, the path's parameter, and one more equation: row . [twist, parameter] = 0. It keeps the Jacobian
+/// regular at limit points (arc-length control).
+struct Border {
+  VecX wrench_rate;      ///< 6B: change of the equilibrium residual with the parameter
+  VecX constraint_rate;  ///< M: change of the constraint residual
+  VecX twist;            ///< 6B: the row
+  double parameter = 1;  ///< its last entry
+};
+
+class NewtonStep {
+ public:
+  enum class Route { automatic, dense, eliminated };
+
+  explicit NewtonStep(const JointModel& model) : model_(&model) {
+    solver_.allow_minimum_norm(model.safeguards.has(Safeguard::minimum_norm));
+  }
+
+  /// Factors the Jacobian of `at`. False when it is not finite, or when the eliminated route was demanded and a contact
+  /// block is singular.
+  bool factor(const Linearization& at, const Target& target, Route route = Route::automatic,
+              const Border* border = nullptr);
+
+  /// The step for the residuals of `at`, which may be those of another state than was factored (a simplified Newton
+  /// correction, used to judge a step).
+  void solve(const Linearization& at, Correction& out);
+
+  /// The change of the unknowns for given changes of the equilibrium and constraint residuals, contacts kept closed:
+  /// the tangent of the path when these are the rates of loads and targets.
+  void solve_rates(const VecX& wrench_rate, const VecX& constraint_rate, Correction& out);
+
+  /// Factored with a border: the direction of the path, with row . [twist, parameter] = 1.
+  void solve_direction(Correction& out);
+
+  /// Largest scaled residual: forces / force scale, lengths / length scale, angles in rad, sines.
+  double residual(const Linearization& at, const Target& target) const;
+
+  /// Norm of a correction in scaled unknowns.
+  double norm(const Correction& correction, const Target& target) const;
+
+  Route route() const { return route_; }
+  const ScaledSolver& linear() const { return solver_; }
+  /// Contacts with their surface coordinates eliminated; valid after factor() by the eliminated route.
+  const std::vector<EliminatedContact>& eliminated() const { return eliminated_; }
+
+ private:
+  void assemble_dense(const Linearization& at);
+  bool eliminate(const Linearization& at);
+  void assemble_eliminated(const Linearization& at);
+  void set_scales(const Target& target);
+  void add_border(const Border& border);
+  void solve_and_unpack(Correction& out);
+
+  const JointModel* model_;
+  Route route_ = Route::automatic;
+  ScaledSolver solver_;
+  std::vector<EliminatedContact> eliminated_;
+  std::vector<std::array<int, 2>> bodies_;
+  MatX matrix_;
+  VecX rhs_, x_, row_scale_, column_scale_;
+  int twists_ = 0, constraints_ = 0, contacts_ = 0;
+  bool bordered_ = false;
+};
+
+}  // namespace genu

@@ -1,0 +1,159 @@
+#include "genu/equilibrium/piece_changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace genu {
+namespace {
+
+constexpr double kLengthTolerance = 1e-12;  // of the characteristic length, as for gaps
+constexpr double kForceTolerance = ContactInspector::kForceTolerance;
+
+const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPiece& piece) {
+  return model.ligaments[at(piece.ligament)].ligament.law.sharp_breaks();
+}
+
+double length_of(const JointModel& model, const State& state, const LigamentPiece& piece) {
+  return ligament_length(model.ligaments[at(piece.ligament)], state.poses);
+}
+
+/// How far inside its piece a ligament is, scaled; negative outside.
+double margin(const JointModel& model, const State& state, const LigamentPiece& piece) {
+  const auto& breaks = breaks_of(model, piece);
+  const auto k = at(piece.piece);
+  if (piece.held) {
+    const auto [low, high] = std::minmax(breaks[k].below.force, breaks[k].above.force);
+    return std::min(piece.force - low, high - piece.force) / model.scales.force;
+  }
+  const double length = length_of(model, state, piece);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double above = k > 0 ? length - breaks[k - 1].length : infinity;
+  const double below = k < breaks.size() ? breaks[k].length - length : infinity;
+  return std::min(above, below) / model.scales.length;
+}
+
+void hold(const LawBreak& b, int piece, bool from_below, LigamentPiece& out) {
+  out.piece = piece;
+  out.held = true;
+  out.force = from_below ? b.below.force : b.above.force;
+}
+
+/// The break past which a ligament that left its piece has gone.
+int break_passed(const JointModel& model, const State& state, const LigamentPiece& piece) {
+  const auto& breaks = breaks_of(model, piece);
+  const int k = piece.piece;
+  return at(k) < breaks.size() && length_of(model, state, piece) > breaks[at(k)].length ? k : k - 1;
+}
+
+void move(const JointModel& model, const State& state, bool hold_drops, LigamentPiece& piece) {
+  const auto& breaks = breaks_of(model, piece);
+  const int k = piece.piece;
+  if (piece.held) {
+    piece.held = false;
+    const LawBreak& left = breaks[at(k)];
+    const bool above = std::abs(piece.force - left.above.force) < std::abs(piece.force - left.below.force);
+    piece.piece = above ? k + 1 : k;
+    return;
+  }
+  const int passed = break_passed(model, state, piece);
+  const bool up = passed == k;
+  const LawBreak& b = breaks[at(passed)];
+  if (b.jumps() && (b.force_jump() > 0 || hold_drops))
+    hold(b, passed, up, piece);
+  else
+    piece.piece = up ? k + 1 : k - 1;
+}
+
+}  // namespace
+
+PathEvent::Kind passed(const LawBreak& b, bool up) {
+  const LawBreak::Side &from = up ? b.below : b.above, &to = up ? b.above : b.below;
+  if (from.slack != to.slack) return to.slack ? PathEvent::Kind::slack : PathEvent::Kind::taut;
+  return PathEvent::Kind::transition;
+}
+
+void inspect_pieces(const JointModel& model, const State& state, Findings& out) {
+  out.left_piece.clear();
+  for (std::size_t i = 0; i < state.pieces.size(); ++i) {
+    const LigamentPiece& piece = state.pieces[i];
+    if (piece.by_length) continue;
+    const double inside = margin(model, state, piece);
+    out.worst = std::min(out.worst, inside);
+    if (inside < -(piece.held ? kForceTolerance : kLengthTolerance)) out.left_piece.push_back(static_cast<int>(i));
+  }
+}
+
+bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops) {
+  for (const int i : findings.left_piece) move(model, state, hold_drops, state.pieces[at(i)]);
+  return !findings.left_piece.empty();
+}
+
+bool holds_a_drop(const JointModel& model, const State& state) {
+  return std::any_of(state.pieces.begin(), state.pieces.end(), [&](const LigamentPiece& piece) {
+    return piece.held && breaks_of(model, piece)[at(piece.piece)].force_jump() < 0;
+  });
+}
+
+std::string dropped_force(const JointModel& model, const Findings& findings, const State& state) {
+  for (const int i : findings.left_piece) {
+    const LigamentPiece& piece = state.pieces[at(i)];
+    const int passed = break_passed(model, state, piece);
+    if (piece.held || !breaks_of(model, piece)[at(passed)].jumps()) continue;
+    if (breaks_of(model, piece)[at(passed)].force_jump() < 0) return describe_break(model, piece.ligament, passed);
+  }
+  return {};
+}
+
+bool let_go(const JointModel& model, State& state) {
+  bool any = false;
+  for (LigamentPiece& piece : state.pieces) {
+    if (!piece.held) continue;
+    piece.held = false;
+    piece.piece += length_of(model, state, piece) > breaks_of(model, piece)[at(piece.piece)].length;
+    any = true;
+  }
+  return any;
+}
+
+std::string piece_in_doubt(const JointModel& model, const State& state) {
+  constexpr double kNear = 0.01;
+  std::string out;
+  double nearest = kNear;
+  for (const LigamentPiece& piece : state.pieces) {
+    const auto& breaks = breaks_of(model, piece);
+    const double length = length_of(model, state, piece);
+    for (std::size_t k = 0; k < breaks.size(); ++k) {
+      const double away = std::abs(length / breaks[k].length - 1);
+      if (!breaks[k].jumps() || away >= nearest) continue;
+      nearest = away;
+      out = describe_break(model, piece.ligament, static_cast<int>(k));
+    }
+  }
+  return out;
+}
+
+std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointModel& model, const State& before,
+                                                                  const State& after) {
+  std::vector<std::pair<PathEvent::Kind, std::string>> out;
+  for (std::size_t i = 0; i < before.pieces.size() && i < after.pieces.size(); ++i) {
+    const LigamentPiece &from = before.pieces[i], &to = after.pieces[i];
+    if (from.piece == to.piece && from.held == to.held) continue;
+    const auto& breaks = breaks_of(model, to);
+    const std::string& name = model.ligaments[at(to.ligament)].name;
+    if (to.held) {
+      out.emplace_back(PathEvent::Kind::held, describe_break(model, to.ligament, to.piece));
+      continue;
+    }
+    const auto say = [&](int k, bool up) {
+      const std::string what = breaks[at(k)].jumps() ? describe_break(model, to.ligament, k) : name;
+      out.emplace_back(passed(breaks[at(k)], up), what);
+    };
+    if (from.held && from.piece == to.piece) say(to.piece, false);
+    for (int k = from.piece; k < to.piece; ++k) say(k, true);
+    for (int k = from.piece; k > to.piece; --k) say(k - 1, false);
+  }
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,24 @@
+// One solved pose of a path, with everything that is known of it.
+#pragma once
+
+#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/stability.h"
+#include "genu/equilibrium/undetermined.h"
+#include "genu/model/step_plan.h"
+
+namespace genu {
+
+/// One row of the results.
+struct PosePoint {
+  int step = 0;       ///< from 1
+  int increment = 0;  ///< from 0
+  double t = 0;       ///< of its step, 0 to 1
+  Target target;
+  Balanced pose;
+  PoseReport report;
+  Stability stability;
+  Undetermined undetermined;
+  bool solved() const { return report.status == PoseStatus::ok; }
+};
+
+}  // namespace genu

@@ -1,0 +1,40 @@
+#include "genu/equilibrium/scaled_solver.h"
+
+namespace genu {
+
+bool ScaledSolver::factor(const MatX& matrix) {
+  rank_ = matrix.rows();
+  minimum_norm_ = surely_regular_ = false;
+  if (matrix.rows() == 0) {
+    rcond_ = 1;
+    return true;
+  }
+  rcond_ = small_.factor(matrix);
+  surely_regular_ = rcond_ > kSurelyRegular;
+  if (surely_regular_) return true;
+  if (!matrix.allFinite()) return false;
+  lu_.compute(matrix);
+  // A pivot that is exactly zero makes rcond() meaningless.
+  const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
+  rcond_ = smallest > 0 ? lu_.rcond() : 0;
+  if (rcond_ > kTrustLu || !minimum_norm_allowed_) return true;
+  minimum_norm_ = true;
+  cod_.setThreshold(kRankThreshold);
+  cod_.compute(matrix);
+  rank_ = cod_.rank();
+  return true;
+}
+
+void ScaledSolver::solve(const VecX& rhs, VecX& x) const {
+  if (rhs.size() == 0) {
+    x.resize(0);
+  } else if (surely_regular_) {
+    small_.solve(rhs, x);
+  } else if (minimum_norm_) {
+    x = cod_.solve(rhs);
+  } else {
+    x = lu_.solve(rhs);
+  }
+}
+
+}  // namespace genu

@@ -1,0 +1,200 @@
+#include "genu/equilibrium/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "genu/core/decompositions.h"
+#include "genu/equilibrium/moving_blocks.h"
+
+namespace genu {
+namespace {
+
+// An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
+constexpr double kNeutral = 1e-10;
+// Where every free motion costs nothing, all eigenvalues are what rounding leaves of the terms that cancel.
+constexpr double kCancelled = 1e-13;
+
+/// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
+double size_of_terms(const ContactBlock& block, const EliminatedContact& contact, WhichMove moves) {
+  const Vec6 unit = stability_metric(6);
+  double squares = 0;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      if (!moves[i] || !moves[j]) continue;
+      const auto whole = contact.stiffness.block<6, 6>(6 * i, 6 * j),
+                 held = block.wrench_d_twist.block<6, 6>(6 * i, 6 * j);
+      squares += (unit.asDiagonal() * (whole.cwiseAbs() + held.cwiseAbs()) * unit.asDiagonal()).squaredNorm();
+    }
+  return std::sqrt(squares);
+}
+
+/// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
+/// conforming surfaces hold besides. Returns what the stiffness is known to, J: rounding of its terms, and the forces
+/// that do not balance, which make it unsymmetric by as much.
+double tangent(const Linearization& at, double length_scale, double cancelled, MatX& stiffness, MatX& held) {
+  const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
+  const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
+  stiffness = at.stiffness;
+  held.setZero(m + contacts, n);
+  held.topRows(m) = at.gradient;
+  Eigen::Index rows = m + contacts;
+  double terms = cancelled;
+  for (Eigen::Index c = 0; c < contacts; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    EliminatedContact contact;
+    const WhichMove moves = which_move(at.contact_bodies[k]);
+    if (!contact.factor(at.contacts[k], length_scale, moves))
+      contact.factor_minimum_norm(at.contacts[k], length_scale, moves);
+    terms += size_of_terms(at.contacts[k], contact, moves);
+    const Mat12 added = contact.stiffness - at.contacts[k].wrench_d_twist;
+    for_moving(at.contact_bodies[k], [&](int from, int to) {
+      held.block<1, 6>(m + c, to) = contact.gap_gradient.segment<6>(from).transpose();
+      for_moving(at.contact_bodies[k],
+                 [&](int from2, int to2) { stiffness.block<6, 6>(to, to2) += added.block<6, 6>(from, from2); });
+    });
+    const Eigen::Index more = contact.closure.rows();
+    if (more == 0) continue;
+    held.conservativeResize(rows + more, n);
+    held.bottomRows(more).setZero();
+    for_moving(at.contact_bodies[k],
+               [&](int from, int to) { held.block(rows, to, more, 6) = contact.closure.middleCols<6>(from); });
+    rows += more;
+  }
+  const VecX unit = stability_metric(n);
+  stiffness = -(unit.asDiagonal() * stiffness * unit.asDiagonal());
+  held = held * unit.asDiagonal();
+  for (Eigen::Index i = 0; i < held.rows(); ++i) {
+    const double norm = held.row(i).norm();
+    if (norm > 0) held.row(i) /= norm;
+  }
+  return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
+}
+
+/// Of the first `count` rows of `held`; the others take part unseen.
+MatX trades_of(const MatX& held, Eigen::Index count, double dependent) {
+  MatX out = kernel(held.transpose(), dependent);
+  out.colwise().normalize();
+  return out.topRows(count);
+}
+
+/// The smallest eigenvalue where the length of a motion is measured about the bodies' own origins, far from where
+/// things are: K y = lambda M y on the free motions. The metric M spans so many decades that rounding would hide the
+/// small eigenvalues of M^-1 K, but not the large ones of K^-1 M; the small ones of that are rounding in turn, and left
+/// out. Signs are those of K, wherever the origins are: where no eigenvalue that is left has the sign of `nearby`, the
+/// smallest about the origins of the poses, that one is returned.
+double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness, double nearby) {
+  const MatX k = basis.transpose() * stiffness * basis, motions = about_own_origins(at, basis);
+  const MatX product = full_pivot_solution(k, motions.transpose() * motions);
+  if (product.size() == 0) return 0;
+  const Eigen::VectorXcd inverse = general_eigenvalues(product);
+  const double largest = inverse.cwiseAbs().maxCoeff();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < inverse.size(); ++i)
+    if (std::abs(inverse[i]) > kNeutral * largest) smallest = std::min(smallest, (1.0 / inverse[i]).real());
+  return (smallest < 0) == (nearby < 0) ? smallest : nearby;
+}
+
+/// The motions that cost nothing, a column each; none is hidden by another that costs less than nothing.
+MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis) {
+  MatX out(basis.rows(), 0);
+  for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
+    if (std::abs(eigen.values[i]) > nothing) continue;
+    out.conservativeResize(Eigen::NoChange, out.cols() + 1);
+    // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
+    const Eigen::VectorXcd vector = eigen.vectors.col(i);
+    const bool second = eigen.values[i].imag() < 0;
+    out.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
+  }
+  return out.cols() == basis.cols() ? basis : out;  // everything: no eigenvector says it better
+}
+
+}  // namespace
+
+MatX about_own_origins(const Linearization& at, MatX motions) {
+  for (Eigen::Index k = 0; k < at.own_origins.size() / 3; ++k) {
+    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / Stability::kMetricLength);
+    motions.middleRows<3>(6 * k) += turn * motions.middleRows<3>(6 * k + 3);
+  }
+  return motions;
+}
+
+VecX stability_metric(Eigen::Index n) {
+  VecX out(n);
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
+  return out;
+}
+
+MatX force_trades(const Linearization& at, double length_scale, double dependent) {
+  MatX stiffness, held;
+  tangent(at, length_scale, 0, stiffness, held);
+  return trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), dependent);
+}
+
+std::vector<int> trading(const MatX& trades) {
+  std::vector<int> out;
+  constexpr double kTakesPart = 1e-6;
+  for (Eigen::Index i = 0; i < trades.rows(); ++i)
+    if (trades.cols() > 0 && trades.row(i).cwiseAbs().maxCoeff() > kTakesPart) out.push_back(static_cast<int>(i));
+  return out;
+}
+
+const char* to_string(Stability::Verdict verdict) {
+  switch (verdict) {
+    case Stability::Verdict::stable:
+      return "stable";
+    case Stability::Verdict::unstable:
+      return "unstable";
+    case Stability::Verdict::neutral:
+      return "neutral";
+  }
+  return "";
+}
+
+const char* to_string(const Stability& stability) {
+  const bool falls = stability.verdict == Stability::Verdict::unstable && !stability.flutter;
+  return stability.complex_pair && !falls ? "flutter" : to_string(stability.verdict);
+}
+
+FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled) {
+  FreeStiffness out;
+  out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
+  out.basis = null_space(out.held, kDependentRow);
+  return out;
+}
+
+Stability assess_stability(const Linearization& at, double length_scale) {
+  Stability out;
+  const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
+  out.free_motions = static_cast<int>(basis.cols());
+  if (held.rows() + basis.cols() > at.wrench.size())
+    out.redundant =
+        trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), kDependentRow));
+  if (basis.cols() == 0) {
+    out.smallest = std::numeric_limits<double>::infinity();
+    out.mode = VecX::Zero(at.wrench.size());
+    return out;
+  }
+  const GeneralEigen eigen = general_eigen(basis.transpose() * stiffness * basis);
+  Eigen::Index first = 0;
+  eigen.values.real().minCoeff(&first);
+  const std::complex<double> value = eigen.values[first];
+  const double largest = eigen.values.cwiseAbs().maxCoeff();
+  constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
+  const double real = std::max(kReal * largest, known_to);
+  out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
+  out.smallest =
+      at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
+  out.flutter = std::abs(value.imag()) > real;
+  out.mode = basis * eigen.vectors.col(first).real();
+  if (out.mode.norm() > 0) out.mode.normalize();
+  const double nothing = std::max(kNeutral * largest, known_to);
+  if (std::abs(value.real()) <= nothing)
+    out.verdict = Stability::Verdict::neutral;
+  else
+    out.verdict = value.real() > 0 ? Stability::Verdict::stable : Stability::Verdict::unstable;
+  out.neutral = motions_below(nothing, eigen, basis);
+  return out;
+}
+
+}  // namespace genu

@@ -1,0 +1,104 @@
+#include "genu/mesh/mesh_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+namespace genu {
+namespace {
+
+// Box diagonals (m): what knees have, and what cannot be one.
+constexpr double kSmallest = 5e-3, kLargest = 0.5, kTooSmall = 1e-3, kTooLarge = 5;
+
+std::array<double, 5> edge_quantiles(const Mesh& mesh, const std::vector<MeshEdge>& edges) {
+  std::vector<double> lengths;
+  lengths.reserve(edges.size());
+  for (const MeshEdge& e : edges) lengths.push_back((mesh.vertices[at(e.v[1])] - mesh.vertices[at(e.v[0])]).norm());
+  std::sort(lengths.begin(), lengths.end());
+  std::array<double, 5> quantiles{};
+  if (lengths.empty()) return quantiles;
+  constexpr std::array<double, 5> kShares{0, 0.05, 0.5, 0.95, 1};
+  for (std::size_t k = 0; k < kShares.size(); ++k) {
+    quantiles[k] = lengths[static_cast<std::size_t>(std::lround(kShares[k] * static_cast<double>(lengths.size() - 1)))];
+  }
+  return quantiles;
+}
+
+// Degenerate: the height over the longest side is less than float32 tells apart at these coordinates.
+void count_shapes(const Mesh& mesh, MeshReport& report) {
+  constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
+  for (const auto& t : mesh.triangles) {
+    std::array<double, 3> side{};
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      side[k] = (mesh.vertices[at(t[(k + 2) % 3])] - mesh.vertices[at(t[(k + 1) % 3])]).norm();
+      largest = std::max(largest, mesh.vertices[at(t[k])].cwiseAbs().maxCoeff());
+    }
+    std::sort(side.begin(), side.end());
+    const Vec3& p = mesh.vertices[at(t[0])];
+    const double twice_area = (mesh.vertices[at(t[1])] - p).cross(mesh.vertices[at(t[2])] - p).norm();
+    if (twice_area <= kEpsilon * largest * side[2]) {
+      ++report.degenerate;
+    } else if (twice_area < std::sin(kSliverAngle) * side[1] * side[2]) {  // the smallest angle faces the shortest side
+      ++report.slivers;
+    }
+  }
+}
+
+}  // namespace
+
+MeshReport check_mesh(const Mesh& mesh) {
+  const std::vector<MeshEdge> edges = mesh_edges(mesh);
+  MeshReport report;
+  report.vertices = mesh.vertices.size();
+  report.triangles = mesh.triangles.size();
+  report.components = connected_components(mesh).count;
+  report.boundary_loops = boundary_loops(mesh, edges).size();
+  for (const MeshEdge& e : edges) {
+    report.boundary_edges += e.count == 1 ? 1 : 0;
+    report.non_manifold_edges += e.count > 2 ? 1 : 0;
+  }
+  Mesh wound = mesh;
+  const WindingReport winding = make_winding_consistent(wound, edges);
+  report.flipped = winding.flipped;
+  report.orientable = winding.orientable;
+  count_shapes(mesh, report);
+  report.edge_length = edge_quantiles(mesh, edges);
+  report.box = bounding_box(mesh);
+  return report;
+}
+
+std::string guess_unit(double diagonal) {
+  const std::pair<const char*, double> units[] = {
+      {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
+  for (const auto& [name, metres] : units)
+    if (diagonal * metres >= kSmallest && diagonal * metres <= kLargest) return name;
+  return {};
+}
+
+void check_scale(const MeshReport& report, const std::string& file, const std::string& unit, Diagnostics& out) {
+  const double size = report.box.diagonal();
+  if (size >= kSmallest && size <= kLargest) return;
+  const bool refused = !(size >= kTooSmall && size <= kTooLarge);
+  std::string rule =
+      fmt::format("read in {}, the surface is {:.3g} mm across, but a knee's are between {:.0f} and {:.0f} mm", unit,
+                  size * 1e3, kSmallest * 1e3, kLargest * 1e3);
+  const auto plausible = [](double d) { return d >= kSmallest && d <= kLargest; };
+  if (unit == "m" && plausible(size / 1000)) {
+    rule += fmt::format(": in mm it would be {:.3g} mm; write units = \"mm\"", size);
+  } else if (unit == "mm" && plausible(size * 1000)) {
+    rule += fmt::format(": in m it would be {:.3g} mm; write units = \"m\"", size * 1e6);
+  } else if (refused) {
+    rule += ": check the file's units";
+  }
+  out.add({.severity = refused ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
+           .file = file,
+           .key = {},
+           .found = {},
+           .rule = std::move(rule)});
+}
+
+}  // namespace genu

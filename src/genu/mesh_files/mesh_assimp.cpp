@@ -1,0 +1,91 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <exception>
+
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include "genu/mesh_files/mesh_formats.h"
+
+namespace genu {
+namespace {
+
+// Positions and triangles alone: a normal or texture coordinate that differs never parts two corners, so none of
+// assimp's own joining (which keeps STL torn along its facet normals) is needed. Empty text where all is well.
+std::string append_part(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
+  const std::size_t base = mesh.vertices.size();
+  if (base + part.mNumVertices > kMostPerMesh) return "has more vertices than can be counted: reduce the mesh";
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D p = placed * part.mVertices[v];
+    mesh.vertices.emplace_back(p.x, p.y, p.z);
+  }
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const aiFace& face = part.mFaces[f];
+    for (unsigned k = 0; k < face.mNumIndices; ++k)
+      if (face.mIndices[k] >= part.mNumVertices)
+        return "has a face that names a vertex it does not have: export it again";
+    const auto corner = [&](unsigned k) { return static_cast<int>(base + face.mIndices[k]); };
+    // Points and lines are not a surface; a polygon becomes a fan.
+    for (unsigned k = 2; k < face.mNumIndices; ++k) mesh.triangles.push_back({corner(0), corner(k - 1), corner(k)});
+  }
+  return {};
+}
+
+std::string append_below(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Mesh& mesh) {
+  const aiMatrix4x4 placed = above * node.mTransformation;
+  for (unsigned m = 0; m < node.mNumMeshes; ++m)
+    if (std::string problem = append_part(*scene.mMeshes[node.mMeshes[m]], placed, mesh); !problem.empty())
+      return problem;
+  for (unsigned c = 0; c < node.mNumChildren; ++c)
+    if (std::string problem = append_below(scene, *node.mChildren[c], placed, mesh); !problem.empty()) return problem;
+  return {};
+}
+
+std::string read_here(const std::string& path, Mesh& mesh) {
+  const auto unreadable = [](const std::string& why) {
+    return "cannot be read as a mesh (" + why + "): export it again as binary STL";
+  };
+  try {
+    Assimp::Importer importer;
+    // No post-processing: assimp's triangulation aborts the program on some broken files (5.2.5).
+    const aiScene* scene = importer.ReadFile(path, 0);
+    if (scene == nullptr) return unreadable(importer.GetErrorString());
+    if (scene->mRootNode == nullptr) return unreadable("it has no root");
+    return append_below(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+  } catch (const std::exception& e) {  // assimp's own parsers may throw on a broken file, and memory may run out
+    return unreadable(e.what());
+  }
+}
+
+/// Whether a process of its own that reads the file dies of it: where nodes hold each other by the thousand, or
+/// themselves, assimp's parsers go on until the stack is full.
+bool kills_its_reader(const std::string& path) {
+  const pid_t child = ::fork();
+  if (child < 0) return false;
+  if (child == 0) {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, SIG_DFL);
+    Mesh ignored;
+    read_here(path, ignored);
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+}  // namespace
+
+std::string read_by_assimp(const std::string& path, Mesh& mesh) {
+  if (kills_its_reader(path))
+    return "cannot be read as a mesh (its reader, assimp, breaks down over it): export it again as binary STL";
+  return read_here(path, mesh);
+}
+
+}  // namespace genu

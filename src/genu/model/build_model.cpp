@@ -1,0 +1,189 @@
+#include "genu/model/build_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "genu/model/build_layer.h"
+
+namespace genu {
+namespace {
+
+/// Where a load pulls on a body.
+void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
+  const bool toward = load.kind == Load::Kind::toward;
+  if (load.body_a == body && (toward || !load.force.isZero())) ends.push_back(load.p_A);
+  if (load.body_b == body && toward) ends.push_back(load.p_B);
+}
+
+JointModel::Scales choose_scales(const JointModel& model) {
+  JointModel::Scales scales;
+  double square = 0;
+  int count = 0;
+  for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+    std::vector<Vec3> ends;
+    for (const auto& l : model.ligaments) {
+      if (at(l.body_a) == body) ends.push_back(l.ligament.p_A);
+      if (at(l.body_b) == body) ends.push_back(l.ligament.p_B);
+      for (const auto& via : l.via)
+        if (at(via.body) == body) ends.push_back(via.p);
+    }
+    for (const auto* loads : {&model.loads, &model.weights})
+      for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
+    for (const auto& held : model.held) {
+      if (held.coordinate.index != 3) continue;  // once a joint
+      const auto& joint = model.joints[at(held.coordinate.joint)];
+      const Vec3 own = own_origin(model, static_cast<int>(body));
+      const JointValues& q = joint.reference;
+      if (at(joint.parent) == body) ends.push_back(own + Vec3(q[3], q[4], q[5]));
+      if (at(joint.child) == body) ends.push_back(own);
+    }
+    if (ends.size() < 2) continue;
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : ends) mean += p / static_cast<double>(ends.size());
+    for (const Vec3& p : ends) square += (p - mean).squaredNorm(), ++count;
+  }
+  if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
+  scales.size = scales.length;
+  const auto grow = [&](const auto& pairs) {
+    for (const auto& pair : pairs)
+      for (const auto& surface : {pair.a, pair.b})
+        if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
+  };
+  grow(model.pairs);
+  grow(model.layers);
+  // What pulls may pull all at one place: then the surfaces say how large the joint is.
+  constexpr double kLeastShare = 0.01;
+  scales.length = std::max(scales.length, kLeastShare * scales.size);
+
+  double force = 0;
+  for (const auto* loads : {&model.loads, &model.weights})
+    for (const Load& load : *loads) force = std::max(force, load.largest_force(scales.length));
+  constexpr double kTypicalStrain = 0.01;
+  for (const auto& l : model.ligaments) {
+    const double slack = l.ligament.law.slack_length();
+    const double stretched = slack > 0 ? (1 + kTypicalStrain) * slack : scales.length;
+    const double value = std::abs(l.ligament.law.evaluate(stretched).force);
+    if (std::isfinite(value)) force = std::max(force, value);
+  }
+  for (const auto& spring : model.joint_springs)
+    force = std::max(force, kTypicalStrain * std::max(spring.stiffness, spring.stop) / scales.length);
+  scales.force = force > 0 ? force : 1.0;
+  return scales;
+}
+
+void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
+  for (int i = 0; i < 6; ++i)
+    if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
+  if (joint.stiffness > 0 || joint.limits) {
+    JointSpring spring{.joint = index, .stiffness = joint.stiffness};
+    if (joint.limits) {
+      spring.lower = joint.limits->lower;
+      spring.upper = joint.limits->upper;
+      spring.stop = joint.limits->stiffness;
+    }
+    model.joint_springs.push_back(spring);
+  }
+  if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
+}
+
+bool make_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
+  bool good = true;
+  for (const LoadDef& def : scene.loads) {
+    std::string why;
+    if (auto load = make_load(scene, def, why)) {
+      model.loads.push_back(std::move(*load));
+      continue;
+    }
+    good = false;
+    out.add({.file = scene.file,
+             .line = def.where.line,
+             .column = def.where.column,
+             .key = "load." + def.name + ".scale",
+             .found = {},
+             .rule = why});
+  }
+  for (std::size_t i = 0; scene.dynamics && i < scene.dynamics->prescribe.size(); ++i) {
+    const DynamicsDef::Drive& def = scene.dynamics->prescribe[i];
+    std::string why;
+    if (auto course = LoadScale::make(def.course, why)) {
+      model.drives.push_back({def.quantity, std::move(*course)});
+      continue;
+    }
+    good = false;
+    out.add({.file = scene.file,
+             .line = def.where.line,
+             .column = def.where.column,
+             .key = "dynamics.prescribe." + quantity_name(scene, def.quantity),
+             .found = {},
+             .rule = why});
+  }
+  for (std::size_t i = 0; scene.gravity && i < scene.bodies.size(); ++i)
+    if (!scene.bodies[i].fixed && scene.bodies[i].mass > 0)
+      model.weights.push_back(make_weight(scene, static_cast<int>(i)));
+  return good;
+}
+
+}  // namespace
+
+void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
+  model.ligaments.push_back(std::move(ligament));
+  model.scales = choose_scales(model);
+}
+
+std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                      Diagnostics& out, const Bones& bones) {
+  JointModel model;
+  for (const BodyDef& body : scene.bodies)
+    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, body.centre});
+  for (const BodyDef& body : scene.bodies)
+    if (scene.dynamics && !body.fixed) model.inertias.push_back({body.mass, body.centre_of_mass, body.inertia});
+  std::vector<JointValues> reference;
+  for (const JointDef& joint : scene.joints) {
+    const JointCoordinates coordinates(joint, scene.bodies[at(joint.parent)].centre,
+                                       scene.bodies[at(joint.child)].centre);
+    model.joints.push_back(
+        {joint.name, joint.parent, joint.child, coordinates, joint.reference, joint.start.value_or(joint.reference)});
+    reference.push_back(joint.reference);
+    add_constraints_of(joint, static_cast<int>(model.joints.size()) - 1, model);
+  }
+  model.combinations = scene.combinations;
+  model.reference_poses = poses_from_coordinates(model, reference);
+
+  bool good = true;
+  for (const LigamentDef& def : scene.ligaments) {
+    std::string why;
+    const auto law = make_law(def, path_length(def, model.reference_poses), why);
+    if (!law) {
+      good = false;
+      out.add({.file = scene.file,
+               .line = def.where.line,
+               .column = def.where.column,
+               .key = "ligament." + def.name,
+               .found = {},
+               .rule = why});
+      continue;
+    }
+    model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
+    for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
+    model.ligaments.back().damping = def.damping;
+  }
+  good = make_loads(scene, model, out) && good;
+  for (const ContactDef& contact : scene.contacts) {
+    const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
+    const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];
+    model.pairs.push_back(
+        {contact.name, a.body, b.body, surfaces[at(contact.surface_a)], surfaces[at(contact.surface_b)]});
+  }
+  for (const LayerDef& layer : scene.layers) {
+    const int a = layer.pair.surface_a, b = layer.pair.surface_b;
+    model.layers.push_back({layer.pair.name, scene.surfaces[at(a)].body, scene.surfaces[at(b)].body, surfaces[at(a)],
+                            surfaces[at(b)], nullptr});
+  }
+  if (!good) return std::nullopt;
+  model.scales = choose_scales(model);
+  for (std::size_t k = 0; k < scene.layers.size(); ++k) good = build_layer(scene, bones, model, k, out) && good;
+  if (!good) return std::nullopt;
+  return model;
+}
+
+}  // namespace genu

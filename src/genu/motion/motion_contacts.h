@@ -1,0 +1,85 @@
+// Rigid contacts of a motion: when they close and open, and what an impact does.
+//
+// Between events the contacts that are closed are constraints of the equations of motion. A contact opens where its
+// force becomes negative. One closes where a gap that is open becomes 0: an inelastic impact, after which no gap
+// shrinks. Which contacts are closed then, first for speeds (impulses) and then for accelerations (forces), is the
+// complementarity problem of one-sided constraints: each is closed with a force that presses, or opens
+// (contact_choice.h).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/pair_gaps.h"
+#include "genu/motion/equations_of_motion.h"
+#include "genu/motion/motion_watch.h"
+#include "genu/path/path_options.h"
+
+namespace genu {
+
+class MotionContacts {
+ public:
+  /// `tolerance`: error of a step, of the scale of length.
+  MotionContacts(const JointModel& model, EquationsOfMotion& equations, double tolerance, const Cancelled& cancelled);
+
+  /// The pose at which the scene balances at time 0 in the place of the joints' start; false with `why` where none is
+  /// found.
+  bool balance(MotionPoint& point, std::string& why);
+
+  /// Contacts at the start: those that touch. False with `why` where bodies overlap.
+  bool begin(MotionPoint& point, std::string& why);
+
+  /// Something that changes the contacts, or forbids to go on.
+  struct Change {
+    enum class Kind { none, opens, closes, merges, splits, ends };
+    Kind kind = Kind::none;
+    int contact = 0;                    ///< opens, merges, splits: index into State::contacts
+    std::vector<Candidate> candidates;  ///< closes: one; splits: what takes its place
+    MotionPoint point;                  ///< where, with the contacts from before
+    std::string why;                    ///< ends
+  };
+  using PointAt = std::function<bool(double time, MotionPoint& out)>;
+
+  /// The first change after `from` and up to `to`, points of one step; `at` gives those between.
+  Change first_change(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
+
+  /// Applies it: contacts, speeds and forces of `point` are those after it. False with `why` where none are possible.
+  bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
+
+  /// m: the smallest gap of each pair.
+  std::vector<double> gaps(const MotionPoint& point) {
+    std::vector<OpenContact> none;
+    return pair_gaps(point.state, model_, field_, none);
+  }
+
+  /// Lets the speeds and contacts of `point` become possible: after a stop, where drives and loads may jump.
+  bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
+
+ private:
+  bool near(const MotionPoint& from, const MotionPoint& to);
+  bool known_clear(const MotionPoint& from, const MotionPoint& to);
+  bool born_beside(const State& state, const ActiveContact& contact);
+  double allowed_overlap(const State& state, const Candidate& candidate) const;
+  bool looks_well(const MotionPoint& point);
+  std::optional<MotionPoint> overlap_between(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
+  bool is_located(const Change& change) const;
+  Change first_seen(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
+  Change look(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
+  bool settle(MotionPoint& point, int leaves, std::vector<PathEvent>& events, std::string& why);
+  void note(const std::vector<ActiveContact>& before, const MotionPoint& point, std::vector<PathEvent>& events);
+
+  const JointModel& model_;
+  EquationsOfMotion& equations_;
+  ContactField field_;
+  ContactSetSolver solver_;
+  ContactInspector inspector_;
+  Balanced book_;
+  Survey survey_;
+  std::vector<LocalMinimum> beside_;
+  std::vector<MotionWatch> watches_;  ///< one a pair
+  double touching_;                   ///< m: gaps below this are none
+};
+
+}  // namespace genu

@@ -1,0 +1,167 @@
+#include "genu/motion/motion_switches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "genu/model/ligament_pieces.h"
+#include "genu/model/linearization.h"
+#include "genu/model/twist.h"
+
+namespace genu {
+namespace {
+
+constexpr double kAstray = 1e-11;  // of the scales of length and force: rounding and the root's place are far below
+
+constexpr double kShift = 1e-12;  // of the same, and in rad: by which a root is passed before it counts
+
+LigamentPiece* piece_of(State& state, int ligament) {
+  const auto found = std::find_if(state.pieces.begin(), state.pieces.end(),
+                                  [&](const LigamentPiece& p) { return p.ligament == ligament; });
+  return found == state.pieces.end() ? nullptr : &*found;
+}
+
+PathEvent named(PathEvent::Kind kind, const MotionPoint& point, const std::string& what) {
+  PathEvent event;
+  event.kind = kind;
+  event.step = 1;
+  event.target.time = point.time;
+  event.what = what;
+  event.coordinates = point.state.coordinates;
+  return event;
+}
+
+}  // namespace
+
+MotionSwitches::MotionSwitches(const JointModel& model) : model_(model) {
+  for (int i = 0; i < static_cast<int>(model.ligaments.size()); ++i) {
+    const auto& l = model.ligaments[at(i)];
+    for (int b = 0; b < static_cast<int>(l.ligament.law.breaks().size()); ++b) watches_.push_back({i, b});
+    if (l.damping > 0 && !pushes(l.ligament.law)) watches_.push_back({i, -1});
+  }
+  for (const JointSpring& spring : model.joint_springs)
+    for (const double angle : {spring.lower, spring.upper})
+      if (std::isfinite(angle)) limits_.push_back({spring.joint, angle});
+  sides_.assign(at(count()), 1);
+}
+
+void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
+  unshifted(point, modes, out);
+  for (std::size_t k = 0; k < sides_.size(); ++k) out[k] += kShift * sides_[k];
+}
+
+/// By their values, or where these are next to 0 by the speeds.
+void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<DamperMode>& modes) {
+  std::vector<double> now(sides_.size());
+  unshifted(point, modes, now.data());
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    double toward = now[k];
+    if (std::abs(now[k]) <= kAstray && k < watches_.size() && watches_[k].law_break < 0) {
+      toward = modes[at(watches_[k].ligament)] == DamperMode::relaxed ? -1 : 1;
+    } else if (std::abs(now[k]) <= kAstray) {
+      const double rate =
+          k < watches_.size()
+              ? ligament_length_rate(model_, model_.ligaments[at(watches_[k].ligament)], point.state.poses, point.twist)
+              : joint_point(model_, point.state, limits_[k - watches_.size()].joint)
+                    .gradient(0)
+                    .dot(twist_of_pair(model_, limits_[k - watches_.size()].joint, point.twist));
+      if (rate != 0) toward = rate;
+    }
+    sides_[k] = toward < 0 ? -1 : 1;
+  }
+}
+
+void MotionSwitches::unshifted(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
+  for (const Watch& w : watches_) {
+    const auto& l = model_.ligaments[at(w.ligament)];
+    if (w.law_break >= 0) {
+      const double length = l.ligament.law.breaks()[at(w.law_break)].length;
+      *out++ = (ligament_length(l, point.state.poses) - length) / model_.scales.length;
+      continue;
+    }
+    const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
+    const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
+    *out++ = modes[at(w.ligament)] == DamperMode::slack ? 1 : tension / model_.scales.force;
+  }
+  for (const Limit& limit : limits_) *out++ = point.state.coordinates[at(limit.joint)][0] - limit.angle;
+}
+
+void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) {
+  State state = point.state;
+  reset_pieces(model_, state);
+  for (const Watch& w : watches_) {  // at a break it is the speed that tells the side
+    const auto& l = model_.ligaments[at(w.ligament)];
+    LigamentPiece* piece = piece_of(state, w.ligament);
+    if (w.law_break < 0 || piece == nullptr) continue;
+    const double past = ligament_length(l, state.poses) - l.ligament.law.breaks()[at(w.law_break)].length;
+    const double rate = ligament_length_rate(model_, l, state.poses, point.twist);
+    if (std::abs(past) > kAstray * model_.scales.length || rate == 0) continue;
+    const double beside = ligament_length(l, state.poses) + (rate > 0 ? 2 : -2) * kAstray * model_.scales.length;
+    piece->piece = l.ligament.law.piece_at(beside);
+  }
+  pieces.pieces = state.pieces;
+  modes = damper_modes(model_, state, point.twist);
+  choose_sides(point, modes);
+}
+
+std::vector<PathEvent> MotionSwitches::switch_over(const std::vector<int>& roots, const MotionPoint& point,
+                                                   State& pieces, std::vector<DamperMode>& modes) {
+  std::vector<PathEvent> events;
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (roots[k] != 0) sides_[k] = roots[k] > 0 ? 1 : -1;
+  for (std::size_t k = 0; k < watches_.size(); ++k) {
+    if (roots[k] == 0) continue;
+    const bool up = roots[k] > 0;
+    const int i = watches_[k].ligament;
+    const auto& l = model_.ligaments[at(i)];
+    DamperMode& mode = modes[at(i)];
+    if (watches_[k].law_break < 0) {
+      if (mode == DamperMode::slack) continue;
+      mode = up ? DamperMode::taut : DamperMode::relaxed;
+      events.push_back(named(up ? PathEvent::Kind::taut : PathEvent::Kind::slack, point,
+                             l.name + (up ? ": its damper pulls again" : ": it shortens faster than its law pulls")));
+      continue;
+    }
+    const LawBreak& b = l.ligament.law.breaks()[at(watches_[k].law_break)];
+    const LawBreak::Side& side = up ? b.above : b.below;
+    const auto& sharp = l.ligament.law.sharp_breaks();
+    for (int s = 0; s < static_cast<int>(sharp.size()); ++s)
+      if (sharp[at(s)].length == b.length)
+        if (LigamentPiece* piece = piece_of(pieces, i)) piece->piece = up ? s + 1 : s;
+    PathEvent::Kind kind = PathEvent::Kind::transition;
+    if (b.above.slack != b.below.slack) {
+      kind = side.slack ? PathEvent::Kind::slack : PathEvent::Kind::taut;
+      if (l.damping > 0) mode = side.slack ? DamperMode::slack : DamperMode::taut;
+    }
+    events.push_back(named(kind, point, l.name));
+  }
+  for (std::size_t k = 0; k < limits_.size(); ++k)
+    if (roots[watches_.size() + k] != 0)
+      events.push_back(
+          named(PathEvent::Kind::transition, point, model_.joints[at(limits_[k].joint)].name + ": passes its limit"));
+  return events;
+}
+
+bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const std::vector<DamperMode>& modes) const {
+  const double least = kAstray * model_.scales.length;
+  for (const LigamentPiece& p : pieces.pieces) {
+    const auto& l = model_.ligaments[at(p.ligament)];
+    const auto& sharp = l.ligament.law.sharp_breaks();
+    const double length = ligament_length(l, point.state.poses);
+    if (p.piece > 0 && length < sharp[at(p.piece - 1)].length - least) return true;
+    if (p.piece < static_cast<int>(sharp.size()) && length > sharp[at(p.piece)].length + least) return true;
+  }
+  const std::vector<DamperMode> wanted = damper_modes(model_, point.state, point.twist);
+  for (const Watch& w : watches_) {
+    const DamperMode is = modes[at(w.ligament)], should = wanted[at(w.ligament)];
+    if (w.law_break >= 0 || is == should) continue;
+    const auto& l = model_.ligaments[at(w.ligament)];
+    const double past = ligament_length(l, point.state.poses) - l.ligament.law.slack_until();
+    const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
+    const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
+    const bool by_length = is == DamperMode::slack || should == DamperMode::slack;
+    if (by_length ? std::abs(past) > least : std::abs(tension) > kAstray * model_.scales.force) return true;
+  }
+  return false;
+}
+
+}  // namespace genu

@@ -1,0 +1,52 @@
+#include "genu/motion/motion_watch.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace genu {
+namespace {
+
+constexpr double kOfLength = 0.1;    // of the length scale, and
+constexpr double kOfSurface = 0.05;  // of the smaller surface's size: how far bodies that touch may move unwatched
+constexpr double kUnbounded = 10;    // of the length scale: how far a surface without bounds is thought to reach
+
+/// m: how far the points of a surface lie from its body's origin, at most.
+double reach_of(const Surface& surface, double edge) {
+  double reach = 0;
+  for (const Vec3& v : surface.triangles(edge, Vec3::Zero(), 0).vertices) reach = std::max(reach, v.norm());
+  return reach;
+}
+
+}  // namespace
+
+MotionWatch::MotionWatch(const JointModel& model, int body_a, int body_b, const Surface& a, const Surface& b)
+    : model_(&model), mover_(b.is_unbounded() ? body_a : body_b), seer_(b.is_unbounded() ? body_b : body_a) {
+  const double length = model.scales.length;
+  const Surface &moving = b.is_unbounded() ? a : b, &other = b.is_unbounded() ? b : a;
+  const double size = moving.is_unbounded() ? kUnbounded * length : box_diagonal(moving, length);
+  reach_ = moving.is_unbounded() ? kUnbounded * length : reach_of(moving, length);
+  const double smaller = other.is_unbounded() ? size : std::min(size, box_diagonal(other, length));
+  unwatched = std::min(kOfLength * length, kOfSurface * smaller);
+}
+
+/// m/s: of any point of the surface, at most.
+double MotionWatch::speed(const MotionPoint& point) const {
+  const auto twist = [&](int body) {
+    const int moving = model_->bodies[at(body)].moving;
+    return moving < 0 ? Vec6(Vec6::Zero()) : Vec6(point.twist.segment<6>(6 * moving));
+  };
+  const Vec6 own = twist(mover_), seen_from = twist(seer_);
+  const Vec3 arm = point.state.poses[at(mover_)].p - point.state.poses[at(seer_)].p;
+  const Vec3 carried = seen_from.head<3>() + seen_from.tail<3>().cross(arm);
+  return (own.head<3>() - carried).norm() + reach_ * (own.tail<3>() - seen_from.tail<3>()).norm();
+}
+
+double MotionWatch::way(const MotionPoint& from, const MotionPoint& to) const {
+  const Pose before = from.state.poses[at(seer_)].inverse() * from.state.poses[at(mover_)];
+  const Pose after = to.state.poses[at(seer_)].inverse() * to.state.poses[at(mover_)];
+  const double chord = (after.R - before.R).norm() / std::numbers::sqrt2;  // 2 sin(angle / 2)
+  return std::max((after.p - before.p).norm() + reach_ * chord,
+                  0.5 * (speed(from) + speed(to)) * (to.time - from.time));
+}
+
+}  // namespace genu

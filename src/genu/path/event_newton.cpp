@@ -1,0 +1,57 @@
+#include "genu/path/event_newton.h"
+
+#include <cmath>
+
+#include "genu/model/layer_levels.h"
+#include "genu/model/ligament_pieces.h"
+
+namespace genu {
+
+/// Sets correction_ to the step of all unknowns: of the pose, and along the path by as much (`parameter`) as makes the
+/// length right to first order.
+bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, const State& state, double past) {
+  const Target target = plan.target(t), rate = plan.rate();
+  if (!step_.factor(here_, target) || !step_.linear().full_rank()) return false;
+  step_.solve(here_, correction_);
+  step_.solve_rates(load_rate(*model_, state, target, rate), constraint_rate(rate, here_.constraint.size()), motion_);
+  const auto& ligament = model_->ligaments[at(asked.ligament)];
+  const double fast = ligament_length_rate(*model_, ligament, state.poses, motion_.twist);
+  const double along = -(past + ligament_length_rate(*model_, ligament, state.poses, correction_.twist)) / fast;
+  if (!std::isfinite(along)) return false;
+  correction_.add(along, motion_);
+  correction_.parameter = along;
+  return true;
+}
+
+bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOptions& options,
+                        const std::shared_ptr<LayerMemories>& layers, double& t, State& state) {
+  constexpr int kMost = 8;
+  here_.layers = layers;
+  double last = 1, before = 0;  // of t; of the residual
+  for (int i = 0; i <= kMost; ++i) {
+    const Target target = plan.target(t);
+    linearize(*model_, state, target, here_);
+    if (asked_to_stop(options.cancelled)) return false;
+    const double residual = step_.residual(here_, target);
+    const double past = ligament_length(model_->ligaments[at(asked.ligament)], state.poses) - asked.length;
+    if (!std::isfinite(residual) || !correct(plan, asked, t, state, past)) return false;
+    const double along = correction_.parameter;
+    const bool there = std::abs(past) <= asked.rounding || std::abs(along) <= asked.tolerance;
+    const bool stalled = i > 0 && residual > 0.5 * before && residual <= options.residual_floor;
+    before = residual;
+    if ((residual <= options.residual_tolerance || stalled) && there) {
+      if (!raise_layer_levels(*model_, here_, state)) {
+        if (std::abs(past) > asked.rounding) t += along;
+        return true;
+      }
+      continue;
+    }
+    if (std::abs(along) > last || !retract(*model_, state, correction_, 1, trial_)) return false;
+    last = std::max(std::abs(along), asked.tolerance);
+    std::swap(state, trial_);
+    t += along;
+  }
+  return false;
+}
+
+}  // namespace genu

@@ -1,0 +1,110 @@
+// What the data of poses and paths consists of, for an archive that writes it down and reads it again: to the last bit,
+// on the same machine. The archive is any object with operator()(fields ...); cereal's binary ones are used.
+#pragma once
+
+#include "genu/path/path_options.h"
+
+namespace Eigen {
+
+template <typename Archive, int Rows, int Columns, int Options, int MostRows, int MostColumns>
+void save(Archive& archive, const Matrix<double, Rows, Columns, Options, MostRows, MostColumns>& m) {
+  archive(static_cast<std::int64_t>(m.rows()), static_cast<std::int64_t>(m.cols()));
+  for (Index i = 0; i < m.size(); ++i) archive(m.data()[i]);
+}
+
+template <typename Archive, int Rows, int Columns, int Options, int MostRows, int MostColumns>
+void load(Archive& archive, Matrix<double, Rows, Columns, Options, MostRows, MostColumns>& m) {
+  std::int64_t rows = 0, columns = 0;
+  archive(rows, columns);
+  m.resize(rows, columns);
+  for (Index i = 0; i < m.size(); ++i) archive(m.data()[i]);
+}
+
+}  // namespace Eigen
+
+namespace genu {
+
+template <typename Archive>
+void serialize(Archive& a, Pose& x) {
+  a(x.R, x.p);
+}
+template <typename Archive>
+void serialize(Archive& a, SurfacePoint& x) {
+  a(x.p, x.n, x.T, x.S);
+}
+template <typename Archive>
+void serialize(Archive& a, ContactGeometry& x) {
+  a(x.a, x.b);
+}
+template <typename Archive>
+void serialize(Archive& a, ActiveContact& x) {
+  a(x.pair, x.number, x.geometry, x.force);
+}
+template <typename Archive>
+void serialize(Archive& a, LigamentPiece& x) {
+  a(x.ligament, x.piece, x.held, x.by_length, x.force);
+}
+template <typename Archive>
+void serialize(Archive& a, State& x) {
+  a(x.poses, x.coordinates, x.multipliers, x.contacts, x.pieces, x.layer_levels);
+}
+template <typename Archive>
+void serialize(Archive& a, CoordinateRef& x) {
+  a(x.joint, x.index);
+}
+template <typename Archive>
+void serialize(Archive& a, QuantityRef& x) {
+  a(x.first, x.combination);
+}
+template <typename Archive>
+void serialize(Archive& a, Target::Prescribed& x) {
+  a(x.coordinate, x.value);
+}
+template <typename Archive>
+void serialize(Archive& a, Target& x) {
+  a(x.prescribed, x.load_factors, x.time);
+}
+template <typename Archive>
+void serialize(Archive& a, Correction& x) {
+  a(x.twist, x.multipliers, x.surface, x.forces, x.parameter);
+}
+template <typename Archive>
+void serialize(Archive& a, OpenContact& x) {
+  a(x.pair, x.number, x.geometry, x.gap);
+}
+template <typename Archive>
+void serialize(Archive& a, Balanced& x) {
+  a(x.state, x.open, x.last_number);
+}
+template <typename Archive>
+void serialize(Archive& a, NewtonReport& x) {
+  a(x.outcome, x.iterations, x.residual, x.rcond, x.full_rank, x.minimum_norm, x.residual_history,
+    x.simplified_history);
+}
+template <typename Archive>
+void serialize(Archive& a, Certificate& x) {
+  a(x.residual, x.smallest_force, x.smallest_gap, x.least_opposed, x.edge_distance, x.barring, x.touching);
+}
+template <typename Archive>
+void serialize(Archive& a, PoseReport& x) {
+  a(x.status, x.why, x.iterations, x.newton, x.certificate);
+}
+template <typename Archive>
+void serialize(Archive& a, Stability& x) {
+  a(x.verdict, x.smallest, x.complex_pair, x.flutter, x.mode, x.one_way, x.untold, x.neutral, x.free_motions,
+    x.redundant);
+}
+template <typename Archive>
+void serialize(Archive& a, Undetermined& x) {
+  a(x.free_motion, x.shared_reactions, x.shared_contacts, x.shared_ligaments);
+}
+template <typename Archive>
+void serialize(Archive& a, PosePoint& x) {
+  a(x.step, x.increment, x.t, x.target, x.pose, x.report, x.stability, x.undetermined);
+}
+template <typename Archive>
+void serialize(Archive& a, PathEvent& x) {
+  a(x.kind, x.step, x.t, x.target, x.what, x.coordinates, x.rows_before);
+}
+
+}  // namespace genu

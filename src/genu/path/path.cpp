@@ -1,0 +1,392 @@
+#include "genu/path/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+
+#include "genu/contact/elastic_layer.h"
+#include "genu/equilibrium/settle_freed.h"
+#include "genu/equilibrium/uniqueness.h"
+#include "genu/path/arc_walker.h"
+#include "genu/path/fields.h"
+#include "genu/path/walker.h"
+
+namespace genu {
+namespace {
+
+constexpr const char* kTurnsBack = "the path turns back before this pose";
+
+constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
+constexpr int kRest = 16;     // rows from rest to rest, at least
+
+PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
+  options.newton.cancelled = cancelled;
+  return options;
+}
+
+class PathRun {
+ public:
+  PathRun(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps, const PathOptions& options,
+          const PathObserver& observer)
+      : steps_(steps),
+        options_(stoppable_path(options, observer.cancelled)),
+        observer_(observer),
+        solver_(model, field, options_.newton),
+        walker_(solver_, options_, emit_) {
+    pose_.state = start_state(model);
+    pose_.last_number.assign(model.pairs.size(), 0);
+  }
+
+  /// Goes on where save() was called, in another run of the same program on the same input. Throws SavedElsewhere
+  /// where it was on another.
+  void restore(const std::string& saved) {
+    std::istringstream in(saved);
+    cereal::BinaryInputArchive archive(in);
+    remember(archive);
+    const bool in_plan = step_ >= 0 && at(step_) <= steps_.size() && row_ >= 0 && rows_ >= 0;
+    if (!in_plan || !fits(pose_)) throw SavedElsewhere("what was saved is of another scene");
+    forget();
+  }
+
+  PathResult run() {
+    if (step_ == 0)
+      result_.complete = true;
+    else if (row_ > 0)
+      walk_on(steps_[at(step_ - 1)]);
+    for (std::size_t i = row_ > 0 ? at(step_) : at(std::max(step_ - 1, 0)); i < steps_.size() && !stopped_; ++i) {
+      step_ = static_cast<int>(i) + 1;
+      row_ = 0;
+      if (rows_ > 0 && rows_ > rested_) rest();
+      if (!reach_start(steps_[i])) break;
+      steps_[i].arc_length ? walk_by_arc(steps_[i]) : walk(steps_[i]);
+    }
+    result_.substeps += walker_.substeps();
+    result_.iterations += walker_.iterations();
+    return result_;
+  }
+
+ private:
+  bool fits(const Balanced& pose) const {
+    const auto& pairs = solver_.model().pairs;
+    return fits_model(solver_.model(), pose.state) && pose.last_number.size() == pairs.size() &&
+           std::all_of(pose.open.begin(), pose.open.end(),
+                       [&](const OpenContact& c) { return c.pair >= 0 && at(c.pair) < pairs.size(); });
+  }
+
+  /// Balances the joint where it stands, then walks to the first values of the step.
+  bool reach_start(const StepPlan& step) {
+    if (step_ == 1) factors_ = step.target(0).load_factors;
+    const StepPlan plan = approach_to(step, solver_.model(), pose_.state, factors_);
+    factors_ = step.target(1).load_factors;
+    approaching_ = true;
+    const Target start = plan.target(0);
+    report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : settle_freed(solver_, pose_, start);
+    result_.iterations += report_.iterations;
+    if (report_.status != PoseStatus::ok) {
+      if (settle_past_flaw(step, report_)) return true;
+      fail(step, 0, 0, report_, "no balanced pose was found to start from");
+      return false;
+    }
+    if (plan.varies_nothing()) {
+      approaching_ = false;
+      return true;
+    }
+    walker_.begin(plan, kApproach, pose_, report_);
+    while (!walker_.walk_to(1)) {
+      if (walker_.law_jump().empty() && walker_.step_over(window(plan))) continue;
+      pose_ = walker_.pose();
+      if (settle_past_flaw(step, walker_.failure())) return true;
+      fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");
+      return false;
+    }
+    pose_ = walker_.pose();
+    report_ = walker_.report();
+    approaching_ = false;
+    return true;
+  }
+
+  /// Where contact leans on a flaw of a mesh on the way to the step's start, in a pose that nobody has asked for: tries
+  /// the start itself, from the pose nearest to it.
+  bool settle_past_flaw(const StepPlan& step, const PoseReport& failure) {
+    if (failure.status != PoseStatus::flawed_mesh) return false;
+    Balanced trial = pose_;
+    trial.state.contacts.clear();
+    for (const auto& p : step.target(0).prescribed)
+      if (const CoordinateRef& c = p.coordinate.first; p.coordinate.combination < 0)
+        trial.state.coordinates[static_cast<std::size_t>(c.joint)][static_cast<std::size_t>(c.index)] = p.value;
+    trial.state.poses = poses_from_coordinates(solver_.model(), trial.state.coordinates);
+    const PoseReport report = solver_.settle_cold(trial, step.target(0));
+    result_.iterations += report.iterations;
+    if (report.status != PoseStatus::ok) return false;
+    pose_ = std::move(trial);
+    report_ = report;
+    approaching_ = false;
+    return true;
+  }
+
+  void walk(const StepPlan& step) {
+    walker_.begin(step, step_, pose_, report_);
+    if (step_ == 1) hand_over(step, 0);
+    walk_on(step);
+  }
+
+  /// To the end of a step from behind its row `row_`.
+  void walk_on(const StepPlan& step) {
+    walker_.resume(step);
+    while (row_ < step.increments && !stopped_) {
+      if (asked_to_stop(observer_.cancelled)) return stop();
+      advance_to(step, ++row_);
+      if (row_ < step.increments && rows_ - rested_ >= kRest && !stopped_) rest();
+    }
+    pose_ = walker_.pose();
+    report_ = walker_.report();
+  }
+
+  /// The same by arc length: rows wherever t passes k / increments, upward or downward, until t = 1.
+  void walk_by_arc(const StepPlan& step) {
+    if (step_ == 1) {
+      walker_.begin(step, step_, pose_, report_);
+      hand_over(step, 0);
+    }
+    int handed_over = 0;
+    ArcWalker walker(solver_, options_, walker_.law_events(),
+                     {[&](int k, const ArcWalker::Point& p) {
+                        PosePoint point;
+                        point.increment = k;
+                        point.t = p.at.t;
+                        point.pose = p.at.pose;
+                        point.report = p.report;
+                        point.report.iterations = walker.iterations() - handed_over;
+                        handed_over = walker.iterations();
+                        point.stability = p.stability;
+                        hand_over(step, std::move(point));
+                      },
+                      [&](PathEvent::Kind kind, const ArcWalker::Point& p, const std::string& what) {
+                        emit({kind, step_, p.at.t, step.target(p.at.t), what, p.at.pose.state.coordinates});
+                      },
+                      observer_.cancelled});
+    const ArcWalker::End end = walker.walk(step, pose_, report_);
+    result_.substeps += walker.substeps();
+    result_.iterations += walker.iterations();
+    pose_ = walker.here().at.pose;
+    report_ = walker.here().report;
+    if (end == ArcWalker::End::cancelled) return stop();
+    if (end != ArcWalker::End::reached) explain_arc_end(step, end, walker);
+  }
+
+  void explain_arc_end(const StepPlan& step, ArcWalker::End end, const ArcWalker& walker) {
+    const ArcWalker::Point& last = walker.here();
+    PoseReport report = walker.failure();
+    report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
+    if (end == ArcWalker::End::closed) {
+      emit({PathEvent::Kind::closed, step_, last.at.t, step.target(last.at.t), "", last.at.pose.state.coordinates});
+      report.why = "the path closes on itself without reaching the end of the step";
+    }
+    if (end == ArcWalker::End::ran_away) report.why = "the path runs away from the end of the step";
+    where_ = last.at.t;
+    fail(step, step.increments, 1, report, "");
+  }
+
+  void advance_to(const StepPlan& step, int k) {
+    const double t = static_cast<double>(k) / step.increments;
+    if (walker_.t() > t) {
+      // Stepped over together with the stretch it lies in.
+      fail(step, k, t, walker_.failure(), "", false);
+      return;
+    }
+    while (!walker_.walk_to(t)) {
+      const PoseStatus status = walker_.failure().status;
+      const bool edge = status == PoseStatus::over_edge || status == PoseStatus::flawed_mesh;
+      if (!edge && walker_.law_jump().empty() && walker_.step_over(window(step))) {
+        if (walker_.t() <= t) continue;
+        fail(step, k, t, walker_.failure(), "", false);
+        return;
+      }
+      if (!edge && walker_.law_jump().empty() && walker_.snap_beyond(t - walker_.t())) continue;
+      if (!edge && may_skip(step, k)) return fail(step, k, t, walker_.failure(), "", false);
+      explain_end(step, k, t);
+      return;
+    }
+    skipped_ = 0;
+    hand_over(step, k);
+  }
+
+  /// With layers a pose without equilibrium (a ray that runs off an edge makes forces jump) says little about the next
+  /// one, to which the joint can settle from here as well.
+  bool may_skip(const StepPlan& step, int k) {
+    constexpr int kMost = 3;  // in a row
+    return walker_.can_snap() && k < step.increments && ++skipped_ <= kMost;
+  }
+
+  /// A stretch without solution that may be stepped over, in units of the step's parameter.
+  double window(const StepPlan& step) const {
+    const double range = step.angle_range();
+    const double increment = 1.0 / step.increments;
+    return range > 0 ? std::min(1.0, options_.largest_window / range) : increment;
+  }
+
+  void explain_end(const StepPlan& step, int k, double t) {
+    PoseReport report = walker_.failure();
+    pose_ = walker_.pose();
+    if (walker_.turning_back()) {
+      const auto limit = limit_point(step);
+      if (limit) emit(*limit);
+      report.why =
+          limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
+    } else if (report.status == PoseStatus::chatter) {
+      ArcWalker walker(solver_, options_, walker_.law_events(), {{}, {}, observer_.cancelled});
+      const auto turn = walker.turn_at_a_change(step, walker_.pose(), walker_.report(), walker_.t());
+      result_.iterations += walker.iterations();
+      if (turn) {
+        emit(turn_at(step, turn->at.t, turn->at.pose.state));
+        report.status = PoseStatus::no_equilibrium;
+        report.why = kTurnsBack;
+      }
+    }
+    const auto [distance, angle] = walker_.snap();
+    if (distance > 0 || angle > 0) {
+      emit({PathEvent::Kind::snaps, step_, walker_.t(), step.target(walker_.t()),
+            fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI),
+            pose_.state.coordinates});
+      report.status = PoseStatus::no_equilibrium;
+      report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      if (!walker_.law_jump().empty()) report.why += ", as the force drops of ligament " + walker_.law_jump();
+    }
+    fail(step, k, t, report, "");
+  }
+
+  PathEvent turn_at(const StepPlan& step, double t, const State& state) const {
+    constexpr const char* kWhat = "no equilibrium beyond: the prescribed path turns back here";
+    return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
+  }
+
+  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
+  /// path is all but vertical and yet goes on.
+  std::optional<PathEvent> limit_point(const StepPlan& step) {
+    constexpr double kReach = 0.5;
+    ArcWalker walker(solver_, options_, walker_.law_events(), {});
+    const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
+    result_.iterations += walker.iterations();
+    if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
+    if (walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
+    return turn_at(step, walker_.t(), walker_.pose().state);
+  }
+
+  void hand_over(const StepPlan& step, int k) {
+    PosePoint point;
+    point.increment = k;
+    point.t = walker_.t();
+    point.pose = walker_.pose();
+    point.report = walker_.report();
+    point.report.iterations = walker_.iterations() - handed_over_;
+    handed_over_ = walker_.iterations();
+    point.stability = walker_.stability();
+    hand_over(step, std::move(point));
+  }
+
+  void hand_over(const StepPlan& step, PosePoint point) {
+    if (asked_to_stop(observer_.cancelled)) return stop();
+    point.step = step_;
+    point.target = step.target(point.t);
+    result_.complete = judge_uniqueness(solver_, point) && result_.complete;
+    result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
+    ++rows_;
+    observer_.pose(point, solver_.newton().layers().get());
+  }
+
+  void fail(const StepPlan& step, int k, double t, const PoseReport& report, const std::string& what,
+            bool last = true) {
+    if (asked_to_stop(observer_.cancelled)) return stop();
+    PosePoint point;
+    point.step = step_;
+    point.increment = k;
+    point.t = t;
+    point.target = step.target(t);
+    point.report = report;
+    if (point.report.status == PoseStatus::ok) point.report.status = PoseStatus::no_equilibrium;
+    if (last) {
+      const double where = approaching_ ? 0 : step.arc_length ? where_ : walker_.t();
+      emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
+            what.empty() ? report.why : what + ": " + report.why, pose_.state.coordinates});
+      stop();
+    }
+    ++rows_;
+    observer_.pose(point, solver_.newton().layers().get());
+    result_.complete = false;
+  }
+
+  void stop() {
+    result_.complete = false;
+    stopped_ = true;
+  }
+
+  /// Between two rows: forgets what it could find out again, so that nothing but what save() writes down decides what
+  /// follows, to the last bit. When that happens is counted in rows and has nothing to do with the time it takes.
+  void rest() {
+    rested_ = rows_;
+    forget();
+    if (!observer_.rest || asked_to_stop(observer_.cancelled)) return;
+    observer_.rest([this] {
+      std::ostringstream out;
+      cereal::BinaryOutputArchive archive(out);
+      remember(archive);
+      return std::move(out).str();
+    });
+  }
+
+  void forget() {
+    solver_.field().forget();
+    if (LayerMemories* layers = solver_.newton().linearization().layers.get(); layers != nullptr)
+      layers->each.clear(), layers->buried.clear();
+  }
+
+  template <typename Archive>
+  void remember(Archive& archive) {
+    archive(pose_, report_, result_.complete, result_.substeps, result_.iterations, result_.worst_residual, step_, row_,
+            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, walker_);
+  }
+
+  void emit(PathEvent event) const {
+    if (asked_to_stop(observer_.cancelled)) return;  // what is not found then may be there
+    event.rows_before = rows_;
+    if (observer_.event) observer_.event(event);
+  }
+
+  const std::vector<StepPlan>& steps_;
+  const PathOptions options_;
+  const PathObserver& observer_;
+  const std::function<void(PathEvent)> emit_ = [this](const PathEvent& event) { emit(event); };
+  ContactSetSolver solver_;
+  Walker walker_;
+  Balanced pose_;
+  PoseReport report_;
+  PathResult result_;
+  int step_ = 0;
+  std::vector<double> factors_;  // of the loads where the path stands
+  bool approaching_ = false;
+  int handed_over_ = 0, rows_ = 0;
+  double where_ = 0;  // of a step by arc length that ended early
+  int skipped_ = 0;   // rows without a pose since the last one that has one
+  int row_ = 0;       // the last one asked for of a step, 0 before the first
+  int rested_ = 0;    // how many rows there were then
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
+                       const PathOptions& options, const PathObserver& observer, const std::string& from) {
+  PathRun run(model, field, steps, options, observer);
+  if (!from.empty()) run.restore(from);
+  return run.run();
+}
+
+}  // namespace genu

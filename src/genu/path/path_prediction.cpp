@@ -1,0 +1,71 @@
+#include "genu/path/path_prediction.h"
+
+#include <algorithm>
+
+namespace genu {
+
+double path_speed(const JointModel& model, const Correction& tangent) {
+  const VecX& twist = tangent.twist;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < twist.size(); i += 6)
+    sum += twist.segment<3>(i).norm() / model.scales.length + twist.segment<3>(i + 3).norm();
+  return sum;
+}
+
+/// A difference is known as long as it is small beside the one before it, over the span: else there is a kink, or a
+/// limit point is near, and what is behind says nothing of what comes.
+void PathPrediction::went_on(double span, const Correction& from, const Correction& to) {
+  constexpr double kSmooth = 0.2;
+  if (!from.matches(to)) return forget();
+  if (known_ > 0 && !differences_[0].matches(to)) known_ = 0;
+  for (std::size_t i = std::min(known_, kMost - 1); i > 0; --i) behind_[i] = behind_[i - 1] - span;
+  behind_[0] = -span;
+  const std::size_t most = std::min(known_ + 1, kMost);
+  older_ = from;
+  newer_ = to;
+  double speed = std::min(path_speed(*model_, from), path_speed(*model_, to));
+  for (known_ = 0; known_ < most; ++known_) {
+    Correction& difference = differences_[known_];
+    newer_.add(-1, older_);
+    newer_.scale(-1 / behind_[known_]);
+    const double next = path_speed(*model_, newer_);
+    if (!(next * span <= kSmooth * speed)) return;
+    speed = next;
+    if (known_ + 1 < most) older_ = difference;
+    difference = newer_;
+  }
+}
+
+namespace {
+
+/// Turns about an axis that itself turns do not add up as vectors do: the next term of Magnus's series, for angular
+/// velocities w + t w' in the world from t = 0 to h, as a mean over h. `way`: of all bodies.
+void add_turn_of_axis(double h, const VecX& tangent, const VecX& slope, VecX& way) {
+  for (Eigen::Index i = 3; i < tangent.size(); i += 6)
+    way.segment<3>(i) += h * h / 12 * slope.segment<3>(i).cross(tangent.segment<3>(i));
+}
+
+}  // namespace
+
+bool PathPrediction::at(const State& state, const Correction& tangent, double h, State& out) {
+  if (known_ == 0) return retract(*model_, state, tangent, h, out);
+  way_ = tangent;
+  // Newton's polynomials t, t (t - t1), ...: their coefficients, and their means from 0 to h.
+  std::array<double, kMost + 1> factors{0, 1};
+  for (std::size_t k = 0; k < known_; ++k) {
+    double mean = 0, power = h;
+    for (std::size_t i = 1; i <= k + 1; ++i, power *= h) mean += factors[i] * power / static_cast<double>(i + 1);
+    way_.add(mean, differences_[k]);
+    // The polynomial's slope at 0 tells how the tangent turns there.
+    if (k == 0)
+      newer_.twist = differences_[k].twist;
+    else
+      newer_.twist += factors[1] * differences_[k].twist;
+    if (k + 1 == known_) break;
+    for (std::size_t i = k + 2; i > 0; --i) factors[i] = factors[i - 1] - behind_[k] * factors[i];
+  }
+  add_turn_of_axis(h, tangent.twist, newer_.twist, way_.twist);
+  return retract(*model_, state, way_, h, out);
+}
+
+}  // namespace genu

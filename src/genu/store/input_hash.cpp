@@ -1,0 +1,85 @@
+#include "genu/store/input_hash.h"
+
+#include <link.h>
+#include <xxhash.h>
+
+#include <cstring>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace genu {
+namespace {
+
+/// The linker's hash of what it linked, from the notes of a loaded file; empty where it has none.
+std::string build_id(const dl_phdr_info& info) {
+  for (int k = 0; k < info.dlpi_phnum; ++k) {
+    const ElfW(Phdr)& part = info.dlpi_phdr[k];
+    if (part.p_type != PT_NOTE || part.p_align > 4) continue;
+    const std::string notes(reinterpret_cast<const char*>(info.dlpi_addr + part.p_vaddr), part.p_memsz);
+    for (std::size_t place = 0; place + sizeof(ElfW(Nhdr)) <= notes.size();) {
+      ElfW(Nhdr) head;
+      std::memcpy(&head, notes.data() + place, sizeof head);
+      const std::size_t name = place + sizeof head, content = name + (head.n_namesz + 3) / 4 * 4;
+      if (head.n_type == NT_GNU_BUILD_ID && content <= notes.size() && notes.compare(name, 4, "GNU", 4) == 0)
+        return notes.substr(content, head.n_descsz);
+      place = content + (head.n_descsz + 3) / 4 * 4;
+    }
+  }
+  return {};
+}
+
+int add_library(dl_phdr_info* info, std::size_t, void* out) {
+  const std::string name = info->dlpi_name, id = build_id(*info);
+  static_cast<std::vector<std::string>*>(out)->push_back(!id.empty()    ? content_hash(id)
+                                                         : name.empty() ? file_hash("/proc/self/exe")
+                                                                        : file_hash(name));
+  return 0;
+}
+
+/// The program and what it is linked with, as it starts: libraries may load others later, sooner or not at all.
+const std::vector<std::string> kLoaded = [] {
+  std::vector<std::string> hashes;
+  dl_iterate_phdr(add_library, &hashes);
+  return hashes;
+}();
+
+}  // namespace
+
+std::string content_hash(const std::string& bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+std::string file_hash(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return {};
+  XXH3_state_t* state = XXH3_createState();
+  XXH3_128bits_reset(state);
+  std::vector<char> piece(std::size_t{1} << 16);
+  do {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    XXH3_128bits_update(state, piece.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  const XXH128_hash_t hash = XXH3_128bits_digest(state);
+  XXH3_freeState(state);
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+std::vector<std::pair<std::string, std::string>> input_hashes(const Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> hashes{{scene.file, file_hash(scene.file)}};
+  for (const std::string& file : mesh_files(scene)) hashes.emplace_back(file, file_hash(file));
+  return hashes;
+}
+
+std::string program_hash() {
+  std::string all;
+  for (const std::string& hash : kLoaded) all += hash;
+#if defined(__x86_64__)
+  all += fmt::format("{}{}{}", __builtin_cpu_supports("fma") != 0, __builtin_cpu_supports("avx2") != 0,
+                     __builtin_cpu_supports("avx512f") != 0);
+#endif
+  return content_hash(all);
+}
+
+}  // namespace genu

@@ -1,0 +1,138 @@
+#include "genu/store/report.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "genu/core/timer.h"
+#include "genu/core/units.h"
+#include "genu/results/curves.h"
+#include "genu/results/report_plots.h"
+#include "genu/store/report_meshes.h"
+
+namespace genu {
+namespace {
+
+const Vec3 kNowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+
+/// The state of each row, solved or not, whose coordinates results.csv tells; null where it tells none.
+std::vector<const State*> states_of(const Solution& solution) {
+  std::vector<const State*> states;
+  for (const PoseRecord& record : solution.records)
+    states.push_back(record.point.pose.state.poses.empty() ? nullptr : &record.point.pose.state);
+  for (const MotionPoint& point : solution.motion) states.push_back(&point.state);
+  return states;
+}
+
+ReportContact contact_named(std::string name, const std::string& surface, int body_a, int body_b, std::size_t rows) {
+  return {
+      std::move(name), surface, body_a, body_b, std::vector<Vec3>(rows, kNowhere), std::vector<Vec3>(rows, kNowhere)};
+}
+
+const std::string& surface_b(const Scene& scene, const ContactDef& contact) {
+  return scene.surfaces[at(contact.surface_b)].name;
+}
+
+void add_rigid(const Prepared& p, const std::vector<const State*>& states, std::vector<ReportContact>& out) {
+  std::map<std::pair<int, int>, ReportContact> contacts;  // by pair and number
+  std::vector<int> numbers(p.model.pairs.size(), 0);
+  for (const State* state : states)
+    for (std::size_t i = 0; state != nullptr && i < state->contacts.size(); ++i)
+      numbers[at(state->contacts[i].pair)] = std::max(numbers[at(state->contacts[i].pair)], state->contacts[i].number);
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    if (states[row] == nullptr) continue;
+    for (const ActiveContact& c : states[row]->contacts) {
+      const JointModel::Pair& pair = p.model.pairs[at(c.pair)];
+      auto [place, fresh] = contacts.try_emplace({c.pair, c.number});
+      if (fresh)
+        place->second =
+            contact_named(numbers[at(c.pair)] > 1 ? fmt::format("{}.{}", pair.name, c.number) : pair.name,
+                          surface_b(p.scene, p.scene.contacts[at(c.pair)]), pair.body_a, pair.body_b, states.size());
+      place->second.point[row] = c.geometry.b.p;
+      place->second.force[row] = -c.force * c.geometry.b.n;
+    }
+  }
+  for (auto& [key, contact] : contacts) out.push_back(std::move(contact));
+}
+
+/// Three columns as a vector; NaN where a cell is empty.
+Vec3 vector_at(const ResultTable& table, std::size_t row, const std::string& before, const char* after) {
+  Vec3 v = kNowhere;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (const std::string name = fmt::format("{}{}{}", before, "xyz"[i], after); table.has_column(name))
+      v[i] = table.number(row, name);
+  return v;
+}
+
+/// One elastic layer, or a region of it: what its columns in results.csv say.
+void add_layer_part(const Prepared& p, std::size_t layer, const std::string& name, const std::string& centre,
+                    const ResultTable& poses, std::vector<ReportContact>& out) {
+  const JointModel::Layer& model = p.model.layers[layer];
+  const Vec3& origin = p.model.bodies[at(model.body_b)].centre;
+  ReportContact c =
+      contact_named(name, surface_b(p.scene, p.scene.layers[layer].pair), model.body_a, model.body_b, poses.rows());
+  bool any = false;
+  for (std::size_t row = 0; row < poses.rows(); ++row) {
+    const Vec3 point = units::kMillimetre * vector_at(poses, row, centre, "_mm") - origin,
+               force = vector_at(poses, row, name + ".force_", "_N");
+    if (!point.allFinite() || !force.allFinite() || !(force.norm() > 0)) continue;
+    c.point[row] = point;
+    c.force[row] = force;
+    any = true;
+  }
+  if (any) out.push_back(std::move(c));
+}
+
+std::vector<ReportContact> contacts_of(const Prepared& p, const Solution& solution,
+                                       const std::vector<const State*>& states) {
+  std::vector<ReportContact> out;
+  add_rigid(p, states, out);
+  for (std::size_t k = 0; k < p.scene.layers.size(); ++k) {
+    const ContactDef& pair = p.scene.layers[k].pair;
+    for (const RegionDef& region : pair.regions) {
+      const std::string name = pair.name + "." + region.name;
+      add_layer_part(p, k, name, name + ".", solution.poses, out);
+    }
+    if (pair.regions.empty())
+      add_layer_part(p, k, pair.name, pair.name + "." + surface_b(p.scene, pair) + ".", solution.poses, out);
+  }
+  return out;
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+ReportRun report_run(const Prepared& p, const Solution& solution) {
+  ReportRun run;
+  run.scene = &p.scene;
+  run.model = &p.model;
+  run.summary = &solution.summary;
+  run.poses = &solution.poses;
+  run.events = &solution.event_rows;
+  run.scene_text = text_of(p.scene.file);
+  const ResultTable* bars = solution.error_bars ? &solution.error_bars->bars : nullptr;
+  run.chart = curves(p.scene, p.steps, solution.poses, solution.events, bars);
+  add_report_plots(p.scene, solution.poses, run.chart);
+  const std::vector<const State*> states = states_of(solution);
+  for (const State* state : states) run.body_poses.push_back(state != nullptr ? state->poses : std::vector<Pose>());
+  run.contacts = contacts_of(p, solution, states);
+  run.meshes = report_meshes(p, run);
+  return run;
+}
+
+void add_report(const Prepared& prepared, Solution& solution, std::vector<std::pair<std::string, std::string>>& files,
+                const std::vector<ReportPicture>& pictures) {
+  const Timer timer;
+  files.emplace_back("report.html", report_html({report_run(prepared, solution)}, pictures));
+  solution.summary.seconds.emplace_back("report", timer.seconds());
+}
+
+}  // namespace genu

@@ -1,0 +1,176 @@
+#include "genu/study/calibration_target.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/assemble/pose_file.h"
+#include "genu/scene/words.h"
+
+namespace genu {
+namespace {
+
+constexpr const char* kTime = "time_s";
+constexpr double kSameTime = 1e-9;  // of the time between rows
+
+/// Counts and words of a results.csv: nothing to follow.
+bool is_no_value(const std::string& name) {
+  return name == "step" || name == "increment" || name == "status" || name == "stability";
+}
+
+std::optional<double> to_number(const std::string& text) {
+  double value = 0;
+  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, code] = std::from_chars(first, text.data() + text.size(), value);
+  constexpr double kLargest = 1e20;  // as in scenes
+  if (code != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kLargest)) return std::nullopt;
+  return value;
+}
+
+class TargetReader {
+ public:
+  TargetReader(const PoseFile& file, double duration, Diagnostics& out)
+      : file_(file), duration_(duration), errors_(file.path, out) {}
+
+  void choose(const std::vector<std::string>& patterns, const std::vector<std::string>& known) {
+    for (std::size_t c = 0; c < file_.names.cells.size(); ++c) {
+      const PoseFile::Cell& cell = file_.names.cells[c];
+      const auto asked = [&](const std::string& pattern) { return matches(pattern, cell.text); };
+      if (cell.text == kTime)
+        time_ = c;
+      else if (is_no_value(cell.text) || (!patterns.empty() && std::none_of(patterns.begin(), patterns.end(), asked)))
+        continue;
+      else if (std::find(known.begin(), known.end(), cell.text) == known.end())
+        errors_.add(file_.names.line, cell.column, cell.text, {},
+                    "is no column of this scene's results.csv" + did_you_mean(cell.text, known));
+      else
+        add_column(c, cell.text);
+    }
+    for (const std::string& pattern : patterns)
+      if (std::none_of(file_.names.cells.begin(), file_.names.cells.end(),
+                       [&](const PoseFile::Cell& cell) { return matches(pattern, cell.text); }))
+        errors_.add(file_.names.line, 1, "--columns", with_quotes(pattern),
+                    "is no column of the target" + did_you_mean(pattern, names()));
+    if (!time_) errors_.add(file_.names.line, 1, kTime, {}, "is missing: a target says when each of its rows is");
+    if (errors_.count() == 0 && target_.columns.empty())
+      errors_.add(file_.names.line, 1, {}, {}, "has no column to follow beside time_s");
+  }
+
+  std::optional<CalibrationTarget> read() {
+    if (errors_.count() > 0) return std::nullopt;
+    for (const PoseFile::Row& row : file_.rows) add_row(row);
+    if (errors_.count() == 0 && target_.values.empty())
+      errors_.add(file_.names.line, 1, {}, {}, "holds no values below its column names");
+    if (errors_.count() > 0) return std::nullopt;
+    for (std::size_t c = 0; c < target_.columns.size(); ++c) target_.columns[c].scale = scale_of(c);
+    return std::move(target_);
+  }
+
+ private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> out;
+    for (const PoseFile::Cell& cell : file_.names.cells) out.push_back(cell.text);
+    return out;
+  }
+
+  void add_column(std::size_t cell, const std::string& name) {
+    cells_.push_back(cell);
+    target_.columns.push_back({name, 1});
+  }
+
+  std::optional<double> number(const PoseFile::Row& row, std::size_t c) {
+    const PoseFile::Cell& cell = row.cells[c];
+    const auto value = to_number(cell.text);
+    if (!value)
+      errors_.add(row.line, cell.column, file_.names.cells[c].text, with_quotes(cell.text),
+                  "must be a finite number, of at most 1e20");
+    return value;
+  }
+
+  void add_row(const PoseFile::Row& row) {
+    const auto time = number(row, *time_);
+    if (time && (*time < 0 || *time > duration_ * (1 + kSameTime)))
+      errors_.add(row.line, row.cells[*time_].column, kTime, row.cells[*time_].text,
+                  fmt::format("is outside of what the scene computes: 0 to {:g} s", duration_));
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      if (row.cells[cells_[k]].text.empty()) continue;
+      const auto value = number(row, cells_[k]);
+      if (time && value) target_.values.push_back({*time, k, *value});
+    }
+  }
+
+  double scale_of(std::size_t column) const {
+    constexpr double kConstant = 1e-9;
+    double sum = 0, largest = 0, square = 0, count = 0;
+    for (const auto& v : target_.values)
+      if (v.column == column) sum += v.value, largest = std::max(largest, std::abs(v.value)), ++count;
+    for (const auto& v : target_.values)
+      if (v.column == column) square += std::pow(v.value - sum / count, 2);
+    const double spread = count > 0 ? std::sqrt(square / count) : 0;
+    return spread > kConstant * largest ? spread : largest > 0 ? largest : 1;
+  }
+
+  const PoseFile& file_;
+  double duration_;
+  LongErrors errors_;
+  std::optional<std::size_t> time_;
+  std::vector<std::size_t> cells_;  ///< of each column of the target
+  CalibrationTarget target_;
+};
+
+/// Lagrange's weights of rows `first` .. `last` - 1 at t.
+std::vector<double> weights(const std::vector<double>& times, std::size_t first, std::size_t last, double t) {
+  std::vector<double> w;
+  for (std::size_t i = first; i < last; ++i) {
+    double product = 1;
+    for (std::size_t j = first; j < last; ++j)
+      if (j != i) product *= (t - times[j]) / (times[i] - times[j]);
+    w.push_back(product);
+  }
+  return w;
+}
+
+}  // namespace
+
+std::optional<CalibrationTarget> read_calibration_target(const std::string& path,
+                                                         const std::vector<std::string>& patterns,
+                                                         const std::vector<std::string>& known, double duration,
+                                                         Diagnostics& out) {
+  const auto file = read_pose_file(path, out);
+  if (!file) return std::nullopt;
+  TargetReader reader(*file, duration, out);
+  reader.choose(patterns, known);
+  return reader.read();
+}
+
+std::optional<VecX> values_at(const CalibrationTarget& target, const ResultTable& results) {
+  constexpr std::size_t kCubic = 4;
+  std::vector<double> times;
+  for (std::size_t row = 0; row < results.rows(); ++row) times.push_back(results.number(row, kTime));
+  if (times.empty()) return std::nullopt;
+  VecX values(static_cast<Eigen::Index>(target.values.size()));
+  for (std::size_t k = 0; k < target.values.size(); ++k) {
+    const CalibrationTarget::Value& v = target.values[k];
+    const std::string& column = target.columns[v.column].name;
+    const auto after = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), v.time) - times.begin());
+    const std::size_t near =
+        after == times.size() || (after > 0 && v.time - times[after - 1] < times[after] - v.time) ? after - 1 : after;
+    const double step = times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 1;
+    double value = 0;
+    if (std::abs(times[near] - v.time) <= kSameTime * step) {
+      value = results.number(near, column);
+    } else {
+      const std::size_t count = std::min(kCubic, times.size());
+      const std::size_t first = std::min(after < 2 ? 0 : after - 2, times.size() - count);
+      const std::vector<double> w = weights(times, first, first + count, v.time);
+      for (std::size_t i = 0; i < count; ++i) value += w[i] * results.number(first + i, column);
+    }
+    if (!std::isfinite(value)) return std::nullopt;
+    values[static_cast<Eigen::Index>(k)] = value;
+  }
+  return values;
+}
+
+}  // namespace genu

@@ -1,0 +1,303 @@
+#include "genu/study/new_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "genu/core/atomic_output.h"
+#include "genu/mesh/mesh_check.h"
+#include "genu/mesh_files/mesh_reader.h"
+#include "genu/scene/utf8.h"
+#include "genu/scene/words.h"
+#include "genu/study/knee_layout.h"
+#include "genu/study/layout_doubts.h"
+#include "genu/study/new_scene_text.h"
+#include "genu/study/run_scene.h"
+
+namespace genu {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::map<std::string, std::string>;
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// A string of TOML.
+std::string toml_string_of(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if (is_control(c))
+      out += fmt::format("\\u{:04x}", c);
+    else
+      out += c;
+  return out;
+}
+
+std::string tenths(double metres) {
+  const double mm = std::round(1e4 * metres) / 10;
+  return fmt::format("{:g}", mm == 0 ? 0.0 : mm);
+}
+
+std::string point_text(const Vec3& p) {
+  return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
+}
+
+/// A place at the tibia's joint: parts of its width to the lateral side and up, of its depth forward.
+struct Place {
+  double lateral, anterior, proximal;
+};
+struct StartLigament {
+  const char* name;
+  Place femur, tibia;
+  double stiffness;  ///< N
+  double strain;
+};
+constexpr StartLigament kLigaments[] = {
+    {"ACL", {0.10, -0.25, 0.20}, {-0.02, 0.15, -0.03}, 5000, 0.04},
+    {"PCL", {-0.08, -0.10, 0.15}, {0.0, -0.45, -0.12}, 9000, 0.04},
+    {"LCL", {0.50, -0.10, 0.30}, {0.48, -0.35, -0.55}, 2000, 0.04},
+    {"MCL_anterior", {-0.50, -0.05, 0.30}, {-0.40, 0.10, -0.75}, 2500, 0.04},
+    {"MCL_posterior", {-0.50, -0.15, 0.30}, {-0.45, -0.25, -0.60}, 2500, 0.04},
+};
+
+std::string ligaments_text(const KneeLayout& knee, bool left) {
+  const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
+  const auto at = [&](const Place& p) {
+    return Vec3(knee.centre + p.lateral * knee.width * lateral + p.anterior * knee.depth * knee.anterior +
+                p.proximal * knee.width * knee.proximal);
+  };
+  const Vec3 up = knee.gap * knee.proximal;  // of the reference pose, where they touch
+  std::string out;
+  for (const StartLigament& l : kLigaments)
+    out += fmt::format(
+        "[ligament.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"tibia\", point = {} }}\n"
+        "law = \"blankevoort\"\nstiffness = {}\ntransition_strain = 0.06\nreference_strain = {}\n\n",
+        l.name, point_text(at(l.femur) + up), point_text(at(l.tibia)), l.stiffness, l.strain);
+  return out;
+}
+
+struct Bone {
+  Mesh mesh;
+  double unit = 1e-3;
+};
+
+std::optional<Bone> read_bone(const std::string& file, const std::string& unit, Diagnostics& out) {
+  Bone bone;
+  if (unit == "m") bone.unit = 1;
+  auto mesh = unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out) : read_mesh(file, bone.unit, out);
+  if (!mesh) return std::nullopt;
+  check_scale(check_mesh(*mesh), file, bone.unit == 1 ? "m" : "mm", out);
+  if (out.has_errors()) return std::nullopt;
+  bone.mesh = std::move(*mesh);
+  return bone;
+}
+
+/// The file as a scene in `folder` names it.
+std::string seen_from(const std::string& file, const std::string& folder) {
+  std::error_code failed;
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder, failed), failed),
+                 to = fs::weakly_canonical(fs::absolute(file, failed), failed);
+  const fs::path relative = to.lexically_relative(from);
+  return toml_string_of((relative.empty() ? to : relative).string());
+}
+
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& femur, const Bone& tibia) {
+  Words w;
+  const bool guessed = asked.unit.empty();
+  const std::string right = axis_word(knee.right), side = asked.left ? "left" : "right";
+  const Vec3 lateral = asked.left ? Vec3(-knee.right) : knee.right;
+  w["side"] = side;
+  w["proximal"] = axis_word(knee.proximal);
+  w["anterior"] = axis_word(knee.anterior);
+  w["proximal_how"] = asked.proximal.empty() ? " (from the tibia to the femur)" : " (as you said)";
+  w["anterior_how"] = asked.anterior.empty()
+                          ? " (GUESSED: away from the notch between the condyles; `genu new --anterior` decides)"
+                          : " (as you said)";
+  w["width"] = tenths(knee.width);
+  w["depth"] = tenths(knee.depth);
+  w["cartilage_note"] = "Of bones without cartilage the layer stands for it, but begins at the bone.";
+  w["flexion_axis"] = axis_word(-knee.right);
+  w["adduction_axis"] = axis_word(asked.left ? Vec3(-knee.anterior) : knee.anterior);
+  w["rotation_axis"] = axis_word(asked.left ? Vec3(-knee.proximal) : knee.proximal);
+  Eigen::Index up = 0;
+  knee.proximal.cwiseAbs().maxCoeff(&up);
+  w["up"] = "xyz"[up];
+  w["move"] = tenths(knee.gap * knee.proximal[up]);
+  w["centre"] = point_text(knee.centre);
+  w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
+  w["femur_file"] = seen_from(asked.femur, asked.folder);
+  w["tibia_file"] = seen_from(asked.tibia, asked.folder);
+  w["femur_unit"] = femur.unit == 1 ? "m" : "mm";
+  w["tibia_unit"] = tibia.unit == 1 ? "m" : "mm";
+  w["femur_unit_how"] = w["tibia_unit_how"] = guessed ? "                   # GUESSED from its size" : "";
+  Eigen::Index sideways = 0;
+  lateral.cwiseAbs().maxCoeff(&sideways);
+  const char axis = "xyz"[sideways];
+  const std::string middle = tenths(knee.centre[sideways]);
+  const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
+  w["medial"] = lateral[sideways] > 0 ? below : above;
+  w["lateral"] = lateral[sideways] > 0 ? above : below;
+  w["ligaments"] = ligaments_text(knee, asked.left);
+  w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
+                                 100 * knee.proximal.z() + 0.0);
+  return w;
+}
+
+std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Words& w) {
+  std::vector<std::string> out;
+  out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
+                            asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
+                            asked.anterior.empty() ? " (guessed; --anterior says otherwise)" : ""));
+  out.push_back(fmt::format("side        {} (--side left or right decides)", w.at("side")));
+  out.push_back(fmt::format("units       femur {}, tibia {}{}", w.at("femur_unit"), w.at("tibia_unit"),
+                            asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
+  out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
+                            tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
+  out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
+  return out;
+}
+
+constexpr int kFlexion = 30;   // deg: what a start without anatomy can be asked
+constexpr int kSettling = 10;  // rows of the step before it
+
+void ask_for_flexion(Words& words, int degrees, bool tried_further) {
+  words["flexion"] = fmt::format("{}", degrees);
+  words["increments"] = fmt::format("{}", std::max(degrees, 1));
+  words["flexion_note"] =
+      tried_further ? fmt::format(": beyond {} deg the trial found no pose; better ligaments lead further", degrees)
+                    : "";
+}
+
+/// Errors name the scene as it will stand in its folder, `name`.
+std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked,
+                                Diagnostics& out) {
+  RunOptions options;
+  options.cancelled = asked.cancelled;
+  options.keep_partial = true;
+  Diagnostics warnings;
+  const auto prepared = prepare(file, warnings);
+  std::optional<Solution> found;
+  if (prepared)
+    found = prepared->scene.dynamics ? move_all(*prepared, options, warnings) : solve_all(*prepared, options, warnings);
+  if (found && found->stopped == "interrupted") {
+    out.error({}, "stopped while the scene was tried out: nothing is written");
+    return std::nullopt;
+  }
+  for (Diagnostic d : warnings.items())
+    if (!found && d.severity == Diagnostic::Severity::error) {
+      if (d.file == file) d.file = name;
+      out.add(d);
+    }
+  return found;
+}
+
+bool refuse_words(const NewScene& asked, Diagnostics& out) {
+  const auto refuse_it = [&](const char* option, const std::string& found, const std::string& rule) {
+    out.add({.file = {}, .key = option, .found = with_quotes(found), .rule = rule});
+  };
+  std::error_code ignored;
+  const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
+  if (asked.folder.empty()) out.error({}, "the scene has no name: genu new NAME");
+  // A scene is a text, and names these.
+  for (const auto& [what, name] :
+       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia)})
+    if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
+      refuse_it(what, printable(valid_utf8(name)),
+                "must be a name of UTF-8 text without control characters: rename it");
+  if (fs::exists(fs::symlink_status(asked.folder, ignored)))
+    out.error(asked.folder, "exists already, and genu new replaces nothing: choose another name");
+  if (asked.kind != NewScene::Kind::stl && meshes)
+    refuse_it("--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
+              "has no meshes: --femur and --tibia belong to --kind stl");
+  if (asked.kind == NewScene::Kind::stl && (asked.femur.empty() || asked.tibia.empty()))
+    out.error({}, "a scene of kind stl needs two meshes in one frame: --femur femur.stl --tibia tibia.stl");
+  for (const auto& [option, word] : {std::pair("--proximal", asked.proximal), std::pair("--anterior", asked.anterior)})
+    if (!word.empty() && !axis_named(word)) refuse_it(option, word, "must be one of x, y, z, -x, -y, -z");
+  return out.has_errors();
+}
+
+/// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
+bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
+                  Diagnostics& out) {
+  for (const LayoutDoubt& doubt : doubts_about(femur, tibia, knee))
+    out.add({.severity = doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
+             .file = asked.femur + ", " + asked.tibia,
+             .key = {},
+             .found = {},
+             .rule = doubt.what});
+  return !out.has_errors();
+}
+
+struct Composed {
+  std::string text;
+  Words words;
+  std::vector<std::string> choices;
+};
+
+std::optional<Composed> compose(const NewScene& asked, const std::string& name, Diagnostics& out) {
+  Words words{{"title", toml_string_of(name)},
+              {"name", toml_string_of(name)},
+              {"file", toml_string_of((fs::path(asked.folder) / (name + ".toml")).string())}};
+  if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
+  if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
+  const auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
+  if (!femur || !tibia) return std::nullopt;
+  const auto knee = lay_out_knee(femur->mesh, tibia->mesh, axis_named(asked.proximal), axis_named(asked.anterior));
+  if (!knee) {
+    out.error({}, "--proximal and --anterior must be along different axes, and the meshes must not be flat");
+    return std::nullopt;
+  }
+  if (!check_layout(femur->mesh, tibia->mesh, *knee, asked, out)) return std::nullopt;
+  words.merge(words_of_knee(asked, *knee, *femur, *tibia));
+  ask_for_flexion(words, kFlexion, false);
+  return Composed{stl_scene_text(), words, choices_of(asked, *knee, words)};
+}
+
+}  // namespace
+
+std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out) {
+  fs::path folder = fs::path(asked.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  const std::string name = folder.filename().string();
+  if (refuse_words(asked, out)) return std::nullopt;
+  auto composed = compose(asked, name, out);
+  if (!composed) return std::nullopt;
+  StagedFolder staged("");  // it will be edited: never to be replaced
+  std::string error = staged.open(folder);
+  if (!error.empty()) {
+    out.error({}, error);
+    return std::nullopt;
+  }
+  NewSceneReport report;
+  report.file = (folder / (name + ".toml")).string();
+  report.choices = composed->choices;
+  const std::string staged_file = (staged.path() / (name + ".toml")).string();
+  const auto write = [&] { error = write_file_atomically(staged_file, filled_in(composed->text, composed->words)); };
+  write();
+  if (error.empty()) {
+    auto found = try_out(staged_file, report.file, asked, out);
+    const bool stl = asked.kind == NewScene::Kind::stl;
+    if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettling) {
+      ask_for_flexion(composed->words, found->summary.poses_solved - kSettling, true);
+      write();
+      if (error.empty()) found = try_out(staged_file, report.file, asked, out);
+    }
+    if (!found) return std::nullopt;
+    report.poses_solved = found->summary.poses_solved;
+    report.poses_asked = found->summary.poses_asked;
+    if (found->summary.exit_code != kExitOk) report.verdict = found->summary.verdict;
+  }
+  if (error.empty()) error = staged.commit();
+  if (error.empty()) return report;
+  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  report.written = false;
+  return report;
+}
+
+}  // namespace genu

@@ -1,0 +1,158 @@
+#include "genu/study/run_motion.h"
+#include "genu/appraise/effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/core/timer.h"
+#include "genu/motion/motion_rates.h"
+#include "genu/results/motion_table.h"
+#include "genu/store/stop_of.h"
+
+namespace genu {
+namespace {
+
+void refuse_dynamics(const Prepared& prepared, std::string rule, Diagnostics& out) {
+  const SourceLocation& where = prepared.scene.dynamics->where;
+  out.add({.file = prepared.scene.file,
+           .line = where.line,
+           .column = where.column,
+           .key = "dynamics",
+           .found = {},
+           .rule = std::move(rule)});
+}
+
+void note_energy(const JointModel& model, const std::vector<MotionPoint>& points, RunSummary::Motion& m) {
+  for (const MotionPoint& p : points) {
+    const MechanicalEnergy e = mechanical_energy(model, p.state, p.twist);
+    m.worst_energy = std::max(m.worst_energy, std::abs(energy_error(model, points.front(), p)));
+    for (const double part : {e.kinetic, e.stored, e.gravity, p.load_work, p.dissipated, p.layer_work})
+      m.energy_scale = std::max(m.energy_scale, std::abs(part));
+  }
+}
+
+int impacts(const std::vector<PathEvent>& events) {
+  return static_cast<int>(std::count_if(events.begin(), events.end(), [](const PathEvent& e) {
+    return e.kind == PathEvent::Kind::contact_gained || e.kind == PathEvent::Kind::contact_lost;
+  }));
+}
+
+/// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
+bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
+  if (prepared.model.safeguards.lacks(Safeguard::energy_balance)) return true;
+  constexpr double kLeast = 1e-3, kOfTolerance = 1e3, kLayers = 1e-2;
+  double allowed = std::max(kLeast, kOfTolerance * m.tolerance);
+  if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayers);
+  const JointModel::Scales& scales = prepared.model.scales;
+  return m.worst_energy <= allowed * (m.energy_scale + scales.length * scales.force);
+}
+
+std::vector<std::string> verdict(const Prepared& prepared, const MotionResult& result, const RunSummary& s) {
+  std::vector<std::string> out;
+  if (result.complete)
+    out.push_back(fmt::format("The motion is integrated to its end, {:g} s.", s.motion->duration));
+  else
+    out.push_back(fmt::format("{} of {} rows: {}.", s.poses_solved, s.poses_asked, result.why));
+  if (!balances(prepared, *s.motion))
+    out.push_back(fmt::format(
+        "Its energies do not balance: they are off by {:.2g} of {:.3g} J. What is prescribed or loads it may "
+        "change too fast for the tolerance.",
+        s.motion->worst_energy, s.motion->energy_scale));
+  if (s.motion->switches > 0)
+    out.push_back(
+        fmt::format("{} times a ligament became slack or taut, a law changed formula or a joint passed its limit: "
+                    "events.csv.",
+                    s.motion->switches));
+  if (s.motion->impacts > 0)
+    out.push_back(fmt::format("{} times a contact closed or opened: events.csv.", s.motion->impacts));
+  return out;
+}
+
+}  // namespace
+
+MotionPlan plan_motion(const DynamicsDef& dynamics) {
+  MotionPlan plan;
+  plan.duration = dynamics.duration;
+  plan.output_interval = dynamics.output_interval;
+  plan.tolerance = dynamics.tolerance;
+  plan.from_equilibrium = dynamics.from_equilibrium;
+  for (const DynamicsDef::Rate& rate : dynamics.start_rates) plan.start_rates.emplace_back(rate.coordinate, rate.value);
+  return plan;
+}
+
+Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
+  Solution out;
+  RunSummary& s = out.summary;
+  s = begin_summary(prepared);
+  start_counting(prepared);
+
+  const Timer timer;
+  const MotionPlan plan = plan_motion(*prepared.scene.dynamics);
+  s.poses_asked = static_cast<int>(output_times(plan).size());
+  std::vector<MotionPoint> points;
+  MotionObserver observer;
+  observer.cancelled = options.cancelled;
+  observer.event = [&](PathEvent event) {
+    event.t = event.target.time / plan.duration;
+    event.target.load_factors.assign(prepared.model.loads.size(), 1.0);
+    event.rows_before = static_cast<int>(points.size());
+    out.events.push_back(std::move(event));
+  };
+  observer.point = [&](const MotionPoint& point) {
+    points.push_back(point);
+    if (options.progress) options.progress(static_cast<int>(points.size()), s.poses_asked);
+  };
+  MotionResult result;
+  const auto move = [&] { result = follow_motion(prepared.model, plan, observer); };
+  options.keep_partial ? void(out.stopped = stop_of(move)) : move();
+  if (out.stopped.empty() && asked_to_stop(options.cancelled)) out.stopped = "interrupted";
+  if (!out.stopped.empty()) result.complete = false, result.why = out.stopped;
+  s.partial = !out.stopped.empty();
+  s.effects = effects_of(prepared);
+  s.poses_solved = static_cast<int>(points.size());
+  s.motion = {plan.duration,
+              plan.output_interval,
+              plan.tolerance,
+              result.stiff_from ? fmt::format("Adams, from {:g} s on BDF: stiff", *result.stiff_from) : "Adams",
+              result.counts.steps,
+              result.counts.evaluations,
+              result.counts.jacobians,
+              result.counts.starts,
+              result.worst_residual,
+              result.worst_drift,
+              0,
+              0,
+              static_cast<int>(out.events.size()) - impacts(out.events),
+              impacts(out.events)};
+  if (!points.empty()) note_energy(prepared.model, points, *s.motion);
+  s.exit_code = result.complete && balances(prepared, *s.motion) ? kExitOk : kExitIncomplete;
+  s.verdict = verdict(prepared, result, s);
+  s.seconds.emplace_back("integrating", timer.seconds());
+  out.poses = motion_table(prepared.scene, prepared.model, points);
+  out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
+  out.motion = std::move(points);
+  return out;
+}
+
+bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
+  if (options.starts > 0) refuse_dynamics(prepared, "a motion has one start: run it without --starts", out);
+  if (options.error_bars)
+    refuse_dynamics(prepared, "not built yet: error bars of a motion; run it without --error-bars", out);
+  return !out.has_errors();
+}
+
+bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out) {
+  if (found.summary.poses_solved > 0) return false;
+  refuse_dynamics(prepared, found.summary.verdict.front(), out);
+  return true;
+}
+
+bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out) {
+  if (!prepared.scene.dynamics) return false;
+  refuse_dynamics(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);
+  return true;
+}
+
+}  // namespace genu

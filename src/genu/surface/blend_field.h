@@ -1,0 +1,50 @@
+// The implicit function of a blend and its first two derivatives.
+//
+//   f = sum w_i g_i / sum w_i,   w_i = (1 - |x - c_i|^2 / rho_b^2)^4,   g_i = z_i - h_i(u_i, v_i)
+//
+// over the nodes i of one sheet within rho_b of x; (u, v, z) are x in the frame of node i. f is at least C2 wherever a
+// node is in reach, is close to a signed distance, and is positive on the outward side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "genu/mesh/cell_lists.h"
+#include "genu/surface/local_fit.h"
+
+namespace genu {
+
+class BlendField {
+ public:
+  BlendField() = default;
+  /// Heights of degree at most `degree`; sheet[i] >= 0 is the sheet of fits[i].
+  BlendField(std::span<const HeightFit> fits, std::vector<int> sheet, int degree, double blend_radius);
+
+  /// Each returns false, and leaves its results unspecified, where too little weight is in reach.
+  /// x in m, f in m, gradient dimensionless, Hessian in 1/m.
+  bool value(const Vec3& x, double& f) const;
+  bool value(const Vec3& x, double& f, Vec3& gradient) const;
+  bool value(const Vec3& x, double& f, Vec3& gradient, Mat3& hessian) const;
+
+  /// The node whose sheet answers for x, or -1 where none is in reach.
+  int nearest_node(const Vec3& x) const;
+
+  double blend_radius() const { return blend_radius_; }
+
+ private:
+  template <int Order>
+  bool dispatch(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;
+  template <int D, int Order>
+  bool sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const;
+  int nearest_node(const Vec3& x, std::span<const int> candidates) const;
+
+  int degree_ = kMinDegree;
+  double blend_radius_ = 0;
+  int stride_ = 0;
+  std::vector<double> records_;  ///< for each node: centre (3), axes u, v, n (9), coefficients
+  std::vector<int> sheet_;
+  CellLists cells_;
+  std::vector<char> mixed_;  ///< cells that more than one sheet reaches into
+};
+
+}  // namespace genu

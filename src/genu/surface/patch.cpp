@@ -1,0 +1,204 @@
+#include "genu/surface/patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "genu/mesh/mesh_cut.h"
+#include "genu/mesh/mesh_topology.h"
+
+namespace genu {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// From p, at the angle `turn` (0 .. 2 pi) from a half plane that begins on the axis, to that half plane.
+double to_half_plane(double rho, double turn) { return turn < kTurn / 4 ? rho * std::sin(turn) : rho; }
+
+double wedge_distance(const std::pair<double, double>& theta, const Vec3& p) {
+  const double rho = std::hypot(p.x(), p.y()), width = theta.second - theta.first;
+  double turn = std::fmod(std::atan2(p.y(), p.x()) - theta.first, kTurn);
+  if (turn < 0) turn += kTurn;
+  if (turn <= width) return std::min(to_half_plane(rho, turn), to_half_plane(rho, width - turn));
+  return -std::min(to_half_plane(rho, turn - width), to_half_plane(rho, kTurn - turn));
+}
+
+double mesh_area(const Mesh& mesh) {
+  const SampleSet samples = vertex_samples(mesh);
+  return std::accumulate(samples.areas.begin(), samples.areas.end(), 0.0);
+}
+
+using PatchSide = std::function<double(const Vec3&)>;  ///< positive inside, in the surface's frame
+
+/// The patch as what is common to several sides, planes wherever possible: those cut a mesh exactly, whatever the size
+/// of its triangles.
+std::vector<PatchSide> sides_of(const Patch& patch) {
+  std::vector<PatchSide> sides;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& range = patch.box[static_cast<std::size_t>(axis)];
+    if (!range) continue;
+    sides.emplace_back([axis, low = range->first](const Vec3& p) { return p[axis] - low; });
+    sides.emplace_back([axis, high = range->second](const Vec3& p) { return high - p[axis]; });
+  }
+  if (!patch.theta) return sides;
+  const auto [from, to] = *patch.theta;
+  if (to - from > std::numbers::pi) {
+    sides.emplace_back([theta = *patch.theta](const Vec3& p) { return wedge_distance(theta, p); });
+    return sides;
+  }
+  const Vec3 first(-std::sin(from), std::cos(from), 0), last(std::sin(to), -std::cos(to), 0);
+  sides.emplace_back([first](const Vec3& p) { return first.dot(p); });
+  sides.emplace_back([last](const Vec3& p) { return last.dot(p); });
+  return sides;
+}
+
+class PatchSurface final : public Surface {
+ public:
+  PatchSurface(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
+               const std::array<bool, 3>& endless, std::function<Mesh(double)> own_mesh)
+      : whole_(std::move(surface)), X_BS_(X_BS), patch_(patch), endless_(endless), own_mesh_(std::move(own_mesh)) {}
+
+  bool project(const Vec3& x, SurfacePoint& out) const override { return whole_->project(x, out); }
+  bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override {
+    return whole_->retract(from, ds, out);
+  }
+
+  bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override {
+    return whole_->meet(origin, direction, t, normal);
+  }
+
+  /// Empty past the edge: the surface there is no part of the patch, and its side says nothing.
+  std::optional<double> gap(const Vec3& x) const override {
+    SurfacePoint foot;
+    if (!whole_->project(x, foot) || edge_distance(foot.p) < 0) return std::nullopt;
+    return is_global() ? foot.n.dot(x - foot.p) : whole_->gap(x);
+  }
+
+  double edge_distance(const Vec3& p) const override {
+    return std::min(whole_->edge_distance(p), patch_.edge_distance(to_own(p)));
+  }
+
+  Mesh triangles(double edge, const Vec3& centre, double reach) const override {
+    if (own_mesh_) return own_mesh_(edge);
+    Extent extent = extent_round(to_own(centre), reach);
+    Mesh mesh = cut_out(edge, extent);
+    // A patch much narrower than the edges slips through between the vertices.
+    constexpr int kHalvings = 8;
+    for (int k = 0; k < kHalvings && mesh.triangles.empty(); ++k) mesh = cut_out(edge *= 0.5, extent);
+    if (is_unbounded()) return mesh;
+    // Along a steep polynomial the patch may reach farther than the box that limits it is wide.
+    constexpr int kDoublings = 4;
+    for (int k = 0; k < kDoublings && ends_inside(mesh, extent.reach); ++k) {
+      extent.reach *= 2;
+      Mesh wider = cut_out(edge, extent);
+      const bool grew = mesh_area(wider) > (1 + 1e-6) * mesh_area(mesh);
+      mesh = std::move(wider);
+      if (!grew) break;
+    }
+    return mesh;
+  }
+
+  /// Vertices of triangles(), put onto the surface: those of a mesh lie off it by its noise.
+  SampleSet samples(double spacing, const Vec3& centre, double reach) const override {
+    SampleSet set = vertex_samples(triangles(spacing, centre, reach));
+    for (Vec3& p : set.points) {
+      SurfacePoint foot;
+      if (whole_->project(p, foot)) p = foot.p;
+    }
+    return set;
+  }
+
+  std::span<const DoubtfulPlace> doubtful() const override { return whole_->doubtful(); }
+  bool is_global() const override { return whole_->is_global(); }
+  bool knows_distance() const override { return false; }
+  bool is_unbounded() const override {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (endless_[axis] && !patch_.box[axis]) return true;
+    return false;
+  }
+
+ private:
+  struct Extent {
+    Vec3 centre;
+    double reach;
+  };
+
+  Vec3 to_own(const Vec3& p_B) const { return X_BS_.R.transpose() * (p_B - X_BS_.p); }
+
+  /// Where an endless surface has to be looked at: along limited axes where the patch is, along others near `centre`.
+  Extent extent_round(const Vec3& centre, double reach) const {
+    Extent extent{centre, is_unbounded() ? reach : 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& range = patch_.box[axis];
+      if (!endless_[axis] || !range) continue;
+      extent.centre[static_cast<Eigen::Index>(axis)] = 0.5 * (range->first + range->second);
+      extent.reach = std::max(extent.reach, 0.5 * (range->second - range->first));
+    }
+    if (extent.reach == 0) extent.reach = reach;
+    return extent;
+  }
+
+  Mesh cut_out(double edge, const Extent& extent) const {
+    Mesh mesh = whole_->triangles(edge, X_BS_ * extent.centre, extent.reach);
+    for (const PatchSide& side : sides_of(patch_)) {
+      const PatchSide inside = [&](const Vec3& p) { return side(to_own(p)); };
+      mesh = cut_mesh(mesh, inside, [&](const Vec3& a, const Vec3& b) { return crossing(inside, a, b); });
+    }
+    return mesh;
+  }
+
+  /// Whether an endless surface was left off before the patch's edge.
+  bool ends_inside(const Mesh& mesh, double reach) const {
+    if (endless_ == std::array<bool, 3>{}) return false;
+    const std::vector<bool> border = boundary_vertices(mesh, mesh_edges(mesh));
+    for (std::size_t v = 0; v < border.size(); ++v)
+      if (border[v] && edge_distance(mesh.vertices[v]) > 1e-6 * reach) return true;
+    return false;
+  }
+
+  /// Where the surface between a, inside, and b, outside, leaves the patch: bisected to rounding, the last point
+  /// inside.
+  Vec3 crossing(const PatchSide& inside, const Vec3& a, const Vec3& b) const {
+    Vec3 best = a;
+    double low = 0, high = 1;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      SurfacePoint point;
+      point.p = a + middle * (b - a);
+      if (is_global()) whole_->project(Vec3(point.p), point);
+      if (inside(point.p) >= 0)
+        low = middle, best = point.p;
+      else
+        high = middle;
+    }
+    return best;
+  }
+
+  std::shared_ptr<const Surface> whole_;
+  Pose X_BS_;
+  Patch patch_;
+  std::array<bool, 3> endless_;
+  std::function<Mesh(double)> own_mesh_;
+};
+
+}  // namespace
+
+double Patch::edge_distance(const Vec3& p) const {
+  double distance = theta ? wedge_distance(*theta, p) : std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& range = box[static_cast<std::size_t>(axis)];
+    if (range) distance = std::min({distance, p[axis] - range->first, range->second - p[axis]});
+  }
+  return distance;
+}
+
+std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
+                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh) {
+  return std::make_unique<PatchSurface>(std::move(surface), X_BS, patch, endless, std::move(own_mesh));
+}
+
+}  // namespace genu

@@ -1,0 +1,59 @@
+#include "genu/surface/surface.h"
+
+#include <cmath>
+#include <limits>
+
+namespace genu {
+
+bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
+  // A geodesic's first three derivatives: it bends along n by q, and n leans by -S ds as it goes.
+  const Vec2 leans = from.S * ds;
+  const double q = ds.dot(leans);
+  const Vec3 step = from.T * (ds - q / 6 * leans) + 0.5 * q * from.n;
+  return project(from.p + step, out);
+}
+
+bool Surface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
+  constexpr int kMaxIterations = 20;
+  constexpr double kGrazing = 1e-3;  // cosine with the normal
+  constexpr double kSettled = 1e-9;  // m: a step this short leaves an error of its square times the curvature
+  SurfacePoint foot;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const Vec3 x = origin + t * direction;
+    if (!project(x, foot)) return false;
+    const double along = foot.n.dot(direction);
+    if (!(std::abs(along) > kGrazing)) return false;
+    const double step = foot.n.dot(foot.p - x) / along;
+    t += step;
+    normal = foot.n;
+    if (std::abs(step) <= kSettled) return true;
+  }
+  return false;
+}
+
+double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
+
+SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) const {
+  return vertex_samples(triangles(spacing, centre, reach));
+}
+
+double box_diagonal(const Surface& surface, double edge) {
+  const Mesh mesh = surface.triangles(edge, Vec3::Zero(), edge);
+  if (mesh.vertices.empty()) return 0;
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& v : mesh.vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return (high - low).norm();
+}
+
+Mat32 tangent_basis(const Vec3& n) {
+  // Duff et al. 2017, "Building an orthonormal basis, revisited": no branch, no cancellation, right-handed.
+  const double sign = std::copysign(1.0, n.z());
+  const double a = -1 / (sign + n.z());
+  const double b = n.x() * n.y() * a;
+  Mat32 T;
+  T.col(0) = Vec3(1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x());
+  T.col(1) = Vec3(b, sign + n.y() * n.y() * a, -n.y());
+  return T;
+}
+
+}  // namespace genu

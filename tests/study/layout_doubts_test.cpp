@@ -1,0 +1,67 @@
+// Drawn bones, moved to where no knee is: each is told, and the knee itself is not doubted.
+#include "genu/study/layout_doubts.h"
+
+#include <gtest/gtest.h>
+
+#include "genu/core/diagnostics.h"
+#include "genu/core/pose.h"
+#include "genu/core/units.h"
+#include "genu/mesh_files/mesh_reader.h"
+
+namespace genu {
+namespace {
+
+class LayoutDoubts : public ::testing::Test {
+ protected:
+  // x anterior, y superior, z lateral (meshes/leskovar2019/bones.toml).
+  static Mesh bone(const char* name) {
+    Diagnostics out;
+    return read_mesh(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/" + name, 1e-3, out).value_or(Mesh{});
+  }
+  const Mesh femur_ = bone("femur.stl"), tibia_ = bone("tibia.stl");
+
+  static std::string told(const Mesh& femur, const Mesh& tibia, const char* proximal, bool impossible) {
+    const auto knee = lay_out_knee(femur, tibia, axis_named(proximal), axis_named("x"));
+    if (!knee) return "no layout";
+    std::string all;
+    for (const LayoutDoubt& d : doubts_about(femur, tibia, *knee)) {
+      EXPECT_EQ(d.impossible, impossible) << d.what;
+      all += d.what;
+    }
+    return all;
+  }
+
+  static Mesh changed(Mesh mesh, const Mat3& by, const Vec3& shift) {
+    for (Vec3& p : mesh.vertices) p = by * p + shift;
+    return mesh;
+  }
+};
+
+bool tells(const std::string& text, const char* piece) { return text.find(piece) != std::string::npos; }
+
+TEST_F(LayoutDoubts, AKneeIsNotDoubted) {
+  EXPECT_EQ(told(femur_, tibia_, "y", true), "");
+  // Nor where it is scanned apart by a little, or with a slope that tibias have.
+  EXPECT_EQ(told(changed(femur_, Mat3::Identity(), {0, 0.02, 0}), tibia_, "y", true), "");
+  EXPECT_EQ(told(femur_, changed(tibia_, exp_rotation(Vec3(0, 0, 10 * units::kDegree)), Vec3::Zero()), "y", true), "");
+}
+
+TEST_F(LayoutDoubts, WhatIsNoKneeIsRefused) {
+  const Mat3 same = Mat3::Identity();
+  EXPECT_TRUE(tells(told(tibia_, tibia_, "y", true), "same mesh"));
+  EXPECT_TRUE(tells(told(tibia_, femur_, "y", true), "swapped"));
+  EXPECT_TRUE(tells(told(changed(femur_, same, {0, 0, 0.5}), tibia_, "y", true), "one frame"));
+  EXPECT_TRUE(tells(told(changed(femur_, same, {0, 0.3, 0}), tibia_, "y", true), "apart by"));
+  EXPECT_TRUE(tells(told(changed(femur_, same, {0, -0.06, 0}), tibia_, "y", true), "into each other"));
+  EXPECT_TRUE(tells(told(changed(femur_, 10 * same, Vec3::Zero()), tibia_, "y", true), "one unit"));
+}
+
+TEST_F(LayoutDoubts, AFewTrianglesAreWorthALook) {
+  Mesh coarse;
+  coarse.vertices = {{0, 0, -0.04}, {0.05, 0, 0}, {0, 0, 0.04}, {0.02, 0.01, 0}};
+  coarse.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+  EXPECT_TRUE(tells(told(coarse, tibia_, "y", false), "the femur has 4 triangles"));
+}
+
+}  // namespace
+}  // namespace genu
