@@ -113,5 +113,32 @@ TEST(Decompositions, ASingularMatrixHasNoFullPivotSolution) {
   EXPECT_LT(off_identity(A * full_pivot_solution(A, MatX::Identity(4, 4))), 1e-13);
 }
 
+// Nothing is held, or nothing is free: dimensions that scenes without contacts and constraints have.
+TEST(Decompositions, TakeMatricesWithoutRowsOrColumns) {
+  const MatX none(0, 0), no_rows(0, 3), no_columns(3, 0);
+  EXPECT_EQ(null_space(no_rows, 1e-10), MatX::Identity(3, 3));
+  EXPECT_EQ(null_space(no_columns, 1e-10).size(), 0);
+  EXPECT_EQ(null_space(none, 1e-10).size(), 0);
+  EXPECT_EQ(kernel(no_rows, 1e-10), MatX::Identity(3, 3));
+  EXPECT_EQ(kernel(no_columns, 1e-10).size(), 0);
+  EXPECT_EQ(symmetric_eigen(none).values.size(), 0);
+  EXPECT_EQ(general_eigen(none).values.size(), 0);
+  EXPECT_EQ(general_eigenvalues(none).size(), 0);
+  for (const LeftVectors left : {LeftVectors::thin, LeftVectors::all}) {
+    const SingularValues wide = singular_values(no_rows, left), tall = singular_values(no_columns, left);
+    EXPECT_EQ(wide.values.size() + tall.values.size(), 0);
+    EXPECT_EQ(wide.V, MatX::Identity(3, 3));
+    EXPECT_EQ(tall.U.rows(), 3);
+    EXPECT_EQ(tall.U.cols(), left == LeftVectors::all ? 3 : 0);
+  }
+  EXPECT_EQ(thin_qr(no_columns).Q.rows(), 3);
+  EXPECT_EQ(least_squares_solution(no_columns, MatX::Ones(3, 2)).size(), 0);
+  EXPECT_EQ(least_squares_solution(no_rows, MatX(0, 2)), MatX::Zero(3, 2));
+  EXPECT_EQ(minimum_norm_solution(no_rows, VecX()), VecX::Zero(3));
+  EXPECT_EQ(minimum_norm_solution(no_columns, VecX::Ones(3)).size(), 0);
+  EXPECT_EQ(full_pivot_solution(none, MatX(0, 2)).cols(), 2);
+  EXPECT_EQ(definite_solution(none, VecX()).size(), 0);
+}
+
 }  // namespace
 }  // namespace genu

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/equilibrium/contact_set.h"
-#include "solved.h"
+#include "support/solved.h"
 
 namespace genu {
 namespace {

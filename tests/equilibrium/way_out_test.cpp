@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-MatX fan(const std::vector<double>& directions) {
+MatX fan_of(const std::vector<double>& directions) {
   MatX out(static_cast<Eigen::Index>(directions.size()), 2);
   for (std::size_t i = 0; i < directions.size(); ++i)
     out.row(static_cast<Eigen::Index>(i)) << std::cos(directions[i]), std::sin(directions[i]);
@@ -20,15 +20,15 @@ MatX fan(const std::vector<double>& directions) {
 const MatX kPlane = MatX::Identity(2, 2);
 
 TEST(WayOut, LeavesAHalfPlane) {
-  const VecX way = way_out(fan({0}), kPlane);
+  const VecX way = way_out(fan_of({0}), kPlane);
   EXPECT_NEAR(way.norm(), 1, 1e-9);
   EXPECT_NEAR(way[0], -1, 1e-6);
 }
 
 TEST(WayOut, OppositeBoundsLeaveNothingButTheLineBetween) {
   // Along the line neither bound is left: no way out.
-  EXPECT_TRUE(way_out(fan({0, M_PI}), kPlane).isZero(0));
-  EXPECT_FALSE(way_out(fan({0, M_PI, M_PI / 2}), kPlane).isZero(0));
+  EXPECT_TRUE(way_out(fan_of({0, M_PI}), kPlane).isZero(0));
+  EXPECT_FALSE(way_out(fan_of({0, M_PI, M_PI / 2}), kPlane).isZero(0));
 }
 
 TEST(WayOut, FindsOneWhereHalfATurnIsFree) {
@@ -42,7 +42,7 @@ TEST(WayOut, FindsOneWhereHalfATurnIsFree) {
     double widest = directions.front() + 2 * M_PI - directions.back();
     for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
     if (std::abs(widest - M_PI) < 1e-3) continue;
-    const MatX bounds = fan(directions);
+    const MatX bounds = fan_of(directions);
     const VecX way = way_out(bounds, kPlane);
     EXPECT_EQ(!way.isZero(0), widest > M_PI) << widest;
     if (way.isZero(0)) continue;
@@ -120,10 +120,10 @@ TEST(WayOut, LeavesAnyConeThatAMotionLeaves) {
 }
 
 TEST(WayOut, RowsOfAnyLengthAreTheSameBounds) {
-  const MatX bounds = fan({0, M_PI - 0.01, 2}) * 1e-3;
+  const MatX bounds = fan_of({0, M_PI - 0.01, 2}) * 1e-3;
   const VecX found = way_out(bounds, kPlane);
   ASSERT_NEAR(found.norm(), 1, 1e-9);
-  EXPECT_LE((fan({0, M_PI - 0.01, 2}) * found).maxCoeff(), 1e-9);
+  EXPECT_LE((fan_of({0, M_PI - 0.01, 2}) * found).maxCoeff(), 1e-9);
 }
 
 TEST(WayOut, WithoutBoundsEverythingIsWithin) {

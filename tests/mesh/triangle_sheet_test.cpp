@@ -15,7 +15,7 @@ constexpr double kLength = 6e-3;
 
 ;
 
-Mesh both(Mesh a, const Mesh& b) {
+Mesh together(Mesh a, const Mesh& b) {
   const int n = static_cast<int>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (const auto& t : b.triangles) a.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
@@ -117,7 +117,7 @@ TEST(TriangleSheet, TellsWhatAllTrianglesTell) {
   test::RandomPoints random(7);
   for (Vec3& v : rough.vertices) v += random.in_ball(0.25e-3);
   // A shell with an inner side: what cartilage looks like.
-  const Mesh shell = both(ball, turned_round(test::ball(0.0175, 1.2e-3)));
+  const Mesh shell = together(ball, turned_round(test::ball(0.0175, 1.2e-3)));
   Mesh saddle = test::sheet(0.02, 40);
   for (Vec3& v : saddle.vertices) v.z() = (v.x() * v.x() - v.y() * v.y()) / 0.06;
   int number = 0;
@@ -151,8 +151,9 @@ TEST(TriangleSheet, IsNeverWrongOnMeshesThatAreNoGraphs) {
   Mesh slivers = ball;
   for (std::size_t k = 0; k < slivers.triangles.size(); k += 11)
     slivers.triangles.push_back({slivers.triangles[k][0], slivers.triangles[k][1], slivers.triangles[k][1]});
-  for (const Mesh& mesh : {both(ball, moved(ball, {0.3e-3, 0, 0})), both(ball, test::ball(0.019, 1e-3)), holes, flipped,
-                           twice, crumpled, squeezed, slivers, spiral(4), both(spiral(3), spiral(3)), wound_twice()})
+  for (const Mesh& mesh :
+       {together(ball, moved(ball, {0.3e-3, 0, 0})), together(ball, test::ball(0.019, 1e-3)), holes, flipped, twice,
+        crumpled, squeezed, slivers, spiral(4), together(spiral(3), spiral(3)), wound_twice()})
     compare(mesh, 6000);
 }
 

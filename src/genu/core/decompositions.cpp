@@ -1,5 +1,6 @@
 #include "genu/core/decompositions.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -36,6 +37,7 @@ SymmetricEigen<3> symmetric_eigen(const Mat3& matrix) {
 }
 
 SymmetricEigen<Eigen::Dynamic> symmetric_eigen(const MatX& matrix) {
+  if (matrix.size() == 0) return {};
   const SymmetricSolver solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
@@ -44,21 +46,26 @@ Vec2 symmetric_eigenvalues(const Mat2& matrix) { return symmetric_eigen(matrix).
 Vec3 symmetric_eigenvalues(const Mat3& matrix) { return SymmetricSolver(matrix, Eigen::EigenvaluesOnly).eigenvalues(); }
 
 GeneralEigen general_eigen(const MatX& matrix) {
+  if (matrix.size() == 0) return {};
   const Eigen::EigenSolver<MatX> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 Eigen::VectorXcd general_eigenvalues(const MatX& matrix) {
+  if (matrix.size() == 0) return {};
   return Eigen::EigenSolver<MatX>(matrix, false).eigenvalues();
 }
 
 SingularValues singular_values(const MatX& A, LeftVectors left) {
+  const Eigen::Index m = A.rows(), n = A.cols();
+  if (A.size() == 0) return {MatX::Identity(m, left == LeftVectors::all ? m : 0), VecX(), MatX::Identity(n, n)};
   const auto u = left == LeftVectors::all ? Eigen::ComputeFullU : Eigen::ComputeThinU;
   const Eigen::JacobiSVD<MatX> svd(A, u | Eigen::ComputeFullV);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
 
 ThinQr thin_qr(const MatX& A) {
+  if (A.size() == 0) return {MatX::Zero(A.rows(), 0), MatX::Zero(0, 0)};
   MatX reflections = A;
   const Reflections qr(reflections);
   ThinQr out;
@@ -68,6 +75,7 @@ ThinQr thin_qr(const MatX& A) {
 }
 
 void reduce_to_triangle(Eigen::Ref<MatX> A, Eigen::Ref<VecX> b) {
+  if (A.size() == 0) return;
   const Reflections qr(A);
   b.applyOnTheLeft(qr.householderQ().adjoint());
 }
@@ -76,13 +84,19 @@ VecX solve_upper(const Eigen::Ref<const MatX>& R, const Eigen::Ref<const VecX>& 
   return R.triangularView<Eigen::Upper>().solve(b);
 }
 
-MatX least_squares_solution(const MatX& A, const MatX& B) { return A.colPivHouseholderQr().solve(B); }
+MatX least_squares_solution(const MatX& A, const MatX& B) {
+  if (A.size() == 0) return MatX::Zero(A.cols(), B.cols());
+  return A.colPivHouseholderQr().solve(B);
+}
 
-VecX minimum_norm_solution(const MatX& A, const VecX& b) { return A.completeOrthogonalDecomposition().solve(b); }
+VecX minimum_norm_solution(const MatX& A, const VecX& b) {
+  if (A.size() == 0) return VecX::Zero(A.cols());
+  return A.completeOrthogonalDecomposition().solve(b);
+}
 
 MatX null_space(const MatX& A, double threshold) {
   const Eigen::Index n = A.cols();
-  if (A.rows() == 0) return MatX::Identity(n, n);
+  if (A.size() == 0) return MatX::Identity(n, n);
   Eigen::ColPivHouseholderQR<MatX> qr(A.transpose());
   qr.setThreshold(threshold);
   const MatX Q = qr.householderQ() * MatX::Identity(n, n);
@@ -90,17 +104,22 @@ MatX null_space(const MatX& A, double threshold) {
 }
 
 MatX kernel(const MatX& A, double threshold) {
+  if (A.size() == 0) return MatX::Identity(A.cols(), std::max<Eigen::Index>(A.cols(), 1));
   Eigen::FullPivLU<MatX> lu(A);
   lu.setThreshold(threshold);
   return lu.kernel();
 }
 
 MatX full_pivot_solution(const MatX& A, const MatX& B) {
+  if (A.size() == 0) return MatX::Zero(0, B.cols());
   const Eigen::FullPivLU<MatX> lu(A);
   if (!lu.isInvertible()) return {};
   return lu.solve(B);
 }
 
-VecX definite_solution(const Eigen::Ref<const MatX>& A, const Eigen::Ref<const VecX>& b) { return A.ldlt().solve(b); }
+VecX definite_solution(const Eigen::Ref<const MatX>& A, const Eigen::Ref<const VecX>& b) {
+  if (A.size() == 0) return VecX();
+  return A.ldlt().solve(b);
+}
 
 }  // namespace genu

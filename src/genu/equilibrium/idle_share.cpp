@@ -98,6 +98,7 @@ void hold_at_jumps(const JointModel& model, const Target& target, const Lineariz
 
 /// The rows of `trades` that can take part in one, where what `bounds` says holds.
 std::vector<int> possible(const MatX& trades, const MatX& bounds) {
+  if (trades.cols() == 0) return {};
   MatX ways = null_space(bounds, kDependentRow);
   ways.conservativeResize(Eigen::NoChange, ways.cols() + 1);
   ways.rightCols<1>() = way_out(bounds, MatX::Identity(trades.cols(), trades.cols()));
