@@ -18,8 +18,8 @@
 #include "genu/core/file_text.h"
 #include "genu/core/scratch_folder.h"
 #include "genu/path/path.h"
-#include "genu/study/failure.h"
 #include "genu/store/input_hash.h"
+#include "genu/study/failure.h"
 #include "tell.h"
 
 namespace genu::cli {
