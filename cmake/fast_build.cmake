@@ -1,4 +1,5 @@
-# What makes building faster where it is installed: ccache keeps what was compiled before, mold links.
+# ccache keeps what was compiled before, where it is installed. Not mold: a program that it links takes ten million
+# instructions more to start, the time of ten poses (tools/count-instructions).
 find_program(GENU_CCACHE ccache)
 if(GENU_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Of headers read once for all ccache sees their contents, not when they were made.
@@ -7,8 +8,4 @@ if(GENU_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-fpch-preprocess)
   endif()
-endif()
-find_program(GENU_MOLD mold)
-if(GENU_MOLD)
-  add_link_options(-fuse-ld=mold)
 endif()
