@@ -191,10 +191,7 @@ increments = 3
 double stored(const JointModel& model, const std::vector<JointValues>& coordinates) {
   const std::vector<Pose> poses = poses_from_coordinates(model, coordinates);
   double energy = 0;
-  TwoBodyWrench pull;
-  for (const auto& l : model.ligaments)
-    if (l.ligament.evaluate(poses[static_cast<std::size_t>(l.body_a)], poses[static_cast<std::size_t>(l.body_b)], pull))
-      energy += pull.energy;
+  for (const auto& l : model.ligaments) energy += l.law.evaluate(l.path.length(poses)).energy;
   return energy;
 }
 

@@ -43,7 +43,7 @@ Stability stability_of_fan(const std::vector<double>& directions, const std::str
   State state = reference_state(s.model);
   state.pieces.clear();
   for (std::size_t i = 0; i < s.model.ligaments.size(); ++i)
-    if (!s.model.ligaments[i].ligament.law.sharp_breaks().empty()) state.pieces.push_back({static_cast<int>(i), 1});
+    if (!s.model.ligaments[i].law.sharp_breaks().empty()) state.pieces.push_back({static_cast<int>(i), 1});
   const Target target = test::target_of(s.scene);
   fit_multipliers(s.model, target, state);
   Linearization here;

@@ -221,7 +221,7 @@ TEST(PieceChanges, ALawOfTheCallersOwnIsSolvedLikeAnyOther) {
   std::string why;
   const auto law = LigamentLaw::custom(std::make_shared<Exponential>(), why);
   ASSERT_TRUE(law) << why;
-  add_ligament(s.model, {"own", 1, 0, {*law, Vec3::Zero(), Vec3(0, 0, -0.02)}});
+  add_ligament(s.model, {"own", LigamentPath({{1, Vec3::Zero()}, {0, Vec3(0, 0, -0.02)}}), *law});
   const Walk w = walk(s.model, plan_steps(s.scene));  // no scene tells of this law: the judge would not know it
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.of(Kind::taut).size(), 1u) << w.story();

@@ -30,8 +30,8 @@ void check(const std::string& text) {
   const auto prepared = prepare(path, out);
   require_result_or_reason(prepared.has_value(), out);
   if (!prepared) return;
-  for (const JointModel::LigamentBetween& between : prepared->model.ligaments)
-    require(between.ligament.p_A.allFinite() && between.ligament.p_B.allFinite(), "ligaments end somewhere");
+  for (const JointModel::Ligament& between : prepared->model.ligaments)
+    require(between.path.from().p.allFinite() && between.path.to().p.allFinite(), "ligaments end somewhere");
   require(prepared->model.scales.length > 0 && prepared->model.scales.force > 0, "a joint has a size and a force");
   const State start = start_state(prepared->model);
   for (const Pose& pose : start.poses) require(pose.p.allFinite() && pose.R.allFinite(), "bodies stand somewhere");

@@ -44,7 +44,7 @@ TEST(JointModel, ReferenceLengthsSetSlackLengths) {
       test::bone_on_ground("{ z = 30 }") +
       test::ligament("l", "[0, 0, 10]", "[0, 0, 0]", "law = \"linear\"\nstiffness = 1000\nreference_strain = 0.25"));
   ASSERT_EQ(s.model.ligaments.size(), 1u);
-  EXPECT_NEAR(s.model.ligaments[0].ligament.law.slack_length(), 0.032, 1e-16);
+  EXPECT_NEAR(s.model.ligaments[0].law.slack_length(), 0.032, 1e-16);
 }
 
 TEST(JointModel, ScalesFollowSizeAndLoad) {

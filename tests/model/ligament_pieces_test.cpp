@@ -24,9 +24,8 @@ test::SceneModel ropes() {
 
 TEST(LigamentPieces, LengthIsTheSumOfAllLines) {
   const test::SceneModel s = ropes();
-  EXPECT_NEAR(ligament_length(s.model.ligaments[2], s.model.reference_poses), 0.03 + 0.03 + 0.04, 1e-16);
-  EXPECT_NEAR(s.model.ligaments[2].ligament.law.slack_length(), 0.1 / 1.25, 1e-16)
-      << "reference_strain means the whole";
+  EXPECT_NEAR(s.model.ligaments[2].path.length(s.model.reference_poses), 0.03 + 0.03 + 0.04, 1e-16);
+  EXPECT_NEAR(s.model.ligaments[2].law.slack_length(), 0.1 / 1.25, 1e-16) << "reference_strain means the whole";
   const LigamentShown shown = show_ligament(s.model, reference_state(s.model), 2);
   EXPECT_NEAR(shown.force, 250, 1e-11);
   EXPECT_NEAR(shown.strain, 0.25, 1e-15);
@@ -44,10 +43,10 @@ TEST(LigamentPieces, LengthRateIsTheLengthsDerivative) {
     const auto length = [&](double h) {
       std::vector<Pose> poses = state.poses;
       poses[1] = retract(poses[1], Vec6(h * twist));
-      return ligament_length(l, poses);
+      return l.path.length(poses);
     };
     const double h = 1e-6, difference = (length(h) - length(-h)) / (2 * h);
-    worst = std::max(worst, std::abs(ligament_length_rate(s.model, l, state.poses, twist) - difference));
+    worst = std::max(worst, std::abs(l.path.length_rate(state.poses, twist) - difference));
   }
   EXPECT_LT(worst, 1e-9);
 }

@@ -54,22 +54,22 @@ struct Bench {
   Pose reference_A, reference_B = kReference, X_WA{exp_rotation(Vec3(-0.2, 0.1, 0.4)), Vec3(0.02, -0.01, 0.01)}, X_WB;
 
   /// On [a; b], in the bodies 0 and 1.
-  LigamentRate rate(const LigamentDef& def, const Ligament& ligament, const Parameter& p) const {
-    const JointModel::LigamentBetween between{def.name, 0, 1, ligament, {}};
+  LigamentRate rate(const LigamentDef& def, const LigamentLaw& law, const Parameter& p) const {
+    const JointModel::Ligament between{def.name, LigamentPath({{0, def.from.point, 0}, {1, def.to.point, 1}}), law};
     const std::vector<Pose> reference{reference_A, reference_B}, poses{X_WA, X_WB};
     return ligament_rate({def, between, reference, poses}, p);
   }
 
-  std::optional<Ligament> made(const LigamentDef& def) const {
+  std::optional<LigamentLaw> made(const LigamentDef& def) const {
     std::string why;
     const double length = (reference_B * def.to.point - reference_A * def.from.point).norm();
     const auto law = make_law(def, length, why);
     if (!law) ADD_FAILURE() << why;
-    return law ? std::optional(Ligament{*law, def.from.point, def.to.point}) : std::nullopt;
+    return law;
   }
   Shown shown(const LigamentDef& def) const {
     TwoBodyWrench w;
-    made(def)->evaluate_wrench(X_WA, X_WB, w);
+    evaluate_straight_wrench(*made(def), {def.from.point, def.to.point}, X_WA, X_WB, w);
     return (Shown() << w.on_a, w.on_b, w.length, w.strain, w.force).finished();
   }
 };
@@ -92,7 +92,7 @@ TEST(LigamentRates, AreWhatAnEditedLigamentShows) {
       const LigamentDef& def = b.scene.ligaments[0];
       const auto ligament = b.made(def);
       ASSERT_TRUE(ligament);
-      const double length = c.share * ligament->law.slack_length();
+      const double length = c.share * ligament->slack_length();
       b.X_WB = {exp_rotation(Vec3(0.3, 0.5, -0.1)), Vec3::Zero()};
       b.X_WB.p = b.X_WA * def.from.point + length * Vec3(2, -1, 2) / 3 - b.X_WB.R * def.to.point;
       for (const Parameter& p : parameters_of(b.scene)) {

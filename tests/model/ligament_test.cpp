@@ -36,6 +36,18 @@ LigamentLaw build_law(Law kind, double slack_length) {
 }
 
 /// Bodies about 0.1 m apart and a ligament that is taut at most poses.
+/// A law along a line, as each test asks for it.
+struct Ligament : TautLine {
+  LigamentLaw law;
+  Ligament(LigamentLaw made, const Vec3& a, const Vec3& b) : TautLine{a, b}, law(std::move(made)) {}
+  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength) const {
+    return evaluate_straight(law, *this, X_WA, X_WB, out, piece);
+  }
+  bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out) const {
+    return evaluate_straight_wrench(law, *this, X_WA, X_WB, out);
+  }
+};
+
 Ligament some_ligament(Law kind, double slack_length = 0.02) {
   return {build_law(kind, slack_length), {0.03, -0.01, 0.02}, {-0.02, 0.015, 0.01}};
 }

@@ -111,7 +111,7 @@ void expect_exact(const std::string& text, double time = 0, bool held = false) {
   for (int repeat = 0; repeat < 4; ++repeat) {
     State state = shaken(s.model, target, random);
     for (LigamentPiece& piece : state.pieces) {
-      const auto& breaks = s.model.ligaments[static_cast<std::size_t>(piece.ligament)].ligament.law.sharp_breaks();
+      const auto& breaks = s.model.ligaments[static_cast<std::size_t>(piece.ligament)].law.sharp_breaks();
       piece.held = held && breaks.back().jumps();
       if (piece.held) piece.piece = static_cast<int>(breaks.size()) - 1, piece.force = 70;
     }

@@ -46,8 +46,8 @@ TEST(OwnLaw, OfTheReadmePullsAsItSays) {
 
   std::string why;
   const auto law =
-      genu::LigamentLaw::custom(std::make_shared<Exponential>(), why);         // checks the breaks; empty: see why
-  genu::add_ligament(model, {"own", femur, tibia, {*law, p_femur, p_tibia}});  // indices of bodies; points in m
+      genu::LigamentLaw::custom(std::make_shared<Exponential>(), why);  // checks the breaks; empty: see why
+  genu::add_ligament(model, {"own", genu::LigamentPath({{femur, p_femur}, {tibia, p_tibia}}), *law});  // m
   // The example ends.
   const LigamentShown shown = show_ligament(model, reference_state(model), 1);
   EXPECT_NEAR(shown.length, 0.03, 1e-16);

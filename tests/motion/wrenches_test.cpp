@@ -29,7 +29,7 @@ struct TreeInMotion {
 TEST(Wrenches, AreThoseOfTheLinearization) {
   for (const double angle : {-0.4, -0.1, 0.05, 0.2, 0.6}) {
     TreeInMotion m(angle);
-    for (JointModel::LigamentBetween& l : m.model.ligaments) l.damping = 0;
+    for (JointModel::Ligament& l : m.model.ligaments) l.damping = 0;
     Linearization twin;
     // Loads on coordinates and springs of joints are not asked for here.
     for (std::size_t i = 0; i < m.model.loads.size(); ++i)
@@ -51,13 +51,13 @@ TEST(Wrenches, DampersAreThoseOfDamping) {
     for (const double speed : {-1.0, 1.0}) {
       TreeInMotion m(angle);
       m.twist *= speed;
-      for (JointModel::LigamentBetween& l : m.model.ligaments) l.damping = 30;
+      for (JointModel::Ligament& l : m.model.ligaments) l.damping = 30;
       m.modes = damper_modes(m.model, m.state, m.twist);
       for (const DamperMode mode : m.modes) relaxed += mode == DamperMode::relaxed, slack += mode == DamperMode::slack;
       VecX wrench = VecX::Zero(m.twist.size()), still = wrench, twin = wrench;
       const double taken = add_ligament_wrenches(m.model, m.state, m.modes, m.twist, wrench);
       auto undamped = m.model;
-      for (JointModel::LigamentBetween& l : undamped.ligaments) l.damping = 0;
+      for (JointModel::Ligament& l : undamped.ligaments) l.damping = 0;
       add_ligament_wrenches(undamped, m.state, m.modes, m.twist, still);
       m.model.joint_dampers.clear();
       const double power = add_damping(m.model, m.state, m.modes, m.twist, twin);

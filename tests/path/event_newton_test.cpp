@@ -30,7 +30,7 @@ struct TurnedCrank {
     EXPECT_TRUE(newton.solve(state, plan.target(t), {}).converged());
     return state;
   }
-  double length(const State& state) const { return ligament_length(scene.model.ligaments[1], state.poses); }
+  double length(const State& state) const { return scene.model.ligaments[1].path.length(state.poses); }
 };
 
 TEST(EventNewton, FindsThePoseWhereALigamentIsAsLongAsAsked) {

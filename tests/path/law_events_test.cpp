@@ -199,7 +199,7 @@ TEST(LawEvents, WithTangentsTakeOneOrTwoSolves) {
   EXPECT_EQ(passed[0].kind, Kind::taut);
   EXPECT_EQ(passed[0].what, "r");
   EXPECT_NEAR(first + h * passed[0].u, angle_at(25), 1e-10);
-  EXPECT_NEAR(ligament_length(crank.scene.model.ligaments[1], passed[0].state.poses), 0.025, 1e-12);
+  EXPECT_NEAR(crank.scene.model.ligaments[1].path.length(passed[0].state.poses), 0.025, 1e-12);
   EXPECT_LE(solves, 2);
 }
 

@@ -82,7 +82,7 @@ TEST(Peers, TheProgramsHaveTheLawOfTheScene) {
   for (std::size_t k = 0; k < knee.springs.size(); ++k)
     for (const double strain : {-0.1, 0.0, 0.01, 0.08}) {
       const double length = knee.springs[k].slack_length * (1 + strain);
-      const LawValue law = prepared().model.ligaments[k].ligament.law.evaluate(length);
+      const LawValue law = prepared().model.ligaments[k].law.evaluate(length);
       const SpringValue spring = evaluate(knee.springs[k], length);
       EXPECT_NEAR(spring.force, law.force, 1e-12 * (1 + law.force));
       EXPECT_NEAR(spring.energy, law.energy, 1e-12 * (1 + law.energy));

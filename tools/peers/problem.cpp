@@ -30,7 +30,7 @@ std::string unknown_part(const Prepared& p) {
       return "contacts of a condyle on a plane";
   }
   const auto quadratic = [&](const LigamentDef& l) {
-    return l.law == LigamentDef::Law::quadratic && l.via.empty() && l.from.body == joint.child &&
+    return l.law == LigamentDef::Law::quadratic && l.points().size() == 2 && l.from.body == joint.child &&
            l.to.body == joint.parent;
   };
   if (!std::all_of(s.ligaments.begin(), s.ligaments.end(), quadratic)) return "straight quadratic ligaments";
@@ -61,7 +61,7 @@ std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
   for (std::size_t k = 0; k < scene.ligaments.size(); ++k) {
     const LigamentDef& def = scene.ligaments[k];
     knee.springs.push_back({point(def.from.point + femur), point(def.to.point + tibia), def.stiffness,
-                            model.ligaments[k].ligament.law.slack_length()});
+                            model.ligaments[k].law.slack_length()});
   }
   for (const ContactDef& contact : scene.contacts) {
     const Pose& plane = scene.surfaces[static_cast<std::size_t>(contact.surface_b)].placement;

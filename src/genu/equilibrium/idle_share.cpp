@@ -42,7 +42,7 @@ class Bounds {
 };
 
 May of_held(const JointModel& model, const LigamentPiece& p, double no_force) {
-  const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
+  const LawBreak& b = model.ligaments[at(p.ligament)].law.sharp_breaks()[at(p.piece)];
   const auto [low, high] = std::minmax(b.below.force, b.above.force);
   return p.force <= low + no_force ? May::grow : p.force >= high - no_force ? May::fall : May::anything;
 }
@@ -63,7 +63,7 @@ MatX bounds_of(const JointModel& model, const Target& target, const MatX& trades
 bool may_jump(const JointModel& model, const State& state, const Target& target, double residual) {
   const auto jumps_up = [](const LawBreak& b) { return b.force_jump() > 0; };
   const bool some = std::any_of(model.ligaments.begin(), model.ligaments.end(), [&](const auto& l) {
-    const auto& breaks = l.ligament.law.sharp_breaks();
+    const auto& breaks = l.law.sharp_breaks();
     return std::any_of(breaks.begin(), breaks.end(), jumps_up);
   });
   if (!some) return false;
@@ -89,7 +89,7 @@ void hold_at_jumps(const JointModel& model, const Target& target, const Lineariz
     const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
                                     [&](const LigamentPiece& p) { return p.ligament == k.ligament; });
     if (piece == state.pieces.end()) continue;
-    const LawBreak& b = model.ligaments[at(k.ligament)].ligament.law.sharp_breaks()[at(k.law_break)];
+    const LawBreak& b = model.ligaments[at(k.ligament)].law.sharp_breaks()[at(k.law_break)];
     piece->force = k.beyond ? b.above.force : b.below.force;
     piece->piece = k.law_break;
     piece->held = true;

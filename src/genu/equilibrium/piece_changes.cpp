@@ -11,11 +11,11 @@ constexpr double kLengthTolerance = 1e-12;  // of the characteristic length, as 
 constexpr double kForceTolerance = ContactInspector::kForceTolerance;
 
 const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPiece& piece) {
-  return model.ligaments[at(piece.ligament)].ligament.law.sharp_breaks();
+  return model.ligaments[at(piece.ligament)].law.sharp_breaks();
 }
 
 double length_of(const JointModel& model, const State& state, const LigamentPiece& piece) {
-  return ligament_length(model.ligaments[at(piece.ligament)], state.poses);
+  return model.ligaments[at(piece.ligament)].path.length(state.poses);
 }
 
 /// How far inside its piece a ligament is, scaled; negative outside.

@@ -20,7 +20,7 @@ using Kind = ReleasedPlane::Kind;
 /// N: how far the force of a ligament held at a jump is from the end of what it can be; infinite for others.
 double to_end(const JointModel& model, const LigamentPiece& p) {
   if (!p.held) return std::numeric_limits<double>::infinity();
-  const LawBreak& b = model.ligaments[at(p.ligament)].ligament.law.sharp_breaks()[at(p.piece)];
+  const LawBreak& b = model.ligaments[at(p.ligament)].law.sharp_breaks()[at(p.piece)];
   return std::min(std::abs(p.force - b.below.force), std::abs(p.force - b.above.force));
 }
 
@@ -71,9 +71,9 @@ bool release_held(const JointModel& model, const Target& target, const PoseAccur
   for (LigamentPiece& p : state.pieces) {
     if (!p.held || to_end(model, p) > accuracy.of_multiplier(row++)) continue;
     const auto& l = model.ligaments[at(p.ligament)];
-    const LawBreak& b = l.ligament.law.sharp_breaks()[at(p.piece)];
+    const LawBreak& b = l.law.sharp_breaks()[at(p.piece)];
     const bool above = std::abs(p.force - b.above.force) < std::abs(p.force - b.below.force);
-    const VecX longer = ligament_length_gradient(model, l, state.poses);
+    const VecX longer = l.path.length_gradient(state.poses, model.moving_count);
     out.planes.push_back({.gradient = above ? VecX(-longer) : longer, .kind = Kind::closed});
     p.held = false;
     p.piece += above;

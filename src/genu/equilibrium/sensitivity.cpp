@@ -89,13 +89,13 @@ std::optional<KneeMotion> Sensitivity::clinical(int joint) const {
 
 LigamentMotion Sensitivity::ligament(int index) const {
   const auto& l = model_->ligaments[at(index)];
-  const double length = ligament_length(l, state().poses);
+  const double length = l.path.length(state().poses);
   if (!(length > 0)) return {kNone, kNone, kNone};
   LigamentRate own;
   if (parameter_.of_ligament() && parameter_.object == index)
     own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses}, parameter_);
-  const double stretch = ligament_length_rate(*model_, l, state().poses, motion_.twist);
-  const LigamentLaw& law = l.ligament.law;
+  const double stretch = l.path.length_rate(state().poses, motion_.twist);
+  const LigamentLaw& law = l.law;
   return {own.length + stretch, own.strain + stretch / law.slack_length(),
           own.force + law.evaluate(length).stiffness * stretch};
 }

@@ -92,9 +92,8 @@ Tension TensionLaw::at(double length, double rounding) const {
 
 std::vector<Vec3> path_of(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   const auto place = [&](const LigamentDef::End& end) -> Vec3 { return poses[at(end.body)] * end.point; };
-  std::vector<Vec3> path = {place(ligament.from)};
-  for (const auto& via : ligament.via) path.push_back(place(via));
-  path.push_back(place(ligament.to));
+  std::vector<Vec3> path;
+  for (const LigamentDef::End& end : ligament.points()) path.push_back(place(end));
   return path;
 }
 
@@ -105,9 +104,8 @@ double length_of(const std::vector<Vec3>& path) {
 }
 
 std::vector<int> bodies_on(const LigamentDef& ligament) {
-  std::vector<int> bodies = {ligament.from.body};
-  for (const auto& via : ligament.via) bodies.push_back(via.body);
-  bodies.push_back(ligament.to.body);
+  std::vector<int> bodies;
+  for (const LigamentDef::End& end : ligament.points()) bodies.push_back(end.body);
   return bodies;
 }
 

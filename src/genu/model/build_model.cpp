@@ -22,10 +22,13 @@ JointModel::Scales choose_scales(const JointModel& model) {
   for (std::size_t body = 0; body < model.bodies.size(); ++body) {
     std::vector<Vec3> ends;
     for (const auto& l : model.ligaments) {
-      if (at(l.body_a) == body) ends.push_back(l.ligament.p_A);
-      if (at(l.body_b) == body) ends.push_back(l.ligament.p_B);
-      for (const auto& via : l.via)
-        if (at(via.body) == body) ends.push_back(via.p);
+      const auto add = [&](const LigamentPath::Point& point) {
+        if (at(point.body) == body) ends.push_back(point.p);
+      };
+      const auto& points = l.path.points();
+      add(points.front());
+      add(points.back());
+      for (std::size_t k = 1; k + 1 < points.size(); ++k) add(points[k]);
     }
     for (const auto* loads : {&model.loads, &model.weights})
       for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
@@ -60,15 +63,29 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const Load& load : *loads) force = std::max(force, load.largest_force(scales.length));
   constexpr double kTypicalStrain = 0.01;
   for (const auto& l : model.ligaments) {
-    const double slack = l.ligament.law.slack_length();
+    const double slack = l.law.slack_length();
     const double stretched = slack > 0 ? (1 + kTypicalStrain) * slack : scales.length;
-    const double value = std::abs(l.ligament.law.evaluate(stretched).force);
+    const double value = std::abs(l.law.evaluate(stretched).force);
     if (std::isfinite(value)) force = std::max(force, value);
   }
   for (const auto& spring : model.joint_springs)
     force = std::max(force, kTypicalStrain * std::max(spring.stiffness, spring.stop) / scales.length);
   scales.force = force > 0 ? force : 1.0;
   return scales;
+}
+
+std::vector<int> moving_indices(const JointModel& model) {
+  std::vector<int> out;
+  for (const JointModel::Body& body : model.bodies) out.push_back(body.moving);
+  return out;
+}
+
+LigamentPath path_on(const JointModel& model, const LigamentDef& def) {
+  std::vector<LigamentPath::Point> points;
+  for (const LigamentDef::End& end : def.points()) points.push_back({end.body, end.point});
+  LigamentPath path(std::move(points));
+  path.move_with(moving_indices(model));
+  return path;
 }
 
 void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
@@ -125,7 +142,8 @@ bool make_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
 
 }  // namespace
 
-void add_ligament(JointModel& model, JointModel::LigamentBetween ligament) {
+void add_ligament(JointModel& model, JointModel::Ligament ligament) {
+  ligament.path.move_with(moving_indices(model));
   model.ligaments.push_back(std::move(ligament));
   model.scales = choose_scales(model);
 }
@@ -163,9 +181,7 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
                .rule = why});
       continue;
     }
-    model.ligaments.push_back({def.name, def.from.body, def.to.body, {*law, def.from.point, def.to.point}});
-    for (const LigamentDef::End& via : def.via) model.ligaments.back().via.push_back({via.body, via.point});
-    model.ligaments.back().damping = def.damping;
+    model.ligaments.push_back({def.name, path_on(model, def), *law, def.damping});
   }
   good = make_loads(scene, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {

@@ -18,6 +18,6 @@ std::optional<JointModel> build_model(const Scene& scene, const std::vector<std:
 
 /// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
 /// are indices into JointModel::bodies. Only before a State is made of the model.
-void add_ligament(JointModel& model, JointModel::LigamentBetween ligament);
+void add_ligament(JointModel& model, JointModel::Ligament ligament);
 
 }  // namespace genu

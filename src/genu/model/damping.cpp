@@ -7,26 +7,10 @@
 #include "genu/model/twist.h"
 
 namespace genu {
-namespace {
-
-/// Adds -tension dL/dX.
-void add_pull(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, double tension,
-              VecX& wrench) {
-  TwoBodyWrench pull;
-  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
-    const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
-    if (a == b) return;  // its length is constant
-    line.evaluate(state.poses[at(body_a)], state.poses[at(body_b)], tension, 0, pull);
-    if (a >= 0) wrench.segment<6>(6 * a) += pull.on_a;
-    if (b >= 0) wrench.segment<6>(6 * b) += pull.on_b;
-  });
-}
-
-}  // namespace
 
 bool pushes(const LigamentLaw& law) { return law.slack_until() < 0; }
 
-double damper_tension(const JointModel::LigamentBetween& ligament, DamperMode mode, double force, double rate) {
+double damper_tension(const JointModel::Ligament& ligament, DamperMode mode, double force, double rate) {
   if (mode == DamperMode::slack) return 0;
   return mode == DamperMode::taut ? ligament.damping * rate : -force;
 }
@@ -35,10 +19,10 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
   std::vector<DamperMode> modes(model.ligaments.size(), DamperMode::taut);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const auto& l = model.ligaments[i];
-    if (l.damping == 0 || pushes(l.ligament.law)) continue;
+    if (l.damping == 0 || pushes(l.law)) continue;
     const LigamentShown shown = show_ligament(model, state, static_cast<int>(i));
-    const double rate = ligament_length_rate(model, l, state.poses, twist);
-    if (shown.length <= l.ligament.law.slack_until())
+    const double rate = l.path.length_rate(state.poses, twist);
+    if (shown.length <= l.law.slack_until())
       modes[i] = DamperMode::slack;
     else if (shown.force + l.damping * rate < 0)
       modes[i] = DamperMode::relaxed;
@@ -60,10 +44,10 @@ double add_damping(const JointModel& model, const State& state, const std::vecto
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
     if (l.damping == 0 || modes[i] == DamperMode::slack) continue;
-    const double rate = ligament_length_rate(model, l, state.poses, twist);
+    const double rate = l.path.length_rate(state.poses, twist);
     const double tension = damper_tension(l, modes[i], show_ligament(model, state, static_cast<int>(i)).force, rate);
     power += tension * rate;
-    add_pull(model, l, state, tension, wrench);
+    l.path.add_tension(state.poses, tension, wrench);
   }
   for (const auto& damper : model.joint_dampers) {
     const JointPoint::Gradient gradient = joint_point(model, state, damper.joint).gradient(0);

@@ -21,7 +21,7 @@ enum class DamperMode {
 bool pushes(const LigamentLaw& law);
 
 /// The tension that a damper adds to the law's `force` (N), for the ligament's mode. `rate`: L' in m/s.
-double damper_tension(const JointModel::LigamentBetween& ligament, DamperMode mode, double force, double rate);
+double damper_tension(const JointModel::Ligament& ligament, DamperMode mode, double force, double rate);
 
 /// The modes that lengths and velocities ask for; one for each ligament, `taut` for those without damping.
 std::vector<DamperMode> damper_modes(const JointModel& model, const State& state, const VecX& twist);

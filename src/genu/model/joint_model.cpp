@@ -4,7 +4,8 @@ namespace genu {
 Vec3 joint_centre(const JointModel& model) {
   Vec3 sum = Vec3::Zero();
   for (const auto& l : model.ligaments)
-    sum += model.reference_poses[at(l.body_a)] * l.ligament.p_A + model.reference_poses[at(l.body_b)] * l.ligament.p_B;
+    sum += model.reference_poses[at(l.path.from().body)] * l.path.from().p +
+           model.reference_poses[at(l.path.to().body)] * l.path.to().p;
   return model.ligaments.empty() ? sum : Vec3(sum / (2.0 * static_cast<double>(model.ligaments.size())));
 }
 

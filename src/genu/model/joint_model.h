@@ -11,7 +11,8 @@
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
 #include "genu/model/joint_spring.h"
-#include "genu/model/ligament.h"
+#include "genu/model/ligament_law.h"
+#include "genu/model/ligament_path.h"
 #include "genu/model/load.h"
 #include "genu/scene/scene.h"
 #include "genu/surface/surface.h"
@@ -52,16 +53,11 @@ struct JointModel {
     int joint;
     double damping;  ///< N m s / rad
   };
-  struct LigamentBetween {
-    struct Via {
-      int body;
-      Vec3 p;  ///< m, in the body
-    };
+  struct Ligament {
     std::string name;
-    int body_a, body_b;
-    Ligament ligament;
-    std::vector<Via> via = {};  ///< frictionless points on the way from A to B
-    double damping = 0;         ///< N s / m, in motion
+    LigamentPath path;
+    LigamentLaw law;
+    double damping = 0;  ///< N s / m, in motion
   };
   struct Pair {
     std::string name;
@@ -99,7 +95,7 @@ struct JointModel {
   std::vector<Drive> drives;
   std::vector<Inertia> inertias;  ///< of each moving body
   std::vector<CombinationDef> combinations;
-  std::vector<LigamentBetween> ligaments;
+  std::vector<Ligament> ligaments;
   std::vector<Load> loads;
   std::vector<Load> weights;  ///< of the moving bodies that have a mass, in a scene with gravity; no step scales them
   std::vector<Pair> pairs;    ///< rigid contacts: the index is that of Scene::contacts

@@ -50,9 +50,9 @@ class Finder {
 
   void add_ligament(std::size_t i) {
     const auto& l = model_.ligaments[i];
-    const LigamentLaw& law = l.ligament.law;
+    const LigamentLaw& law = l.law;
     if (law.breaks().empty()) return;
-    const double length = ligament_length(l, state_.poses), unit = model_.scales.length, most = reach_.most * unit;
+    const double length = l.path.length(state_.poses), unit = model_.scales.length, most = reach_.most * unit;
     const auto piece = std::find_if(state_.pieces.begin(), state_.pieces.end(),
                                     [&](const LigamentPiece& p) { return at(p.ligament) == i && !p.by_length; });
     const bool by_length = piece == state_.pieces.end();
@@ -67,7 +67,7 @@ class Finder {
       const double past = length - b.length, force = std::abs(pull.force);
       const bool begun = force > 0 && force <= reach_.little && (past > 0 ? b.below : b.above).slack && !b.jumps();
       if (!begun && std::abs(past) > most) continue;
-      if (gradient.size() == 0) gradient = ligament_length_gradient(model_, l, state_.poses);
+      if (gradient.size() == 0) gradient = l.path.length_gradient(state_.poses, model_.moving_count);
       if (!(begun && force <= reach_.idle) && std::abs(past) > reach(unit, gradient)) continue;
       if (b.jumps())
         out_.push_back({.gradient = gradient,

@@ -19,26 +19,26 @@ void set_wrenches(const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
   if (moves.b) out.on_b << -line.t, -line.r_B.cross(line.t);
 }
 
-bool pull(const Ligament& ligament, const Pose& X_WA, const Pose& X_WB, int piece, WhichMove moves, PullLine& line,
-          TwoBodyWrench& out) {
-  line.r_A = X_WA.R * ligament.p_A;
-  line.r_B = X_WB.R * ligament.p_B;
+bool pull(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB, int piece, WhichMove moves,
+          PullLine& line, TwoBodyWrench& out) {
+  line.r_A = X_WA.R * taut.p_A;
+  line.r_B = X_WB.R * taut.p_B;
   line.d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
   out.length = line.d.norm();
-  out.strain = ligament.law.strain(out.length);
+  out.strain = law.strain(out.length);
   const bool by_length = piece == LigamentLaw::kByLength;
-  const bool slack = by_length ? out.length <= ligament.law.slack_until() : ligament.law.is_slack(piece);
+  const bool slack = by_length ? out.length <= law.slack_until() : law.is_slack(piece);
   if (slack) {
     out.on_a.setZero();
     out.on_b.setZero();
     out.force = out.energy = 0;
     return false;
   }
-  const LawValue law = ligament.law.evaluate(out.length, piece);
-  out.force = law.force;
-  out.energy = law.energy;
-  line.stiffness = law.stiffness;
-  line.t = out.length > 0 ? Vec3(law.force / out.length * line.d) : Vec3::Zero();
+  const LawValue value = law.evaluate(out.length, piece);
+  out.force = value.force;
+  out.energy = value.energy;
+  line.stiffness = value.stiffness;
+  line.t = out.length > 0 ? Vec3(value.force / out.length * line.d) : Vec3::Zero();
   set_wrenches(line, moves, out);
   return true;
 }
@@ -83,9 +83,9 @@ void set_stiffness(const PullLine& line, const Vec3& u, double across, double ex
 }
 
 /// Along the line the law's stiffness, across it the tension's.
-void set_stiffness(const Ligament& ligament, const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
+void set_stiffness(const LigamentLaw& law, const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
   const Vec3 u = out.length > 0 ? Vec3(line.d / out.length) : Vec3::Zero();
-  if (ligament.law.slack_length() == 0) return set_stiffness(line, u, line.stiffness, 0, moves, out);
+  if (law.slack_length() == 0) return set_stiffness(line, u, line.stiffness, 0, moves, out);
   const double across = out.length > 0 ? out.force / out.length : 0;
   set_stiffness(line, u, across, out.length > 0 ? line.stiffness - across : 0, moves, out);
 }
@@ -124,19 +124,20 @@ void TautLine::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, double tensio
   pull_with(*this, X_WA, X_WB, tension, moves, line, out);
 }
 
-bool Ligament::evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece,
-                               WhichMove moves) const {
+bool evaluate_straight_wrench(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
+                              TwoBodyWrench& out, int piece, WhichMove moves) {
   PullLine line;
-  return pull(*this, X_WA, X_WB, piece, moves, line, out);
+  return pull(law, taut, X_WA, X_WB, piece, moves, line, out);
 }
 
-bool Ligament::evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece, WhichMove moves) const {
+bool evaluate_straight(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
+                       TwoBodyWrench& out, int piece, WhichMove moves) {
   PullLine line;
-  if (!pull(*this, X_WA, X_WB, piece, moves, line, out)) {
+  if (!pull(law, taut, X_WA, X_WB, piece, moves, line, out)) {
     out.stiffness.setZero();
     return false;
   }
-  set_stiffness(*this, line, moves, out);
+  set_stiffness(law, line, moves, out);
   return true;
 }
 

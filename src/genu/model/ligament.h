@@ -28,7 +28,7 @@ struct TwoBodyWrench {
 };
 
 /// The straight line between a point of A and one of B under a given tension: a ligament's only line, or one of the
-/// lines between its via points, which share one tension.
+/// lines of its path, which share one tension.
 struct TautLine {
   Vec3 p_A = Vec3::Zero();  ///< m, in body A
   Vec3 p_B = Vec3::Zero();  ///< m, in body B
@@ -46,25 +46,17 @@ struct TautLine {
   double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
 };
 
-struct Ligament {
-  LigamentLaw law;
-  Vec3 p_A = Vec3::Zero();  ///< m, in body A
-  Vec3 p_B = Vec3::Zero();  ///< m, in body B
+/// A law along one straight line: wrenches, stiffness and what the results show, for the poses of A and B in the world
+/// (either may be fixed: pass its pose and ignore its part). Returns false where the ligament is slack: everything but
+/// length and strain is then 0. Where the ends meet and the law still has a force, its direction is undefined: wrench
+/// and stiffness are 0 there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to
+/// that piece. The wrench on a body that does not `move`, and what it would add to the stiffness, are left as they
+/// were.
+bool evaluate_straight(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
+                       TwoBodyWrench& out, int piece = LigamentLaw::kByLength, WhichMove moves = {});
 
-  /// Wrenches, stiffness and what the results show, for the poses of A and B in the world (either may be fixed: pass
-  /// its pose and ignore its part). Returns false where the ligament is slack: everything but length and strain is then
-  /// 0. Where the ends meet and the law still has a force, its direction is undefined: wrench and stiffness are 0
-  /// there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to that piece. The
-  /// wrench on a body that does not `move`, and what it would add to the stiffness, are left as they were.
-  bool evaluate(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength,
-                WhichMove moves = {}) const;
-
-  /// The same without the stiffness, which is left as it was.
-  bool evaluate_wrench(const Pose& X_WA, const Pose& X_WB, TwoBodyWrench& out, int piece = LigamentLaw::kByLength,
-                       WhichMove moves = {}) const;
-
-  /// Distance of the ends, m.
-  double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
-};
+/// The same without the stiffness, which is left as it was.
+bool evaluate_straight_wrench(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
+                              TwoBodyWrench& out, int piece = LigamentLaw::kByLength, WhichMove moves = {});
 
 }  // namespace genu

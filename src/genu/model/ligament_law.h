@@ -53,7 +53,7 @@ struct LawBreak {
 };
 
 /// A force-length law of the caller's own: derive from it, make a LigamentLaw of it with LigamentLaw::custom() and give
-/// that to add_ligament() (joint_model.h). Immutable once made; called from one thread at a time for each solve.
+/// that to add_ligament() (build_model.h). Immutable once made; called from one thread at a time for each solve.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;

@@ -5,51 +5,12 @@
 #include <fmt/format.h>
 
 namespace genu {
-double ligament_length(const JointModel::LigamentBetween& l, const std::vector<Pose>& poses) {
-  double length = 0;
-  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
-    length += line.length(poses[at(body_a)], poses[at(body_b)]);
-  });
-  return length;
-}
-
-namespace {
-
-/// f(moving body, what a unit of tension exerts on it) for every end of every line whose length can change.
-template <typename F>
-void for_each_pull(const JointModel& model, const JointModel::LigamentBetween& l, const std::vector<Pose>& poses,
-                   const F& f) {
-  TwoBodyWrench pull;
-  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
-    const int a = model.bodies[at(body_a)].moving, b = model.bodies[at(body_b)].moving;
-    if (a == b) return;
-    line.evaluate(poses[at(body_a)], poses[at(body_b)], 1, 0, pull);
-    if (a >= 0) f(a, pull.on_a);
-    if (b >= 0) f(b, pull.on_b);
-  });
-}
-
-}  // namespace
-
-double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
-                            const std::vector<Pose>& poses, const VecX& twist) {
-  double rate = 0;
-  for_each_pull(model, l, poses, [&](int body, const Vec6& pull) { rate -= pull.dot(twist.segment<6>(6 * body)); });
-  return rate;
-}
-
-VecX ligament_length_gradient(const JointModel& model, const JointModel::LigamentBetween& l,
-                              const std::vector<Pose>& poses) {
-  VecX out = VecX::Zero(6 * model.moving_count);
-  for_each_pull(model, l, poses, [&](int body, const Vec6& pull) { out.segment<6>(6 * body) -= pull; });
-  return out;
-}
 
 LigamentShown show_ligament(const JointModel& model, const State& state, int ligament) {
   const auto& l = model.ligaments[at(ligament)];
-  const LigamentLaw& law = l.ligament.law;
+  const LigamentLaw& law = l.law;
   LigamentShown out;
-  out.length = ligament_length(l, state.poses);
+  out.length = l.path.length(state.poses);
   out.strain = law.strain(out.length);
   const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
                                   [&](const LigamentPiece& p) { return p.ligament == ligament; });
@@ -69,16 +30,16 @@ void reset_pieces(const JointModel& model, State& state) {
   if (model.safeguards.lacks(Safeguard::sharp_breaks)) return;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
-    if (l.ligament.law.sharp_breaks().empty()) continue;
+    if (l.law.sharp_breaks().empty()) continue;
     LigamentPiece piece;
     piece.ligament = static_cast<int>(i);
-    piece.piece = l.ligament.law.piece_at(ligament_length(l, state.poses));
+    piece.piece = l.law.piece_at(l.path.length(state.poses));
     state.pieces.push_back(piece);
   }
 }
 
 void follow_lengths(const JointModel& model, State& state) {
-  for (LigamentPiece& piece : state.pieces) piece.by_length = !jumps(model.ligaments[at(piece.ligament)].ligament.law);
+  for (LigamentPiece& piece : state.pieces) piece.by_length = !jumps(model.ligaments[at(piece.ligament)].law);
 }
 
 bool fix_pieces(const JointModel& model, State& state) {
@@ -86,7 +47,7 @@ bool fix_pieces(const JointModel& model, State& state) {
   for (LigamentPiece& piece : state.pieces) {
     if (!piece.by_length) continue;
     const auto& l = model.ligaments[at(piece.ligament)];
-    piece.piece = l.ligament.law.piece_at(ligament_length(l, state.poses));
+    piece.piece = l.law.piece_at(l.path.length(state.poses));
     piece.by_length = false;
     any = true;
   }
@@ -95,7 +56,7 @@ bool fix_pieces(const JointModel& model, State& state) {
 
 std::string describe_break(const JointModel& model, int ligament, int law_break) {
   const auto& l = model.ligaments[at(ligament)];
-  const LawBreak& b = l.ligament.law.sharp_breaks()[at(law_break)];
+  const LawBreak& b = l.law.sharp_breaks()[at(law_break)];
   return fmt::format("{} at {:.9g} mm, {:.9g} N below and {:.9g} N above", l.name, 1e3 * b.length, b.below.force,
                      b.above.force);
 }
@@ -120,7 +81,7 @@ bool fits_model(const JointModel& model, const State& state) {
   const auto of_pair = [&](const ActiveContact& c) { return c.pair >= 0 && at(c.pair) < model.pairs.size(); };
   const auto of_ligament = [&](const LigamentPiece& p) {
     return p.ligament >= 0 && at(p.ligament) < model.ligaments.size() && p.piece >= 0 &&
-           at(p.piece) + (p.held ? 1 : 0) <= model.ligaments[at(p.ligament)].ligament.law.sharp_breaks().size();
+           at(p.piece) + (p.held ? 1 : 0) <= model.ligaments[at(p.ligament)].law.sharp_breaks().size();
   };
   return state.poses.size() == model.bodies.size() && state.coordinates.size() == model.joints.size() &&
          std::all_of(state.contacts.begin(), state.contacts.end(), of_pair) &&

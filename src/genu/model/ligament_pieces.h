@@ -1,4 +1,4 @@
-// Ligaments as a state has them: their lengths from point to point, and the pieces of their laws they are on.
+// Ligaments as a state has them: what is shown of them, and the pieces of their laws they are on.
 #pragma once
 
 #include <string>
@@ -6,30 +6,6 @@
 #include "genu/model/state.h"
 
 namespace genu {
-
-/// Calls f(body_a, body_b, line) for every straight line of a ligament, from end to end.
-template <typename F>
-void for_each_line(const JointModel::LigamentBetween& l, const F& f) {
-  int body = l.body_a;
-  Vec3 p = l.ligament.p_A;
-  for (const auto& via : l.via) {
-    f(body, via.body, TautLine{p, via.p});
-    body = via.body;
-    p = via.p;
-  }
-  f(body, l.body_b, TautLine{p, l.ligament.p_B});
-}
-
-/// m, over all via points; `poses` of every body in the world.
-double ligament_length(const JointModel::LigamentBetween& l, const std::vector<Pose>& poses);
-
-/// How fast it grows (m per unit of what `twist`, 6 for each moving body, is a rate in).
-double ligament_length_rate(const JointModel& model, const JointModel::LigamentBetween& l,
-                            const std::vector<Pose>& poses, const VecX& twist);
-
-/// Its derivative to the twists, 6B.
-VecX ligament_length_gradient(const JointModel& model, const JointModel::LigamentBetween& l,
-                              const std::vector<Pose>& poses);
 
 /// What the results show of a ligament.
 struct LigamentShown {

@@ -41,7 +41,7 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
       d.point = 1 + parameter.component / 3;
       break;
     case Kind::to_point:
-      d.point = 1 + static_cast<int>(def.via.size());
+      d.point = static_cast<int>(def.points().size()) - 1;
       break;
     default:
       break;
@@ -60,10 +60,10 @@ struct MovingLine {
   double length_rate() const { return u.dot(end_B - end_A); }
 };
 
-std::vector<MovingLine> lines_of(const JointModel::LigamentBetween& ligament, const std::vector<Pose>& poses,
-                                 const Direct& change) {
+std::vector<MovingLine> lines_of(const LigamentPath& path, const std::vector<Pose>& poses, const Direct& change) {
   std::vector<MovingLine> out;
-  for_each_line(ligament, [&](int a, int b, const TautLine& taut) {
+  path.for_each_line([&](const LigamentPath::Point& from, const LigamentPath::Point& to, const TautLine& taut) {
+    const int a = from.body, b = to.body;
     const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
     const int first = static_cast<int>(out.size());
     const auto velocity = [&](const Pose& pose, int point) {
@@ -110,8 +110,8 @@ double slack_by_length(const LigamentDef& def, const LigamentLaw& law, double le
 
 /// dL0 where the law has a force at the reference length.
 double slack_from_force(const LigamentAt& at, const Direct& d, double length, double length_rate) {
-  const double by_length = slack_by_length(at.def, at.made.ligament.law, length) * length_rate;
-  const LawRates r = law_rates(at.def, at.made.ligament.law, length);
+  const double by_length = slack_by_length(at.def, at.made.law, length) * length_rate;
+  const LawRates r = law_rates(at.def, at.made.law, length);
   const double missing = d.rest - by_numbers(r, d);  // force to be made up for by the slack length
   if (missing == 0) return by_length;
   if (r.slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -120,9 +120,9 @@ double slack_from_force(const LigamentAt& at, const Direct& d, double length, do
 
 double slack_rate(const LigamentAt& at, const Direct& d) {
   if (at.def.rest == Rest::slack_length) return d.rest;
-  const auto [length, length_rate] = length_of(lines_of(at.made, at.reference_poses, d));
+  const auto [length, length_rate] = length_of(lines_of(at.made.path, at.reference_poses, d));
   if (at.def.rest == Rest::reference_force) return slack_from_force(at, d, length, length_rate);
-  const double slack = at.made.ligament.law.slack_length();
+  const double slack = at.made.law.slack_length();
   return slack / length * length_rate - slack / (1 + at.def.rest_value) * d.rest;
 }
 
@@ -162,8 +162,8 @@ LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length
 
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   const Direct change = direct_change(at.def, parameter);
-  const LigamentLaw& law = at.made.ligament.law;
-  const std::vector<MovingLine> lines = lines_of(at.made, at.poses, change);
+  const LigamentLaw& law = at.made.law;
+  const std::vector<MovingLine> lines = lines_of(at.made.path, at.poses, change);
   const auto [length, length_rate] = length_of(lines);
   const double slack = law.slack_length(), slack_change = slack_rate(at, change);
   LigamentRate out;

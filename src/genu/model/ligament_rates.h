@@ -32,7 +32,7 @@ struct LigamentRate {
 /// A ligament of a scene: what it is said to be, what was made of it, and the poses of all bodies.
 struct LigamentAt {
   const LigamentDef& def;
-  const JointModel::LigamentBetween& made;
+  const JointModel::Ligament& made;
   const std::vector<Pose>&reference_poses, &poses;
 };
 

@@ -3,42 +3,17 @@
 #include <algorithm>
 
 #include "genu/contact/elastic_layer.h"
-#include "genu/model/ligament_pieces.h"
 #include "genu/model/twist.h"
+#include "genu/model/two_body_scatter.h"
 
 namespace genu {
 namespace {
 
-/// Adds the wrench and stiffness of something between two bodies to the moving ones among them.
-class TwoBodyScatter {
- public:
-  TwoBodyScatter(const JointModel& model, int body_a, int body_b)
-      : index_{moving(model, body_a), moving(model, body_b)} {}
+int moving_index(const JointModel& model, int body) { return body < 0 ? -1 : model.bodies[at(body)].moving; }
 
-  void add_wrench(const Vec12& wrench, VecX& out) const {
-    for (int i = 0; i < 2; ++i)
-      if (index_[i] >= 0) out.segment<6>(6 * index_[i]) += wrench.segment<6>(6 * i);
-  }
-  void add_wrench(const Vec6& on_a, const Vec6& on_b, VecX& out) const {
-    if (index_[0] >= 0) out.segment<6>(6 * index_[0]) += on_a;
-    if (index_[1] >= 0) out.segment<6>(6 * index_[1]) += on_b;
-  }
-  void add_stiffness(const Mat12& stiffness, MatX& out) const { add_stiffness(stiffness, *this, out); }
-  /// The same where the wrench depends on the twists of two other bodies.
-  void add_stiffness(const Mat12& stiffness, const TwoBodyScatter& twists, MatX& out) const {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        if (index_[i] >= 0 && twists.index_[j] >= 0)
-          out.block<6, 6>(6 * index_[i], 6 * twists.index_[j]) += stiffness.block<6, 6>(6 * i, 6 * j);
-  }
-
-  WhichMove which_move() const { return {index_[0] >= 0, index_[1] >= 0}; }
-
- private:
-  static int moving(const JointModel& model, int body) { return body < 0 ? -1 : model.bodies[at(body)].moving; }
-
-  int index_[2];
-};
+TwoBodyScatter scatter_on(const JointModel& model, int body_a, int body_b) {
+  return {moving_index(model, body_a), moving_index(model, body_b)};
+}
 
 /// A joint of a state whose coordinates are those of its poses.
 JointPoint point_of(const JointModel& model, const State& state, int index) {
@@ -47,46 +22,30 @@ JointPoint point_of(const JointModel& model, const State& state, int index) {
                                        state.coordinates[at(index)]);
 }
 
-void add_straight(const JointModel& model, const JointModel::LigamentBetween& l, const State& state, int piece,
-                  TwoBodyWrench& pull, Linearization& out) {
-  const TwoBodyScatter scatter(model, l.body_a, l.body_b);
-  const Pose &X_WA = state.poses[at(l.body_a)], &X_WB = state.poses[at(l.body_b)];
-  const bool taut = out.derivatives ? l.ligament.evaluate(X_WA, X_WB, pull, piece, scatter.which_move())
-                                    : l.ligament.evaluate_wrench(X_WA, X_WB, pull, piece, scatter.which_move());
+void add_straight(const JointModel::Ligament& l, const State& state, int piece, TwoBodyWrench& pull,
+                  Linearization& out) {
+  const LigamentPath::Point &a = l.path.from(), &b = l.path.to();
+  const TwoBodyScatter scatter(a.moving, b.moving);
+  const TautLine line{a.p, b.p};
+  const Pose &X_WA = state.poses[at(a.body)], &X_WB = state.poses[at(b.body)];
+  const bool taut = out.derivatives
+                        ? evaluate_straight(l.law, line, X_WA, X_WB, pull, piece, scatter.which_move())
+                        : evaluate_straight_wrench(l.law, line, X_WA, X_WB, pull, piece, scatter.which_move());
   if (!taut) return;
   scatter.add_wrench(pull.on_a, pull.on_b, out.wrench);
   if (out.derivatives) scatter.add_stiffness(pull.stiffness, out.stiffness);
 }
 
-/// Many lines under one tension T(L), g = dL/dX: wrench = -T g, stiffness = -T' g g^T - T dg/dX.
-void add_chain(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
-               const LawValue& tension, Linearization& out) {
-  TwoBodyWrench pull;
-  out.length_gradient.setZero(out.wrench.size());
-  for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
-    if (model.bodies[at(body_a)].moving == model.bodies[at(body_b)].moving) return;  // its length is constant
-    const TwoBodyScatter scatter(model, body_a, body_b);
-    const Pose &X_WA = state.poses[at(body_a)], &X_WB = state.poses[at(body_b)];
-    out.derivatives ? line.evaluate(X_WA, X_WB, 1, 0, pull, scatter.which_move())
-                    : line.evaluate_wrench(X_WA, X_WB, 1, pull, scatter.which_move());
-    scatter.add_wrench(-pull.on_a, -pull.on_b, out.length_gradient);
-    if (!out.derivatives) return;
-    pull.stiffness *= tension.force;
-    scatter.add_stiffness(pull.stiffness, out.stiffness);
-  });
-  out.wrench -= tension.force * out.length_gradient;
-  if (!out.derivatives || tension.stiffness == 0) return;
-  for (Eigen::Index j = 0; j < out.stiffness.cols(); ++j)
-    if (out.length_gradient[j] != 0)
-      out.stiffness.col(j) -= tension.stiffness * out.length_gradient[j] * out.length_gradient;
+void add_path(const JointModel::Ligament& l, const State& state, const LawValue& tension, Linearization& out) {
+  l.path.linearize(state.poses, tension, out.length_gradient, out.wrench, out.derivatives ? &out.stiffness : nullptr);
 }
 
 /// The multiplier is the tension: what shortens the ligament gives the constraint's gradient.
-void add_held_ligament(const JointModel& model, const JointModel::LigamentBetween& l, const State& state,
-                       const LigamentPiece& piece, Eigen::Index row, Linearization& out) {
-  add_chain(model, l, state, {piece.force, 0, 0}, out);
+void add_held_ligament(const JointModel::Ligament& l, const State& state, const LigamentPiece& piece, Eigen::Index row,
+                       Linearization& out) {
+  add_path(l, state, {piece.force, 0, 0}, out);
   out.gradient.row(row) = -out.length_gradient.transpose();
-  out.constraint[row] = l.ligament.law.sharp_breaks()[at(piece.piece)].length - ligament_length(l, state.poses);
+  out.constraint[row] = l.law.sharp_breaks()[at(piece.piece)].length - l.path.length(state.poses);
 }
 
 void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {
@@ -97,12 +56,12 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
     const bool has_piece = piece != state.pieces.end() && at(piece->ligament) == i;
     const int k = has_piece && !piece->by_length ? piece->piece : LigamentLaw::kByLength;
     if (has_piece && piece->held)
-      add_held_ligament(model, l, state, *piece, first_held++, out);
-    else if (l.via.empty())
-      add_straight(model, l, state, k, pull, out);
-    else if (const LawValue tension = l.ligament.law.evaluate(ligament_length(l, state.poses), k);
+      add_held_ligament(l, state, *piece, first_held++, out);
+    else if (l.path.is_straight())
+      add_straight(l, state, k, pull, out);
+    else if (const LawValue tension = l.law.evaluate(l.path.length(state.poses), k);
              tension.force != 0 || tension.stiffness != 0)
-      add_chain(model, l, state, tension, out);
+      add_path(l, state, tension, out);
     if (has_piece) ++piece;
   }
 }
@@ -111,7 +70,7 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
               Linearization& out) {
   const LoadWrench unit = load_wrench(model, state, load);
   const LoadScale::Value scale = load_scale(load, state, time);
-  const TwoBodyScatter scatter(model, load.body_a, load.body_b);
+  const TwoBodyScatter scatter = scatter_on(model, load.body_a, load.body_b);
   scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
   if (!out.derivatives) return;
   scatter.add_stiffness(factor * scale.factor * unit.stiffness, out.stiffness);
@@ -120,7 +79,7 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
   const CoordinateRef& q = *load.scale->coordinate();
   const JointPoint::Gradient gradient = point_of(model, state, q.joint).gradient(q.index);
   const auto& joint = model.joints[at(q.joint)];
-  scatter.add_stiffness(factor * scale.slope * unit.wrench * gradient, TwoBodyScatter(model, joint.parent, joint.child),
+  scatter.add_stiffness(factor * scale.slope * unit.wrench * gradient, scatter_on(model, joint.parent, joint.child),
                         out.stiffness);
 }
 
@@ -144,7 +103,7 @@ void add_coordinate(const JointModel& model, const State& state, const JointPoin
   if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) += gradient.tail<6>();
   const double multiplier = state.multipliers[static_cast<std::size_t>(row)];
   if (multiplier == 0) return;
-  const TwoBodyScatter scatter(model, joint.parent, joint.child);
+  const TwoBodyScatter scatter = scatter_on(model, joint.parent, joint.child);
   scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
   if (out.derivatives) scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
 }
@@ -183,7 +142,7 @@ void add_joint_springs(const JointModel& model, const State& state, Linearizatio
     const JointPoint point = point_of(model, state, spring.joint);
     const JointPoint::Gradient gradient = point.gradient(0);
     const double angle = point.values()[0];
-    const TwoBodyScatter scatter(model, joint.parent, joint.child);
+    const TwoBodyScatter scatter = scatter_on(model, joint.parent, joint.child);
     const double moment = spring.moment(angle);
     if (moment == 0 && spring.slope(angle) == 0) continue;
     scatter.add_wrench(moment * gradient.transpose(), out.wrench);
@@ -199,7 +158,7 @@ void add_contacts(const JointModel& model, const State& state, Linearization& ou
     const auto& pair = model.pairs[at(contact.pair)];
     ContactBlock& block = out.contacts[c];
     out.contact_bodies[c] = {model.bodies[at(pair.body_a)].moving, model.bodies[at(pair.body_b)].moving};
-    const TwoBodyScatter scatter(model, pair.body_a, pair.body_b);
+    const TwoBodyScatter scatter = scatter_on(model, pair.body_a, pair.body_b);
     const Pose &X_Wa = state.poses[at(pair.body_a)], &X_Wb = state.poses[at(pair.body_b)];
     out.derivatives ? evaluate_contact(X_Wa, X_Wb, contact.geometry, contact.force, block, scatter.which_move())
                     : evaluate_contact_residual(X_Wa, X_Wb, contact.geometry, block);
@@ -229,7 +188,7 @@ void add_layers(const JointModel& model, const State& state, const VecX* twist, 
     out.layer_loads[k] = pressed.load;
     out.layer_damped += pressed.damped;
     out.layer_errors[k] = pressed.error;
-    const TwoBodyScatter scatter(model, layer.body_a, layer.body_b);
+    const TwoBodyScatter scatter = scatter_on(model, layer.body_a, layer.body_b);
     scatter.add_wrench(pressed.wrench, out.layer_wrench);
     scatter.add_stiffness(pressed.stiffness, out.stiffness);
   }
@@ -342,7 +301,7 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
     double speed = rate.load_factors[i] * scale.factor;
     if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
     if (speed == 0) continue;
-    TwoBodyScatter(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
+    scatter_on(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
   }
   return wrench;
 }

@@ -33,7 +33,7 @@ struct Linearization {
   std::vector<double> layer_errors;  ///< N, and its error, estimated
   double layer_damped = 0;           ///< W: what elastic layers take, in motion
   VecX layer_wrench;                 ///< 6B: what of `wrench` elastic layers exert; empty without any
-  VecX length_gradient;              ///< 6B: of the last ligament with via points (kept here for its memory)
+  VecX length_gradient;              ///< 6B: of the last ligament that is not straight (kept here for its memory)
   TwoBodyWrench pull;                ///< of the last straight ligament (kept here for its memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
   bool derivatives = true;                         ///< false: those of an earlier state, or none

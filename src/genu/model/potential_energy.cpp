@@ -35,7 +35,7 @@ double since_reference(const JointModel& model, const State& state, const Load& 
 
 double stored_energy(const JointModel& model, const State& state) {
   double energy = 0;
-  for (const auto& l : model.ligaments) energy += l.ligament.law.evaluate(ligament_length(l, state.poses)).energy;
+  for (const auto& l : model.ligaments) energy += l.law.evaluate(l.path.length(state.poses)).energy;
   for (const JointSpring& spring : model.joint_springs) energy += spring.energy(state.coordinates[at(spring.joint)][0]);
   return energy;
 }

@@ -35,8 +35,8 @@ PathEvent named(PathEvent::Kind kind, const MotionPoint& point, const std::strin
 MotionSwitches::MotionSwitches(const JointModel& model) : model_(model) {
   for (int i = 0; i < static_cast<int>(model.ligaments.size()); ++i) {
     const auto& l = model.ligaments[at(i)];
-    for (int b = 0; b < static_cast<int>(l.ligament.law.breaks().size()); ++b) watches_.push_back({i, b});
-    if (l.damping > 0 && !pushes(l.ligament.law)) watches_.push_back({i, -1});
+    for (int b = 0; b < static_cast<int>(l.law.breaks().size()); ++b) watches_.push_back({i, b});
+    if (l.damping > 0 && !pushes(l.law)) watches_.push_back({i, -1});
   }
   for (const JointSpring& spring : model.joint_springs)
     for (const double angle : {spring.lower, spring.upper})
@@ -60,7 +60,7 @@ void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<Da
     } else if (std::abs(now[k]) <= kAstray) {
       const double rate =
           k < watches_.size()
-              ? ligament_length_rate(model_, model_.ligaments[at(watches_[k].ligament)], point.state.poses, point.twist)
+              ? model_.ligaments[at(watches_[k].ligament)].path.length_rate(point.state.poses, point.twist)
               : joint_point(model_, point.state, limits_[k - watches_.size()].joint)
                     .gradient(0)
                     .dot(twist_of_pair(model_, limits_[k - watches_.size()].joint, point.twist));
@@ -74,11 +74,11 @@ void MotionSwitches::unshifted(const MotionPoint& point, const std::vector<Dampe
   for (const Watch& w : watches_) {
     const auto& l = model_.ligaments[at(w.ligament)];
     if (w.law_break >= 0) {
-      const double length = l.ligament.law.breaks()[at(w.law_break)].length;
-      *out++ = (ligament_length(l, point.state.poses) - length) / model_.scales.length;
+      const double length = l.law.breaks()[at(w.law_break)].length;
+      *out++ = (l.path.length(point.state.poses) - length) / model_.scales.length;
       continue;
     }
-    const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
+    const double rate = l.path.length_rate(point.state.poses, point.twist);
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     *out++ = modes[at(w.ligament)] == DamperMode::slack ? 1 : tension / model_.scales.force;
   }
@@ -92,11 +92,11 @@ void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector
     const auto& l = model_.ligaments[at(w.ligament)];
     LigamentPiece* piece = piece_of(state, w.ligament);
     if (w.law_break < 0 || piece == nullptr) continue;
-    const double past = ligament_length(l, state.poses) - l.ligament.law.breaks()[at(w.law_break)].length;
-    const double rate = ligament_length_rate(model_, l, state.poses, point.twist);
+    const double past = l.path.length(state.poses) - l.law.breaks()[at(w.law_break)].length;
+    const double rate = l.path.length_rate(state.poses, point.twist);
     if (std::abs(past) > kAstray * model_.scales.length || rate == 0) continue;
-    const double beside = ligament_length(l, state.poses) + (rate > 0 ? 2 : -2) * kAstray * model_.scales.length;
-    piece->piece = l.ligament.law.piece_at(beside);
+    const double beside = l.path.length(state.poses) + (rate > 0 ? 2 : -2) * kAstray * model_.scales.length;
+    piece->piece = l.law.piece_at(beside);
   }
   pieces.pieces = state.pieces;
   modes = damper_modes(model_, state, point.twist);
@@ -121,9 +121,9 @@ std::vector<PathEvent> MotionSwitches::switch_over(const std::vector<int>& roots
                              l.name + (up ? ": its damper pulls again" : ": it shortens faster than its law pulls")));
       continue;
     }
-    const LawBreak& b = l.ligament.law.breaks()[at(watches_[k].law_break)];
+    const LawBreak& b = l.law.breaks()[at(watches_[k].law_break)];
     const LawBreak::Side& side = up ? b.above : b.below;
-    const auto& sharp = l.ligament.law.sharp_breaks();
+    const auto& sharp = l.law.sharp_breaks();
     for (int s = 0; s < static_cast<int>(sharp.size()); ++s)
       if (sharp[at(s)].length == b.length)
         if (LigamentPiece* piece = piece_of(pieces, i)) piece->piece = up ? s + 1 : s;
@@ -145,8 +145,8 @@ bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const
   const double least = kAstray * model_.scales.length;
   for (const LigamentPiece& p : pieces.pieces) {
     const auto& l = model_.ligaments[at(p.ligament)];
-    const auto& sharp = l.ligament.law.sharp_breaks();
-    const double length = ligament_length(l, point.state.poses);
+    const auto& sharp = l.law.sharp_breaks();
+    const double length = l.path.length(point.state.poses);
     if (p.piece > 0 && length < sharp[at(p.piece - 1)].length - least) return true;
     if (p.piece < static_cast<int>(sharp.size()) && length > sharp[at(p.piece)].length + least) return true;
   }
@@ -155,8 +155,8 @@ bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const
     const DamperMode is = modes[at(w.ligament)], should = wanted[at(w.ligament)];
     if (w.law_break >= 0 || is == should) continue;
     const auto& l = model_.ligaments[at(w.ligament)];
-    const double past = ligament_length(l, point.state.poses) - l.ligament.law.slack_until();
-    const double rate = ligament_length_rate(model_, l, point.state.poses, point.twist);
+    const double past = l.path.length(point.state.poses) - l.law.slack_until();
+    const double rate = l.path.length_rate(point.state.poses, point.twist);
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     const bool by_length = is == DamperMode::slack || should == DamperMode::slack;
     if (by_length ? std::abs(past) > least : std::abs(tension) > kAstray * model_.scales.force) return true;

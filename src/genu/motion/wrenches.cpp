@@ -1,6 +1,5 @@
 #include "genu/motion/wrenches.h"
 
-#include "genu/model/ligament_pieces.h"
 #include "genu/model/linearization.h"
 #include "genu/model/twist.h"
 
@@ -13,9 +12,9 @@ struct BodyPoint {
   Vec3 arm, place, velocity;
 };
 
-BodyPoint point_of(const JointModel& model, const State& state, const VecX& twist, int body, const Vec3& p) {
-  const Pose& X = state.poses[at(body)];
-  BodyPoint out{model.bodies[at(body)].moving, X.R * p, {}, Vec3::Zero()};
+BodyPoint point_of(const State& state, const VecX& twist, const LigamentPath::Point& point) {
+  const Pose& X = state.poses[at(point.body)];
+  BodyPoint out{point.moving, X.R * point.p, {}, Vec3::Zero()};
   out.place = X.p + out.arm;
   if (out.moving >= 0)
     out.velocity = twist.segment<3>(6 * out.moving) + twist.segment<3>(6 * out.moving + 3).cross(out.arm);
@@ -35,10 +34,9 @@ struct MovingLine {
   double length, rate;
 };
 
-MovingLine line_between(const JointModel& model, const State& state, const VecX& twist, int body_a, int body_b,
-                        const TautLine& line) {
-  MovingLine out{point_of(model, state, twist, body_a, line.p_A), point_of(model, state, twist, body_b, line.p_B),
-                 Vec3::Zero(), 0, 0};
+MovingLine line_between(const State& state, const VecX& twist, const LigamentPath::Point& a,
+                        const LigamentPath::Point& b) {
+  MovingLine out{point_of(state, twist, a), point_of(state, twist, b), Vec3::Zero(), 0, 0};
   const Vec3 d = out.b.place - out.a.place;
   out.length = d.norm();
   if (out.length > 0) out.direction = d / out.length;
@@ -70,19 +68,19 @@ double add_ligament_wrenches(const JointModel& model, const State& state, const 
     const int k = has_piece && !piece->by_length ? piece->piece : LigamentLaw::kByLength;
     if (has_piece) ++piece;
     const auto pull = [&](double length, double rate) {
-      const double tension = l.ligament.law.evaluate(length, k).force;
+      const double tension = l.law.evaluate(length, k).force;
       const double damper = l.damping == 0 ? 0 : damper_tension(l, modes[i], tension, rate);
       taken += damper * rate;
       return tension + damper;
     };
-    if (l.via.empty()) {
-      const MovingLine line = line_between(model, state, twist, l.body_a, l.body_b, {l.ligament.p_A, l.ligament.p_B});
+    if (l.path.is_straight()) {
+      const MovingLine line = line_between(state, twist, l.path.from(), l.path.to());
       add_pull_along(line, pull(line.length, line.rate), wrench);
       continue;
     }
     const auto each_line = [&](const auto& f) {
-      for_each_line(l, [&](int body_a, int body_b, const TautLine& line) {
-        f(line_between(model, state, twist, body_a, body_b, line));
+      l.path.for_each_line([&](const LigamentPath::Point& a, const LigamentPath::Point& b, const TautLine&) {
+        f(line_between(state, twist, a, b));
       });
     };
     double length = 0, rate = 0;

@@ -53,7 +53,7 @@ struct Cubic {
 
 LawEvents::LawEvents(const JointModel& model) : model_(&model), rounding_(kLengthRounding * model.scales.length) {
   for (std::size_t i = 0; i < model.ligaments.size(); ++i)
-    for (const LawBreak& b : model.ligaments[i].ligament.law.breaks())
+    for (const LawBreak& b : model.ligaments[i].law.breaks())
       if (!b.sharp()) watched_.push_back({static_cast<int>(i), b});
 }
 
@@ -76,13 +76,12 @@ const std::vector<LawEvents::Passed>& LawEvents::over(const End& from, const End
 }
 
 double LawEvents::length(const Watched& w, const State& state) const {
-  return ligament_length(model_->ligaments[at(w.ligament)], state.poses);
+  return model_->ligaments[at(w.ligament)].path.length(state.poses);
 }
 
 LawEvents::Node LawEvents::node(const Watched& w, const End& end, double u) const {
   Node out{u, length(w, end.state) - w.law_break.length, std::numeric_limits<double>::quiet_NaN()};
-  if (end.twist)
-    out.rate = ligament_length_rate(*model_, model_->ligaments[at(w.ligament)], end.state.poses, *end.twist);
+  if (end.twist) out.rate = model_->ligaments[at(w.ligament)].path.length_rate(end.state.poses, *end.twist);
   return out;
 }
 

@@ -101,12 +101,8 @@ ordered_json ligaments_json(const Scene& scene) {
   for (std::size_t i = 0; i < scene.ligaments.size(); ++i) {
     const LigamentDef& l = scene.ligaments[i];
     ordered_json path = ordered_json::array();
-    const auto add = [&](const LigamentDef::End& end) {
+    for (const LigamentDef::End& end : l.points())
       path.push_back({{"body", end.body}, {"point", place_json(end.point)}});
-    };
-    add(l.from);
-    for (const LigamentDef::End& via : l.via) add(via);
-    add(l.to);
     j.push_back({{"name", l.name}, {"group", group[i]}, {"path", path}});
   }
   return j;

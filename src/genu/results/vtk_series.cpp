@@ -28,19 +28,12 @@ VtkWords one_word(const char* name, const std::string& word) { return {name, {wo
 
 void append(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.data(), v.data() + 3); }
 
-std::vector<LigamentDef::End> path_points(const LigamentDef& l) {
-  std::vector<LigamentDef::End> path{l.from};
-  path.insert(path.end(), l.via.begin(), l.via.end());
-  path.push_back(l.to);
-  return path;
-}
-
 VtkCells lines_of(const Scene& scene) {
   std::vector<std::vector<int>> lines;
   int next = 0;
   for (const LigamentDef& l : scene.ligaments) {
     lines.emplace_back();
-    for (std::size_t k = 0; k < path_points(l).size(); ++k) lines.back().push_back(next++);
+    for (std::size_t k = 0; k < l.points().size(); ++k) lines.back().push_back(next++);
   }
   return vtk_cells(lines);
 }
@@ -128,7 +121,7 @@ std::string VtkSeries::add_ligaments(const VtkRow& row) {
   VtkWords names{"name", {}};
   VtkArray strain{"strain", {}}, force{"force_N", {}}, length{"length_mm", {}};
   for (const LigamentDef& l : run_.scene->ligaments) {
-    for (const LigamentDef::End& end : path_points(l)) data.points.push_back(shown(row, end.body, end.point));
+    for (const LigamentDef::End& end : l.points()) data.points.push_back(shown(row, end.body, end.point));
     names.values.push_back(l.name);
     strain.values.push_back(number_or_nan(row, l.name + ".strain"));
     force.values.push_back(number_or_nan(row, l.name + ".force_N"));

@@ -15,11 +15,7 @@ constexpr double kLeastSize = 0.01;  // m: of a scene that shows none
 template <typename SceneType, typename Visit>
 void for_points(SceneType& scene, Visit visit) {
   for (auto& s : scene.surfaces) visit(s.body, s.placement.p);
-  for (auto& l : scene.ligaments) {
-    visit(l.from.body, l.from.point);
-    visit(l.to.body, l.to.point);
-    for (auto& via : l.via) visit(via.body, via.point);
-  }
+  for (auto& l : scene.ligaments) LigamentDef::for_each_end(l, [&](auto& end) { visit(end.body, end.point); });
   for (auto& l : scene.loads) {
     if (l.kind == LoadDef::Kind::coordinate) continue;
     visit(l.body, l.point);
@@ -42,11 +38,8 @@ std::vector<std::vector<Vec3>> telling_points(const Scene& scene, const std::vec
     if (s.shape != SurfaceDef::Shape::mesh || !s.placement.p.isZero(0))
       points[at(s.body)].push_back(s.placement * known[i]);
   }
-  for (const LigamentDef& l : scene.ligaments) {
-    points[at(l.from.body)].push_back(l.from.point);
-    points[at(l.to.body)].push_back(l.to.point);
-    for (const auto& via : l.via) points[at(via.body)].push_back(via.point);
-  }
+  for (const LigamentDef& l : scene.ligaments)
+    LigamentDef::for_each_end(l, [&](const auto& end) { points[at(end.body)].push_back(end.point); });
   for (const LoadDef& l : scene.loads) {
     if (l.kind == LoadDef::Kind::toward) points[at(l.toward_body)].push_back(l.toward_point);
     if (l.kind != LoadDef::Kind::coordinate && !l.point.isZero(0)) points[at(l.body)].push_back(l.point);

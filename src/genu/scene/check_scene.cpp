@@ -69,22 +69,16 @@ Pose reference_pose(const JointDef& joint) {
 
 constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real distance far above
 
-/// What is wrong with a ligament through via points, bodies at `poses`; empty if nothing is.
-std::string via_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
-  const auto place = [&](const LigamentDef::End& end) -> Vec3 {
-    return poses[static_cast<std::size_t>(end.body)] * end.point;
+/// What is wrong with a ligament of more than one line, bodies at `poses`; empty if nothing is.
+std::string path_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
+  const std::vector<LigamentDef::End> points = ligament.points();
+  const auto place = [&](std::size_t k) -> Vec3 { return poses[at(points[k].body)] * points[k].point; };
+  const auto name = [&](std::size_t k) {
+    return k == 0 ? "its first end" : k + 1 == points.size() ? "its last end" : fmt::format("via point {}", k);
   };
-  Vec3 last = place(ligament.from);
-  for (std::size_t k = 0; k <= ligament.via.size(); ++k) {
-    const bool at_end = k == ligament.via.size();
-    const Vec3 next = place(at_end ? ligament.to : ligament.via[k]);
-    if ((next - last).norm() <= kCoincident) {
-      const std::string before = k == 0 ? "its first end" : fmt::format("via point {}", k);
-      return fmt::format("{} and {} coincide at the reference pose", before,
-                         at_end ? "its last end" : fmt::format("via point {}", k + 1));
-    }
-    last = next;
-  }
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    if ((place(k + 1) - place(k)).norm() <= kCoincident)
+      return fmt::format("{} and {} coincide at the reference pose", name(k), name(k + 1));
   return {};
 }
 
@@ -107,9 +101,9 @@ void check_lengths(ReadContext& context) {
   const Scene& scene = context.scene;
   const std::vector<Pose> poses = reference_poses(scene);
   for (const LigamentDef& ligament : scene.ligaments) {
-    if (ligament.from.body < 0 || ligament.to.body < 0) continue;
-    if (std::any_of(ligament.via.begin(), ligament.via.end(), [](const auto& via) { return via.body < 0; })) continue;
-    std::string broken = ligament.via.empty() ? std::string() : via_rule_broken(ligament, poses);
+    const std::vector<LigamentDef::End> points = ligament.points();
+    if (std::any_of(points.begin(), points.end(), [](const auto& end) { return end.body < 0; })) continue;
+    std::string broken = points.size() == 2 ? std::string() : path_rule_broken(ligament, poses);
     if (broken.empty()) broken = length_rule_broken(ligament, path_length(ligament, poses));
     if (!broken.empty()) context.error(ligament.where, "ligament." + ligament.name, {}, std::move(broken));
   }

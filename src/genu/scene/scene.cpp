@@ -37,18 +37,19 @@ std::vector<std::string> mesh_files(const Scene& scene) {
   return files;
 }
 
+std::vector<LigamentDef::End> LigamentDef::points() const {
+  std::vector<End> out = {from};
+  out.insert(out.end(), via.begin(), via.end());
+  out.push_back(to);
+  return out;
+}
+
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
-  const auto place = [&](const LigamentDef::End& end) -> Vec3 {
-    return poses[static_cast<std::size_t>(end.body)] * end.point;
-  };
   double length = 0;
-  Vec3 last = place(ligament.from);
-  for (const LigamentDef::End& via : ligament.via) {
-    const Vec3 next = place(via);
-    length += (next - last).norm();
-    last = next;
-  }
-  return length + (place(ligament.to) - last).norm();
+  const std::vector<LigamentDef::End> points = ligament.points();
+  const auto place = [&](std::size_t k) -> Vec3 { return poses[at(points[k].body)] * points[k].point; };
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) length += (place(k + 1) - place(k)).norm();
+  return length;
 }
 
 std::string coordinate_name(const Scene& scene, const CoordinateRef& c) {

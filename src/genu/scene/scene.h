@@ -184,6 +184,16 @@ struct LigamentDef {
   double rest_value = 0;  ///< m, strain, or N
   double damping = 0;     ///< N s / m along its whole length; only with dynamics
   SourceLocation where;
+
+  /// All points of its path, from end to end.
+  std::vector<End> points() const;
+  /// Calls f(end) for both ends, then for the points between.
+  template <typename Self, typename F>
+  static void for_each_end(Self& self, const F& f) {
+    f(self.from);
+    f(self.to);
+    for (auto& end : self.via) f(end);
+  }
 };
 
 /// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.
