@@ -47,7 +47,7 @@ if(genu_notices_length LESS 1000 OR genu_notices_length GREATER 20000)
 endif()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/report_page/bundle/page.html)
 configure_file(cmake/copyright.in copyright @ONLY)
-install(FILES LICENSE README.md ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # The manual page and the completions are written by the program, from its own table of commands.
