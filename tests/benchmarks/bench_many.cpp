@@ -93,8 +93,7 @@ bool Knee::draw_laws() {
   std::string why;
   for (const LigamentDef& def : prepared.scene.ligaments) {
     laws.emplace_back();
-    const double length = prepared.model.ligaments[laws.size() - 1].ligament.length(prepared.model.reference_poses[0],
-                                                                                    prepared.model.reference_poses[1]);
+    const double length = prepared.model.ligaments[laws.size() - 1].path.length(prepared.model.reference_poses);
     for (int k = 0; k < kBank; ++k) {
       LigamentDef drawn = def;
       drawn.stiffness *= 1 + 0.1 * unit(random);
@@ -141,11 +140,11 @@ class Worker {
     };
     const auto offset = [&] { return 0.5e-3 * (static_cast<double>(next() >> 11) * 0x1p-52 - 1); };
     for (std::size_t k = 0; k < model_.ligaments.size(); ++k) {
-      Ligament& spring = model_.ligaments[k].ligament;
-      const Ligament& own = knee_->prepared.model.ligaments[k].ligament;
+      JointModel::Ligament& spring = model_.ligaments[k];
+      const LigamentPath& own = knee_->prepared.model.ligaments[k].path;
       spring.law = knee_->laws[k][next() % kBank];
-      spring.p_A = own.p_A + Vec3(offset(), offset(), offset());
-      spring.p_B = own.p_B + Vec3(offset(), offset(), offset());
+      spring.path.set_point(0, own.from().p + Vec3(offset(), offset(), offset()));
+      spring.path.set_point(1, own.to().p + Vec3(offset(), offset(), offset()));
     }
   }
 

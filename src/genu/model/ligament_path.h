@@ -32,6 +32,9 @@ class LigamentPath {
   /// One line alone.
   bool is_straight() const { return points_.size() == 2; }
 
+  /// Puts point k elsewhere on its body (m).
+  void set_point(std::size_t k, const Vec3& p) { points_[k].p = p; }
+
   /// `moving[i]`: the index of body i among the moving ones, -1 where it is fixed.
   void move_with(const std::vector<int>& moving);
 
