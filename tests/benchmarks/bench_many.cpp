@@ -97,7 +97,7 @@ bool Knee::draw_laws() {
                                                                                     prepared.model.reference_poses[1]);
     for (int k = 0; k < kBank; ++k) {
       LigamentDef drawn = def;
-      drawn.stiffness *= 1 + 0.1 * unit(random);
+      drawn.numbers[0].value *= 1 + 0.1 * unit(random);
       if (drawn.rest == LigamentDef::Rest::reference_strain) drawn.rest_value += 0.02 * unit(random);
       auto law = make_law(drawn, length, why);
       if (!law) return false;

@@ -37,6 +37,12 @@ std::vector<std::string> mesh_files(const Scene& scene) {
   return files;
 }
 
+double LigamentDef::number(std::string_view key) const {
+  for (const Number& n : numbers)
+    if (n.key == key) return n.value;
+  return 0;
+}
+
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   const auto place = [&](const LigamentDef::End& end) -> Vec3 {
     return poses[static_cast<std::size_t>(end.body)] * end.point;
