@@ -90,7 +90,7 @@ TEST(ParameterValues, TextAndDataSayTheSame) {
       const ParameterPlace place = parameter_place(*scene, p, *document);
       ASSERT_TRUE(place.node) << p.name << " at " << place.key;
       EXPECT_NEAR(place.node->number * place.file_unit, *number, 1e-12 * std::abs(*number)) << p.name;
-      EXPECT_EQ(is_positive(p), p.change_text == "1 %") << p.name;
+      EXPECT_EQ(p.positive, p.change_text == "1 %") << p.name;
       ++found;
     }
     // a: 3 + 9, b: 3 + 6, push: 9, pull: 1 + 6, turn: 1, link: 4, h: 2

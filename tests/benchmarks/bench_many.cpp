@@ -96,7 +96,7 @@ bool Knee::draw_laws() {
     const double length = prepared.model.ligaments[laws.size() - 1].path.length(prepared.model.reference_poses);
     for (int k = 0; k < kBank; ++k) {
       LigamentDef drawn = def;
-      drawn.stiffness *= 1 + 0.1 * unit(random);
+      drawn.numbers[0].value *= 1 + 0.1 * unit(random);
       if (drawn.rest == LigamentDef::Rest::reference_strain) drawn.rest_value += 0.02 * unit(random);
       auto law = make_law(drawn, length, why);
       if (!law) return false;

@@ -71,7 +71,7 @@ TEST(JointModel, LawsThatCannotBeAreReportedByName) {
   Diagnostics out;
   auto scene = parse_scene(text, "scene.toml", out);
   ASSERT_TRUE(scene);
-  scene->ligaments[0].stiffness = -1;  // no reader lets this pass; a program may
+  scene->ligaments[0].numbers[0].value = -1;  // no reader lets this pass; a program may
   EXPECT_FALSE(build_model(*scene, {}, out));
   ASSERT_EQ(out.items().size(), 1u);
   EXPECT_EQ(out.items()[0].key, "ligament.odd");

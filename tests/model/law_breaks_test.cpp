@@ -6,20 +6,17 @@
 #include <gtest/gtest.h>
 
 #include "genu/model/ligament_law.h"
+#include "support/law_def.h"
 
 namespace genu {
 namespace {
 
-using Law = LigamentDef::Law;
-
-LigamentLaw build(Law kind, std::vector<std::pair<double, double>> table = {{0, 0}, {0.5, 20}, {2, 200}},
+LigamentLaw build(const std::string& kind, std::vector<std::pair<double, double>> table = {{0, 0}, {0.5, 20}, {2, 200}},
                   double transition = 0.5) {
-  LigamentDef def;
-  def.law = kind;
-  def.stiffness = kind == Law::abdel_rahman ? 500 : 100;
-  def.toe_stiffness = 30000;
-  def.transition_strain = transition;
-  def.table = std::move(table);
+  LigamentDef def = test::law_def(kind, {{"stiffness", kind == "abdel-rahman" ? 500. : 100.},
+                                         {"toe_stiffness", 30000},
+                                         {"transition_strain", transition}});
+  def.points = std::move(table);
   def.rest_value = 0.02;
   std::string why;
   const auto law = make_law(def, 1, why);
@@ -43,25 +40,25 @@ void expect_breaks_as_evaluated(const LigamentLaw& law, std::size_t count, const
 }
 
 TEST(LawBreaks, AreWhereEveryLawBreaks) {
-  expect_breaks_as_evaluated(build(Law::quadratic), 1, "quadratic");
-  expect_breaks_as_evaluated(build(Law::linear), 1, "linear");
-  expect_breaks_as_evaluated(build(Law::blankevoort), 2, "blankevoort");
-  expect_breaks_as_evaluated(build(Law::blankevoort, {}, 0), 1, "blankevoort without a toe");
-  expect_breaks_as_evaluated(build(Law::abdel_rahman), 2, "abdel-rahman");
-  expect_breaks_as_evaluated(build(Law::abdel_rahman, {}, 0), 1, "abdel-rahman without a toe");
-  expect_breaks_as_evaluated(build(Law::spring), 0, "spring");
-  expect_breaks_as_evaluated(build(Law::table), 1, "table");
-  expect_breaks_as_evaluated(build(Law::table, {{0.1, 50}, {0.2, 150}}), 1, "table that begins above 0");
-  expect_breaks_as_evaluated(build(Law::table, {{0, 0}, {0.2, 150}, {0.4, 50}}), 2, "table that falls to 0");
+  expect_breaks_as_evaluated(build("quadratic"), 1, "quadratic");
+  expect_breaks_as_evaluated(build("linear"), 1, "linear");
+  expect_breaks_as_evaluated(build("blankevoort"), 2, "blankevoort");
+  expect_breaks_as_evaluated(build("blankevoort", {}, 0), 1, "blankevoort without a toe");
+  expect_breaks_as_evaluated(build("abdel-rahman"), 2, "abdel-rahman");
+  expect_breaks_as_evaluated(build("abdel-rahman", {}, 0), 1, "abdel-rahman without a toe");
+  expect_breaks_as_evaluated(build("spring"), 0, "spring");
+  expect_breaks_as_evaluated(build("table"), 1, "table");
+  expect_breaks_as_evaluated(build("table", {{0.1, 50}, {0.2, 150}}), 1, "table that begins above 0");
+  expect_breaks_as_evaluated(build("table", {{0, 0}, {0.2, 150}, {0.4, 50}}), 2, "table that falls to 0");
 }
 
 TEST(LawBreaks, TellAJumpFromAKink) {
-  const LigamentLaw jump = build(Law::abdel_rahman);
+  const LigamentLaw jump = build("abdel-rahman");
   EXPECT_FALSE(jump.breaks()[0].jumps());
   EXPECT_TRUE(jump.breaks()[1].jumps());
   EXPECT_NEAR(jump.breaks()[1].force_jump(), 500 * 0.005 - 30000 * 1e-4, 1e-14);
-  EXPECT_FALSE(build(Law::linear).breaks()[0].jumps());
-  EXPECT_NEAR(build(Law::linear).breaks()[0].stiffness_jump(), 5000, 1e-9);
+  EXPECT_FALSE(build("linear").breaks()[0].jumps());
+  EXPECT_NEAR(build("linear").breaks()[0].stiffness_jump(), 5000, 1e-9);
 }
 
 TEST(LawBreaks, AreSharpWhereForceOrStiffnessJumps) {
@@ -70,28 +67,25 @@ TEST(LawBreaks, AreSharpWhereForceOrStiffnessJumps) {
     for (const LawBreak& b : law.breaks()) out += b.sharp() ? 's' : '-';
     return out;
   };
-  EXPECT_EQ(sharp(build(Law::quadratic)), "-");
-  EXPECT_EQ(sharp(build(Law::linear)), "s");
-  EXPECT_EQ(sharp(build(Law::blankevoort)), "--");
-  EXPECT_EQ(sharp(build(Law::blankevoort, {}, 0)), "s");
-  EXPECT_EQ(sharp(build(Law::abdel_rahman)), "-s");
-  EXPECT_EQ(sharp(build(Law::table)), "s") << "the first point's slope is not 0";
-  EXPECT_EQ(sharp(build(Law::table, {{0, 0}, {0.1, 0}, {0.5, 20}, {2, 200}})), "-") << "flat before it rises";
-  EXPECT_EQ(sharp(build(Law::table, {{0, 0}, {0.1, 0}, {0.5, 20}, {0.7, 0}, {0.8, 0}})), "--");
-  EXPECT_EQ(sharp(build(Law::table, {{0.1, 50}, {0.2, 150}})), "s") << "straight to 0, then nothing";
+  EXPECT_EQ(sharp(build("quadratic")), "-");
+  EXPECT_EQ(sharp(build("linear")), "s");
+  EXPECT_EQ(sharp(build("blankevoort")), "--");
+  EXPECT_EQ(sharp(build("blankevoort", {}, 0)), "s");
+  EXPECT_EQ(sharp(build("abdel-rahman")), "-s");
+  EXPECT_EQ(sharp(build("table")), "s") << "the first point's slope is not 0";
+  EXPECT_EQ(sharp(build("table", {{0, 0}, {0.1, 0}, {0.5, 20}, {2, 200}})), "-") << "flat before it rises";
+  EXPECT_EQ(sharp(build("table", {{0, 0}, {0.1, 0}, {0.5, 20}, {0.7, 0}, {0.8, 0}})), "--");
+  EXPECT_EQ(sharp(build("table", {{0.1, 50}, {0.2, 150}})), "s") << "straight to 0, then nothing";
   // K1 = 2 K2 e_t L0 makes the stiffness continuous, but then the force is continuous as well: the blankevoort law.
-  LigamentDef def;
-  def.law = Law::abdel_rahman;
-  def.toe_stiffness = 30000;
-  def.transition_strain = 0.3;
+  LigamentDef def = test::law_def(
+      "abdel-rahman", {{"stiffness", 2 * 30000 * 0.3 * 0.021}, {"toe_stiffness", 30000}, {"transition_strain", 0.3}});
   def.rest_value = 0.021;
-  def.stiffness = 2 * def.toe_stiffness * def.transition_strain * def.rest_value;
   std::string why;
   EXPECT_EQ(sharp(*make_law(def, 1, why)), "--");
 }
 
 TEST(LawBreaks, PiecesGoOnStraightAndAreTheLawInside) {
-  for (const Law kind : {Law::quadratic, Law::linear, Law::blankevoort, Law::abdel_rahman, Law::table}) {
+  for (const char* kind : {"quadratic", "linear", "blankevoort", "abdel-rahman", "table"}) {
     const LigamentLaw law = build(kind);
     for (double length = 0.005; length < 0.05; length += 0.00037) {
       const int here = law.piece_at(length);
@@ -126,9 +120,18 @@ TEST(LawBreaks, APieceIsSlackOnlyWhereAllOfItIs) {
   ASSERT_EQ(law->sharp_breaks().size(), 1u);
   EXPECT_FALSE(law->is_slack(0)) << "it pushes below 20 mm";
   EXPECT_FALSE(law->is_slack(1));
-  EXPECT_TRUE(build(Law::linear).is_slack(0));
-  EXPECT_FALSE(build(Law::linear).is_slack(1));
-  EXPECT_FALSE(build(Law::abdel_rahman).is_slack(0)) << "the toe is part of it";
+  EXPECT_TRUE(build("linear").is_slack(0));
+  EXPECT_FALSE(build("linear").is_slack(1));
+  EXPECT_FALSE(build("abdel-rahman").is_slack(0)) << "the toe is part of it";
+}
+
+TEST(LawBreaks, OfTheLawsOfScenesAreThoseThatALawOfOnesOwnMayState) {
+  for (const auto& kind : kLaws) {
+    LawValues values{{}, {{0, 0}, {0.5, 20}, {2, 200}}};
+    for (std::size_t k = 0; k < kind().numbers.size(); ++k) values.numbers.push_back(0.5);
+    std::string why;
+    EXPECT_TRUE(LigamentLaw::custom(kind().make(values, 0.02), why)) << kind().name << ": " << why;
+  }
 }
 
 struct Stated final : ForceLaw {

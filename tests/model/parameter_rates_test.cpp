@@ -40,7 +40,7 @@ TEST(ParameterRates, AreTheDerivativesOfTheEquations) {
       Scene scene = s.scene;
       Target aim = target;
       const auto o = static_cast<std::size_t>(std::max(p.object, 0));
-      if (p.kind == Kind::stiffness) scene.ligaments[o].stiffness += delta;
+      if (p.kind == Kind::law_number) scene.ligaments[o].numbers[0].value += delta;
       if (p.kind == Kind::reference_strain) scene.ligaments[o].rest_value += delta;
       if (p.kind == Kind::from_point) scene.ligaments[o].from.point[p.component] += delta;
       if (p.kind == Kind::to_point) scene.ligaments[o].to.point[p.component] += delta;

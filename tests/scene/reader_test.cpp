@@ -188,7 +188,7 @@ TEST(Reader, DortmansKnee) {
   ASSERT_EQ(scene->ligaments.size(), 7u);
   EXPECT_EQ(scene->ligaments[0].name, "AAC");
   EXPECT_EQ(scene->ligaments[6].name, "PMC");
-  EXPECT_EQ(scene->ligaments[6].stiffness, 23000);
+  EXPECT_EQ(scene->ligaments[6].number("stiffness"), 23000);
   EXPECT_EQ(scene->ligaments[6].rest_value, 0.0625);
   EXPECT_DOUBLE_EQ(scene->joints.at(0).reference[4], 2.38e-3);
   EXPECT_EQ(scene->steps.at(0).increments, 70);
@@ -204,7 +204,7 @@ TEST(Reader, LenhartKnee) {
   ASSERT_EQ(scene->ligaments.size(), 55u);
   const LigamentDef& last = scene->ligaments.back();
   EXPECT_EQ(last.name, "pCAP8");
-  EXPECT_EQ(last.law, LigamentDef::Law::blankevoort);
+  EXPECT_EQ(last.law, "blankevoort");
   EXPECT_DOUBLE_EQ(last.rest_value, 54.6568e-3);
   EXPECT_EQ(scene->loads.at(0).frame, LoadDef::Frame::body);
 }

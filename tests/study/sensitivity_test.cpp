@@ -60,7 +60,7 @@ TEST(RunSensitivity, WholePathsOfTheEditedSceneAgree) {
     const auto solved_with = [&](double share) {
       Scene edited = *scene;
       const auto o = static_cast<std::size_t>(p.object);
-      if (p.kind == Parameter::Kind::stiffness) edited.ligaments[o].stiffness += share * p.change;
+      if (p.kind == Parameter::Kind::law_number) edited.ligaments[o].numbers[0].value += share * p.change;
       if (p.kind == Parameter::Kind::reference_strain) edited.ligaments[o].rest_value += share * p.change;
       if (p.kind == Parameter::Kind::minor_radius) edited.surfaces[o].minor_radius += share * p.change;
       if (p.kind == Parameter::Kind::to_point) edited.ligaments[o].to.point[p.component] += share * p.change;

@@ -22,20 +22,14 @@ inline void edit(Scene& scene, const Parameter& p, double delta) {
   const auto o = static_cast<std::size_t>(p.object);
   const int i = p.component;
   switch (p.kind) {
-    case Kind::stiffness:
-      scene.ligaments[o].stiffness += delta;
+    case Kind::law_number:
+      scene.ligaments[o].numbers[static_cast<std::size_t>(i)].value += delta;
       break;
     case Kind::damping:
       scene.ligaments[o].damping += delta;
       break;
     case Kind::joint_damping:
       scene.joints[o].damping += delta;
-      break;
-    case Kind::toe_stiffness:
-      scene.ligaments[o].toe_stiffness += delta;
-      break;
-    case Kind::transition_strain:
-      scene.ligaments[o].transition_strain += delta;
       break;
     case Kind::slack_length:
     case Kind::reference_strain:

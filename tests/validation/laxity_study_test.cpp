@@ -114,7 +114,7 @@ Balance balance_at(const SolvedScene& solved, std::size_t row) {
   for (const LigamentDef& l : scene.ligaments) {
     const Vec3 from = origin + R * l.from.point, pull = l.to.point - from;
     const double strain = t.number(row, l.name + ".strain");
-    if (strain > 0) add(l.stiffness * strain * strain * pull.normalized(), from);
+    if (strain > 0) add(l.number("stiffness") * strain * strain * pull.normalized(), from);
   }
   for (const std::string side : {"medial", "lateral"}) {
     const auto plateau = std::find_if(scene.surfaces.begin(), scene.surfaces.end(),

@@ -104,10 +104,9 @@ Vec6 independent_wrench(const Prepared& p, const PosePoint& point) {
   };
   for (const LigamentDef& l : p.scene.ligaments) {
     const Vec3 line = l.from.point - X * l.to.point;  // the femur is fixed at the world's origin
-    const double strain = line.norm() / l.rest_value - 1, toe = l.transition_strain;
-    const double force = strain <= 0     ? 0
-                         : strain <= toe ? l.stiffness * strain * strain / (2 * toe)
-                                         : l.stiffness * (strain - toe / 2);
+    const double strain = line.norm() / l.rest_value - 1, toe = l.number("transition_strain"),
+                 K = l.number("stiffness");
+    const double force = strain <= 0 ? 0 : strain <= toe ? K * strain * strain / (2 * toe) : K * (strain - toe / 2);
     add(force * line.normalized(), X * l.to.point);
   }
   for (const LoadDef& load : p.scene.loads) add(X.R * load.force, X * load.point);

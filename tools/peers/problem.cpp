@@ -30,8 +30,7 @@ std::string unknown_part(const Prepared& p) {
       return "contacts of a condyle on a plane";
   }
   const auto quadratic = [&](const LigamentDef& l) {
-    return l.law == LigamentDef::Law::quadratic && l.points().size() == 2 && l.from.body == joint.child &&
-           l.to.body == joint.parent;
+    return l.law == "quadratic" && l.points().size() == 2 && l.from.body == joint.child && l.to.body == joint.parent;
   };
   if (!std::all_of(s.ligaments.begin(), s.ligaments.end(), quadratic)) return "straight quadratic ligaments";
   const auto& steps = p.steps;
@@ -60,7 +59,7 @@ std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
     knee.flexions.push_back(step.target(static_cast<double>(k) / step.increments).prescribed[0].value);
   for (std::size_t k = 0; k < scene.ligaments.size(); ++k) {
     const LigamentDef& def = scene.ligaments[k];
-    knee.springs.push_back({point(def.from.point + femur), point(def.to.point + tibia), def.stiffness,
+    knee.springs.push_back({point(def.from.point + femur), point(def.to.point + tibia), def.number("stiffness"),
                             model.ligaments[k].law.slack_length()});
   }
   for (const ContactDef& contact : scene.contacts) {

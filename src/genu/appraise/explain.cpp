@@ -24,24 +24,6 @@ std::string axis_name(const Vec3& axis) {
   return std::string(axis[i] < 0 ? "-" : "") + "xyz"[i];
 }
 
-const char* law_name(LigamentDef::Law law) {
-  switch (law) {
-    case LigamentDef::Law::quadratic:
-      return "quadratic";
-    case LigamentDef::Law::linear:
-      return "linear";
-    case LigamentDef::Law::blankevoort:
-      return "blankevoort";
-    case LigamentDef::Law::spring:
-      return "spring";
-    case LigamentDef::Law::table:
-      return "table";
-    case LigamentDef::Law::abdel_rahman:
-      return "abdel-rahman";
-  }
-  return "";
-}
-
 /// What a load is, and what that means for the tangent.
 std::string kind_name(const Scene& scene, const LoadDef& load) {
   switch (load.kind) {
@@ -157,10 +139,8 @@ class Explanation {
       layers.push_back(fmt::format("{} ({} on {}, {}, {})", l.pair.name, scene_.surfaces[at(l.pair.surface_a)].name,
                                    scene_.surfaces[at(l.pair.surface_b)].name,
                                    l.law == LayerDef::Law::linear ? "linear" : "logarithmic", quadrature_name(l)));
-    for (const LigamentDef& l : scene_.ligaments) {
-      const std::string law = law_name(l.law);
-      if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
-    }
+    for (const LigamentDef& l : scene_.ligaments)
+      if (std::find(laws.begin(), laws.end(), l.law) == laws.end()) laws.push_back(l.law);
     std::vector<std::string> loads;
     for (const LoadDef& l : scene_.loads)
       loads.push_back(fmt::format("{} ({}{})", l.name, kind_name(scene_, l), scale_name(scene_, l)));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/law/laws.h"
+
 namespace genu {
 namespace {
 
@@ -20,15 +22,10 @@ struct Path {
 Path ligament_path(const Scene& scene, const Parameter& p) {
   const LigamentDef& l = scene.ligaments[at(p.object)];
   const double length = scene.length_unit;
-  const bool per_length = l.law == LigamentDef::Law::spring || l.law == LigamentDef::Law::abdel_rahman;
   const auto of = [&](const std::string& key, double unit) { return Path{{"ligament", l.name, key}, -1, -1, unit}; };
   switch (p.kind) {
-    case Kind::stiffness:
-      return of("stiffness", per_length ? 1 / length : 1);
-    case Kind::toe_stiffness:
-      return of("toe_stiffness", 1 / (length * length));
-    case Kind::transition_strain:
-      return of("transition_strain", 1);
+    case Kind::law_number:
+      return of(l.numbers[at(p.component)].key, find_law(l.law)->numbers[at(p.component)].si(length));
     case Kind::slack_length:
       return of("slack_length", length);
     case Kind::reference_strain:
@@ -75,12 +72,8 @@ Path path_of(const Scene& scene, const Parameter& p) {
 
 double* ligament_number(LigamentDef& l, const Parameter& p) {
   switch (p.kind) {
-    case Kind::stiffness:
-      return &l.stiffness;
-    case Kind::toe_stiffness:
-      return &l.toe_stiffness;
-    case Kind::transition_strain:
-      return &l.transition_strain;
+    case Kind::law_number:
+      return &l.numbers[at(p.component)].value;
     case Kind::slack_length:
     case Kind::reference_strain:
     case Kind::reference_force:
@@ -132,11 +125,6 @@ double* parameter_number(Scene& scene, const Parameter& p) {
     default:
       return nullptr;
   }
-}
-
-bool is_positive(const Parameter& p) {
-  return p.kind == Kind::stiffness || p.kind == Kind::toe_stiffness || p.kind == Kind::slack_length ||
-         p.kind == Kind::damping || p.kind == Kind::mass || p.of_joint();
 }
 
 ParameterPlace parameter_place(const Scene& scene, const Parameter& parameter, const TomlNode& document) {

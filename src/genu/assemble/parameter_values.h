@@ -13,10 +13,6 @@ namespace genu {
 /// surfaces, load factors, prescribed values.
 double* parameter_number(Scene& scene, const Parameter& parameter);
 
-/// Whether it is a share of something that is there or not: a stiffness, a damping, a mass, a slack length, which are
-/// > 0 and whose changes are counted in shares of themselves.
-bool is_positive(const Parameter& parameter);
-
 /// Where the scene's file has it, and what one of the file's units is in SI; empty where the file does not say it.
 struct ParameterPlace {
   const TomlNode* node = nullptr;

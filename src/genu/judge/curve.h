@@ -1,5 +1,5 @@
 // The curve through a table's points: Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300-304), with the
-// three-point end slopes of PCHIP. Written for the judge from the paper; model/monotone_table has its own.
+// three-point end slopes of PCHIP. Written for the judge from the paper; law/monotone_table has its own.
 #pragma once
 
 #include <utility>

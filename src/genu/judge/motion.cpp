@@ -76,9 +76,8 @@ std::vector<int> MotionRows::pieces_in(const Row& row, const At& here) const {
   std::vector<int> pieces;
   for (std::size_t i = 0; i < scene.ligaments.size(); ++i) {
     const LigamentDef& def = scene.ligaments[i];
-    const double strain = row(def.name + ".strain");
-    pieces.push_back((row(def.name + ".force_N") == 0 ? 1 : 0) +
-                     (def.transition_strain > 0 && strain > def.transition_strain ? 2 : 0));
+    const double strain = row(def.name + ".strain"), transition = def.number("transition_strain");
+    pieces.push_back((row(def.name + ".force_N") == 0 ? 1 : 0) + (transition > 0 && strain > transition ? 2 : 0));
   }
   for (std::size_t j = 0; j < scene.joints.size(); ++j)
     if (const auto& limits = scene.joints[j].limits)

@@ -131,7 +131,7 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
         };
         rate += (path[k + 1] - path[k]).normalized().dot(velocity(k + 1) - velocity(k));
       }
-      const bool pushes = def.law == LigamentDef::Law::spring || law.force_when_slack() > 0;
+      const bool pushes = def.law == "spring" || law.force_when_slack() > 0;
       const bool slack = !pushes && tension.high <= 0;
       const double damper = slack ? 0 : def.damping * rate;
       tension.low = pushes ? tension.low + damper : std::max(0.0, tension.low + damper);

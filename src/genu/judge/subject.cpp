@@ -69,11 +69,11 @@ void scale_forces(Subject& subject) {
   subject.least_force = kLeastShare;
   for (std::size_t i = 0; i < s.ligaments.size(); ++i) {
     const LigamentDef& l = s.ligaments[i];
-    const bool per_length = l.law == LigamentDef::Law::spring || l.law == LigamentDef::Law::abdel_rahman;
-    const double stiffness = per_length ? l.stiffness * subject.size : l.stiffness;
+    const bool per_length = l.law == "spring" || l.law == "abdel-rahman";
+    const double number = l.number("stiffness"), stiffness = per_length ? number * subject.size : number;
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
     subject.least_force += kLeastShare * stiffness;
-    subject.springs += per_length ? l.stiffness : l.stiffness / subject.laws[i].slack_length();
+    subject.springs += per_length ? number : number / subject.laws[i].slack_length();
   }
   for (const LoadDef& load : s.loads)
     subject.force_scale = std::max(subject.force_scale, largest_force(load, subject.size));

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "genu/judge/curve.h"
 
 namespace genu::judge {
-namespace {
-
-using Law = LigamentDef::Law;
-
-}  // namespace
 
 TensionLaw::TensionLaw(const LigamentDef& def, double reference_length) : def_(&def) {
   switch (def.rest) {
@@ -28,42 +24,33 @@ TensionLaw::TensionLaw(const LigamentDef& def, double reference_length) : def_(&
 
 double TensionLaw::force(double length, double slack) const {
   const LigamentDef& d = *def_;
-  const double stretch = length - slack, e = stretch / slack;
-  if (d.law == Law::spring) return d.stiffness * stretch;
-  if (d.law == Law::table) return curve_at(d.table, e);
+  const double stretch = length - slack, e = stretch / slack, k = d.number("stiffness"),
+               e_t = d.number("transition_strain");
+  if (d.law == "spring") return k * stretch;
+  if (d.law == "table") return curve_at(d.points, e);
   if (e <= 0) return 0;
-  switch (d.law) {
-    case Law::quadratic:
-      return d.stiffness * e * e;
-    case Law::linear:
-      return d.stiffness * e;
-    case Law::blankevoort:
-      return e <= d.transition_strain ? d.stiffness * e * e / (2 * d.transition_strain)
-                                      : d.stiffness * (e - d.transition_strain / 2);
-    case Law::abdel_rahman:
-      return e <= d.transition_strain ? d.toe_stiffness * stretch * stretch
-                                      : d.stiffness * (length - (1 + d.transition_strain / 2) * slack);
-    case Law::spring:
-    case Law::table:
-      break;
-  }
-  return 0;
+  if (d.law == "quadratic") return k * e * e;
+  if (d.law == "linear") return k * e;
+  if (d.law == "blankevoort") return e <= e_t ? k * e * e / (2 * e_t) : k * (e - e_t / 2);
+  if (d.law == "abdel-rahman")
+    return e <= e_t ? d.number("toe_stiffness") * stretch * stretch : k * (length - (1 + e_t / 2) * slack);
+  return std::numeric_limits<double>::quiet_NaN();  // a law that the judge does not know
 }
 
 /// The slack length with which the law rises past a force for the first time at a length: looked for along the strain.
 double TensionLaw::slack_for(double asked, double length) const {
-  if (def_->law == Law::spring) {
-    const double slack = length - asked / def_->stiffness;
+  if (def_->law == "spring") {
+    const double slack = length - asked / def_->number("stiffness");
     return std::abs(slack) < 1e-15 * length ? 0 : slack;
   }
   const auto above = [&](double e) { return force(length, length / (1 + e)) > asked; };
-  double low = def_->law == Law::table ? std::max(-0.999, def_->table.front().first - 0.5) : 0;
+  double low = def_->law == "table" ? std::max(-0.999, def_->points.front().first - 0.5) : 0;
   const double step = 1e-4;
   double high = low;
   while (!above(high)) {
     low = high;
     high += step;
-    if (high > 20) return length / (1 + (def_->law == Law::table ? def_->table.back().first : 0));
+    if (high > 20) return length / (1 + (def_->law == "table" ? def_->points.back().first : 0));
   }
   for (int i = 0; i < 100; ++i) {
     const double middle = low + (high - low) / 2;
@@ -80,8 +67,8 @@ double TensionLaw::stiffness(double length) const {
 Tension TensionLaw::at(double length, double rounding) const {
   const double f = force(length, slack_);
   Tension t{f, f};
-  if (def_->law != Law::abdel_rahman) return t;
-  const double jump = (1 + def_->transition_strain) * slack_;
+  if (def_->law != "abdel-rahman") return t;
+  const double jump = (1 + def_->number("transition_strain")) * slack_;
   if (std::abs(length - jump) > rounding) return t;
   for (const double l : {jump * (1 - 1e-14), jump * (1 + 1e-14)}) {
     t.low = std::min(t.low, force(l, slack_));

@@ -5,13 +5,13 @@
 namespace genu {
 namespace {
 
-using Law = LigamentDef::Law;
 using Rest = LigamentDef::Rest;
 using Kind = Parameter::Kind;
 
-/// What a parameter changes first, per SI unit: numbers of the law, what sets the slack length, a point.
+/// What a parameter changes first, per SI unit: a number of the law, what sets the slack length, a point.
 struct Direct {
-  double stiffness = 0, toe_stiffness = 0, transition_strain = 0, rest = 0;
+  int number = -1;  ///< of the law's table
+  double rest = 0;
   int point = -1;  ///< of the points from end to end
   int axis = 0;    ///< of its body
 };
@@ -20,14 +20,8 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
   Direct d;
   d.axis = parameter.component % 3;
   switch (parameter.kind) {
-    case Kind::stiffness:
-      d.stiffness = 1;
-      break;
-    case Kind::toe_stiffness:
-      d.toe_stiffness = 1;
-      break;
-    case Kind::transition_strain:
-      d.transition_strain = 1;
+    case Kind::law_number:
+      d.number = parameter.component;
       break;
     case Kind::slack_length:
     case Kind::reference_strain:
@@ -96,26 +90,16 @@ Vec12 wrench_rate(const MovingLine& line, const Vec3& t, const Vec3& t_rate) {
   return out;
 }
 
-double by_numbers(const LawRates& r, const Direct& d) {
-  return r.stiffness * d.stiffness + r.toe_stiffness * d.toe_stiffness + r.transition_strain * d.transition_strain;
-}
-
-/// L / L0 times dL0/dL at a force held: strain laws keep the strain, the others the stretch.
-double slack_by_length(const LigamentDef& def, const LigamentLaw& law, double length) {
-  if (def.law == Law::spring) return 1;
-  if (def.law != Law::abdel_rahman) return law.slack_length() / length;
-  const bool toe = length - law.slack_length() <= def.transition_strain * law.slack_length();
-  return toe ? 1 : 1 / (1 + def.transition_strain / 2);
-}
+double by_number(const LawRates& r, const Direct& d) { return d.number < 0 ? 0 : r.force_by_number[at(d.number)]; }
 
 /// dL0 where the law has a force at the reference length.
 double slack_from_force(const LigamentAt& at, const Direct& d, double length, double length_rate) {
-  const double by_length = slack_by_length(at.def, at.made.law, length) * length_rate;
-  const LawRates r = law_rates(at.def, at.made.law, length);
-  const double missing = d.rest - by_numbers(r, d);  // force to be made up for by the slack length
+  const LawRates r = at.made.law.rates(length);
+  const double by_length = r.slack_length_by_length * length_rate;
+  const double missing = d.rest - by_number(r, d);  // force to be made up for by the slack length
   if (missing == 0) return by_length;
-  if (r.slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
-  return by_length + missing / r.slack_length;
+  if (r.force_by_slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
+  return by_length + missing / r.force_by_slack_length;
 }
 
 double slack_rate(const LigamentAt& at, const Direct& d) {
@@ -127,38 +111,6 @@ double slack_rate(const LigamentAt& at, const Direct& d) {
 }
 
 }  // namespace
-
-LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length) {
-  LawRates out;
-  if (length <= law.slack_until()) return out;
-  const LawValue value = law.evaluate(length);
-  const double slack = law.slack_length();
-  const bool toe = length - slack <= def.transition_strain * slack;
-  if (def.law != Law::table) out.stiffness = value.force / def.stiffness;
-  out.slack_length = -value.stiffness * length / slack;  // of a law of the strain alone
-  switch (def.law) {
-    case Law::spring:
-      out.slack_length = -value.stiffness;
-      break;
-    case Law::blankevoort:
-      out.transition_strain = toe ? -value.force / def.transition_strain : -def.stiffness / 2;
-      break;
-    case Law::abdel_rahman:
-      out.slack_length = -value.stiffness * (toe ? 1 : 1 + def.transition_strain / 2);
-      if (toe) {
-        out.stiffness = 0;
-        out.toe_stiffness = value.force / def.toe_stiffness;
-      } else {
-        out.transition_strain = -def.stiffness * slack / 2;
-      }
-      break;
-    case Law::quadratic:
-    case Law::linear:
-    case Law::table:
-      break;
-  }
-  return out;
-}
 
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   const Direct change = direct_change(at.def, parameter);
@@ -178,8 +130,8 @@ LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   out.strain = (out.length - length / slack * slack_change) / slack;
   if (length <= law.slack_until()) return out;
   const LawValue value = law.evaluate(length);
-  const LawRates rates = law_rates(at.def, law, length);
-  const double held = by_numbers(rates, change) + rates.slack_length * slack_change;  // at the length held
+  const LawRates rates = law.rates(length);
+  const double held = by_number(rates, change) + rates.force_by_slack_length * slack_change;  // at constant length
   out.force = value.stiffness * out.length + held;
   for (const MovingLine& line : lines) {
     const Vec3 across = line.end_B - line.end_A - line.u * line.length_rate();

@@ -13,12 +13,6 @@
 
 namespace genu {
 
-/// Derivatives of a law's force at a length held (N per SI unit); 0 where the law is slack.
-struct LawRates {
-  double stiffness = 0, toe_stiffness = 0, transition_strain = 0, slack_length = 0;
-};
-LawRates law_rates(const LigamentDef& def, const LigamentLaw& law, double length);
-
 /// Per SI unit of a parameter. Where the ligament is slack everything but length and strain is 0.
 struct LigamentRate {
   struct Line {

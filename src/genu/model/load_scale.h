@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "genu/model/monotone_table.h"
+#include "genu/law/monotone_table.h"
 #include "genu/scene/scene.h"
 
 namespace genu {

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "genu/core/units.h"
+#include "genu/law/laws.h"
 
 namespace genu {
 namespace {
 
 using Kind = Parameter::Kind;
-using Law = LigamentDef::Law;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr double kPerCent = 0.01;
@@ -61,7 +61,7 @@ class Parameters {
     for (int i = 0; i < 3; ++i) add_length(name + "." + kAxes[i], kind, i);
   }
   void add_share(const std::string& name, Kind kind, const std::string& unit, double si, double value) {
-    add(name, kind, unit, si, kPerCent * value, "1 %");
+    add(name, kind, unit, si, kPerCent * value, "1 %").positive = true;
   }
   void add_strain(const std::string& name, Kind kind) { add(name, kind, "1", 1, kStrainChange, "0.01"); }
   void add_force(const std::string& name, Kind kind, int component = 0) {
@@ -71,14 +71,21 @@ class Parameters {
     add(name, kind, "Nm", 1, kMomentChange, "0.01 Nm").component = component;
   }
 
+  void add_law_numbers(const LigamentDef& l) {
+    for (std::size_t k = 0; k < l.numbers.size(); ++k) {
+      const LawNumber& number = find_law(l.law)->numbers[k];
+      const std::string name = l.name + "." + number.key;
+      const std::string unit = number.unit == LawNumber::Unit::number ? "1" : number.unit_name("mm");
+      if (number.unit == LawNumber::Unit::strain)
+        add_strain(name, Kind::law_number);
+      else
+        add_share(name, Kind::law_number, unit, number.si(units::kMillimetre), l.numbers[k].value);
+      out_.back().component = static_cast<int>(k);
+    }
+  }
+
   void add_ligament(const LigamentDef& l) {
-    const bool per_length = l.law == Law::spring || l.law == Law::abdel_rahman;
-    if (l.law != Law::table)
-      add_share(l.name + ".stiffness", Kind::stiffness, per_length ? "N/mm" : "N", per_length ? 1e3 : 1, l.stiffness);
-    if (l.law == Law::abdel_rahman)
-      add_share(l.name + ".toe_stiffness", Kind::toe_stiffness, "N/mm^2", 1e6, l.toe_stiffness);
-    if (l.law == Law::blankevoort || l.law == Law::abdel_rahman)
-      add_strain(l.name + ".transition_strain", Kind::transition_strain);
+    add_law_numbers(l);
     switch (l.rest) {
       case LigamentDef::Rest::slack_length:
         add_share(l.name + ".slack_length", Kind::slack_length, "mm", units::kMillimetre, l.rest_value);

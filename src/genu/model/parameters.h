@@ -16,9 +16,7 @@ namespace genu {
 struct Parameter {
   enum class Kind {
     // of a ligament
-    stiffness,
-    toe_stiffness,
-    transition_strain,
+    law_number,  ///< component: its index in the table of the law's numbers (law/law_kind.h)
     slack_length,
     reference_strain,
     reference_force,
@@ -52,9 +50,9 @@ struct Parameter {
   };
 
   std::string name;
-  Kind kind = Kind::stiffness;
+  Kind kind = Kind::law_number;
   int object = -1;       ///< index of the ligament, surface, load, body or joint
-  int component = 0;     ///< 0 x, 1 y, 2 z; index of the term
+  int component = 0;     ///< 0 x, 1 y, 2 z; index of the number or term
   QuantityRef quantity;  ///< prescribed
   std::string unit;      ///< as results have it, whatever the scene's units are: mm, deg, N, Nm, 1 ...
   double si = 1;         ///< SI per unit
@@ -63,6 +61,7 @@ struct Parameter {
   /// (and theta = 1 rad).
   double change = 0;
   std::string change_text;  ///< "1 %", "1 mm", ...
+  bool positive = false;    ///< a stiffness, damping, mass, ...: > 0, and `change` is a share of it
 
   bool of_ligament() const { return kind <= Kind::via_point; }
   bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }

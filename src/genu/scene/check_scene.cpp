@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "genu/core/units.h"
+#include "genu/law/laws.h"
+#include "genu/scene/law_values.h"
 #include "genu/scene/read_parts.h"
 
 namespace genu {
@@ -84,17 +86,19 @@ std::string path_rule_broken(const LigamentDef& ligament, const std::vector<Pose
 
 /// What is wrong with a ligament of this length (m) at the reference pose; empty if nothing is.
 std::string length_rule_broken(const LigamentDef& ligament, double length) {
+  const LawKind* law = find_law(ligament.law);
+  if (law == nullptr) return {};
   // The direction of the force is undefined at zero length, except for a spring, which may have no force there.
-  if (ligament.law != LigamentDef::Law::spring) {
+  if (!law->both_ways) {
     return length > kCoincident
                ? std::string()
                : "the two ends coincide at the reference pose; only law \"spring\" may have zero length";
   }
   if (ligament.rest != LigamentDef::Rest::reference_force) return {};
-  const double slack = length - ligament.rest_value / ligament.stiffness;
-  if (slack >= 0) return {};
+  const auto slack = law->slack_length_for(law_values(*law, ligament), ligament.rest_value, length);
+  if (!slack || *slack >= 0) return {};
   return fmt::format("reference_force asks for a slack length of {:g} mm, which must be >= 0 mm",
-                     slack / units::kMillimetre);
+                     *slack / units::kMillimetre);
 }
 
 void check_lengths(ReadContext& context) {

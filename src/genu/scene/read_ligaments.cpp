@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "genu/law/laws.h"
 #include "genu/scene/read_parts.h"
 
 namespace genu {
 
 namespace {
 
-using Law = LigamentDef::Law;
 using Rest = LigamentDef::Rest;
 
 LigamentDef::End read_point(ReadContext& context, const Item& item, const char* what = "the end of a ligament") {
@@ -45,12 +45,11 @@ void read_ends(ReadContext& context, Section& section, LigamentDef& ligament) {
   }
 }
 
-/// What `stiffness` is measured in, for each law.
-NumberRule stiffness_rule(const ReadContext& context, Law law) {
-  const bool per_length = law == Law::spring || law == Law::abdel_rahman;
-  if (!per_length) return positive({.unit = 1, .unit_name = "N", .above = {}, .at_least = {}});
-  return positive(
-      {.unit = 1 / context.scene.length_unit, .unit_name = "N/" + context.length_name, .above = {}, .at_least = {}});
+NumberRule rule_of(const ReadContext& context, const LawNumber& number) {
+  return positive({.unit = number.si(context.scene.length_unit),
+                   .unit_name = number.unit_name(context.length_name),
+                   .above = {},
+                   .at_least = {}});
 }
 
 void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
@@ -64,62 +63,37 @@ void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligam
     const auto e = read_number(context, point.element(0), strain);
     const auto f = read_number(context, point.element(1), force);
     if (!e || !f) continue;
-    if (!ligament.table.empty() && *e <= ligament.table.back().first) {
+    if (!ligament.points.empty() && *e <= ligament.points.back().first) {
       refuse(context, point.element(0), "strains must increase from point to point");
     }
-    ligament.table.emplace_back(*e, *f);
+    ligament.points.emplace_back(*e, *f);
   }
 }
 
-void read_law_keys(ReadContext& context, Section& section, LigamentDef& ligament) {
-  const Law law = ligament.law;
-  if (law == Law::table) {
-    read_force_table(context, section.require("points"), ligament);
-    return;
-  }
-  ligament.stiffness = read_number(context, section.require("stiffness"), stiffness_rule(context, law)).value_or(1);
-  if (law == Law::blankevoort || law == Law::abdel_rahman) {
-    ligament.transition_strain = read_number(context, section.require("transition_strain"), positive({})).value_or(1);
-  }
-  if (law == Law::abdel_rahman) {
-    const double unit = 1 / (context.scene.length_unit * context.scene.length_unit);
-    const NumberRule rule{.unit = unit, .unit_name = "N/" + context.length_name + "^2", .above = 0, .at_least = {}};
-    ligament.toe_stiffness = read_number(context, section.require("toe_stiffness"), rule).value_or(1);
-  }
-}
-
-struct LawName {
-  const char* word;
-  const char* what;
-  Law law;
-};
-constexpr std::array<LawName, 6> kLaws = {{
-    {"quadratic", "a quadratic ligament", Law::quadratic},
-    {"linear", "a linear ligament", Law::linear},
-    {"blankevoort", "a blankevoort ligament", Law::blankevoort},
-    {"spring", "a spring", Law::spring},
-    {"table", "a table ligament", Law::table},
-    {"abdel-rahman", "an abdel-rahman ligament", Law::abdel_rahman},
-}};
-
-/// False where the law is absent or unknown.
-bool read_law(ReadContext& context, Section& section, LigamentDef& ligament) {
+/// Null where the law is absent or unknown.
+const LawKind* read_law(ReadContext& context, Section& section, LigamentDef& ligament) {
   std::vector<std::string> words;
-  for (const LawName& law : kLaws) words.emplace_back(law.word);
+  for (const auto& law : kLaws) words.push_back(law().name);
   const auto k = read_choice(context, section.require("law"), words);
   if (!k) {
     // Without a law no key of any law can be called wrong.
-    for (const char* key : {"stiffness", "transition_strain", "toe_stiffness", "points"}) section.find(key);
-    return false;
+    for (const std::string& key : law_keys()) section.find(key.c_str());
+    section.find("points");
+    return nullptr;
   }
-  ligament.law = kLaws[static_cast<std::size_t>(*k)].law;
-  section.rename(kLaws[static_cast<std::size_t>(*k)].what);
-  read_law_keys(context, section, ligament);
-  return true;
+  const LawKind& law = kLaws[static_cast<std::size_t>(*k)]();
+  ligament.law = law.name;
+  section.rename(law.what);
+  if (law.points) read_force_table(context, section.require("points"), ligament);
+  for (const LawNumber& number : law.numbers) {
+    const auto value = read_number(context, section.require(number.key.c_str()), rule_of(context, number));
+    ligament.numbers.push_back({number.key, value.value_or(1)});
+  }
+  return &law;
 }
 
-NumberRule rest_rule(const ReadContext& context, const LigamentDef& ligament, bool law_known) {
-  const bool both_ways = ligament.law == Law::spring || !law_known;
+NumberRule rest_rule(const ReadContext& context, const LigamentDef& ligament, const LawKind* law) {
+  const bool both_ways = law == nullptr || law->both_ways;
   switch (ligament.rest) {
     case Rest::slack_length:
       return both_ways ? non_negative(length_rule(context)) : positive(length_rule(context));
@@ -133,14 +107,14 @@ NumberRule rest_rule(const ReadContext& context, const LigamentDef& ligament, bo
 }
 
 void check_table_reaches(ReadContext& context, const Item& item, const LigamentDef& ligament) {
-  if (ligament.table.empty()) return;
+  if (ligament.points.empty()) return;
   const auto by_force = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const auto [least, most] = std::minmax_element(ligament.table.begin(), ligament.table.end(), by_force);
+  const auto [least, most] = std::minmax_element(ligament.points.begin(), ligament.points.end(), by_force);
   if (ligament.rest_value >= least->second && ligament.rest_value <= most->second) return;
   refuse(context, item, fmt::format("must be a force of the table, from {:g} to {:g} N", least->second, most->second));
 }
 
-void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, bool law_known) {
+void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, const LawKind* law) {
   constexpr std::array<std::pair<const char*, Rest>, 3> kForms = {{{"slack_length", Rest::slack_length},
                                                                    {"reference_strain", Rest::reference_strain},
                                                                    {"reference_force", Rest::reference_force}}};
@@ -154,9 +128,9 @@ void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, bo
     }
     first = item;
     ligament.rest = rest;
-    const auto value = read_number(context, item, rest_rule(context, ligament, law_known));
+    const auto value = read_number(context, item, rest_rule(context, ligament, law));
     ligament.rest_value = value.value_or(1);
-    if (value && ligament.rest == Rest::reference_force && ligament.law == Law::table) {
+    if (value && ligament.rest == Rest::reference_force && law != nullptr && law->points) {
       check_table_reaches(context, item, ligament);
     }
   }
@@ -172,8 +146,8 @@ void read_ligaments(ReadContext& context, Section& root) {
     ligament.name = item.node->key;
     ligament.where = item.node->key_where;
     read_ends(context, section, ligament);
-    const bool law_known = read_law(context, section, ligament);
-    read_rest(context, section, ligament, law_known);
+    const LawKind* law = read_law(context, section, ligament);
+    read_rest(context, section, ligament, law);
     section.not_built({"wrap"}, "ligaments that wrap");
     ligament.damping =
         read_damping(context, section, "ligaments", 1 / context.scene.length_unit, "N s/" + context.length_name);

@@ -44,6 +44,12 @@ std::vector<LigamentDef::End> LigamentDef::points() const {
   return out;
 }
 
+double LigamentDef::number(std::string_view key) const {
+  for (const Number& n : numbers)
+    if (n.key == key) return n.value;
+  return 0;
+}
+
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   double length = 0;
   const std::vector<LigamentDef::End> points = ligament.points();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -166,20 +167,21 @@ struct LayerDef {
 };
 
 struct LigamentDef {
-  enum class Law { quadratic, linear, blankevoort, spring, table, abdel_rahman };
   enum class Rest { slack_length, reference_strain, reference_force };
   struct End {
     int body = -1;
     Vec3 point = Vec3::Zero();  ///< m, in the body
   };
+  struct Number {
+    std::string key;
+    double value = 0;  ///< SI
+  };
   std::string name;
   End from, to;
-  std::vector<End> via;  ///< on the way from `from` to `to`
-  Law law = Law::quadratic;
-  double stiffness = 0;          ///< N (per unit strain); spring and abdel-rahman: see the law, SI (N/m, N/m)
-  double toe_stiffness = 0;      ///< abdel-rahman K2, N/m^2
-  double transition_strain = 0;  ///< blankevoort, abdel-rahman
-  std::vector<std::pair<double, double>> table;  ///< (strain, N)
+  std::vector<End> via;                           ///< on the way from `from` to `to`
+  std::string law = "quadratic";                  ///< its word in the file (law/laws.h)
+  std::vector<Number> numbers;                    ///< of the law, in the order of its table
+  std::vector<std::pair<double, double>> points;  ///< (strain, N), of a law with points
   Rest rest = Rest::slack_length;
   double rest_value = 0;  ///< m, strain, or N
   double damping = 0;     ///< N s / m along its whole length; only with dynamics
@@ -194,6 +196,8 @@ struct LigamentDef {
     f(self.to);
     for (auto& end : self.via) f(end);
   }
+  /// A number of the law by its key; 0 for a law without it.
+  double number(std::string_view key) const;
 };
 
 /// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.

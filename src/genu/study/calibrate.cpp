@@ -36,7 +36,7 @@ void add_unknown(Scene& scene, const Parameter& p, std::vector<Unknown>& unknown
   constexpr double kChanges = 10;  // of the standard change of a parameter: 1 cm, 0.1 of strain, 10 N
   const auto same = [&](const Unknown& u) { return u.parameter.name == p.name; };
   if (std::any_of(unknowns.begin(), unknowns.end(), same)) return;
-  Unknown u{p, *parameter_number(scene, p), 1, is_positive(p)};
+  Unknown u{p, *parameter_number(scene, p), 1, p.positive};
   if (!u.positive) u.scale = std::max(std::abs(u.start), kChanges * p.change);
   if (u.positive && !(u.start > 0))
     refuse_option(out, "--vary", p.name, "is 0: what is fitted as a share of itself must start above 0");

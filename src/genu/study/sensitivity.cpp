@@ -1,7 +1,6 @@
 #include "genu/study/sensitivity.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <sstream>
 
@@ -9,6 +8,7 @@
 
 #include "genu/assemble/refuse_option.h"
 #include "genu/core/timer.h"
+#include "genu/law/laws.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/scene/words.h"
@@ -71,12 +71,14 @@ std::string no_parameter(const Scene& scene, const std::vector<Parameter>& known
     if (const LayerDef* layer = layer_of(scene, p); layer != nullptr && matches(pattern, p.name))
       return fmt::format("matches {}, on a surface that the elastic layer {} presses: there are no derivatives to it",
                          p.name, layer->pair.name);
-  constexpr std::array kOfLigaments = {
-      "toe_stiffness", "transition_strain", "slack_length", "reference_strain", "reference_force", "from", "to", "via"};
+  std::vector<std::string> of_ligaments = law_keys();
+  std::erase(of_ligaments, "stiffness");  // a revolute joint has it too
+  for (const char* word : {"slack_length", "reference_strain", "reference_force", "from", "to", "via"})
+    of_ligaments.emplace_back(word);
   const auto object_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
   const auto key_of = [](const std::string& name) { return name.substr(std::min(name.size(), name.find('.') + 1)); };
   const std::string object = object_of(pattern), key = pattern.find('.') == std::string::npos ? "" : key_of(pattern);
-  const bool ligaments_only = std::find(kOfLigaments.begin(), kOfLigaments.end(), object_of(key)) != kOfLigaments.end();
+  const bool ligaments_only = std::find(of_ligaments.begin(), of_ligaments.end(), object_of(key)) != of_ligaments.end();
   std::vector<std::string> words, kinds;
   std::vector<std::vector<std::string>> keys;  // of each kind
   for (const Parameter& p : known) {

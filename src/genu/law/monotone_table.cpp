@@ -1,4 +1,4 @@
-#include "genu/model/monotone_table.h"
+#include "genu/law/monotone_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The monotone interpolant against its definition, its own derivatives and points it must pass through.
-#include "genu/model/monotone_table.h"
+#include "genu/law/monotone_table.h"
 
 #include <algorithm>
 #include <cmath>
