@@ -22,6 +22,9 @@ target_include_directories(genu_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_IN
 target_compile_definitions(genu_library INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 target_compile_features(genu_library INTERFACE cxx_std_20)
 
+# Everything that `cmake --install` copies is built by this target.
+add_custom_target(installed_files DEPENDS genu genu_library)
+
 install(TARGETS genu DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS genu_library EXPORT genuTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY src/genu DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
