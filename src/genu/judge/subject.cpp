@@ -70,7 +70,9 @@ void scale_forces(Subject& subject) {
   for (std::size_t i = 0; i < s.ligaments.size(); ++i) {
     const LigamentDef& l = s.ligaments[i];
     const bool per_length = l.law == "spring" || l.law == "abdel-rahman";
-    const double number = l.number("stiffness"), stiffness = per_length ? number * subject.size : number;
+    const double number =
+        l.law == "exponential" ? l.number("force_scale") * l.number("exponent") : l.number("stiffness");
+    const double stiffness = per_length ? number * subject.size : number;
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
     subject.least_force += kLeastShare * stiffness;
     subject.springs += per_length ? number : number / subject.laws[i].slack_length();

@@ -15,9 +15,10 @@ const LawKind& blankevoort_law();
 const LawKind& spring_law();
 const LawKind& table_law();
 const LawKind& abdel_rahman_law();
+const LawKind& exponential_law();
 
-inline constexpr const LawKind& (*kLaws[])() = {quadratic_law, linear_law, blankevoort_law,
-                                                spring_law,    table_law,  abdel_rahman_law};
+inline constexpr const LawKind& (*kLaws[])() = {quadratic_law, linear_law,       blankevoort_law, spring_law,
+                                                table_law,     abdel_rahman_law, exponential_law};
 
 /// nullptr where there is no law of this name.
 const LawKind* find_law(const std::string& name);
