@@ -80,7 +80,7 @@ Tension TensionLaw::at(double length, double rounding) const {
 std::vector<Vec3> path_of(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   const auto place = [&](const LigamentDef::End& end) -> Vec3 { return poses[at(end.body)] * end.point; };
   std::vector<Vec3> path;
-  for (const LigamentDef::End& end : ligament.points()) path.push_back(place(end));
+  for (const LigamentDef::End& end : ligament.path_points()) path.push_back(place(end));
   return path;
 }
 
@@ -92,7 +92,7 @@ double length_of(const std::vector<Vec3>& path) {
 
 std::vector<int> bodies_on(const LigamentDef& ligament) {
   std::vector<int> bodies;
-  for (const LigamentDef::End& end : ligament.points()) bodies.push_back(end.body);
+  for (const LigamentDef::End& end : ligament.path_points()) bodies.push_back(end.body);
   return bodies;
 }
 

@@ -82,7 +82,7 @@ std::vector<int> moving_indices(const JointModel& model) {
 
 LigamentPath path_on(const JointModel& model, const LigamentDef& def) {
   std::vector<LigamentPath::Point> points;
-  for (const LigamentDef::End& end : def.points()) points.push_back({end.body, end.point});
+  for (const LigamentDef::End& end : def.path_points()) points.push_back({end.body, end.point});
   LigamentPath path(std::move(points));
   path.move_with(moving_indices(model));
   return path;

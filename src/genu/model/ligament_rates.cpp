@@ -35,7 +35,7 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
       d.point = 1 + parameter.component / 3;
       break;
     case Kind::to_point:
-      d.point = static_cast<int>(def.points().size()) - 1;
+      d.point = static_cast<int>(def.path_points().size()) - 1;
       break;
     default:
       break;

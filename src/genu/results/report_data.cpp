@@ -101,7 +101,7 @@ ordered_json ligaments_json(const Scene& scene) {
   for (std::size_t i = 0; i < scene.ligaments.size(); ++i) {
     const LigamentDef& l = scene.ligaments[i];
     ordered_json path = ordered_json::array();
-    for (const LigamentDef::End& end : l.points())
+    for (const LigamentDef::End& end : l.path_points())
       path.push_back({{"body", end.body}, {"point", place_json(end.point)}});
     j.push_back({{"name", l.name}, {"group", group[i]}, {"path", path}});
   }

@@ -33,7 +33,7 @@ VtkCells lines_of(const Scene& scene) {
   int next = 0;
   for (const LigamentDef& l : scene.ligaments) {
     lines.emplace_back();
-    for (std::size_t k = 0; k < l.points().size(); ++k) lines.back().push_back(next++);
+    for (std::size_t k = 0; k < l.path_points().size(); ++k) lines.back().push_back(next++);
   }
   return vtk_cells(lines);
 }
@@ -121,7 +121,7 @@ std::string VtkSeries::add_ligaments(const VtkRow& row) {
   VtkWords names{"name", {}};
   VtkArray strain{"strain", {}}, force{"force_N", {}}, length{"length_mm", {}};
   for (const LigamentDef& l : run_.scene->ligaments) {
-    for (const LigamentDef::End& end : l.points()) data.points.push_back(shown(row, end.body, end.point));
+    for (const LigamentDef::End& end : l.path_points()) data.points.push_back(shown(row, end.body, end.point));
     names.values.push_back(l.name);
     strain.values.push_back(number_or_nan(row, l.name + ".strain"));
     force.values.push_back(number_or_nan(row, l.name + ".force_N"));

@@ -73,7 +73,7 @@ constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, 
 
 /// What is wrong with a ligament of more than one line, bodies at `poses`; empty if nothing is.
 std::string path_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
-  const std::vector<LigamentDef::End> points = ligament.points();
+  const std::vector<LigamentDef::End> points = ligament.path_points();
   const auto place = [&](std::size_t k) -> Vec3 { return poses[at(points[k].body)] * points[k].point; };
   const auto name = [&](std::size_t k) {
     return k == 0 ? "its first end" : k + 1 == points.size() ? "its last end" : fmt::format("via point {}", k);
@@ -105,7 +105,7 @@ void check_lengths(ReadContext& context) {
   const Scene& scene = context.scene;
   const std::vector<Pose> poses = reference_poses(scene);
   for (const LigamentDef& ligament : scene.ligaments) {
-    const std::vector<LigamentDef::End> points = ligament.points();
+    const std::vector<LigamentDef::End> points = ligament.path_points();
     if (std::any_of(points.begin(), points.end(), [](const auto& end) { return end.body < 0; })) continue;
     std::string broken = points.size() == 2 ? std::string() : path_rule_broken(ligament, poses);
     if (broken.empty()) broken = length_rule_broken(ligament, path_length(ligament, poses));

@@ -37,7 +37,7 @@ std::vector<std::string> mesh_files(const Scene& scene) {
   return files;
 }
 
-std::vector<LigamentDef::End> LigamentDef::points() const {
+std::vector<LigamentDef::End> LigamentDef::path_points() const {
   std::vector<End> out = {from};
   out.insert(out.end(), via.begin(), via.end());
   out.push_back(to);
@@ -52,7 +52,7 @@ double LigamentDef::number(std::string_view key) const {
 
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   double length = 0;
-  const std::vector<LigamentDef::End> points = ligament.points();
+  const std::vector<LigamentDef::End> points = ligament.path_points();
   const auto place = [&](std::size_t k) -> Vec3 { return poses[at(points[k].body)] * points[k].point; };
   for (std::size_t k = 0; k + 1 < points.size(); ++k) length += (place(k + 1) - place(k)).norm();
   return length;

@@ -188,7 +188,7 @@ struct LigamentDef {
   SourceLocation where;
 
   /// All points of its path, from end to end.
-  std::vector<End> points() const;
+  std::vector<End> path_points() const;
   /// Calls f(end) for both ends, then for the points between.
   template <typename Self, typename F>
   static void for_each_end(Self& self, const F& f) {

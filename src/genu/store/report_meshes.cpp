@@ -26,7 +26,7 @@ class Places {
   Places(const Prepared& p, const ReportRun& run)
       : p_(p), of_body_(p.model.bodies.size()), touched_(p.model.bodies.size()) {
     for (const LigamentDef& l : p.scene.ligaments)
-      for (const LigamentDef::End& end : l.points()) add(end);
+      for (const LigamentDef::End& end : l.path_points()) add(end);
     for (const ReportContact& c : run.contacts)
       for (std::size_t row = 0; row < run.body_poses.size(); ++row) {
         if (!c.point[row].allFinite() || run.body_poses[row].empty()) continue;
