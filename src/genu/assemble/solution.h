@@ -22,20 +22,32 @@ class Checkpoint;
 
 enum ExitCode : int { kExitOk = 0, kExitFailed = 1, kExitRefused = 2, kExitIncomplete = 3 };
 
-struct Solution {
+/// What following a scene's steps has found, before anything is said of it (study/solve_path.h).
+struct Solved {
   std::vector<PoseRecord> records;
-  std::vector<MotionPoint> motion;  ///< of a motion, in the place of records
   std::vector<PathEvent> events;
+  PathResult path;
+  int asked = 0;                            ///< poses
+  std::vector<RunSummary::Effect> effects;  ///< with what was counted on the way
+  double seconds = 0;                       ///< that it took, without what rows report beyond their poses
+  std::string stopped;  ///< what ended the work before its end: "interrupted", "out of memory", ...; else empty
+  std::string rest;     ///< with RunOptions::keep_rest: where the path rested last with every row ok,
+                        ///< after `rest_rows` rows
+  std::size_t rest_rows = 0;
+
+  int solved() const;  ///< poses
+  bool complete() const { return path.complete && solved() == asked; }
+};
+
+/// The same with its tables and what it is worth.
+struct Solution : Solved {
+  std::vector<MotionPoint> motion;  ///< of a motion, in the place of records
   ResultTable poses, event_rows;
   std::optional<ResultTable> starts;    ///< where several starts were asked for
   std::optional<ErrorBars> error_bars;  ///< where they were asked for and the scene has meshes
   std::vector<std::string> prescribed;  ///< columns of `poses` that a step prescribes, in the order they come
   RunSummary summary;
-  std::string folder;   ///< where the results were written
-  std::string stopped;  ///< what ended the work before its end: "interrupted", "out of memory", ...; else empty
-  std::string rest;     ///< with RunOptions::keep_rest: where the path rested last with every row ok,
-                        ///< after `rest_rows` rows
-  std::size_t rest_rows = 0;
+  std::string folder;                       ///< where the results were written
   std::vector<std::string> pressure_files;  ///< in it, where they were asked for
 };
 

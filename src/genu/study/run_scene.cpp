@@ -1,53 +1,26 @@
 #include "genu/study/run_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <mutex>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "genu/appraise/contact_location.h"
-#include "genu/appraise/effects.h"
-#include "genu/appraise/hertz_check.h"
-#include "genu/appraise/layer_doubts.h"
-#include "genu/appraise/layer_verdict.h"
-#include "genu/appraise/overload.h"
-#include "genu/appraise/verdict.h"
+#include "genu/appraise/appraise.h"
 #include "genu/assemble/surface_variants.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/file_checksum.h"
-#include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/equilibrium/pair_gaps.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/store/checkpoint.h"
-#include "genu/store/stop_of.h"
+#include "genu/study/solve_path.h"
 
 namespace genu {
 namespace {
 
 constexpr double kLargestOverlap = 6e-3;  // m: a start that overlaps more is refused
-
-int poses_asked(const std::vector<StepPlan>& steps) {
-  int asked = steps.empty() ? 0 : 1;
-  for (const StepPlan& step : steps) asked += step.increments;
-  return asked;
-}
-
-void note_pose(const PosePoint& point, RunSummary& s) {
-  if (!point.solved()) return;
-  const int contacts = static_cast<int>(point.pose.state.contacts.size());
-  s.fewest_contacts = s.poses_solved == 0 ? contacts : std::min(s.fewest_contacts, contacts);
-  s.most_contacts = std::max(s.most_contacts, contacts);
-  ++s.poses_solved;
-  if (point.stability.verdict == Stability::Verdict::stable && !point.stability.complex_pair) ++s.poses_stable;
-  s.smallest_force = std::min(s.smallest_force, point.report.certificate.smallest_force);
-  s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
-}
 
 std::string interrupted_folder(const std::string& folder) { return beside(folder, ".interrupted"); }
 
@@ -124,92 +97,26 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
 
 namespace {
 
-std::vector<LayerReport> report_layers(const Prepared& prepared, const State& state, LayerMemories& memories) {
-  std::vector<LayerReport> reports;
-  memories.each.resize(prepared.model.layers.size());
-  for (std::size_t k = 0; k < memories.each.size(); ++k)
-    reports.push_back(report_layer(prepared.model, prepared.scene.layers[k].pair.regions, state, static_cast<int>(k),
-                                   memories.each[k]));
-  return reports;
+/// Columns that a step prescribes, in the order they come.
+std::vector<std::string> prescribed_columns(const Prepared& prepared) {
+  std::vector<std::string> out;
+  for (const StepPlan& step : prepared.steps)
+    for (const auto& p : step.prescribed)
+      if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
+          std::find(out.begin(), out.end(), column) == out.end())
+        out.push_back(column);
+  return out;
 }
 
 }  // namespace
 
-PathOptions path_options(const Scene& scene, const RunOptions& options) {
-  PathOptions path = options.path;
-  path.newton.residual_tolerance = scene.solver.tolerance;
-  path.newton.residual_floor = std::max(path.newton.residual_floor, scene.solver.tolerance);
-  return path;
-}
-
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options) {
-  const PathOptions how = path_options(prepared.scene, options);
-  Solution out;
-  RunSummary& s = out.summary;
-  s = begin_summary(prepared);
-  start_counting(prepared);
-  s.poses_asked = poses_asked(prepared.steps);
-  s.smallest_force = s.smallest_gap = std::numeric_limits<double>::infinity();
-
-  const Timer timer;
-  double gap_seconds = 0;
-  PathObserver observer;
-  observer.cancelled = options.cancelled;
-  observer.event = [&](const PathEvent& event) { out.events.push_back(event); };
-  observer.pose = [&](const PosePoint& point, LayerMemories* layers) {
-    PoseRecord record{point, {}, {}, {}};
-    if (!point.pose.state.poses.empty()) {
-      const ScopedTimer timing(gap_seconds);
-      if (layers != nullptr && point.solved()) record.layers = report_layers(prepared, point.pose.state, *layers);
-      record.pair_gap = pair_gaps(point.pose.state, prepared.model, field, record.point.pose.open);
-    }
-    note_pose(point, s);
-    out.records.push_back(std::move(record));
-    if (options.progress) options.progress(static_cast<int>(out.records.size()), s.poses_asked);
-  };
-  observer.rest = [&](const std::function<std::string()>& save) {
-    if (options.checkpoint != nullptr) options.checkpoint->add(out.records, out.events, save);
-    if (options.keep_rest && s.poses_solved == static_cast<int>(out.records.size()))
-      out.rest = save(), out.rest_rows = out.records.size();
-  };
-  std::string from = options.from;
-  if (options.checkpoint != nullptr) {
-    from = options.checkpoint->path;
-    out.records = options.checkpoint->records;
-    out.events = options.checkpoint->events;
-    for (const PoseRecord& record : out.records) note_pose(record.point, s);
-  }
-  PathResult path;
-  const auto walk = [&] { path = follow_path(prepared.model, field, prepared.steps, how, observer, from); };
-  options.keep_partial ? void(out.stopped = stop_of(walk)) : walk();
-  if (out.stopped.empty() && !path.complete && asked_to_stop(options.cancelled)) out.stopped = "interrupted";
-  if (!out.stopped.empty()) path.complete = false;
-  s.partial = !out.stopped.empty();
-  s.effects = effects_of(prepared);
-  s.iterations = path.iterations;
-  s.substeps = path.substeps;
-  s.worst_residual = path.worst_residual;
-  const bool by_arc =
-      std::any_of(prepared.steps.begin(), prepared.steps.end(), [](const auto& x) { return x.arc_length; });
-  if (by_arc) s.poses_asked = static_cast<int>(out.records.size());  // how often a value comes by is known only now
-  s.exit_code = path.complete && s.poses_solved == s.poses_asked ? kExitOk : kExitIncomplete;
-  if (s.poses_solved == 0 && !s.partial)
-    s.bearable_loads = bearable_loads(prepared, field, stoppable(how.newton, options.cancelled));
-  s.locations = locate_contacts(prepared, out.records);
-  s.verdict = verdict_sentences(prepared, out.records, out.events, s);
-  s.seconds.emplace_back("solving", timer.seconds() - gap_seconds);
+  Solution out{solve_path(prepared, field, options), {}, {}, {}, {}, {}, {}, {}, {}, {}};
   out.poses = pose_table(prepared.scene, prepared.model, prepared.steps, out.records);
-  for (const StepPlan& step : prepared.steps)
-    for (const auto& p : step.prescribed)
-      if (const std::string column = coordinate_column(prepared.scene, p.coordinate);
-          std::find(out.prescribed.begin(), out.prescribed.end(), column) == out.prescribed.end())
-        out.prescribed.push_back(column);
-  for (std::string& sentence : layer_sentences(prepared.scene, prepared.model, out.poses))
-    s.verdict.push_back(std::move(sentence));
-  say_layer_doubts(prepared, out.records, s.verdict);
-  s.hertz = hertz_checks(prepared, out.records, out.poses);
-  for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
+  out.prescribed = prescribed_columns(prepared);
+  out.summary = appraise(prepared, field, out, out.poses,
+                         stoppable(path_options(prepared.scene, options).newton, options.cancelled));
   return out;
 }
 
@@ -234,7 +141,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   RunOptions same = options;
   same.checkpoint = nullptr;
   same.keep_rest = same.keep_partial = false;
-  std::vector<std::optional<Solution>> varied(variants.size());
+  std::vector<std::optional<Solved>> varied(variants.size());
+  std::vector<ResultTable> tables(variants.size());
   std::mutex telling;
   int done = 0;
   const int asked = solution.summary.poses_asked * static_cast<int>(variants.size());
@@ -248,7 +156,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
     if (asked_to_stop(options.cancelled)) return;
     if (const auto other = vary(prepared, noises, variants[i])) {
       ContactField field(other->model);
-      varied[i] = solve(*other, field, same);
+      varied[i] = solve_path(*other, field, same);
+      tables[i] = pose_table(other->scene, other->model, other->steps, varied[i]->records);
     }
     if (asked_to_stop(options.cancelled)) return;
     const int solved = varied[i] ? static_cast<int>(varied[i]->records.size()) : 0;
@@ -258,8 +167,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   for (std::size_t i = 0; i < variants.size(); ++i) {
     solution.summary.variants.push_back({to_string(variants[i].cause), variants[i].name, 0});
     if (!varied[i]) continue;
-    solution.summary.variants.back().poses_solved = varied[i]->summary.poses_solved;
-    poses.push_back({variants[i].cause, &varied[i]->poses});
+    solution.summary.variants.back().poses_solved = varied[i]->solved();
+    poses.push_back({variants[i].cause, &tables[i]});
   }
   return error_bars(solution.poses, poses);
 }

@@ -21,10 +21,8 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
 /// Refuses what cannot be started (surfaces that overlap by more than 6 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
 
-/// `options.path`, solved as exactly as the scene asks for: the tolerance of `options` stands for nothing.
-PathOptions path_options(const Scene& scene, const RunOptions& options);
-
-/// Solves all steps. What could not be solved is in the statuses and in the verdict, never an error.
+/// solve_path(), its tables, and what it is worth (appraise()). What could not be solved is in the statuses and in the
+/// verdict, never an error.
 Solution solve(const Prepared& prepared, ContactField& field, const RunOptions& options);
 
 /// The equilibria at the first pose of the first step that can be found from options.starts starts round the solution's

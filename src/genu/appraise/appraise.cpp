@@ -1,0 +1,55 @@
+#include "genu/appraise/appraise.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "genu/appraise/contact_location.h"
+#include "genu/appraise/hertz_check.h"
+#include "genu/appraise/layer_doubts.h"
+#include "genu/appraise/layer_verdict.h"
+#include "genu/appraise/overload.h"
+#include "genu/appraise/verdict.h"
+
+namespace genu {
+namespace {
+
+void note_pose(const PosePoint& point, RunSummary& s) {
+  if (!point.solved()) return;
+  const int contacts = static_cast<int>(point.pose.state.contacts.size());
+  s.fewest_contacts = s.poses_solved == 0 ? contacts : std::min(s.fewest_contacts, contacts);
+  s.most_contacts = std::max(s.most_contacts, contacts);
+  ++s.poses_solved;
+  if (point.stability.verdict == Stability::Verdict::stable && !point.stability.complex_pair) ++s.poses_stable;
+  s.smallest_force = std::min(s.smallest_force, point.report.certificate.smallest_force);
+  s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
+}
+
+}  // namespace
+
+RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
+                    const NewtonOptions& newton) {
+  RunSummary s = begin_summary(prepared);
+  s.poses_asked = solved.asked;
+  s.smallest_force = s.smallest_gap = std::numeric_limits<double>::infinity();
+  for (const PoseRecord& record : solved.records) note_pose(record.point, s);
+  s.partial = !solved.stopped.empty();
+  s.effects = solved.effects;
+  s.iterations = solved.path.iterations;
+  s.substeps = solved.path.substeps;
+  s.worst_residual = solved.path.worst_residual;
+  s.exit_code = solved.complete() ? kExitOk : kExitIncomplete;
+  if (s.poses_solved == 0 && !s.partial) s.bearable_loads = bearable_loads(prepared, field, newton);
+  s.locations = locate_contacts(prepared, solved.records);
+  s.verdict = verdict_sentences(prepared, solved.records, solved.events, s);
+  s.seconds.emplace_back("solving", solved.seconds);
+  const auto add = [&](std::vector<std::string> sentences) {
+    s.verdict.insert(s.verdict.end(), sentences.begin(), sentences.end());
+  };
+  add(layer_sentences(prepared.scene, prepared.model, poses));
+  say_layer_doubts(prepared, solved.records, s.verdict);
+  s.hertz = hertz_checks(prepared, solved.records, poses);
+  add(hertz_sentences(s.hertz));
+  return s;
+}
+
+}  // namespace genu
