@@ -30,7 +30,8 @@ std::string unknown_part(const Prepared& p) {
       return "contacts of a condyle on a plane";
   }
   const auto quadratic = [&](const LigamentDef& l) {
-    return l.law == "quadratic" && l.path_points().size() == 2 && l.from.body == joint.child && l.to.body == joint.parent;
+    return l.law == "quadratic" && l.path_points().size() == 2 && l.from.body == joint.child &&
+           l.to.body == joint.parent;
   };
   if (!std::all_of(s.ligaments.begin(), s.ligaments.end(), quadratic)) return "straight quadratic ligaments";
   const auto& steps = p.steps;
