@@ -12,6 +12,7 @@
 #include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/judged.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -47,7 +48,7 @@ Counted count(const std::string& file) {
   return counted;
 }
 
-const std::string kMeshes = std::string(GENU_SOURCE_DIR) + "/meshes/";
+const std::string kMeshes = genu::test::source_folder() + "/meshes/";
 
 TEST(Effects, TheDortmansKneeEvaluatesNothingItDoesNotName) {
   const Counted knee = count(kMeshes + "dortmans1984/scene.toml");

@@ -7,6 +7,7 @@
 #include "support/data.h"
 #include "support/knee_scene.h"
 #include "support/layers.h"
+#include "support/places.h"
 #include "support/scene_model.h"
 #include "support/scenes.h"
 
@@ -190,7 +191,7 @@ TEST(LayerDoubts, ContactOnThicknessThatWasFilledIn) {
 TEST(LayerDoubts, MeasuredKneesAreSilent) {
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl");
   for (const std::string name : {"scene-cartilage.toml", "scene-published-poses.toml"}) {
-    const std::string file = std::string(GENU_SOURCE_DIR) + "/meshes/lenhart2015/" + name;
+    const std::string file = genu::test::source_folder() + "/meshes/lenhart2015/" + name;
     const test::TemporaryFolder folder;
     const std::string text = test::replaced(test::read_text(file), "../../../shared/data/", test::data_path(""));
     Diagnostics out;

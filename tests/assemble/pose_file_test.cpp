@@ -52,7 +52,7 @@ TEST(PoseFile, StorageOfOpenSim) {
   const Read r = read(
       "Coordinates\nversion=1\nnRows=2\nnColumns=3\ninDegrees=yes\nendheader\ntime\t/jointset/k/a/value  b\n"
       "   0.0\t1 2\n   1.0\t3 4\n",
-      "walk.mot");
+      "follow.mot");
   ASSERT_TRUE(r.file) << r.said;
   EXPECT_EQ(words(r.file->names), (Words{"time", "/jointset/k/a/value", "b"}));
   EXPECT_EQ(words(r.file->rows[1]), (Words{"1.0", "3", "4"}));

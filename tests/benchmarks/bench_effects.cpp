@@ -14,6 +14,7 @@
 #include "genu/scene/reader.h"
 #include "genu/study/run_motion.h"
 #include "genu/study/run_scene.h"
+#include "support/places.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ struct Variant {
 };
 
 std::string knee_text() {
-  std::ifstream in(std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml");
+  std::ifstream in(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   std::ostringstream out;
   out << in.rdbuf();
   return out.str();

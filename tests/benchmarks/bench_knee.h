@@ -10,10 +10,11 @@
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/model/build_model.h"
-#include "genu/path/walker.h"
+#include "genu/path/path_follower.h"
 #include "genu/study/run_scene.h"
 #include "genu/surface/blend_surface.h"
 #include "genu/surface/tessellate.h"
+#include "support/places.h"
 
 namespace genu::bench {
 
@@ -36,7 +37,7 @@ class BenchKnee {
   /// `triangles` for each condyle, 0 for the closed form.
   explicit BenchKnee(std::size_t triangles) {
     Diagnostics problems;
-    prepared_ = prepare(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml", problems);
+    prepared_ = prepare(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml", problems);
     if (!prepared_) return;
     Prepared& p = *prepared_;
     for (std::size_t i = 0; triangles > 0 && i < p.scene.surfaces.size(); ++i) {
@@ -56,8 +57,8 @@ class BenchKnee {
     const Timer timer;
     field_ = std::make_unique<ContactField>(p.model);
     search_seconds_ = timer.seconds();
-    solver_ = std::make_unique<ContactSetSolver>(p.model, *field_, options_.newton);
-    walker_ = std::make_unique<Walker>(*solver_, options_, no_event_);
+    solver_ = std::make_unique<ActiveSetSolver>(p.model, *field_, options_.newton);
+    follower_ = std::make_unique<PathFollower>(*solver_, options_, no_event_);
     find_path();
   }
   BenchKnee(const BenchKnee&) = delete;
@@ -72,12 +73,12 @@ class BenchKnee {
 
   /// A pose each degree from 31 to 60 deg as a run walks it: prediction, Newton, the look at both surface pairs, the
   /// certificate, what happens on the way, the eigenvalues at the end. False if a degree took more than one step.
-  bool walk() {
-    walker_->begin(way_, 1, path_[0].pose, path_[0].report);
-    const int before = walker_->substeps();
+  bool follow() {
+    follower_->begin(way_, 1, path_[0].pose, path_[0].report);
+    const int before = follower_->substeps();
     for (int k = 1; k <= kPoses; ++k)
-      if (!walker_->walk_to(k * kDegree)) return false;
-    return walker_->substeps() == before + kPoses;
+      if (!follower_->advance_to(k * kDegree)) return false;
+    return follower_->substeps() == before + kPoses;
   }
 
   /// Of each of these poses the solve alone: prediction, Newton, the path's tangent, and the checks of the contacts
@@ -151,13 +152,13 @@ class BenchKnee {
     const StepPlan way = flexion(0, kFlexion);
     const PoseReport cold = solver_->settle_cold(pose, way.target(0));
     if (cold.status != PoseStatus::ok) return;
-    walker_->begin(way, 1, pose, cold);
+    follower_->begin(way, 1, pose, cold);
     for (int k = 1; k <= 30; ++k)
-      if (!walker_->walk_to(k / 30.0)) return;
-    walker_->begin(way_, 1, Balanced(walker_->pose()), PoseReport(walker_->report()));
+      if (!follower_->advance_to(k / 30.0)) return;
+    follower_->begin(way_, 1, Balanced(follower_->pose()), PoseReport(follower_->report()));
     for (int k = 0; k <= kPoses; ++k) {
-      if (!walker_->walk_to(k * kDegree)) return;
-      Solved solved{walker_->pose(), walker_->report(), {}, {}};
+      if (!follower_->advance_to(k * kDegree)) return;
+      Solved solved{follower_->pose(), follower_->report(), {}, {}};
       const Target target = way_.target(k * kDegree);
       if (!solver_->newton().solve(solved.pose.state, target, options_.newton).converged()) return;
       if (!solver_->newton().factor_at_solution()) return;
@@ -187,8 +188,8 @@ class BenchKnee {
   std::unique_ptr<ContactField> field_;
   PathOptions options_;
   std::function<void(PathEvent)> no_event_ = [](const PathEvent&) {};
-  std::unique_ptr<ContactSetSolver> solver_;
-  std::unique_ptr<Walker> walker_;
+  std::unique_ptr<ActiveSetSolver> solver_;
+  std::unique_ptr<PathFollower> follower_;
   StepPlan way_;
   Target rate_;
   std::vector<Solved> path_;  // kPoses + 1

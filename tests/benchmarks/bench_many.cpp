@@ -23,8 +23,9 @@
 #include "genu/assemble/prepare.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/study/run_scene.h"
+#include "support/places.h"
 
 namespace {
 thread_local bool counting = false;
@@ -68,7 +69,7 @@ struct Knee {
 
 bool Knee::prepare() {
   Diagnostics problems;
-  auto scene = genu::prepare(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml", problems);
+  auto scene = genu::prepare(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml", problems);
   if (!scene) return false;
   prepared = std::move(*scene);
   StepPlan plan;
@@ -76,7 +77,7 @@ bool Knee::prepare() {
   plan.prescribed.push_back({prepared.steps[0].prescribed[0].coordinate, 0, flexion});
   target = plan.target(1);
   ContactField field(prepared.model);
-  ContactSetSolver solver(prepared.model, field, {});
+  ActiveSetSolver solver(prepared.model, field, {});
   Balanced balanced;
   balanced.state = reference_state(prepared.model);
   balanced.last_number.assign(prepared.model.pairs.size(), 0);

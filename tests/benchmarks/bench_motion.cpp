@@ -19,6 +19,7 @@
 #include "genu/scene/reader.h"
 #include "genu/study/run_motion.h"
 #include "planar_knee.h"
+#include "support/places.h"
 
 namespace {
 
@@ -45,7 +46,7 @@ double seconds(Work work) {
 }
 
 std::string text_of(const std::string& file) {
-  std::ifstream in(std::string(GENU_SOURCE_DIR) + "/meshes/" + file);
+  std::ifstream in(genu::test::source_folder() + "/meshes/" + file);
   std::ostringstream out;
   out << in.rdbuf();
   return out.str();

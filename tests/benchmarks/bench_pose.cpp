@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
     add("solve_" + name, triangles, &BenchKnee::solve);
     add("certificate_" + name, triangles, &BenchKnee::certify);
     add("stability_" + name, triangles, &BenchKnee::judge_stability);
-    add("pose_" + name, triangles, &BenchKnee::walk);
+    add("pose_" + name, triangles, &BenchKnee::follow);
   };
   add_all("closed_form", 0);
   for (const std::size_t size : kSizes) {

@@ -52,13 +52,13 @@ TEST(Buried, AboveAnOpenSheetIsNotButBehindItIs) {
 
 TEST(Buried, AWalkIsToldAsEachPoseByItself) {
   const Mesh ball = test::ball(0.01, 2e-3), large = test::ball(0.05, 5e-3);
-  const Buried walk({&large, std::make_shared<const TriangleTree>(large)},
-                    {&ball, std::make_shared<const TriangleTree>(ball)}, kSearchDepth);
+  const Buried follow({&large, std::make_shared<const TriangleTree>(large)},
+                      {&ball, std::make_shared<const TriangleTree>(ball)}, kSearchDepth);
   Buried::Memory memory;
   int deep = 0;
   for (double at = 0.065; at > 0.03; at -= 0.5e-3) {
     const Pose X{exp_rotation({10 * at, 0, 0}), {at, 0, 0}};
-    const double found = walk.deepest(X, memory);
+    const double found = follow.deepest(X, memory);
     // The middle of the deepest triangle is 0.06 - at deep, or a little less.
     if (0.06 - at > kSearchDepth + 0.5e-3) {
       EXPECT_GT(found, kSearchDepth) << at;

@@ -108,16 +108,16 @@ TEST(Proximity, EggInARing) {
 /// Motions of a few tenths of a millimetre and a degree, there and back, with a jump now and then.
 std::vector<Pose> random_walk(const Pose& start, int steps) {
   std::mt19937 random(21);
-  std::vector<Pose> walk;
+  std::vector<Pose> follow;
   Pose pose = start;
   for (int i = 0; i < steps; ++i) {
     Vec6 twist;
     twist << test::random_vector(random, i % 5 == 4 ? 3e-3 : 2e-4),
         test::random_vector(random, i % 5 == 4 ? 0.2 : 0.01);
     pose = retract(i % 7 == 6 ? start : pose, twist);
-    walk.push_back(pose);
+    follow.push_back(pose);
   }
-  return walk;
+  return follow;
 }
 
 bool identical(const std::vector<LocalMinimum>& x, const std::vector<LocalMinimum>& y) {

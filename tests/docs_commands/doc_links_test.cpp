@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "doc_blocks.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
@@ -43,7 +44,7 @@ std::set<std::string> anchors_of(const std::string& markdown) {
 }
 
 TEST(DocLinks, LeadToWhatIsThere) {
-  const std::string root = GENU_SOURCE_DIR;
+  const std::string root = genu::test::source_folder();
   int links = 0;
   for (const std::string& page : doc_pages(root))
     for (const std::string& line : prose_of(read_file(root + "/" + page)))

@@ -11,6 +11,7 @@
 
 #include "doc_blocks.h"
 #include "support/data.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kSource = GENU_SOURCE_DIR;
+const std::string kSource = genu::test::source_folder();
 
 /// A tree in which the paths of the pages lead where they do for a reader: what may be written to is a copy.
 class Tree {
@@ -28,7 +29,7 @@ class Tree {
     for (const char* copied : {"meshes", "docs", "README.md"})
       fs::copy(kSource + "/" + copied, root() + "/" + copied, fs::copy_options::recursive);
     for (const char* linked : {"tests", "tools"}) fs::create_symlink(kSource + "/" + linked, root() + "/" + linked);
-    fs::create_symlink(GENU_PROGRAM, root() + "/build/bin/genu");
+    fs::create_symlink(genu::test::program(), root() + "/build/bin/genu");
     fs::create_directory(folder_ / "shared");
     if (fs::exists(data_path("."))) fs::create_symlink(fs::canonical(data_path(".")), folder_ / "shared/data");
   }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "support/solved.h"
 
 namespace genu {
@@ -14,7 +14,7 @@ TEST(ForceGuess, IsTheBalanceWhereTheJointBalances) {
   const test::SceneModel built =
       test::scene_model(test::held_ball(test::step("prescribe = { " + test::kNoTurn + " }\nload = { lift = 0 }")));
   ContactField field(built.model);
-  ContactSetSolver solver(built.model, field, {});
+  ActiveSetSolver solver(built.model, field, {});
   Balanced pose;
   pose.state = start_state(built.model);
   const Target target = plan_steps(built.scene).front().target(0);

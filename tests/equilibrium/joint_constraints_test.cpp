@@ -43,7 +43,7 @@ fixed = true
 TEST(JointConstraints, TwoLinksUnderADeadLoad) {
   // Links of 90 and 60 mm along e1, hinges about a; the load is 12 e1 + 30 e2 + 9 a (N).
   const Vec3 a = Vec3(1, 2, 2) / 3, e1 = Vec3(2, 1, -2) / 3, e2 = a.cross(e1), force(-9, 30, -12);
-  const test::Walk w = test::walk(two_links("[2, 4, 4]", "[60, 30, -60]", R"([load.pull]
+  const test::Followed w = test::follow(two_links("[2, 4, 4]", "[60, 30, -60]", R"([load.pull]
 body = "two"
 force = [-9, 30, -12]
 point = [40, 20, -40]
@@ -111,7 +111,7 @@ point = [30, 10, 0]
 load = { weight = [0, 1] }
 )";
   const test::SceneModel s = test::scene_model(text);
-  const test::Walk w = test::walk(text);
+  const test::Followed w = test::follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   const State& state = w.points.back().pose.state;
   const Vec3 force(0, -20, 5), moment(0.1, 0.2, 0.3);
@@ -133,7 +133,7 @@ load = { weight = [0, 1] }
   Diagnostics out;
   const auto model = build_model(moved, {}, out);
   ASSERT_TRUE(model.has_value());
-  const test::Walk again = test::walk(*model, plan_steps(moved));
+  const test::Followed again = test::follow(*model, plan_steps(moved));
   ASSERT_TRUE(again.result.complete) << again.story();
   EXPECT_LT((joint_reaction(*model, again.points.back().pose.state, 1) - reaction).norm(), 1e-9);
   EXPECT_NEAR(again.points.back().stability.smallest / w.points.back().stability.smallest, 1, 1e-9);
@@ -153,7 +153,7 @@ point = [80, 0, 0]
 load = { weight = [0, 1] }
 increments = 10
 )");
-  const test::Walk w = test::walk(text);
+  const test::Followed w = test::follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   EXPECT_EQ(w.of(PathEvent::Kind::contact_gained).size(), 1u) << w.story();
   const State& state = w.points.back().pose.state;
@@ -178,7 +178,7 @@ terms = { "h1.angle" = 3, "h2.angle" = -1 }
 prescribe = { mix = [0, 1] }
 increments = 3
 )");
-  const test::Walk w = test::walk(text);
+  const test::Followed w = test::follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   const State& state = w.points.back().pose.state;
   const double mu = 1 / (9.0 / 2 + 1);
@@ -215,7 +215,7 @@ prescribe = { screw = 0, "j.a" = [0, 0.2], heave = [120, 125] }
 increments = 4
 )";
   const test::SceneModel s = test::scene_model(text);
-  const test::Walk w = test::walk(text);
+  const test::Followed w = test::follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points.size(), 5u);
   double worst = 0;
@@ -247,7 +247,7 @@ TEST(JointConstraints, AStrutOfTwoLinksBuckles) {
   // curvature of what it holds is part of that.
   const double l1 = 0.1, l2 = 0.08, k1 = 2, k2 = 1, b = k1 * l2 + k2 * (l1 + l2);
   const double critical = (b - std::sqrt(b * b - 4 * l1 * l2 * k1 * k2)) / (2 * l1 * l2);
-  const test::Walk w = test::walk(two_links("[0, 0, 1]", "[100, 0, 0]", R"([load.push]
+  const test::Followed w = test::follow(two_links("[0, 0, 1]", "[100, 0, 0]", R"([load.push]
 body = "two"
 force = [-1, 0, 0]
 point = [80, 0, 0]
@@ -281,7 +281,7 @@ increments = 2
 [[step]]
 prescribe = { "h1.angle" = [0, 0.3] }
 )");
-  const test::Walk w = test::walk(text);
+  const test::Followed w = test::follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points.size(), 5u);
   const State &coupled = w.points[1].pose.state, &loose = w.points[3].pose.state, &driven = w.points[4].pose.state;

@@ -13,9 +13,9 @@
 namespace genu {
 namespace {
 
+using test::follow;
+using test::Followed;
 using test::kNoTurn;
-using test::walk;
-using test::Walk;
 using Kind = PathEvent::Kind;
 
 const std::string kUpright = "\"j.x\" = 0, \"j.y\" = 0, " + kNoTurn;
@@ -50,7 +50,7 @@ TEST(PieceChanges, TautAndSlackAreLocatedExactlyForEveryLaw) {
       {"law = \"table\"\npoints = [[0.1, 50], [0.2, 150]]\nslack_length = 25", 26.25}};
   double worst = 0;
   for (const KinkCase& c : cases) {
-    const Walk w = walk(lifted(c.law, loads(0, 15, 3) + loads(15, 0, 3)));
+    const Followed w = follow(lifted(c.law, loads(0, 15, 3) + loads(15, 0, 3)));
     ASSERT_TRUE(w.result.complete) << c.law << "\n" << w.story();
     const auto taut = w.of(Kind::taut), slack = w.of(Kind::slack);
     ASSERT_EQ(taut.size(), 1u) << c.law << "\n" << w.story();
@@ -66,7 +66,7 @@ TEST(PieceChanges, TautAndSlackAreLocatedExactlyForEveryLaw) {
 
 TEST(PieceChanges, NewtonNeedsFewIterationsOnEitherSideOfAKink) {
   const std::string law = "law = \"linear\"\nstiffness = 2e6\nslack_length = 25";
-  const Walk w = walk(lifted(law, loads(0, 15, 15)));
+  const Followed w = follow(lifted(law, loads(0, 15, 15)));
   ASSERT_TRUE(w.result.complete) << w.story();
   for (const PosePoint& p : w.points) {
     const double load = p.target.load_factors[0];
@@ -80,7 +80,7 @@ TEST(PieceChanges, NewtonNeedsFewIterationsOnEitherSideOfAKink) {
 
 TEST(PieceChanges, BlankevoortPassesItsTransition) {
   // Toe to line at L = 22 mm, F = 500 * 0.05 = 25 N with e_t = 0.1.
-  const Walk w = walk(
+  const Followed w = follow(
       lifted("law = \"blankevoort\"\nstiffness = 500\ntransition_strain = 0.1\nslack_length = 20", loads(1, 41, 4)));
   ASSERT_TRUE(w.result.complete) << w.story();
   const auto passed = w.of(Kind::transition);
@@ -97,7 +97,7 @@ std::string abdel(double stiffness) {
 double toe_pose(double load) { return -6 + std::sqrt(20 + 4 * load); }  // z + (z + 4)^2 / 4 = load
 
 TEST(PieceChanges, ARiseOfTheForceHoldsTheLigamentAtItsBreakUnderLoad) {
-  const Walk w = walk(lifted(abdel(5), loads(1, 41, 20) + loads(41, 1, 20)));
+  const Followed w = follow(lifted(abdel(5), loads(1, 41, 20) + loads(41, 1, 20)));
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points.size(), 41u);
   const auto held = w.of(Kind::held), passed = w.of(Kind::transition);
@@ -120,8 +120,9 @@ TEST(PieceChanges, ARiseOfTheForceHoldsTheLigamentAtItsBreakUnderLoad) {
 
 TEST(PieceChanges, AnyJumpIsCrossedUnderPrescribedLength) {
   for (const double stiffness : {5.0, 2.0}) {  // a rise to 20 N, a drop to 8 N
-    const Walk w = walk(lifted(abdel(stiffness), test::step("prescribe = { \"j.z\" = [0.25, 8.25], \"j.y\" = 0, " +
-                                                            kNoTurn + " }\nload = { lift = 0 }\nincrements = 16")));
+    const Followed w =
+        follow(lifted(abdel(stiffness), test::step("prescribe = { \"j.z\" = [0.25, 8.25], \"j.y\" = 0, " + kNoTurn +
+                                                   " }\nload = { lift = 0 }\nincrements = 16")));
     ASSERT_TRUE(w.result.complete) << w.story();
     const auto passed = w.of(Kind::transition);
     ASSERT_EQ(passed.size(), 1u) << w.story();
@@ -143,7 +144,7 @@ TEST(PieceChanges, StepsUpAndDownAcrossAJumpNeverStallNewton) {
   const std::vector<std::pair<double, double>> ways = {{18, 26}, {26, 19}, {19, 22}, {22, 30}, {30, 20},
                                                        {20, 24}, {24, 23}, {23, 10}, {10, 24}, {24, 25}};
   for (const auto& [from, to] : ways) steps += loads(from, to, from < to ? 1 : 3);
-  const Walk w = walk(lifted(abdel(5), steps));
+  const Followed w = follow(lifted(abdel(5), steps));
   ASSERT_TRUE(w.result.complete) << w.story();
   int most = 0;
   for (const PosePoint& p : w.points) {
@@ -161,7 +162,7 @@ TEST(PieceChanges, PrescribedLengthsUpAndDownAcrossAJumpNeverStallNewton) {
     for (const auto& [from, to] : ways)
       steps += test::step("prescribe = { \"j.z\" = [" + std::to_string(from) + ", " + std::to_string(to) +
                           "], \"j.y\" = 0, " + kNoTurn + " }\nload = { lift = 0 }\nincrements = 1");
-    const Walk w = walk(lifted(abdel(stiffness), steps));
+    const Followed w = follow(lifted(abdel(stiffness), steps));
     ASSERT_TRUE(w.result.complete) << w.story();
     int most = 0;
     for (const PosePoint& p : w.points) {
@@ -175,7 +176,7 @@ TEST(PieceChanges, PrescribedLengthsUpAndDownAcrossAJumpNeverStallNewton) {
 }
 
 TEST(PieceChanges, ADropOfTheForceUnderLoadIsNamedAndTheNextEquilibriumFound) {
-  const Walk w = walk(lifted(abdel(2), loads(1, 41, 20)));
+  const Followed w = follow(lifted(abdel(2), loads(1, 41, 20)));
   EXPECT_FALSE(w.result.complete);
   const auto jump = w.of(Kind::jump), snap = w.of(Kind::snaps);
   ASSERT_EQ(jump.size(), 1u) << w.story();
@@ -191,14 +192,14 @@ TEST(PieceChanges, ADropOfTheForceUnderLoadIsNamedAndTheNextEquilibriumFound) {
 
 TEST(PieceChanges, AColdStartFindsTheStateOfTheLawWhicheverItIs) {
   for (const double load : {3.0, 19.0, 21.0, 23.0, 25.0, 60.0}) {
-    const Walk w = walk(lifted(abdel(5), loads(load, load, 1)));
+    const Followed w = follow(lifted(abdel(5), loads(load, load, 1)));
     ASSERT_TRUE(w.result.complete) << load << "\n" << w.story();
     EXPECT_NEAR(z_mm(w.points[0]), load < 20 ? toe_pose(load) : load < 24 ? 4 : load / 6, 1e-9) << load;
   }
 }
 
 TEST(PieceChanges, SmoothPathsSeeNoEvent) {
-  const Walk w = walk(lifted("law = \"quadratic\"\nstiffness = 2000\nslack_length = 15", loads(0, 20, 4)));
+  const Followed w = follow(lifted("law = \"quadratic\"\nstiffness = 2000\nslack_length = 15", loads(0, 20, 4)));
   ASSERT_TRUE(w.result.complete);
   EXPECT_TRUE(w.events.empty()) << w.story();
 }
@@ -222,7 +223,7 @@ TEST(PieceChanges, ALawOfTheCallersOwnIsSolvedLikeAnyOther) {
   const auto law = LigamentLaw::custom(std::make_shared<Exponential>(), why);
   ASSERT_TRUE(law) << why;
   add_ligament(s.model, {"own", LigamentPath({{1, Vec3::Zero()}, {0, Vec3(0, 0, -0.02)}}), *law});
-  const Walk w = walk(s.model, plan_steps(s.scene));  // no scene tells of this law: the judge would not know it
+  const Followed w = follow(s.model, plan_steps(s.scene));  // no scene tells of this law: the judge would not know it
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.of(Kind::taut).size(), 1u) << w.story();
   EXPECT_NEAR(load_of(w.of(Kind::taut)[0]), 2, 1e-6);
@@ -233,16 +234,16 @@ TEST(PieceChanges, ALawOfTheCallersOwnIsSolvedLikeAnyOther) {
 }
 
 /// The knee with one more ligament, whose force rises by a jump, bent and straightened.
-Walk bend(double stiffness) {
+Followed bend(double stiffness) {
   const std::string law = "law = \"abdel-rahman\"\nstiffness = " + std::to_string(stiffness) +
                           "\ntoe_stiffness = 3\ntransition_strain = 0.05\nreference_strain = 0.04";
-  return walk(test::knee(test::ligament("jump", "[5, 14, 2]", "[3, 4, -35]", law) +
-                         test::step("prescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12") +
-                         test::step("prescribe = { \"knee.flexion\" = [60, 0] }\nincrements = 12")));
+  return follow(test::knee(test::ligament("jump", "[5, 14, 2]", "[3, 4, -35]", law) +
+                           test::step("prescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12") +
+                           test::step("prescribe = { \"knee.flexion\" = [60, 0] }\nincrements = 12")));
 }
 
 TEST(PieceChanges, AKneeBendsThroughAHeldStretchAndBack) {
-  const Walk w = bend(40);
+  const Followed w = bend(40);
   ASSERT_TRUE(w.result.complete) << w.story();
   const auto held = w.of(Kind::held), passed = w.of(Kind::transition);
   ASSERT_EQ(held.size(), 2u) << w.story();
@@ -259,7 +260,7 @@ TEST(PieceChanges, AKneeBendsThroughAHeldStretchAndBack) {
 
 /// An ellipsoidal knee whose collateral ligament loses 98 N at 46.8311292 deg of flexion: adduction leaps by 2.2 deg.
 /// `steps` bend it from wherever they like.
-Walk leap(const std::string& steps) {
+Followed leap(const std::string& steps) {
   const auto ellipsoid = [](const std::string& name, int x, int y_radius) {
     return "[surface." + name + "]\nbody = \"femur\"\nshape = \"ellipsoid\"\norigin = [" + std::to_string(x) +
            ", 0, 0]\nradii = [12, " + std::to_string(y_radius) + ", 20]\n[contact.c_" + name + "]\nsurfaces = [\"" +
@@ -270,7 +271,7 @@ Walk leap(const std::string& steps) {
     return "[ligament." + name + "]\nfrom = { body = \"femur\", point = " + from +
            " }\nto = { body = \"tibia\", point = " + to + " }\n" + law + "\n";
   };
-  return walk(
+  return follow(
       "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.tibia]\nfixed = true\n[body.femur]\n"
       "[joint.knee]\ntype = \"free\"\nparent = \"tibia\"\nchild = \"femur\"\n"
       "rotations = [\"flexion x\", \"adduction y\", \"rotation z\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
@@ -291,13 +292,13 @@ TEST(PieceChanges, ADropOnTheWayLeadsToTheSamePoseHoweverTheStepsAreCut) {
   const auto bent = [](const std::string& range, int increments) {
     return test::step("prescribe = { \"knee.flexion\" = " + range + " }\nincrements = " + std::to_string(increments));
   };
-  std::vector<Walk> walks;
+  std::vector<Followed> walks;
   for (const int increments : {1, 47}) walks.push_back(leap(bent("[0, 47]", increments)));
   walks.push_back(leap(bent("47", 1)));
   walks.push_back(leap(bent("[60, 47]", 13)));  // its approach passes the drop
   const Pose& first = walks[0].points.back().pose.state.poses[1];
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    const Walk& w = walks[i];
+    const Followed& w = walks[i];
     ASSERT_TRUE(w.result.complete) << i << "\n" << w.story();
     const auto jump = w.of(Kind::jump);
     ASSERT_EQ(jump.size(), 1u) << w.story();
@@ -317,24 +318,24 @@ std::string rope(const std::string& via, const std::string& to, const std::strin
 
 TEST(PieceChanges, ABodyHangsOverTwoPulleys) {
   // From the bone straight up to z = 100, across 30 mm, and down to the ground: 50 N stretch 5 N/mm by 10 mm.
-  const Walk w =
-      walk(test::bone_on_ground("{ z = 20 }") +
-           rope("{ body = \"ground\", point = [0, 0, 100] }, { body = \"ground\", point = [30, 0, 100] }",
-                "{ body = \"ground\", point = [30, 0, 0] }", "law = \"linear\"\nstiffness = 1000\nslack_length = 200") +
-           test::load("w", "force = [0, 0, -50]") + test::step("prescribe = { " + kUpright + " }\nincrements = 1"));
+  const Followed w = follow(
+      test::bone_on_ground("{ z = 20 }") +
+      rope("{ body = \"ground\", point = [0, 0, 100] }, { body = \"ground\", point = [30, 0, 100] }",
+           "{ body = \"ground\", point = [30, 0, 0] }", "law = \"linear\"\nstiffness = 1000\nslack_length = 200") +
+      test::load("w", "force = [0, 0, -50]") + test::step("prescribe = { " + kUpright + " }\nincrements = 1"));
   ASSERT_TRUE(w.result.complete) << w.story();
   EXPECT_NEAR(z_mm(w.points[0]), 230 - 210, 1e-10);
 }
 
 TEST(PieceChanges, ALoosePulleySharesItsLoadBetweenBothSides) {
   // The rope runs through the bone: 2 T h / sqrt(h^2 + 30^2) = 50 N for T = k (L - L0).
-  const Walk w =
-      walk(test::bone_on_ground("{ z = -45 }") +
-           "[ligament.rope]\nfrom = { body = \"ground\", point = [-30, 0, 0] }\nvia = [{ body = \"bone\", "
-           "point = [0, 0, 5] }]\nto = { body = \"ground\", point = [30, 0, 0] }\nlaw = \"spring\"\nstiffness "
-           "= 5\nslack_length = 90\n" +
-           test::load("w", "force = [0, 0, -50]") +
-           test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nincrements = 1"));
+  const Followed w =
+      follow(test::bone_on_ground("{ z = -45 }") +
+             "[ligament.rope]\nfrom = { body = \"ground\", point = [-30, 0, 0] }\nvia = [{ body = \"bone\", "
+             "point = [0, 0, 5] }]\nto = { body = \"ground\", point = [30, 0, 0] }\nlaw = \"spring\"\nstiffness "
+             "= 5\nslack_length = 90\n" +
+             test::load("w", "force = [0, 0, -50]") +
+             test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nincrements = 1"));
   ASSERT_TRUE(w.result.complete) << w.story();
   const double h = -(z_mm(w.points[0]) + 5), side = std::hypot(h, 30);
   EXPECT_NEAR(2 * 5 * (2 * side - 90) * h / side, 50, 1e-8);
@@ -348,7 +349,7 @@ TEST(PieceChanges, AtwoodsBodiesPullOnOneRope) {
   const std::string joint =
       "[body.weight]\n[joint.k]\ntype = \"free\"\nparent = \"ground\"\nchild = \"weight\"\nrotations = [\"a x\", "
       "\"b y\", \"c z\"]\ntranslations = [\"x\", \"y\", \"z\"]\nreference = { x = 30 }\n";
-  const Walk w = walk(
+  const Followed w = follow(
       test::bone_on_ground() + joint +
       rope("{ body = \"ground\", point = [0, 0, 100] }, { body = \"ground\", point = [30, 0, 100] }",
            "{ body = \"weight\", point = [0, 0, 0] }", "law = \"spring\"\nstiffness = 3\nslack_length = 230") +

@@ -46,7 +46,7 @@ Solved solved_to(const test::SceneModel& s, const State& start, const Target& ta
 }
 
 TEST(PoseAccuracy, BoundsTheErrorOfAPoseStoppedAtAnyResidual) {
-  const auto w = test::walk(ball());
+  const auto w = test::follow(ball());
   ASSERT_TRUE(w.result.complete) << w.story();
   const auto s = test::scene_model(ball());
   const Target target = test::target_of(s.scene);
@@ -77,8 +77,9 @@ TEST(PoseAccuracy, BoundsTheErrorOfAPoseStoppedAtAnyResidual) {
 
 TEST(PoseAccuracy, ACoarserResidualWidensWhatIsLookedAt) {
   const auto s = test::scene_model(ball());
-  const KinkReach usual = PoseAccuracy::widest_reach(s.model, 1e-12), bound = PoseAccuracy::widest_reach(s.model, 1e-9),
-                  coarse = PoseAccuracy::widest_reach(s.model, 1e-4);
+  const NonsmoothReach usual = PoseAccuracy::widest_reach(s.model, 1e-12),
+                       bound = PoseAccuracy::widest_reach(s.model, 1e-9),
+                       coarse = PoseAccuracy::widest_reach(s.model, 1e-4);
   EXPECT_DOUBLE_EQ(usual.most, bound.most);
   EXPECT_DOUBLE_EQ(coarse.most, 1e5 * usual.most);
   EXPECT_DOUBLE_EQ(coarse.little, 1e5 * usual.little);

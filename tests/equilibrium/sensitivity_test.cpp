@@ -11,7 +11,7 @@
 namespace genu {
 namespace {
 
-using test::walk;
+using test::follow;
 
 struct Differentiated {
   test::SceneModel scene;
@@ -19,7 +19,7 @@ struct Differentiated {
   std::vector<Parameter> parameters;
 
   explicit Differentiated(const std::string& text) : scene(test::scene_model(text)) {
-    const test::Walk w = walk(scene);
+    const test::Followed w = follow(scene);
     EXPECT_TRUE(w.result.complete) << w.story();
     point = w.points.back();
     parameters = parameters_of(scene.scene);
@@ -78,7 +78,7 @@ TEST(Sensitivity, OfABallOnAFloor) {
 TEST(Sensitivity, IsRefusedWhereThePoseIsNotDetermined) {
   // Without prescribed turns the ball's spin about the rope costs nothing.
   const auto scene = test::scene_model(test::held_ball("[[step]]\nload = { lift = 0 }\n"));
-  const test::Walk w = walk(scene);
+  const test::Followed w = follow(scene);
   ASSERT_FALSE(w.points.empty());
   Sensitivity s(scene.scene, scene.model);
   EXPECT_FALSE(s.factor(w.points.back()));

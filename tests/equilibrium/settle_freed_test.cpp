@@ -12,15 +12,15 @@ namespace {
 
 /// A ball of 4 mm held above a disc of radii 25, 25, `half` mm, then let go: a spring without length pulls it 12 mm
 /// below the disc's middle.
-test::Walk let_go(double half, bool with_disc = true) {
+test::Followed let_go(double half, bool with_disc = true) {
   const std::string disc =
       test::surface("ball", "bone", "sphere", "radius = 4") +
       test::surface("disc", "ground", "ellipsoid", "radii = [25, 25, " + std::to_string(half) + "]") +
       test::contact("c", "ball", "disc");
   const std::string held = "prescribe = { " + test::kNoTurn + ", \"j.z\" = 20 }",
                     free = "prescribe = { " + test::kNoTurn + " }";
-  return test::walk(test::bone_on_ground("{ z = 20 }") + (with_disc ? disc : "") +
-                    test::spring("s", "[0, 0, 0]", "[0, 0, -12]", 2, 0) + test::step(held) + test::step(free));
+  return test::follow(test::bone_on_ground("{ z = 20 }") + (with_disc ? disc : "") +
+                      test::spring("s", "[0, 0, 0]", "[0, 0, -12]", 2, 0) + test::step(held) + test::step(free));
 }
 
 TEST(SettleFreed, TheBallComesToRestOnTheDisc) {

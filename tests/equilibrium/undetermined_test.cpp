@@ -24,7 +24,7 @@ std::string ball_on_floor(const std::string& prescribe) {
 }
 
 TEST(Undetermined, APrescribedHeightSharesTheLoadWithTheFloor) {
-  const auto w = test::walk(ball_on_floor(test::kNoTurn + ", \"j.z\" = 20"));
+  const auto w = test::follow(ball_on_floor(test::kNoTurn + ", \"j.z\" = 20"));
   ASSERT_FALSE(w.points.empty());
   EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << w.story();
   EXPECT_FALSE(w.result.complete);
@@ -36,13 +36,13 @@ TEST(Undetermined, APrescribedHeightSharesTheLoadWithTheFloor) {
 }
 
 TEST(Undetermined, AForceThatIsDeterminedIsNot) {
-  const auto w = test::walk(ball_on_floor(test::kNoTurn));
+  const auto w = test::follow(ball_on_floor(test::kNoTurn));
   EXPECT_TRUE(w.result.complete) << w.story();
   EXPECT_TRUE(w.points.at(0).undetermined.none());
 }
 
 TEST(Undetermined, TheSpinThatCostsNothingIsNamed) {
-  const auto w = test::walk(ball_on_floor("\"j.a\" = 0, \"j.b\" = 0"));
+  const auto w = test::follow(ball_on_floor("\"j.a\" = 0, \"j.b\" = 0"));
   ASSERT_FALSE(w.points.empty());
   EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << w.story();
   const auto& free = w.points[0].undetermined.free_motion;
@@ -53,9 +53,9 @@ TEST(Undetermined, TheSpinThatCostsNothingIsNamed) {
 TEST(Undetermined, ABallThatRollsIsNoPoseWhereverItFellFrom) {
   // Nothing but its weight: all five motions that are left cost nothing, to rounding where it fell from above.
   for (const char* z : {"20", "20.5", "23"}) {
-    const auto w = test::walk(bone_on_ground(std::string("{ z = ") + z + " }") +
-                              surface("ball", "bone", "sphere", "radius = 20") + surface("floor", "ground", "plane") +
-                              contact("c", "ball", "floor") + load("press", "force = [0, 0, -100]") + step(""));
+    const auto w = test::follow(bone_on_ground(std::string("{ z = ") + z + " }") +
+                                surface("ball", "bone", "sphere", "radius = 20") + surface("floor", "ground", "plane") +
+                                contact("c", "ball", "floor") + load("press", "force = [0, 0, -100]") + step(""));
     ASSERT_FALSE(w.points.empty());
     EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << z << w.story();
     const auto& free = w.points[0].undetermined.free_motion;
@@ -66,7 +66,7 @@ TEST(Undetermined, ABallThatRollsIsNoPoseWhereverItFellFrom) {
 
 TEST(Undetermined, ABodyThatNothingHoldsIsFreeAltogether) {
   // No contact, nothing prescribed, and the one ligament slack.
-  const auto w = test::walk(
+  const auto w = test::follow(
       bone_on_ground("{ z = 10 }") +
       test::ligament("l", "[0, 0, 0]", "[0, 0, -10]", "law = \"quadratic\"\nstiffness = 100\nslack_length = 30") +
       step(""));
@@ -80,7 +80,7 @@ TEST(Undetermined, ABallThatFillsItsSocketCannotMove) {
                              surface("cup", "ground", "sphere", "radius = 20\ninside = true") +
                              contact("c", "ball", "cup") + load("press", "force = [10, 0, -100]") +
                              step("prescribe = { " + test::kNoTurn + " }");
-  const auto w = test::walk(socket);
+  const auto w = test::follow(socket);
   ASSERT_TRUE(w.result.complete) << w.story();
   EXPECT_EQ(w.points[0].stability.free_motions, 0);
   EXPECT_EQ(w.points[0].stability.verdict, Stability::Verdict::stable);
@@ -92,7 +92,7 @@ TEST(Undetermined, ABallFallsThroughTheClearanceToWhereItsLoadPresses) {
                              surface("cup", "ground", "sphere", "radius = 20\ninside = true") +
                              contact("c", "ball", "cup") + load("press", "force = [10, 0, -100]") +
                              step("prescribe = { " + test::kNoTurn + " }");
-  const auto w = test::walk(socket);
+  const auto w = test::follow(socket);
   ASSERT_TRUE(w.result.complete) << w.story();
   const Vec3 expected = 1e-3 * Vec3(10, 0, -100).normalized();
   EXPECT_LT((w.points[0].pose.state.poses[1].p - expected).norm(), 1e-11);

@@ -27,7 +27,7 @@ std::string between_plates(double above, const std::string& weight) {
 
 TEST(Uniqueness, PlatesThatABallFitsBetweenShareItsWeightInAnyWay) {
   for (const char* weight : {"7", "0.001", "1000"}) {
-    const auto w = test::walk(between_plates(6, weight));
+    const auto w = test::follow(between_plates(6, weight));
     ASSERT_FALSE(w.points.empty());
     EXPECT_EQ(w.points[0].report.status, PoseStatus::undetermined) << weight << w.story();
     EXPECT_EQ(w.points[0].undetermined.shared_contacts.size(), 2u) << weight;
@@ -37,7 +37,7 @@ TEST(Uniqueness, PlatesThatABallFitsBetweenShareItsWeightInAnyWay) {
 }
 
 TEST(Uniqueness, WithAMicrometreToSpareOneOfThemCarriesIt) {
-  const auto w = test::walk(between_plates(6.001, "7"));
+  const auto w = test::follow(between_plates(6.001, "7"));
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points[0].pose.state.contacts.size(), 1u);
   EXPECT_NEAR(w.points[0].pose.state.contacts[0].force, 7, 1e-9);
@@ -46,7 +46,7 @@ TEST(Uniqueness, WithAMicrometreToSpareOneOfThemCarriesIt) {
 TEST(Uniqueness, IsNotLookedAtWhereTheSceneLeavesItOut) {
   auto s = test::scene_model(between_plates(6, "7"));
   s.model.safeguards.switch_off(Safeguard::uniqueness);
-  const auto w = test::walk(s);
+  const auto w = test::follow(s);
   EXPECT_TRUE(w.result.complete) << w.story();
 }
 

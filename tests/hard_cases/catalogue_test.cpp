@@ -10,12 +10,13 @@
 
 #include "hard_cases/hard_cases.h"
 #include "support/judged.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
 namespace {
 
-const std::string kFolder = std::string(GENU_SOURCE_DIR) + "/tests/hard_cases";
+const std::string kFolder = genu::test::source_folder() + "/tests/hard_cases";
 
 const std::vector<HardCase>& all_cases() {
   static const std::vector<HardCase> cases = [] {
@@ -86,7 +87,7 @@ TEST(HardCases, AreAtLeastEighty) {
 }
 
 TEST(HardCases, StandInTheDocumentation) {
-  std::ifstream in(std::string(GENU_SOURCE_DIR) + "/docs/hard-cases.md");
+  std::ifstream in(genu::test::source_folder() + "/docs/hard-cases.md");
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   EXPECT_NE(text.find(to_markdown(all_cases())), std::string::npos)
       << "made anew by: build/bin/genu hard-cases --table docs/hard-cases.md";

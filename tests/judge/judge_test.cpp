@@ -8,6 +8,7 @@
 
 #include "corrupted.h"
 #include "support/data.h"
+#include "support/places.h"
 #include "support/published_knee.h"
 #include "support/temporary_folder.h"
 
@@ -19,7 +20,7 @@ using ::testing::Contains;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-std::string knee_file(const std::string& name) { return std::string(GENU_SOURCE_DIR) + "/meshes/" + name; }
+std::string knee_file(const std::string& name) { return genu::test::source_folder() + "/meshes/" + name; }
 
 const Corrupted& dortmans() {
   static const Corrupted run = Corrupted::of(knee_file("dortmans1984/scene.toml"));

@@ -80,14 +80,14 @@ TEST(LoadScale, TellsItsKinksInTime) {
   sine.amplitude = 2;
   sine.frequency = 0.125;
   sine.start = 1;
-  EXPECT_EQ(made(sine).kinks_in_time(), std::vector<double>{1});
+  EXPECT_EQ(made(sine).nonsmooth_points_in_time(), std::vector<double>{1});
   EXPECT_NEAR(made(sine).period(), 8, 1e-14);
   ScaleDef over = table_over({{0.5, 1}, {2, 3}, {3, 0}});
   over.kind = ScaleDef::Kind::over_time;
-  EXPECT_EQ(made(over).kinks_in_time(), (std::vector<double>{0.5, 2, 3}));
+  EXPECT_EQ(made(over).nonsmooth_points_in_time(), (std::vector<double>{0.5, 2, 3}));
   EXPECT_EQ(made(over).period(), 0);
   over.kind = ScaleDef::Kind::over_coordinate;
-  EXPECT_TRUE(made(over).kinks_in_time().empty());
+  EXPECT_TRUE(made(over).nonsmooth_points_in_time().empty());
 }
 
 TEST(LoadScale, RefusesWhatIsNoTable) {
@@ -143,7 +143,7 @@ TEST(LoadScale, AStepIsSmoothAndEndsWhereItShould) {
       EXPECT_NEAR(step.evaluate(end + beside).slope, 0, 1e-8);
       EXPECT_NEAR(step.evaluate(end + beside).curvature, 0, 1e-2) << "of up to 92";
     }
-  EXPECT_EQ(step.kinks_in_time(), (std::vector<double>{2, 2.5}));
+  EXPECT_EQ(step.nonsmooth_points_in_time(), (std::vector<double>{2, 2.5}));
   def.rise = 0;
   EXPECT_EQ(made(def).evaluate(2 - 1e-12).factor, 1);
   EXPECT_EQ(made(def).evaluate(2).factor, 5);

@@ -10,13 +10,14 @@
 
 #include "genu/model/build_model.h"
 #include "genu/model/ligament_pieces.h"
+#include "support/places.h"
 #include "support/scene_model.h"
 
 namespace genu {
 namespace {
 
 std::string between(const std::string& file, const std::string& begin, const std::string& end) {
-  std::ifstream in(std::string(GENU_SOURCE_DIR) + file);
+  std::ifstream in(genu::test::source_folder() + file);
   const std::string all{std::istreambuf_iterator<char>(in), {}};
   const auto from = all.find(begin);
   if (from == std::string::npos) return {};

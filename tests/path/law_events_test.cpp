@@ -13,8 +13,8 @@
 namespace genu {
 namespace {
 
-using test::walk;
-using test::Walk;
+using test::follow;
+using test::Followed;
 using Kind = PathEvent::Kind;
 
 // A crank: the bone turns about x by the angle a; a ligament from 30 mm off the axis to 40 mm off it on the ground has
@@ -60,7 +60,7 @@ const std::vector<Place> kPlaces = {{"abdel", Kind::taut, Kind::slack, 20},
 TEST(LawEvents, OfEveryLawAreWhereTheLengthSaysThereAndBack) {
   double worst = 0;
   for (const int increments : {1, 3, 40}) {
-    Walk w = walk(crank(0.2) + kAll + turn(0.2, 2.9, increments) + turn(2.9, 0.2, increments));
+    Followed w = follow(crank(0.2) + kAll + turn(0.2, 2.9, increments) + turn(2.9, 0.2, increments));
     ASSERT_TRUE(w.result.complete) << w.story();
     EXPECT_FALSE(w.of(Kind::reaction_turns).empty()) << "the moment is largest somewhere";
     std::erase_if(w.events, [](const PathEvent& e) { return e.kind == Kind::reaction_turns; });
@@ -84,7 +84,7 @@ TEST(LawEvents, SmoothBreaksTakeNoSubstep) {
   const std::string never = rope("quadratic", "law = \"quadratic\"\nstiffness = 2000\nslack_length = 80");
   const std::string sharp = rope("linear", "law = \"linear\"\nstiffness = 2000\nslack_length = 25");
   const auto substeps = [](const std::string& law) {
-    const Walk w = walk(crank(0.2) + law + turn(0.2, 2.9, 40));
+    const Followed w = follow(crank(0.2) + law + turn(0.2, 2.9, 40));
     EXPECT_TRUE(w.result.complete) << w.story();
     return w.result.substeps;
   };
@@ -97,7 +97,7 @@ TEST(LawEvents, ALigamentMayBeTautAndSlackAgainInsideOneSubstep) {
   double worst = 0;
   for (const double less : {1e-2, 1e-4, 1e-6}) {
     const double slack_length = 70 * (1 - less);
-    const Walk w = walk(
+    const Followed w = follow(
         crank(2.05) + turn(2.05, 4.05, 10) +
         rope("r", "law = \"quadratic\"\nstiffness = 2000\nslack_length = " + fmt::format("{:.17g}", slack_length)));
     ASSERT_EQ(w.events.size(), 2u) << less << "\n" << w.story();
@@ -109,7 +109,7 @@ TEST(LawEvents, ALigamentMayBeTautAndSlackAgainInsideOneSubstep) {
   }
   EXPECT_LT(worst, 1e-8) << "rad";
   for (const double more : {1e-2, 1e-4, 1e-9}) {
-    const Walk w = walk(
+    const Followed w = follow(
         crank(2.05) + turn(2.05, 4.05, 10) +
         rope("r", "law = \"quadratic\"\nstiffness = 2000\nslack_length = " + fmt::format("{:.17g}", 70 * (1 + more))));
     EXPECT_TRUE(w.events.empty()) << more << "\n" << w.story();
@@ -123,8 +123,8 @@ TEST(LawEvents, OfAPathThatBendsUnderLoadAreWhereTheLawSays) {
                             test::ligament("rope", "[0, 0, 0]", "[0, 0, -20]", law) +
                             test::load("lift", "force = [0, 0, 1]");
   const std::string held = "prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + test::kNoTurn + " }\n";
-  const Walk w = walk(scene + test::step(held + "load = { lift = [0, 60] }\nincrements = 1") +
-                      test::step(held + "load = { lift = [60, 0] }\nincrements = 7"));
+  const Followed w = follow(scene + test::step(held + "load = { lift = [0, 60] }\nincrements = 1") +
+                            test::step(held + "load = { lift = [60, 0] }\nincrements = 7"));
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.events.size(), 4u) << w.story();
   const double taut = 2, toe = 6.4 + 300 * 0.1;
@@ -135,8 +135,8 @@ TEST(LawEvents, OfAPathThatBendsUnderLoadAreWhereTheLawSays) {
 }
 
 TEST(LawEvents, OfAKneeComeInPathOrderAndAtTheSamePlacesOnTheWayBack) {
-  const Walk w = walk(test::knee(test::step("prescribe = { \"knee.flexion\" = [0, 90] }\nincrements = 6") +
-                                 test::step("prescribe = { \"knee.flexion\" = [90, 0] }\nincrements = 45")));
+  const Followed w = follow(test::knee(test::step("prescribe = { \"knee.flexion\" = [0, 90] }\nincrements = 6") +
+                                       test::step("prescribe = { \"knee.flexion\" = [90, 0] }\nincrements = 45")));
   ASSERT_TRUE(w.result.complete) << w.story();
   const std::size_t n = w.events.size() / 2;
   ASSERT_GE(n, 3u);

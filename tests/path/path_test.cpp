@@ -13,9 +13,9 @@
 namespace genu {
 namespace {
 
+using test::follow;
+using test::Followed;
 using test::kNoTurn;
-using test::walk;
-using test::Walk;
 using Kind = PathEvent::Kind;
 
 PathOptions fine() {
@@ -25,10 +25,10 @@ PathOptions fine() {
 }
 
 TEST(Path, LiftsOffAtTheExactLoadAndTouchesDownAgain) {
-  const Walk w =
-      walk(test::held_ball(test::step("prescribe = { " + kNoTurn + " }\nload = { lift = [0, 100] }\nincrements = 10") +
-                           test::step("prescribe = { " + kNoTurn + " }\nload = { lift = [100, 0] }\nincrements = 10")),
-           fine());
+  const Followed w = follow(
+      test::held_ball(test::step("prescribe = { " + kNoTurn + " }\nload = { lift = [0, 100] }\nincrements = 10") +
+                      test::step("prescribe = { " + kNoTurn + " }\nload = { lift = [100, 0] }\nincrements = 10")),
+      fine());
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points.size(), 21u);
   const auto lost = w.of(Kind::contact_lost), gained = w.of(Kind::contact_gained);
@@ -61,9 +61,9 @@ std::string two_feet(const std::string& steps) {
 TEST(Path, ChangesFeetWhereBothStand) {
   // With the tilt prescribed one foot carries all, the other none: they swap at b = 0, where both touch and any split
   // balances. (A turn b > 0 about y lowers the right foot.)
-  const Walk w =
-      walk(two_feet(test::step("prescribe = { \"j.a\" = 0, \"j.c\" = 0, \"j.b\" = [-0.03, 0.05] }\nincrements = 7")),
-           fine());
+  const Followed w =
+      follow(two_feet(test::step("prescribe = { \"j.a\" = 0, \"j.c\" = 0, \"j.b\" = [-0.03, 0.05] }\nincrements = 7")),
+             fine());
   ASSERT_TRUE(w.result.complete) << w.story();
   for (const PosePoint& p : w.points) {
     const double b = p.target.prescribed[2].value;
@@ -83,9 +83,10 @@ TEST(Path, GainsASecondContactOnTheWay) {
   std::string text = two_feet("");
   text += test::load("tip", "force = [0, 0, -100]\npoint = [-60, 0, 0]") +
           test::load("press", "force = [0, 0, -100]\npoint = [25, 0, 0]");
-  const Walk w = walk(text + test::step("prescribe = { \"j.a\" = 0, \"j.c\" = 0, \"j.y\" = 0 }\nload = { tip = [1, 0], "
-                                        "press = [0, 1] }\nincrements = 10"),
-                      fine());
+  const Followed w =
+      follow(text + test::step("prescribe = { \"j.a\" = 0, \"j.c\" = 0, \"j.y\" = 0 }\nload = { tip = [1, 0], "
+                               "press = [0, 1] }\nincrements = 10"),
+             fine());
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.of(Kind::contact_gained).size(), 1u) << w.story();
   EXPECT_EQ(w.points.front().pose.state.contacts.size(), 1u);
@@ -99,10 +100,11 @@ TEST(Path, GainsASecondContactOnTheWay) {
 
 TEST(Path, TooManyContactsAreNamedOverconstrained) {
   // A ball of 10 mm in a trough of 8.3 mm stands on both flanks: one pair, two contacts, and room for one.
-  const Walk w = walk(test::bone_on_ground("{ z = 10.2 }") + test::surface("ball", "bone", "sphere", "radius = 10") +
-                      test::surface("trough", "ground", "polynomial", "terms = [[2, 0, 0.06]]") +
-                      test::contact("c", "ball", "trough") + test::load("w", "force = [0, 0, -10]") +
-                      test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nincrements = 2"));
+  const Followed w =
+      follow(test::bone_on_ground("{ z = 10.2 }") + test::surface("ball", "bone", "sphere", "radius = 10") +
+             test::surface("trough", "ground", "polynomial", "terms = [[2, 0, 0.06]]") +
+             test::contact("c", "ball", "trough") + test::load("w", "force = [0, 0, -10]") +
+             test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nincrements = 2"));
   EXPECT_FALSE(w.result.complete);
   ASSERT_FALSE(w.points.empty());
   EXPECT_EQ(w.points[0].report.status, PoseStatus::overconstrained) << w.story();
@@ -113,8 +115,8 @@ constexpr double kSnapLoad =
     19.899833915489113;  // N: limit of a truss of 40 mm half span, 12 mm rise, two springs of 50 N/mm
 
 TEST(Path, TrussTurnsBackAtItsLimitLoad) {
-  const Walk w = walk(test::truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn +
-                                             " }\nload = { w = [0, 25] }\nincrements = 25")));
+  const Followed w = follow(test::truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn +
+                                                   " }\nload = { w = [0, 25] }\nincrements = 25")));
   EXPECT_FALSE(w.result.complete);
   const auto back = w.of(Kind::turns_back);
   ASSERT_EQ(back.size(), 1u) << w.story();
@@ -135,8 +137,8 @@ TEST(Path, TrussTurnsBackAtItsLimitLoad) {
 
 TEST(Path, TrussSnapsThroughUnderPrescribedHeight) {
   // The height prescribed instead, the whole path is there; the multiplier is the load.
-  const Walk w = walk(test::truss(test::step("prescribe = { \"j.y\" = 0, \"j.z\" = [12, -12], " + kNoTurn +
-                                             " }\nload = { w = 0 }\nincrements = 24")));
+  const Followed w = follow(test::truss(test::step("prescribe = { \"j.y\" = 0, \"j.z\" = [12, -12], " + kNoTurn +
+                                                   " }\nload = { w = 0 }\nincrements = 24")));
   ASSERT_TRUE(w.result.complete) << w.story();
   double largest = 0;
   for (const PosePoint& p : w.points) {
@@ -152,16 +154,16 @@ TEST(Path, StartsWhereTheSceneSaysWithTheSameLigaments) {
   std::string text =
       test::truss(test::step("prescribe = { \"j.x\" = 0, \"j.y\" = 0, " + kNoTurn + " }\nload = { w = [0, 10] }"));
   text.replace(text.find("reference = { z = 12 }"), 22, "reference = { z = 12 }\nstart = { z = -11 }");
-  const Walk w = walk(text);
+  const Followed w = follow(text);
   ASSERT_TRUE(w.result.complete) << w.story();
   EXPECT_NEAR(w.points[0].pose.state.poses[1].p.z(), -0.012, 1e-12);
   EXPECT_LT(w.points[1].pose.state.poses[1].p.z(), -0.012);
 }
 
 TEST(Path, ForwardAndBackwardAgree) {
-  const Walk w =
-      walk(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12\n"
-                      "[[step]]\nprescribe = { \"knee.flexion\" = [60, 0] }\nincrements = 12\n"));
+  const Followed w =
+      follow(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12\n"
+                        "[[step]]\nprescribe = { \"knee.flexion\" = [60, 0] }\nincrements = 12\n"));
   ASSERT_TRUE(w.result.complete) << w.story();
   ASSERT_EQ(w.points.size(), 25u);
   for (std::size_t i = 0; i < 12; ++i) {
@@ -175,8 +177,8 @@ TEST(Path, ForwardAndBackwardAgree) {
 
 TEST(Path, DoesNotDependOnItsIncrements) {
   const auto at_end = [](int increments) {
-    return walk(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = " +
-                           std::to_string(increments) + "\n"))
+    return follow(test::knee("[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = " +
+                             std::to_string(increments) + "\n"))
         .points.back()
         .pose.state;
   };
@@ -187,11 +189,11 @@ TEST(Path, DoesNotDependOnItsIncrements) {
 
 TEST(Path, ColdStartsFromOverlapAndFromFarMeet) {
   const auto from = [](double z) {
-    return walk(
+    return follow(
         test::held_ball(test::step("prescribe = { " + kNoTurn + " }\nload = { lift = [0, 10] }\nincrements = 1"), z));
   };
   for (const double z : {15.0, 19.0, 20.5, 30.0}) {
-    const Walk w = from(z);
+    const Followed w = from(z);
     ASSERT_TRUE(w.result.complete) << z << "\n" << w.story();
     EXPECT_LT((w.points[0].pose.state.poses[1].p - Vec3(0, 0, 0.02)).norm(), 1e-9) << z;
     ASSERT_EQ(w.points[0].pose.state.contacts.size(), 1u);
@@ -202,7 +204,7 @@ TEST(Path, ColdStartsFromOverlapAndFromFarMeet) {
 TEST(Path, ASnapIsNoWindowToStepOver) {
   // A leg of two hinges pushes its foot round a ball under a growing moment, until the foot slips off: contact or not,
   // no equilibrium lies beyond, and the next one is far away.
-  const Walk w = walk(R"(format = 1
+  const Followed w = follow(R"(format = 1
 units = { length = "m", angle = "rad" }
 gravity = [0, -9.81, 0]
 [body.world]
@@ -278,7 +280,7 @@ TEST(Path, StopsInTheMiddleOfAPoseAndTellsNothingOfIt) {
   for (const std::string control : {"", "control = \"arc_length\"\n"}) {
     const auto s = test::scene_model(soft_ball(control));
     const auto stopped_after = [&](int most, int& asked) {
-      Walk out;
+      Followed out;
       ContactField field(s.model);
       PathObserver observer;
       observer.pose = [&](const PosePoint& p, LayerMemories*) { out.points.push_back(p); };
@@ -288,7 +290,7 @@ TEST(Path, StopsInTheMiddleOfAPoseAndTellsNothingOfIt) {
       return out;
     };
     int all = 0;
-    const Walk whole = stopped_after(std::numeric_limits<int>::max(), all);
+    const Followed whole = stopped_after(std::numeric_limits<int>::max(), all);
     ASSERT_TRUE(whole.result.complete) << whole.story();
     ASSERT_EQ(whole.points.size(), 4u);
     ASSERT_GT(all, 1000) << "not between rows alone";
@@ -296,7 +298,7 @@ TEST(Path, StopsInTheMiddleOfAPoseAndTellsNothingOfIt) {
     for (int k = 0; k < 14; ++k) {
       int asked = 0;
       const int most = k < 3 ? k : static_cast<int>(static_cast<long>(all) * (k - 1) / 13);
-      const Walk part = stopped_after(most, asked);
+      const Followed part = stopped_after(most, asked);
       EXPECT_FALSE(part.result.complete);
       EXPECT_LT(asked - most, 2000) << "goes on for long";
       ASSERT_LT(part.points.size(), 4u);

@@ -1,4 +1,5 @@
 #include "genu/scene/reader.h"
+#include "support/places.h"
 
 #include "scene/scene_text.h"
 
@@ -157,7 +158,7 @@ TEST(Reader, FlippedBytesNeverCrash) {
 }
 
 TEST(Reader, SceneOfTheReferencePageIsGood) {
-  std::ifstream page(fs::path(GENU_SOURCE_DIR) / "docs" / "scene-reference.md");
+  std::ifstream page(fs::path(genu::test::source_folder()) / "docs" / "scene-reference.md");
   ASSERT_TRUE(page);
   const std::string text((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
   const std::string fence = "```toml\n";
@@ -168,7 +169,7 @@ TEST(Reader, SceneOfTheReferencePageIsGood) {
 }
 
 std::optional<Scene> real_scene(const std::string& name) {
-  const fs::path path = fs::path(GENU_SOURCE_DIR) / ".." / "shared" / "scenes" / name;
+  const fs::path path = fs::path(genu::test::source_folder()) / ".." / "shared" / "scenes" / name;
   if (!fs::exists(path)) return std::nullopt;
   Diagnostics out;
   auto scene = read_scene(path.string(), out);

@@ -12,6 +12,7 @@
 #include "genu/study/run_scene.h"
 #include "support/judged.h"
 #include "support/meshed_scene.h"
+#include "support/places.h"
 #include "support/scenes.h"
 #include "support/text.h"
 
@@ -250,7 +251,7 @@ TEST(Checkpoint, ARunTooShortToWriteOneNamesTheOneBefore) {
 
 TEST(Checkpoint, AMotionIsComputedAnewAndSaysSo) {
   const test::TemporaryFolder folder;
-  const std::string scene = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene.toml";
+  const std::string scene = genu::test::source_folder() + "/meshes/leskovar2019/scene.toml";
   const Ended whole = run(scene, folder / "whole", kNever, false), part = run(scene, folder / "out", 300, false);
   EXPECT_EQ(part.code, kExitIncomplete);
   EXPECT_TRUE(test::contains(part.found.summary.verdict.front(), "computes them anew"));

@@ -8,6 +8,7 @@
 #include "genu/results/report.h"
 #include "genu/study/run_motion.h"
 #include "support/judged.h"
+#include "support/places.h"
 #include "support/scenes.h"
 #include "support/text.h"
 
@@ -65,7 +66,7 @@ TEST(Report, EverySurfaceIsShownAndAPlaneEndsRoundItsContacts) {
 }
 
 TEST(Report, AMotionHasAllItsPosesAndTheBonesOfItsFiles) {
-  const Solved knee(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene-bones.toml");
+  const Solved knee(genu::test::source_folder() + "/meshes/leskovar2019/scene-bones.toml");
   const ReportRun r = knee.report();
   EXPECT_EQ(r.body_poses.size(), 1701u);
   ASSERT_EQ(r.meshes.size(), 2u);

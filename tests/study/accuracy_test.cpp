@@ -12,6 +12,7 @@
 
 #include "genu/study/chosen_scene.h"
 #include "support/judged.h"
+#include "support/places.h"
 #include "support/scenes.h"
 
 namespace genu {
@@ -69,9 +70,9 @@ class Accuracy : public testing::Test {
     return run_accuracy(scene, folder_ / "out", {targets, 1, 60}, {}, out_, report_, own_);
   }
   std::string knee() {
-    return folder_.write("scene.toml",
-                         std::regex_replace(test::read_file(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml"),
-                                            std::regex("increments = 70"), "increments = 8"));
+    return folder_.write("scene.toml", std::regex_replace(test::read_file(genu::test::source_folder() +
+                                                                          "/meshes/dortmans1984/scene.toml"),
+                                                          std::regex("increments = 70"), "increments = 8"));
   }
   const AccuracyPoint* point(const std::string& name) const {
     for (const AccuracyPoint& p : report_.points)
@@ -247,7 +248,7 @@ TEST_F(Accuracy, RefusesTargetsThatAreNone) {
     EXPECT_EQ(out_.items()[0].key, "--target");
   }
   EXPECT_EQ(run(knee(), {"1mm", "2mm"}), kExitRefused);
-  EXPECT_EQ(run(GENU_SOURCE_DIR "/meshes/leskovar2019/scene.toml", {}), kExitRefused);
+  EXPECT_EQ(run(genu::test::source_folder() + "/meshes/leskovar2019/scene.toml", {}), kExitRefused);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 

@@ -9,6 +9,7 @@
 #include "genu/mesh_files/mesh_writer.h"
 #include "support/judged.h"
 #include "support/meshed_scene.h"
+#include "support/places.h"
 #include "support/scenes.h"
 #include "support/text.h"
 #include "tools/cli_scenes.h"
@@ -134,7 +135,7 @@ TEST(Failure, OfTheSceneItselfNeedsNoMesh) {
 
 TEST(Failure, OfAMotionThatCannotBegin) {
   const test::TemporaryFolder folder;
-  const std::string file = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene.toml";
+  const std::string file = genu::test::source_folder() + "/meshes/leskovar2019/scene.toml";
   std::string text = read_file(file);
   const auto mass = text.find("mass = ");
   text.replace(mass, text.find('\n', mass) - mass, "");

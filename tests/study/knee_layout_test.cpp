@@ -6,6 +6,7 @@
 #include "genu/core/diagnostics.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "support/data.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -19,7 +20,7 @@ Mesh bone_of(const std::string& file, double unit = 1e-3) {
   return mesh.value_or(Mesh{});
 }
 
-const std::string kLeskovar = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/";
+const std::string kLeskovar = genu::test::source_folder() + "/meshes/leskovar2019/";
 
 Mesh turned(Mesh mesh, const Mat3& r, const Vec3& shift) {
   for (Vec3& p : mesh.vertices) p = r * p + shift;

@@ -7,6 +7,7 @@
 #include "genu/core/pose.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/mesh_reader.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -16,7 +17,7 @@ class LayoutDoubts : public ::testing::Test {
   // x anterior, y superior, z lateral (meshes/leskovar2019/bones.toml).
   static Mesh bone(const char* name) {
     Diagnostics out;
-    return read_mesh(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/" + name, 1e-3, out).value_or(Mesh{});
+    return read_mesh(genu::test::source_folder() + "/meshes/leskovar2019/" + name, 1e-3, out).value_or(Mesh{});
   }
   const Mesh femur_ = bone("femur.stl"), tibia_ = bone("tibia.stl");
 

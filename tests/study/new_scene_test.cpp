@@ -9,6 +9,7 @@
 #include "genu/study/knee_layout.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
 
@@ -20,7 +21,7 @@ using test::data_path;
 using test::read_file;
 using test::TemporaryFolder;
 
-const std::string kBones = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/";
+const std::string kBones = genu::test::source_folder() + "/meshes/leskovar2019/";
 
 /// Writes it, checks it as `genu check` does, and runs it as a user would.
 Solution written_and_run(const NewScene& asked, const TemporaryFolder& folder) {

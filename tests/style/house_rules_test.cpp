@@ -1,5 +1,6 @@
 // The tree keeps the rules of the house, and the rules would notice if it did not.
 #include "style/house_rules.h"
+#include "support/places.h"
 
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ using ::testing::SizeIs;
 
 class TheTree : public ::testing::Test {
  protected:
-  const std::vector<SourceFile> files_ = read_sources(GENU_SOURCE_DIR);
-  const Rooms rooms_ = read_rooms(GENU_SOURCE_DIR);
+  const std::vector<SourceFile> files_ = read_sources(genu::test::source_folder());
+  const Rooms rooms_ = read_rooms(genu::test::source_folder());
 };
 
 TEST_F(TheTree, IsRead) {
@@ -94,14 +95,14 @@ TEST(RoomCycles, AreNamed) {
 }
 
 TEST(UnitCycles, AreSeenThroughHeadersAndSources) {
-  const SourceFile path{"src/genu/path/path.h", {"#include \"genu/path/walker.h\""}};
-  const SourceFile walker{"src/genu/path/walker.h", {"#include <string>"}};
-  const SourceFile source{"src/genu/path/walker.cpp", {"#include \"genu/path/event.h\""}};
+  const SourceFile path{"src/genu/path/path.h", {"#include \"genu/path/path_follower.h\""}};
+  const SourceFile follower{"src/genu/path/path_follower.h", {"#include <string>"}};
+  const SourceFile source{"src/genu/path/path_follower.cpp", {"#include \"genu/path/event.h\""}};
   const SourceFile event{"src/genu/path/event.h", {"#include \"genu/path/path.h\""}};
   const SourceFile own{"src/genu/path/path.cpp", {"#include \"genu/path/path.h\""}};
-  EXPECT_THAT(unit_cycles({path, walker, event, own}), IsEmpty());
-  EXPECT_THAT(unit_cycles({path, walker, source, event, own}),
-              ElementsAre("cycle of units: genu/path/event genu/path/path genu/path/walker"));
+  EXPECT_THAT(unit_cycles({path, follower, event, own}), IsEmpty());
+  EXPECT_THAT(unit_cycles({path, follower, source, event, own}),
+              ElementsAre("cycle of units: genu/path/event genu/path/path genu/path/follower"));
 }
 
 TEST(CrowdedRooms, HaveMoreThanATenth) {

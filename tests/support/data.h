@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <string>
 
+#include "support/places.h"
+
 namespace genu::test {
 
 inline std::string data_path(const std::string& file) {
   const char* folder = std::getenv("GENU_DATA");
-  return std::string(folder != nullptr ? folder : GENU_DATA_DEFAULT) + "/" + file;
+  return std::string(folder != nullptr ? folder : genu::test::data_default()) + "/" + file;
 }
 
 }  // namespace genu::test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/assemble/build_surface.h"
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/model/build_model.h"
 #include "genu/model/parameters.h"
 #include "genu/results/pose_table.h"
@@ -151,7 +151,7 @@ inline std::map<std::string, double> solved_again(Scene scene,
   EXPECT_TRUE(report.converged()) << p.name << ": " << to_string(report.outcome) << ", " << report.residual;
   if (!point.pose.open.empty()) {
     ContactField field(*model);
-    ContactSetSolver(*model, field, options).follow_open(point.pose);
+    ActiveSetSolver(*model, field, options).follow_open(point.pose);
   }
   return numbers_of(scene, *model, steps, point);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/data.h"
+#include "support/places.h"
 
 namespace genu::test {
 
@@ -25,7 +26,7 @@ inline std::string replaced(std::string text, const std::string& what, const std
 /// The Lenhart 2015 tibiofemoral knee with meshes of the given resolution ("", "-medium", "-coarse", "-wicked-coarse"),
 /// flexed from `from` to `to` degrees; its mesh paths are absolute.
 inline std::string lenhart_scene(const std::string& resolution, double from, double to, int increments) {
-  std::string text = read_text(std::string(GENU_SOURCE_DIR) + "/meshes/lenhart2015/scene.toml");
+  std::string text = read_text(genu::test::source_folder() + "/meshes/lenhart2015/scene.toml");
   text = replaced(text, "../../../shared/data/lenhart2015/", data_path("lenhart2015/"));
   text = replaced(text, "-cart.stl", "-cart" + resolution + ".stl");
   std::ostringstream step;

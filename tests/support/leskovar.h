@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
 
 namespace genu::test {
 
-inline const std::string kLeskovar = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/";
+inline const std::string kLeskovar = genu::test::source_folder() + "/meshes/leskovar2019/";
 
 /// calibration.toml with the numbers of scene.toml.
 inline std::string leskovar_truth() {

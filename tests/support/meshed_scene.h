@@ -8,12 +8,13 @@
 #include "genu/assemble/build_surface.h"
 #include "genu/mesh_files/mesh_writer.h"
 #include "genu/scene/reader.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
 
 /// The wismans knee, whose surfaces are cut into meshes and fitted again.
-inline const std::string kWismans = std::string(GENU_SOURCE_DIR) + "/meshes/wismans1980/scene.toml";
+inline const std::string kWismans = genu::test::source_folder() + "/meshes/wismans1980/scene.toml";
 
 inline std::string text_of(const std::string& path) { return read_file(path); }
 

@@ -9,12 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "support/knee_scene.h"
+#include "support/places.h"
 
 namespace genu::test {
 
 /// The scene of meshes/lenhart2015, its paths absolute, with the femur's cartilage from `femur`.
 inline std::string published_scene(const std::string& femur) {
-  const std::string text = read_text(std::string(GENU_SOURCE_DIR) + "/meshes/lenhart2015/scene-published-poses.toml");
+  const std::string text = read_text(genu::test::source_folder() + "/meshes/lenhart2015/scene-published-poses.toml");
   return replaced(replaced(text, "../../../shared/data/lenhart2015/ACLC01-R-femur-cart.stl", femur),
                   "../../../shared/data/lenhart2015/", data_path("lenhart2015/"));
 }

@@ -10,11 +10,12 @@
 #include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
 #include "support/judged.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::test {
 
-inline std::string dortmans_file() { return std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml"; }
+inline std::string dortmans_file() { return genu::test::source_folder() + "/meshes/dortmans1984/scene.toml"; }
 
 inline std::string messages(const Diagnostics& out) {
   std::string text;

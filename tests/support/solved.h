@@ -12,7 +12,7 @@
 
 namespace genu::test {
 
-struct Walk {
+struct Followed {
   PathResult result;
   std::vector<PosePoint> points;
   std::vector<PathEvent> events;
@@ -35,8 +35,8 @@ struct Walk {
   }
 };
 
-inline Walk walk(const JointModel& model, const std::vector<StepPlan>& plans, const PathOptions& options = {}) {
-  Walk out;
+inline Followed follow(const JointModel& model, const std::vector<StepPlan>& plans, const PathOptions& options = {}) {
+  Followed out;
   ContactField field(model);
   PathObserver observer;
   observer.pose = [&](const PosePoint& p, LayerMemories*) { out.points.push_back(p); };
@@ -59,12 +59,14 @@ inline void expect_judged_ok(const SceneModel& s, const std::vector<PosePoint>& 
                    {.samples = kSamples, .every = points.size()});
 }
 
-inline Walk walk(const SceneModel& s, const PathOptions& options = {}) {
-  Walk out = walk(s.model, plan_steps(s.scene), options);
+inline Followed follow(const SceneModel& s, const PathOptions& options = {}) {
+  Followed out = follow(s.model, plan_steps(s.scene), options);
   if (!out.points.empty()) expect_judged_ok(s, out.points);
   return out;
 }
-inline Walk walk(const std::string& text, const PathOptions& options = {}) { return walk(scene_model(text), options); }
+inline Followed follow(const std::string& text, const PathOptions& options = {}) {
+  return follow(scene_model(text), options);
+}
 
 /// Holds a pair closed at the points of its surfaces nearest to x (world).
 inline void hold(const JointModel& model, State& state, int pair, const Vec3& x) {
@@ -95,7 +97,7 @@ inline SolvedKnee solved_knee(double flexion, const std::string& more = "") {
                  {},
                  {},
                  {}};
-  const Walk w = walk(out.scene);
+  const Followed w = follow(out.scene);
   EXPECT_TRUE(w.result.complete) << w.story();
   if (w.points.empty()) return out;
   out.target = w.points.back().target;

@@ -37,8 +37,8 @@ Vec3 to_vec3(const Kernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// The vertices that a walk over the edges from `start` reaches within `radius`, `start` first. Empty where the walk
 /// comes to a boundary: a one-sided fit is another estimate.
-std::vector<int> walk(const Mesh& mesh, const VertexNeighbours& graph, const std::vector<bool>& boundary, int start,
-                      double radius) {
+std::vector<int> follow(const Mesh& mesh, const VertexNeighbours& graph, const std::vector<bool>& boundary, int start,
+                        double radius) {
   std::vector<int> found{start};
   std::set<int> seen{start};
   const auto at = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
@@ -90,7 +90,7 @@ Differences compare(const BlendSurface& surface, double radius, int degree, std:
   const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / count);
   Differences out;
   for (std::size_t v = 0; v < mesh.vertices.size(); v += stride) {
-    const std::vector<int> vertices = walk(mesh, graph, boundary, static_cast<int>(v), radius);
+    const std::vector<int> vertices = follow(mesh, graph, boundary, static_cast<int>(v), radius);
     SurfacePoint point;
     // Fewer points than coefficients make no fit: CGAL asks for as many.
     if (vertices.size() < static_cast<std::size_t>((degree + 1) * (degree + 2) / 2)) continue;
@@ -100,7 +100,7 @@ Differences compare(const BlendSurface& surface, double radius, int degree, std:
     out.curvature.push_back((blend.S - jet.S).norm());
     out.principal.push_back((blend.principal - jet.principal).cwiseAbs().maxCoeff());
     out.size.push_back(jet.S.norm());
-    const std::vector<int> fewer = walk(mesh, graph, boundary, static_cast<int>(v), 0.7 * radius);
+    const std::vector<int> fewer = follow(mesh, graph, boundary, static_cast<int>(v), 0.7 * radius);
     const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
     if (fewer.size() < coefficients) continue;
     out.narrower.push_back((jet_fit(mesh, fewer, degree, point.n).S - jet.S).norm());

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
 
@@ -80,7 +81,8 @@ inline std::string last_line(std::string text) {
 inline Outcome genu(const std::string& arguments) {
   const TemporaryFolder folder;
   const int status = std::system(
-      ("timeout 120 " GENU_PROGRAM " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
+      ("timeout 120 " + genu::test::program() + " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err"))
+          .c_str());
   const Outcome done{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"),
                      read_file(folder / "err")};
   if (done.exit_code >= 1 && done.exit_code <= 3) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "tools/cli_scenes.h"
 
 namespace genu::test {
@@ -38,7 +39,7 @@ TEST(Cli, SolvesChecksAndMeshes) {
 
 TEST(Cli, DoesItsWorkWhereNothingCanBeSaid) {
   TemporaryFolder folder;
-  const std::string scene = folder.write("ball.toml", kBall), program = GENU_PROGRAM;
+  const std::string scene = folder.write("ball.toml", kBall), program = genu::test::program();
   const auto exit_code = [](const std::string& command) {
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -2,6 +2,7 @@
 // rounding from it.
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -13,7 +14,8 @@ constexpr char kTable[] = "pose,status,force_N,moment_Nm,residual\n0,ok,100,1e-1
 int compare(const std::string& other) {
   const test::TemporaryFolder folder;
   const std::string one = folder.write("one.csv", kTable), two = folder.write("two.csv", other), said = folder / "said";
-  const std::string command = GENU_SOURCE_DIR "/tools/compare-tables knee " + one + " " + two + " >" + said + " 2>&1";
+  const std::string command =
+      genu::test::source_folder() + "/tools/compare-tables knee " + one + " " + two + " >" + said + " 2>&1";
   const int status = std::system(command.c_str());
   const std::string line = test::read_file(said);
   EXPECT_EQ(line.rfind("knee", 0), 0u) << line;

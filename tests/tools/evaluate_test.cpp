@@ -18,7 +18,7 @@ const std::string kStorage =
 
 TEST(CliEvaluate, ReadsWhatOpenSimWrites) {
   TemporaryFolder folder;
-  const std::string scene = folder.write("ball.toml", kBall), poses = folder.write("walk.mot", kStorage);
+  const std::string scene = folder.write("ball.toml", kBall), poses = folder.write("follow.mot", kStorage);
   const Outcome good = genu("evaluate " + scene + " --poses " + poses + " --out " + (folder / "out"));
   EXPECT_EQ(good.exit_code, 0) << good.err;
   EXPECT_TRUE(contains(good.out, "knee.flexion  deg")) << good.out;
@@ -38,7 +38,7 @@ TEST(CliEvaluate, ReadsWhatOpenSimWrites) {
 
 TEST(CliEvaluate, RefusesAndLeavesTheEarlierResult) {
   TemporaryFolder folder;
-  const std::string scene = folder.write("ball.toml", kBall), poses = folder.write("walk.mot", kStorage);
+  const std::string scene = folder.write("ball.toml", kBall), poses = folder.write("follow.mot", kStorage);
   const std::string ask = "evaluate " + scene + " --out " + (folder / "out") + " --poses ";
   ASSERT_EQ(genu(ask + poses).exit_code, 0);
   const std::string before = read_file(folder / "out/results.csv");

@@ -15,6 +15,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "tools/cli_scenes.h"
 
 namespace genu::test {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// The knee of Dortmans in so many poses that a run takes a second or two.
 std::string long_scene(const TemporaryFolder& folder, int increments) {
-  const std::string text = read_file(std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml");
+  const std::string text = read_file(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   return folder.write("knee.toml", with_first(text, "increments = 70", "increments = " + std::to_string(increments)));
 }
 
@@ -42,8 +43,8 @@ pid_t start(const std::string& scene, const std::string& out, const std::string&
   const rlimit file{limits.file, limits.file}, memory{limits.memory, limits.memory};
   setrlimit(RLIMIT_FSIZE, &file);
   setrlimit(RLIMIT_AS, &memory);
-  execl(GENU_PROGRAM, "genu", "run", scene.c_str(), "--out", out.c_str(), "--quiet", "--checkpoint", "0.05",
-        resume ? "--resume" : nullptr, nullptr);
+  execl(genu::test::program().c_str(), "genu", "run", scene.c_str(), "--out", out.c_str(), "--quiet", "--checkpoint",
+        "0.05", resume ? "--resume" : nullptr, nullptr);
   _exit(127);
 }
 

@@ -7,12 +7,13 @@
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/scene/reader.h"
 #include "support/data.h"
+#include "support/places.h"
 #include "tools/cli_scenes.h"
 
 namespace genu::test {
 namespace {
 
-const std::string kKnee = std::string(GENU_SOURCE_DIR) + "/meshes/lenhart_polynomial/scene.toml";
+const std::string kKnee = genu::test::source_folder() + "/meshes/lenhart_polynomial/scene.toml";
 
 SurfaceDef surface_of(const std::string& file, const std::string& name) {
   Diagnostics out;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "tools/cli_scenes.h"
 
 namespace genu::test {
@@ -59,8 +60,8 @@ Instructions instructions(const std::string& scene) {
   const TemporaryFolder folder;
   const std::string profile = folder / "profile";
   const int status =
-      std::system(("valgrind --tool=callgrind --callgrind-out-file=" + profile + " " GENU_PROGRAM " run " + scene +
-                   " --no-report" + " --quiet --out " + (folder / "out") + " >/dev/null 2>&1")
+      std::system(("valgrind --tool=callgrind --callgrind-out-file=" + profile + " " + genu::test::program() + " run " +
+                   scene + " --no-report" + " --quiet --out " + (folder / "out") + " >/dev/null 2>&1")
                       .c_str());
   EXPECT_EQ(status, 0);
   return read_profile(profile);
@@ -70,7 +71,7 @@ bool has_valgrind() { return std::system("valgrind --version >/dev/null 2>&1") =
 
 TEST(Instructions, AKneeInEquilibriumSpendsNoneOnMotion) {
   if (!has_valgrind()) GTEST_SKIP() << "valgrind is not installed";
-  const Instructions knee = instructions(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml");
+  const Instructions knee = instructions(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   EXPECT_GT(knee.all, 1e7);
   EXPECT_EQ(knee.of_motion, 0) << "of " << knee.all;
 }
@@ -78,7 +79,7 @@ TEST(Instructions, AKneeInEquilibriumSpendsNoneOnMotion) {
 TEST(Instructions, AKneeInMotionIsSeenToSpendThem) {
   if (!has_valgrind()) GTEST_SKIP() << "valgrind is not installed";
   const TemporaryFolder folder;
-  std::string text = read_file(GENU_SOURCE_DIR "/meshes/leskovar2019/scene.toml");
+  std::string text = read_file(genu::test::source_folder() + "/meshes/leskovar2019/scene.toml");
   text = std::regex_replace(text, std::regex("duration = [0-9.]+"), "duration = 1.5");
   const Instructions knee = instructions(folder.write("scene.toml", text));
   EXPECT_GT(knee.of_motion, 0.02 * knee.all) << "of " << knee.all;

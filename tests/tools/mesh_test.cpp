@@ -9,6 +9,7 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/surface/analytic.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -47,7 +48,7 @@ increments = 1
 
 // The exit code of `genu mesh ARGUMENTS`; what it prints goes to `log`.
 int run(const std::string& arguments, const std::string& log) {
-  const int status = std::system((std::string(GENU_PROGRAM) + " mesh " + arguments + " > " + log + " 2>&1").c_str());
+  const int status = std::system((genu::test::program() + " mesh " + arguments + " > " + log + " 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -116,13 +117,13 @@ TEST(MeshCommand, RefusesWithExitCode2) {
 /// The bones in meshes/leskovar2019 are what their file makes, and nothing is wrong with them.
 TEST(MeshCommand, MakesTheCommittedBones) {
   test::TemporaryFolder folder;
-  const std::string knee = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/", log = folder / "log";
+  const std::string knee = genu::test::source_folder() + "/meshes/leskovar2019/", log = folder / "log";
   ASSERT_EQ(run(knee + "bones.toml --edge 3.2 --out " + (folder / "out"), log), 0) << test::read_file(log);
   for (const char* bone : {"femur.stl", "tibia.stl", "patella.stl"}) {
     const std::string bytes = test::read_file(folder / (std::string("out/") + bone));
     EXPECT_TRUE(bytes == test::read_file(knee + bone)) << bone << " is another; run the command in bones.toml again";
     EXPECT_LT(bytes.size(), 300'000u) << bone;
-    const int status = std::system((std::string(GENU_PROGRAM) + " mesh-check " + knee + bone + " > " + log).c_str());
+    const int status = std::system((genu::test::program() + " mesh-check " + knee + bone + " > " + log).c_str());
     EXPECT_EQ(WEXITSTATUS(status), 0) << test::read_file(log);
     EXPECT_NE(test::read_file(log).find("  volume "), std::string::npos) << "closed";
   }

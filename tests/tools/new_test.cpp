@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "tools/cli_scenes.h"
 
 namespace genu::test {
@@ -10,7 +11,7 @@ namespace {
 
 TEST(CliNew, EveryKindRunsAsWritten) {
   const TemporaryFolder folder;
-  const std::string bones = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/bones.toml";
+  const std::string bones = genu::test::source_folder() + "/meshes/leskovar2019/bones.toml";
   ASSERT_EQ(genu("mesh " + bones + " femur tibia --edge 4 --out " + (folder / "stl")).exit_code, 0);
   const std::string meshes = " --femur " + (folder / "stl/femur.stl") + " --tibia " + (folder / "stl/tibia.stl");
   for (const std::string& kind :
@@ -46,7 +47,7 @@ TEST(CliNew, SaysWhichMeshesItNeeds) {
 
 TEST(CliNew, RefusesMeshesThatAreNoKnee) {
   const TemporaryFolder folder;
-  const std::string at = std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/", femur = at + "femur.stl",
+  const std::string at = genu::test::source_folder() + "/meshes/leskovar2019/", femur = at + "femur.stl",
                     tibia = at + "tibia.stl";
   for (const auto& [meshes, told] :
        {std::pair("--femur " + femur + " --tibia " + femur, "are the same mesh"),

@@ -7,12 +7,13 @@
 
 #include "peers/judge.h"
 #include "peers/programs/solver.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::peers {
 namespace {
 
-const std::string kScene = GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml";
+const std::string kScene = genu::test::source_folder() + "/meshes/dortmans1984/scene.toml";
 
 const Prepared& prepared() {
   static const Prepared knee = [] {
@@ -142,14 +143,15 @@ TEST(Peers, TheTableHasMediansAndTheLargest) {
 
 TEST(Peers, OtherScenesAreRefused) {
   Diagnostics out;
-  const auto other = prepare_knee(GENU_SOURCE_DIR "/meshes/leskovar2019/scene-without-joints.toml", "", out);
+  const auto other =
+      prepare_knee(genu::test::source_folder() + "/meshes/leskovar2019/scene-without-joints.toml", "", out);
   ASSERT_TRUE(other);
   EXPECT_FALSE(make_knee(*other, out));
   EXPECT_TRUE(out.has_errors());
 }
 
 TEST(Peers, BadUseIsToldAndLeavesNothing) {
-  const std::string command = GENU_SOURCE_DIR "/tools/compare-peers /no/such/folder > /dev/null 2>&1";
+  const std::string command = genu::test::source_folder() + "/tools/compare-peers /no/such/folder > /dev/null 2>&1";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
 }
 

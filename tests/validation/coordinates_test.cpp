@@ -317,10 +317,10 @@ TEST(Coordinates, EveryAngleOfEverySequenceActsAlongItsAxis) {
           const auto s = test::scene_model(
               text + test::step(fmt::format("prescribe = {{ \"j.q{}\" = [{:.17g}, {:.17g}] }}\nincrements = 4", angle,
                                             q - 2 * kStep, q + 2 * kStep)));
-          const test::Walk walk = test::walk(s);
-          ASSERT_TRUE(walk.result.complete) << text << walk.story();
+          const test::Followed follow = test::follow(s);
+          ASSERT_TRUE(follow.result.complete) << text << follow.story();
           std::vector<double> energy;
-          for (const PosePoint& point : walk.points) {
+          for (const PosePoint& point : follow.points) {
             energy.push_back(*potential_energy(s.model, point.pose.state, point.target));
             const JointValues& found = point.pose.state.coordinates[0];
             const Mat3 R = product_of(index, found.data());
@@ -329,7 +329,7 @@ TEST(Coordinates, EveryAngleOfEverySequenceActsAlongItsAxis) {
           }
           // What holds the angle does all the work on the springs.
           const double slope = (8 * (energy[3] - energy[1]) - (energy[4] - energy[0])) / (12 * kStep);
-          const double reaction = walk.points[2].pose.state.multipliers[0];
+          const double reaction = follow.points[2].pose.state.multipliers[0];
           worst_work = std::max(worst_work, std::abs(slope - reaction) / std::max(0.1, std::abs(reaction)));
         }
       }

@@ -13,6 +13,7 @@
 #include "genu/study/run_scene.h"
 #include "support/data.h"
 #include "support/judged.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -86,7 +87,7 @@ TEST(DortmansKnee, OneRunGivesEveryColumnOfTheReference) {
   ASSERT_EQ(reference.rows.size(), 8u);
 
   Diagnostics problems;
-  const auto prepared = prepare(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml", problems);
+  const auto prepared = prepare(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml", problems);
   ASSERT_TRUE(prepared) << to_string(problems.items().front());
   ContactField field(prepared->model);
   const Solution solution = test::judged(*prepared, solve(*prepared, field, {}));

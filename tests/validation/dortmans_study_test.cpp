@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "support/scenes.h"
 #include "validation/study_files.h"
 
 namespace genu::studies {
 namespace {
 
-const std::string kDortmansFolder = GENU_SOURCE_DIR "/meshes/dortmans1984";
+const std::string kDortmansFolder = genu::test::source_folder() + "/meshes/dortmans1984";
 
 const std::vector<DortmansReading>& readings() {
   static const std::vector<DortmansReading> solved = [] {

@@ -13,6 +13,7 @@
 #include "genu/study/run_scene.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
@@ -124,7 +125,7 @@ TEST(ErrorBars, ClosedFormsHaveNone) {
   options.error_bars = true;
   Diagnostics out;
   Solution solution;
-  ASSERT_EQ(run_scene(std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml", folder / "out", options, out,
+  ASSERT_EQ(run_scene(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml", folder / "out", options, out,
                       &solution),
             kExitOk);
   EXPECT_FALSE(solution.error_bars.has_value());

@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "validation/study_files.h"
 
 namespace genu::studies {
 namespace {
 
-const std::string kWismansFolder = GENU_SOURCE_DIR "/meshes/wismans1980";
+const std::string kWismansFolder = genu::test::source_folder() + "/meshes/wismans1980";
 
 const LaxityStudy& study() {
   static const LaxityStudy solved = [] {

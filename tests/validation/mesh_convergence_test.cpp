@@ -9,6 +9,7 @@
 
 #include "accuracy_table.h"
 #include "mesh_study.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -50,7 +51,7 @@ std::string to_table(const Study& study) {
 }
 
 const MeshStudy& knee() {
-  static const MeshStudy study(GENU_SOURCE_DIR "/meshes/dortmans1984/scene.toml");
+  static const MeshStudy study(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   return study;
 }
 

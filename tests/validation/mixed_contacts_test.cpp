@@ -8,6 +8,7 @@
 #include "genu/study/evaluate.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
+#include "support/places.h"
 #include "support/scene_model.h"
 #include "support/scenes.h"
 
@@ -53,8 +54,7 @@ TEST(MixedContacts, ABallBetweenASoftPlateAndARigidWall) {
 TEST(MixedContacts, AKneeWithOneSoftCompartment) {
   for (const std::string soft_side : {"medial", "lateral"}) {
     const std::string rigid_side = soft_side == "medial" ? "lateral" : "medial";
-    const std::string original =
-        test::read_text(std::string(GENU_SOURCE_DIR) + "/meshes/lenhart_polynomial/scene.toml");
+    const std::string original = test::read_text(genu::test::source_folder() + "/meshes/lenhart_polynomial/scene.toml");
     const std::string text = with_model(original.substr(0, original.find("[[step]]")), soft_side, soft("5")) +
                              "[[step]]\nprescribe = { \"knee.flexion\" = [0, 60] }\nincrements = 12\n";
     const test::TemporaryFolder folder;

@@ -3,6 +3,7 @@
 #include "motion_scene.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
+#include "support/places.h"
 
 namespace genu {
 namespace {
@@ -141,7 +142,7 @@ increments = 40
 }
 
 std::string dortmans_text() {
-  std::string text = test::read_text(std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml");
+  std::string text = test::read_text(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   const std::string body = "[body.femur]\n";
   text.insert(text.find(body) + body.size(), "mass = 4\ncentre_of_mass = [0, 0, 60]\ninertia = [0.05, 0.05, 0.01]\n");
   return text.substr(0, text.find("[[step]]"));
@@ -149,7 +150,7 @@ std::string dortmans_text() {
 
 /// Equilibria at these angles of flexion (deg), one after the other.
 ResultTable at_rest(const std::vector<double>& flexion) {
-  std::string text = test::read_text(std::string(GENU_SOURCE_DIR) + "/meshes/dortmans1984/scene.toml");
+  std::string text = test::read_text(genu::test::source_folder() + "/meshes/dortmans1984/scene.toml");
   text = text.substr(0, text.find("[[step]]"));
   for (std::size_t k = 1; k < flexion.size(); ++k)
     text +=

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "motion_scene.h"
+#include "support/places.h"
 #include "support/text.h"
 
 namespace genu {
@@ -13,7 +14,7 @@ using test::motion_scene;
 using test::with_first;
 
 std::string leskovar_text() {
-  std::ifstream file(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene.toml");
+  std::ifstream file(genu::test::source_folder() + "/meshes/leskovar2019/scene.toml");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
@@ -175,7 +176,7 @@ TEST(MotionKnee, AStiffDamperIsNoBurden) {
 /// Held by contact and ligaments in the place of hinges: the leg extends, nothing lets go, and forces balance at the
 /// end.
 TEST(MotionKnee, ExtendsWithoutItsJoints) {
-  std::ifstream file(std::string(GENU_SOURCE_DIR) + "/meshes/leskovar2019/scene-without-joints.toml");
+  std::ifstream file(genu::test::source_folder() + "/meshes/leskovar2019/scene-without-joints.toml");
   std::stringstream text;
   text << file.rdbuf();
   const Solution s = motion_of(text.str());

@@ -17,6 +17,7 @@
 #include "mesh_study.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
+#include "support/places.h"
 #include "support/ssm_scene.h"
 #include "support/temporary_folder.h"
 
@@ -25,7 +26,7 @@ namespace {
 
 using test::KneeRun;
 
-const std::string kKnee = std::string(GENU_SOURCE_DIR) + "/meshes/lenhart_polynomial/";
+const std::string kKnee = genu::test::source_folder() + "/meshes/lenhart_polynomial/";
 
 #define GENU_NEEDS_MEASURED_KNEE() GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl")
 

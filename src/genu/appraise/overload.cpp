@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 
 namespace genu {
 
@@ -10,7 +10,7 @@ double bearable_loads(const Prepared& prepared, ContactField& field, const Newto
   if (prepared.model.layers.empty() || prepared.steps.empty()) return 0;
   const Target all = prepared.steps.front().target(0);
   if (std::all_of(all.load_factors.begin(), all.load_factors.end(), [](double f) { return f == 0; })) return 0;
-  ContactSetSolver solver(prepared.model, field, options);
+  ActiveSetSolver solver(prepared.model, field, options);
   for (const double part : {0.3, 0.1, 0.03, 0.01}) {
     Target lighter = all;
     for (double& factor : lighter.load_factors) factor *= part;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 
 namespace genu {
 

@@ -23,7 +23,7 @@ struct PathEvent {
     over_edge,
     overlap,
     flawed_mesh,
-    turns_back,         ///< a limit point that ends the walk: no equilibrium lies beyond what is prescribed there
+    turns_back,         ///< a limit point that ends the path: no equilibrium lies beyond what is prescribed there
     limit_point,        ///< the same, passed by arc length
     bifurcation,        ///< the smallest stiffness passes 0, and another path branches off
     reaction_turns,     ///< the reaction of what is driven is largest or smallest: a limit point if it were the load

@@ -65,13 +65,13 @@ double PoseAccuracy::least_told(const JointModel& model, double residual) {
   return coarser(residual) * kHardly * model.scales.force;
 }
 
-KinkReach PoseAccuracy::widest_reach(const JointModel& model, double residual) {
+NonsmoothReach PoseAccuracy::widest_reach(const JointModel& model, double residual) {
   const double near = coarser(residual) * kNear, little = least_told(model, residual);
   return {.least = near, .most = near, .idle = little, .little = little};
 }
 
-KinkReach PoseAccuracy::reach() const {
-  KinkReach out = widest_;
+NonsmoothReach PoseAccuracy::reach() const {
+  NonsmoothReach out = widest_;
   out.least = kSolved;
   out.length = rounding_;
   out.twist = twist_;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "genu/model/kinks.h"
 #include "genu/model/linearization.h"
+#include "genu/model/nonsmooth_points.h"
 
 namespace genu {
 
@@ -23,7 +23,7 @@ class PoseAccuracy {
   double of_multiplier(Eigen::Index i) const;
 
   /// What kinks the pose cannot be told from.
-  KinkReach reach() const;
+  NonsmoothReach reach() const;
 
   /// How far the gradients of what is held may be off, in the metric of stability and of rows of norm 1: where surfaces
   /// are curved by no more than its length, as far as the pose is; never more than the widest reach.
@@ -32,12 +32,12 @@ class PoseAccuracy {
   /// N: at no pose solved to this (scaled) residual is more than this none.
   static double least_told(const JointModel& model, double residual);
   /// At no such pose is it wider.
-  static KinkReach widest_reach(const JointModel& model, double residual);
+  static NonsmoothReach widest_reach(const JointModel& model, double residual);
 
  private:
   double also(double correction, double stiffest) const;
 
-  KinkReach widest_;
+  NonsmoothReach widest_;
   double force_ = 0, length_ = 0, rounding_ = 0;  // length_: m, what Newton's method accepts
   bool known_ = false;                            // the correction that is left
   VecX twist_, multipliers_, contact_forces_;

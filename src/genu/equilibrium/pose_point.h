@@ -1,7 +1,7 @@
 // One solved pose of a path, with everything that is known of it.
 #pragma once
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/equilibrium/stability.h"
 #include "genu/equilibrium/undetermined.h"
 #include "genu/model/step_plan.h"

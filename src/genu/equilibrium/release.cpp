@@ -9,8 +9,8 @@
 #include "genu/equilibrium/moving_blocks.h"
 #include "genu/equilibrium/pose_accuracy.h"
 #include "genu/equilibrium/stability.h"
-#include "genu/model/kinks.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/model/nonsmooth_points.h"
 
 namespace genu {
 namespace {
@@ -105,11 +105,11 @@ bool release_layers(const JointModel& model, const State& state, double force, R
 }
 
 /// Takes out of the stiffness what jumps where the pose cannot be told from the kink.
-bool release_kinks(const JointModel& model, const State& state, const Target& target, const PoseAccuracy& accuracy,
-                   Released& out) {
+bool release_nonsmooth_points(const JointModel& model, const State& state, const Target& target,
+                              const PoseAccuracy& accuracy, Released& out) {
   const VecX unit = stability_metric(out.at.wrench.size());
   bool any = false;
-  for (Kink& k : kinks_near(model, state, target, accuracy.reach())) {
+  for (NonsmoothPoint& k : nonsmooth_points_near(model, state, target, accuracy.reach())) {
     if (k.jump != 0) {
       any = true;
       out.planes.push_back({.gradient = k.beyond ? VecX(-k.gradient) : std::move(k.gradient),
@@ -137,7 +137,7 @@ bool may_release(const JointModel& model, const State& state, const Target& targ
                      [&](const ActiveContact& c) { return idle(c.force); }) ||
          std::any_of(state.pieces.begin(), state.pieces.end(),
                      [&](const LigamentPiece& p) { return idle(to_end(model, p)); }) ||
-         any_kink_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
+         any_nonsmooth_point_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
 }
 
 void release(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
@@ -150,7 +150,7 @@ void release(const JointModel& model, const State& state, const std::vector<Acti
   out.any = release_held(model, target, accuracy, loose, out) || out.any;
   if (out.any) linearize(model, loose, target, out.at);
   out.any = release_layers(model, state, accuracy.force(), out) || out.any;
-  out.any = release_kinks(model, state, target, accuracy, out) || out.any;
+  out.any = release_nonsmooth_points(model, state, target, accuracy, out) || out.any;
 }
 
 }  // namespace genu

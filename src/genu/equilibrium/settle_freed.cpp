@@ -4,7 +4,7 @@
 
 namespace genu {
 
-PoseReport settle_freed(ContactSetSolver& solver, Balanced& pose, const Target& target) {
+PoseReport settle_freed(ActiveSetSolver& solver, Balanced& pose, const Target& target) {
   Balanced trial = pose;
   PoseReport report = solver.settle(trial, target);
   const bool ok = report.status == PoseStatus::ok;

@@ -72,7 +72,7 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
 }
 
 /// Of the first `count` rows of `held`; the others take part unseen.
-MatX trades_of(const MatX& held, Eigen::Index count, double dependent) {
+MatX self_stresses_of(const MatX& held, Eigen::Index count, double dependent) {
   MatX out = kernel(held.transpose(), dependent);
   out.colwise().normalize();
   return out.topRows(count);
@@ -125,17 +125,18 @@ VecX stability_metric(Eigen::Index n) {
   return out;
 }
 
-MatX force_trades(const Linearization& at, double length_scale, double dependent) {
+MatX self_stresses(const Linearization& at, double length_scale, double dependent) {
   MatX stiffness, held;
   tangent(at, length_scale, 0, stiffness, held);
-  return trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), dependent);
+  return self_stresses_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), dependent);
 }
 
-std::vector<int> trading(const MatX& trades) {
+std::vector<int> taking_part(const MatX& self_stresses) {
   std::vector<int> out;
   constexpr double kTakesPart = 1e-6;
-  for (Eigen::Index i = 0; i < trades.rows(); ++i)
-    if (trades.cols() > 0 && trades.row(i).cwiseAbs().maxCoeff() > kTakesPart) out.push_back(static_cast<int>(i));
+  for (Eigen::Index i = 0; i < self_stresses.rows(); ++i)
+    if (self_stresses.cols() > 0 && self_stresses.row(i).cwiseAbs().maxCoeff() > kTakesPart)
+      out.push_back(static_cast<int>(i));
   return out;
 }
 
@@ -168,8 +169,8 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
   out.free_motions = static_cast<int>(basis.cols());
   if (held.rows() + basis.cols() > at.wrench.size())
-    out.redundant =
-        trading(trades_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), kDependentRow));
+    out.redundant = taking_part(
+        self_stresses_of(held, at.constraint.size() + static_cast<Eigen::Index>(at.contacts.size()), kDependentRow));
   if (basis.cols() == 0) {
     out.smallest = std::numeric_limits<double>::infinity();
     out.mode = VecX::Zero(at.wrench.size());

@@ -21,10 +21,10 @@ struct Stability {
   double smallest = 0;
   bool complex_pair = false;  ///< some eigenvalues are complex: whether motion grows depends on mass and damping
   bool flutter = false;       ///< the smallest belongs to one
-  VecX mode;             ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
-  bool one_way = false;  ///< something lets go one way, or is stiffer there (one_way.h)
-  std::string untold;    ///< why the verdict is not known; it is neutral then. Empty: it is
-  MatX neutral;          ///< 6B x k: all motions that cost nothing, of an unstable pose too
+  VecX mode;  ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
+  bool unilateral = false;  ///< something lets go one way, or is stiffer there (unilateral_stability.h)
+  std::string untold;       ///< why the verdict is not known; it is neutral then. Empty: it is
+  MatX neutral;             ///< 6B x k: all motions that cost nothing, of an unstable pose too
   int free_motions = 0;
   /// Of constraints (their index) and contacts (M + index): those whose forces can be traded against one another, as
   /// they hold the same motion twice. Empty where all forces are determined.
@@ -65,9 +65,9 @@ MatX about_own_origins(const Linearization& at, MatX motions);
 /// constraints, then contacts (positive where one presses more), per unit of the generalised force that each of them
 /// can exert. Zeros where every force is determined. `dependent`: rows of norm 1 that are so near to a combination of
 /// others are one.
-MatX force_trades(const Linearization& at, double length_scale, double dependent = kDependentRow);
+MatX self_stresses(const Linearization& at, double length_scale, double dependent = kDependentRow);
 
 /// The rows of `trades` (columns of norm 1) that take part in any by more than rounding, rising.
-std::vector<int> trading(const MatX& trades);
+std::vector<int> taking_part(const MatX& self_stresses);
 
 }  // namespace genu

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "genu/contact/elastic_layer.h"
-#include "genu/equilibrium/idle_share.h"
-#include "genu/equilibrium/one_way.h"
+#include "genu/equilibrium/self_stress.h"
+#include "genu/equilibrium/unilateral_stability.h"
 
 namespace genu {
 namespace {
@@ -23,22 +23,22 @@ bool singular_at(const JointModel& model, const State& state, const Target& targ
   return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
 }
 
-/// look_one_way(), with all that touches and is not held.
-void look_at_what_touches(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report,
-                          const Target& target, const std::vector<double>& layer_loads, Stability& stability) {
+/// assess_unilateral_stability(), with all that touches and is not held.
+void look_at_what_touches(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target,
+                          const std::vector<double>& layer_loads, Stability& stability) {
   Balanced closed = pose;
   if (report.certificate.barring > 0)
     for (const Candidate& c : solver.touching(pose.state, ContactInspector::Touching::all,
                                               report.certificate.residual * solver.model().scales.length))
       solver.close(closed, c);
   const auto first = closed.state.contacts.begin() + static_cast<std::ptrdiff_t>(pose.state.contacts.size());
-  look_one_way(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads,
-               report.certificate.residual, stability);
+  assess_unilateral_stability(solver.model(), pose.state, {first, closed.state.contacts.end()}, target, layer_loads,
+                              report.certificate.residual, stability);
 }
 
 }  // namespace
 
-Stability stability_of(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target) {
+Stability stability_of(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target) {
   const JointModel& model = solver.model();
   Linearization at;
   linearize(model, pose.state, target, at);
@@ -48,23 +48,24 @@ Stability stability_of(ContactSetSolver& solver, const Balanced& pose, const Pos
   return out;
 }
 
-bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point) {
+bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   const JointModel& model = solver.model();
   if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
   look_at_what_touches(solver, point.pose, point.report, point.target, solver.newton().linearization().layer_loads,
                        point.stability);
-  share_with_idle(solver, point.target, point.report.certificate, point.pose, point.stability);
+  find_self_stress(solver, point.target, point.report.certificate, point.pose, point.stability);
   const bool free = point.stability.neutral.cols() > 0;
-  const bool one_way = point.stability.one_way && (free || point.stability.verdict == Stability::Verdict::neutral);
-  const bool motion = one_way || (free && singular_at(model, point.pose.state, point.target));
+  const bool unilateral =
+      point.stability.unilateral && (free || point.stability.verdict == Stability::Verdict::neutral);
+  const bool motion = unilateral || (free && singular_at(model, point.pose.state, point.target));
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
   point.report.why = !point.stability.untold.empty()
                          ? point.stability.untold + ": whether the pose is stable is not known"
-                     : one_way ? "a motion costs no force, at least one way: the pose is one of many"
-                     : motion  ? "a motion costs no force: the pose is one of many"
-                               : "the same motion is held twice: how the force is shared is not determined";
+                     : unilateral ? "a motion costs no force, at least one way: the pose is one of many"
+                     : motion     ? "a motion costs no force: the pose is one of many"
+                                  : "the same motion is held twice: how the force is shared is not determined";
   return false;
 }
 

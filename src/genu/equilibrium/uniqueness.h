@@ -8,9 +8,9 @@ namespace genu {
 /// Looks at a solved pose and its stability; where it or its forces are not determined, PoseStatus::undetermined, why,
 /// and what (PosePoint::undetermined). False then. Nothing is looked at without Safeguard::uniqueness. `solver` is
 /// where it has solved that pose, or one beside it.
-bool judge_uniqueness(ContactSetSolver& solver, PosePoint& point);
+bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point);
 
 /// Of a solved pose, what holds one way only looked at the other way too.
-Stability stability_of(ContactSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target);
+Stability stability_of(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target);
 
 }  // namespace genu

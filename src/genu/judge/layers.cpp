@@ -247,7 +247,7 @@ class Layers {
     const bool same = triangles && mesh_a && mesh_b;  // the very sum of the documents
     Ways ways;
     Sums sum;
-    double one_sided = 0;
+    double unilateral_stiffness = 0;
     if (triangles) {
       const int from = layer_->cast_from;
       if (!sampleable(from)) return pose_.out->skip("pressure of " + name + ": what casts has no ends");
@@ -260,7 +260,7 @@ class Layers {
       if (sampleable(b)) ways.emplace_back(b, a);
       if (ways.empty()) return pose_.out->skip("pressure of " + name + ": neither surface has ends");
       sum = sums(ways);
-      if (ways.size() == 1) one_sided = sum.fine.lean;
+      if (ways.size() == 1) unilateral_stiffness = sum.fine.lean;
     }
     const Resultant& fine = sum.fine;
     const bool smooth_mesh = !same && (mesh_a || mesh_b);
@@ -281,7 +281,7 @@ class Layers {
       return sum.spread([&](const Resultant& one, const Resultant& other) { return what(one, other); });
     };
     const double off = between([](auto& p, auto& q) { return (p.force - q.force).norm(); }) +
-                       (share + sampled + one_sided) * fine.load + std::max(0.0, more.load - fine.load);
+                       (share + sampled + unilateral_stiffness) * fine.load + std::max(0.0, more.load - fine.load);
     const double size = pose_.subject->size;
     pose_.out->expect("layer forces", "N", (written.force - fine.force).norm(), off + 1e-9, name);
     const Vec3 centre = fine.load > 0 ? Vec3(fine.force.cross(fine.moment) / fine.force.squaredNorm()) : Vec3::Zero();
@@ -291,7 +291,7 @@ class Layers {
                         return (p.moment - q.moment - centre.cross(p.force - q.force)).norm();
                       }) + 1e-9,
                       name);
-    const double relative = same ? 1e-7 : 3 * (share + sampled + one_sided);
+    const double relative = same ? 1e-7 : 3 * (share + sampled + unilateral_stiffness);
     const double area_off = 2 * between([](auto& p, auto& q) { return std::abs(p.area - q.area); }) +
                             (relative + border) * fine.area + std::max(0.0, more.area - fine.area) + 1e-12;
     pose_.out->expect("layer areas", "mm^2", 1e6 * std::abs(written.area - fine.area), 1e6 * area_off, name);

@@ -57,7 +57,7 @@ LoadScale::Value LoadScale::table(double x) const {
   return {value.y, inside ? value.slope : 0, inside ? value.curvature : 0};
 }
 
-std::vector<LoadScale::Kink> LoadScale::kinks_over_coordinate() const {
+std::vector<LoadScale::NonsmoothPoint> LoadScale::nonsmooth_points_over_coordinate() const {
   if (!coordinate_) return {};
   return {{first_, 0, table_->evaluate(first_).slope}, {last_, table_->evaluate(last_).slope, 0}};
 }

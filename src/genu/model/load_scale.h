@@ -32,13 +32,13 @@ class LoadScale {
   Value evaluate(double x) const;
 
   /// Times (s) where the factor or a derivative may jump; empty for a scale over a coordinate.
-  std::vector<double> kinks_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
+  std::vector<double> nonsmooth_points_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
 
   /// Where the slope jumps: the ends of a table over a coordinate (rad, m); none for other scales.
-  struct Kink {
+  struct NonsmoothPoint {
     double x = 0, below = 0, above = 0;  ///< and its slopes on both sides
   };
-  std::vector<Kink> kinks_over_coordinate() const;
+  std::vector<NonsmoothPoint> nonsmooth_points_over_coordinate() const;
 
   /// Of a sine, s; else 0.
   double period() const { return kind_ == ScaleDef::Kind::sine ? 2 * std::numbers::pi / angular_frequency_ : 0; }

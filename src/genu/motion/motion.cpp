@@ -74,7 +74,7 @@ std::vector<const LoadScale*> courses_of(const JointModel& model) {
 std::vector<double> stops_of(const JointModel& model, double duration) {
   std::vector<double> stops;
   for (const LoadScale* course : courses_of(model))
-    for (const double t : course->kinks_in_time())
+    for (const double t : course->nonsmooth_points_in_time())
       if (t > 0 && t < duration && model.safeguards.has(Safeguard::kinks)) stops.push_back(t);
   stops.push_back(duration);
   std::sort(stops.begin(), stops.end());

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/equilibrium/pair_gaps.h"
 #include "genu/motion/equations_of_motion.h"
 #include "genu/motion/motion_watch.h"
@@ -73,7 +73,7 @@ class MotionContacts {
   const JointModel& model_;
   EquationsOfMotion& equations_;
   ContactField field_;
-  ContactSetSolver solver_;
+  ActiveSetSolver solver_;
   ContactInspector inspector_;
   Balanced book_;
   Survey survey_;

@@ -6,7 +6,7 @@
 // path (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977).
 #pragma once
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/model/step_plan.h"
 
 namespace genu {

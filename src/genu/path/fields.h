@@ -91,7 +91,7 @@ void serialize(Archive& a, PoseReport& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Stability& x) {
-  a(x.verdict, x.smallest, x.complex_pair, x.flutter, x.mode, x.one_way, x.untold, x.neutral, x.free_motions,
+  a(x.verdict, x.smallest, x.complex_pair, x.flutter, x.mode, x.unilateral, x.untold, x.neutral, x.free_motions,
     x.redundant);
 }
 template <typename Archive>

@@ -15,9 +15,9 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/settle_freed.h"
 #include "genu/equilibrium/uniqueness.h"
-#include "genu/path/arc_walker.h"
+#include "genu/path/arc_length_follower.h"
 #include "genu/path/fields.h"
-#include "genu/path/walker.h"
+#include "genu/path/path_follower.h"
 
 namespace genu {
 namespace {
@@ -40,7 +40,7 @@ class PathRun {
         options_(stoppable_path(options, observer.cancelled)),
         observer_(observer),
         solver_(model, field, options_.newton),
-        walker_(solver_, options_, emit_) {
+        follower_(solver_, options_, emit_) {
     pose_.state = start_state(model);
     pose_.last_number.assign(model.pairs.size(), 0);
   }
@@ -60,16 +60,16 @@ class PathRun {
     if (step_ == 0)
       result_.complete = true;
     else if (row_ > 0)
-      walk_on(steps_[at(step_ - 1)]);
+      continue_path(steps_[at(step_ - 1)]);
     for (std::size_t i = row_ > 0 ? at(step_) : at(std::max(step_ - 1, 0)); i < steps_.size() && !stopped_; ++i) {
       step_ = static_cast<int>(i) + 1;
       row_ = 0;
       if (rows_ > 0 && rows_ > rested_) rest();
       if (!reach_start(steps_[i])) break;
-      steps_[i].arc_length ? walk_by_arc(steps_[i]) : walk(steps_[i]);
+      steps_[i].arc_length ? follow_by_arc_length(steps_[i]) : follow(steps_[i]);
     }
-    result_.substeps += walker_.substeps();
-    result_.iterations += walker_.iterations();
+    result_.substeps += follower_.substeps();
+    result_.iterations += follower_.iterations();
     return result_;
   }
 
@@ -99,16 +99,16 @@ class PathRun {
       approaching_ = false;
       return true;
     }
-    walker_.begin(plan, kApproach, pose_, report_);
-    while (!walker_.walk_to(1)) {
-      if (walker_.law_jump().empty() && walker_.step_over(window(plan))) continue;
-      pose_ = walker_.pose();
-      if (settle_past_flaw(step, walker_.failure())) return true;
-      fail(step, 0, 0, walker_.failure(), "the start of the step cannot be reached from the reference pose");
+    follower_.begin(plan, kApproach, pose_, report_);
+    while (!follower_.advance_to(1)) {
+      if (follower_.law_jump().empty() && follower_.step_over(window(plan))) continue;
+      pose_ = follower_.pose();
+      if (settle_past_flaw(step, follower_.failure())) return true;
+      fail(step, 0, 0, follower_.failure(), "the start of the step cannot be reached from the reference pose");
       return false;
     }
-    pose_ = walker_.pose();
-    report_ = walker_.report();
+    pose_ = follower_.pose();
+    report_ = follower_.report();
     approaching_ = false;
     return true;
   }
@@ -132,86 +132,86 @@ class PathRun {
     return true;
   }
 
-  void walk(const StepPlan& step) {
-    walker_.begin(step, step_, pose_, report_);
+  void follow(const StepPlan& step) {
+    follower_.begin(step, step_, pose_, report_);
     if (step_ == 1) hand_over(step, 0);
-    walk_on(step);
+    continue_path(step);
   }
 
   /// To the end of a step from behind its row `row_`.
-  void walk_on(const StepPlan& step) {
-    walker_.resume(step);
+  void continue_path(const StepPlan& step) {
+    follower_.resume(step);
     while (row_ < step.increments && !stopped_) {
       if (asked_to_stop(observer_.cancelled)) return stop();
       advance_to(step, ++row_);
       if (row_ < step.increments && rows_ - rested_ >= kRest && !stopped_) rest();
     }
-    pose_ = walker_.pose();
-    report_ = walker_.report();
+    pose_ = follower_.pose();
+    report_ = follower_.report();
   }
 
   /// The same by arc length: rows wherever t passes k / increments, upward or downward, until t = 1.
-  void walk_by_arc(const StepPlan& step) {
+  void follow_by_arc_length(const StepPlan& step) {
     if (step_ == 1) {
-      walker_.begin(step, step_, pose_, report_);
+      follower_.begin(step, step_, pose_, report_);
       hand_over(step, 0);
     }
     int handed_over = 0;
-    ArcWalker walker(solver_, options_, walker_.law_events(),
-                     {[&](int k, const ArcWalker::Point& p) {
-                        PosePoint point;
-                        point.increment = k;
-                        point.t = p.at.t;
-                        point.pose = p.at.pose;
-                        point.report = p.report;
-                        point.report.iterations = walker.iterations() - handed_over;
-                        handed_over = walker.iterations();
-                        point.stability = p.stability;
-                        hand_over(step, std::move(point));
-                      },
-                      [&](PathEvent::Kind kind, const ArcWalker::Point& p, const std::string& what) {
-                        emit({kind, step_, p.at.t, step.target(p.at.t), what, p.at.pose.state.coordinates});
-                      },
-                      observer_.cancelled});
-    const ArcWalker::End end = walker.walk(step, pose_, report_);
-    result_.substeps += walker.substeps();
-    result_.iterations += walker.iterations();
-    pose_ = walker.here().at.pose;
-    report_ = walker.here().report;
-    if (end == ArcWalker::End::cancelled) return stop();
-    if (end != ArcWalker::End::reached) explain_arc_end(step, end, walker);
+    ArcLengthFollower follower(solver_, options_, follower_.law_events(),
+                               {[&](int k, const ArcLengthFollower::Point& p) {
+                                  PosePoint point;
+                                  point.increment = k;
+                                  point.t = p.at.t;
+                                  point.pose = p.at.pose;
+                                  point.report = p.report;
+                                  point.report.iterations = follower.iterations() - handed_over;
+                                  handed_over = follower.iterations();
+                                  point.stability = p.stability;
+                                  hand_over(step, std::move(point));
+                                },
+                                [&](PathEvent::Kind kind, const ArcLengthFollower::Point& p, const std::string& what) {
+                                  emit({kind, step_, p.at.t, step.target(p.at.t), what, p.at.pose.state.coordinates});
+                                },
+                                observer_.cancelled});
+    const ArcLengthFollower::End end = follower.follow(step, pose_, report_);
+    result_.substeps += follower.substeps();
+    result_.iterations += follower.iterations();
+    pose_ = path_follower.here().at.pose;
+    report_ = path_follower.here().report;
+    if (end == ArcLengthFollower::End::cancelled) return stop();
+    if (end != ArcLengthFollower::End::reached) explain_arc_end(step, end, follower);
   }
 
-  void explain_arc_end(const StepPlan& step, ArcWalker::End end, const ArcWalker& walker) {
-    const ArcWalker::Point& last = walker.here();
-    PoseReport report = walker.failure();
+  void explain_arc_end(const StepPlan& step, ArcLengthFollower::End end, const ArcLengthFollower& follower) {
+    const ArcLengthFollower::Point& last = path_follower.here();
+    PoseReport report = follower.failure();
     report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
-    if (end == ArcWalker::End::closed) {
+    if (end == ArcLengthFollower::End::closed) {
       emit({PathEvent::Kind::closed, step_, last.at.t, step.target(last.at.t), "", last.at.pose.state.coordinates});
       report.why = "the path closes on itself without reaching the end of the step";
     }
-    if (end == ArcWalker::End::ran_away) report.why = "the path runs away from the end of the step";
+    if (end == ArcLengthFollower::End::ran_away) report.why = "the path runs away from the end of the step";
     where_ = last.at.t;
     fail(step, step.increments, 1, report, "");
   }
 
   void advance_to(const StepPlan& step, int k) {
     const double t = static_cast<double>(k) / step.increments;
-    if (walker_.t() > t) {
+    if (follower_.t() > t) {
       // Stepped over together with the stretch it lies in.
-      fail(step, k, t, walker_.failure(), "", false);
+      fail(step, k, t, follower_.failure(), "", false);
       return;
     }
-    while (!walker_.walk_to(t)) {
-      const PoseStatus status = walker_.failure().status;
+    while (!follower_.advance_to(t)) {
+      const PoseStatus status = follower_.failure().status;
       const bool edge = status == PoseStatus::over_edge || status == PoseStatus::flawed_mesh;
-      if (!edge && walker_.law_jump().empty() && walker_.step_over(window(step))) {
-        if (walker_.t() <= t) continue;
-        fail(step, k, t, walker_.failure(), "", false);
+      if (!edge && follower_.law_jump().empty() && follower_.step_over(window(step))) {
+        if (follower_.t() <= t) continue;
+        fail(step, k, t, follower_.failure(), "", false);
         return;
       }
-      if (!edge && walker_.law_jump().empty() && walker_.snap_beyond(t - walker_.t())) continue;
-      if (!edge && may_skip(step, k)) return fail(step, k, t, walker_.failure(), "", false);
+      if (!edge && follower_.law_jump().empty() && follower_.snap_beyond(t - follower_.t())) continue;
+      if (!edge && may_skip(step, k)) return fail(step, k, t, follower_.failure(), "", false);
       explain_end(step, k, t);
       return;
     }
@@ -223,7 +223,7 @@ class PathRun {
   /// one, to which the joint can settle from here as well.
   bool may_skip(const StepPlan& step, int k) {
     constexpr int kMost = 3;  // in a row
-    return walker_.can_snap() && k < step.increments && ++skipped_ <= kMost;
+    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMost;
   }
 
   /// A stretch without solution that may be stepped over, in units of the step's parameter.
@@ -234,31 +234,31 @@ class PathRun {
   }
 
   void explain_end(const StepPlan& step, int k, double t) {
-    PoseReport report = walker_.failure();
-    pose_ = walker_.pose();
-    if (walker_.turning_back()) {
+    PoseReport report = follower_.failure();
+    pose_ = follower_.pose();
+    if (follower_.turning_back()) {
       const auto limit = limit_point(step);
       if (limit) emit(*limit);
       report.why =
           limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
     } else if (report.status == PoseStatus::chatter) {
-      ArcWalker walker(solver_, options_, walker_.law_events(), {{}, {}, observer_.cancelled});
-      const auto turn = walker.turn_at_a_change(step, walker_.pose(), walker_.report(), walker_.t());
-      result_.iterations += walker.iterations();
+      ArcLengthFollower follower(solver_, options_, follower_.law_events(), {{}, {}, observer_.cancelled});
+      const auto turn = follower.turn_at_a_change(step, follower_.pose(), follower_.report(), follower_.t());
+      result_.iterations += follower.iterations();
       if (turn) {
         emit(turn_at(step, turn->at.t, turn->at.pose.state));
         report.status = PoseStatus::no_equilibrium;
         report.why = kTurnsBack;
       }
     }
-    const auto [distance, angle] = walker_.snap();
+    const auto [distance, angle] = follower_.snap();
     if (distance > 0 || angle > 0) {
-      emit({PathEvent::Kind::snaps, step_, walker_.t(), step.target(walker_.t()),
+      emit({PathEvent::Kind::snaps, step_, follower_.t(), step.target(follower_.t()),
             fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI),
             pose_.state.coordinates});
       report.status = PoseStatus::no_equilibrium;
       report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
-      if (!walker_.law_jump().empty()) report.why += ", as the force drops of ligament " + walker_.law_jump();
+      if (!follower_.law_jump().empty()) report.why += ", as the force drops of ligament " + follower_.law_jump();
     }
     fail(step, k, t, report, "");
   }
@@ -272,23 +272,23 @@ class PathRun {
   /// path is all but vertical and yet goes on.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
-    ArcWalker walker(solver_, options_, walker_.law_events(), {});
-    const auto limit = walker.limit_ahead(step, walker_.pose(), walker_.t(), kReach);
-    result_.iterations += walker.iterations();
+    ArcLengthFollower follower(solver_, options_, follower_.law_events(), {});
+    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kReach);
+    result_.iterations += follower.iterations();
     if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
-    if (walker.here().at.t > walker_.t() + options_.smallest_increment) return {};
-    return turn_at(step, walker_.t(), walker_.pose().state);
+    if (path_follower.here().at.t > follower_.t() + options_.smallest_increment) return {};
+    return turn_at(step, follower_.t(), follower_.pose().state);
   }
 
   void hand_over(const StepPlan& step, int k) {
     PosePoint point;
     point.increment = k;
-    point.t = walker_.t();
-    point.pose = walker_.pose();
-    point.report = walker_.report();
-    point.report.iterations = walker_.iterations() - handed_over_;
-    handed_over_ = walker_.iterations();
-    point.stability = walker_.stability();
+    point.t = follower_.t();
+    point.pose = follower_.pose();
+    point.report = follower_.report();
+    point.report.iterations = follower_.iterations() - handed_over_;
+    handed_over_ = follower_.iterations();
+    point.stability = follower_.stability();
     hand_over(step, std::move(point));
   }
 
@@ -313,7 +313,7 @@ class PathRun {
     point.report = report;
     if (point.report.status == PoseStatus::ok) point.report.status = PoseStatus::no_equilibrium;
     if (last) {
-      const double where = approaching_ ? 0 : step.arc_length ? where_ : walker_.t();
+      const double where = approaching_ ? 0 : step.arc_length ? where_ : follower_.t();
       emit({PathEvent::Kind::stopped, approaching_ ? kApproach : step_, where, step.target(where),
             what.empty() ? report.why : what + ": " + report.why, pose_.state.coordinates});
       stop();
@@ -351,7 +351,7 @@ class PathRun {
   template <typename Archive>
   void remember(Archive& archive) {
     archive(pose_, report_, result_.complete, result_.substeps, result_.iterations, result_.worst_residual, step_, row_,
-            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, walker_);
+            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, follower_);
   }
 
   void emit(PathEvent event) const {
@@ -364,8 +364,8 @@ class PathRun {
   const PathOptions options_;
   const PathObserver& observer_;
   const std::function<void(PathEvent)> emit_ = [this](const PathEvent& event) { emit(event); };
-  ContactSetSolver solver_;
-  Walker walker_;
+  ActiveSetSolver solver_;
+  PathFollower follower_;
   Balanced pose_;
   PoseReport report_;
   PathResult result_;

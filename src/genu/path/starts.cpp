@@ -225,7 +225,7 @@ class StartsSearcher {
   const std::vector<JointValues>& first_;
   const StartOptions& options_;
   const Cancelled& cancelled_;
-  ContactSetSolver solver_;
+  ActiveSetSolver solver_;
   StartSearch out_;
 };
 

@@ -7,7 +7,7 @@
 // quarter, an eighth of the way.
 //
 // Each start is settled twice: by Newton's method alone, which finds equilibria of any kind, and downhill
-// (downhill_seed.h), which finds stable ones. From each equilibrium that is unstable two more descents set out,
+// (descent_seed.h), which finds stable ones. From each equilibrium that is unstable two more descents set out,
 // displaced both ways along its unstable motion: to the stable poses on either side of a saddle. Between two stable
 // poses the coordinate that differs most is driven to where that costs nothing, and let go: at the saddle.
 #pragma once
@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/equilibrium/stability.h"
 
 namespace genu {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "genu/equilibrium/contact_set.h"
+#include "genu/equilibrium/active_set.h"
 #include "genu/model/layer_report.h"
 #include "genu/results/result_table.h"
 

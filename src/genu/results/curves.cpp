@@ -23,7 +23,7 @@ std::vector<double> column(const ResultTable& poses, const std::string& name) {
   return values;
 }
 
-bool one_way(const std::vector<double>& values) {
+bool unilateral(const std::vector<double>& values) {
   if (values.size() < 2) return false;
   const double sign = values[1] > values[0] ? 1 : -1;
   for (std::size_t k = 1; k < values.size(); ++k)
@@ -70,7 +70,7 @@ class Curves {
     if (scene_.dynamics) return over_time();
     for (const QuantityRef& c : prescribed_) {
       chart_.x = column(poses_, coordinate_column(c));
-      if (!one_way(chart_.x)) continue;
+      if (!unilateral(chart_.x)) continue;
       x_ = c;
       chart_.x_title = fmt::format("{} [{}]", quantity_name(scene_, c), unit(c));
       return;
@@ -116,7 +116,7 @@ class Curves {
         if (!scene_.joints[static_cast<std::size_t>(j)].leaves(i)) continue;
         const std::vector<double> x = column(poses_, coordinate_column(c));
         constexpr double kLeast = 5;  // deg
-        if (!one_way(x) || std::abs(x.back() - x.front()) <= std::max(most, kLeast)) continue;
+        if (!unilateral(x) || std::abs(x.back() - x.front()) <= std::max(most, kLeast)) continue;
         most = std::abs(x.back() - x.front());
         x_ = c;
         chart_.x = x;

@@ -71,8 +71,8 @@ Solved solve_path(const Prepared& prepared, ContactField& field, const RunOption
     out.events = options.checkpoint->events;
     solved = out.solved();
   }
-  const auto walk = [&] { out.path = follow_path(prepared.model, field, prepared.steps, how, observer, from); };
-  options.keep_partial ? void(out.stopped = stop_of(walk)) : walk();
+  const auto follow = [&] { out.path = follow_path(prepared.model, field, prepared.steps, how, observer, from); };
+  options.keep_partial ? void(out.stopped = stop_of(follow)) : follow();
   if (out.stopped.empty() && !out.path.complete && asked_to_stop(options.cancelled)) out.stopped = "interrupted";
   if (!out.stopped.empty()) out.path.complete = false;
   const bool by_arc =

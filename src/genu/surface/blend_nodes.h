@@ -14,7 +14,7 @@ constexpr double kNodeSpacing = 0.25;       ///< of the fit radius
 struct NodeSeed {
   Vec3 position = Vec3::Zero();   ///< m, on the mesh
   Vec3 normal = Vec3::UnitZ();    ///< outward
-  std::array<int, 3> vertices{};  ///< where a walk from here starts; entry 0 is repeated for a vertex
+  std::array<int, 3> vertices{};  ///< where a walk over the mesh starts; entry 0 is repeated for a vertex
   int component = 0;
 };
 

@@ -67,7 +67,7 @@ class Probe {
                             const HeightFit a = at(fitter, v, radius);
                             if (a.degree == 0) return false;
                             const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
-                            const int partner = walk_toward(v, target);
+                            const int partner = advance_toward(v, target);
                             if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
                             const HeightFit b = at(fitter, partner, radius);
                             if (b.degree == 0) return false;
@@ -103,7 +103,7 @@ class Probe {
     return (edge - normal * normal.dot(edge)).normalized();
   }
 
-  int walk_toward(int v, const Vec3& target) const {
+  int advance_toward(int v, const Vec3& target) const {
     for (int best = v;; v = best) {
       double least = (mesh_.vertices[v] - target).squaredNorm();
       for (int w : graph_.neighbours(v)) {

@@ -46,7 +46,7 @@ constexpr double kFitReach = 0.7;
 struct FitRequest {
   Vec3 origin = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< outward, a first guess (the frame's normal is averaged from the vertices)
-  std::span<const int> seeds;   ///< vertices to walk from
+  std::span<const int> seeds;   ///< vertices to follow from
   double radius = 0;            ///< m
   int degree = 3;
   bool may_adapt = true;  ///< enlarge the radius, then lower the degree, where the vertices are too few

@@ -23,6 +23,7 @@
 
 #include "hard_cases/population/draw_knee.h"
 #include "hard_cases/population/trial.h"
+#include "support/places.h"
 
 namespace genu::population {
 namespace {
@@ -146,7 +147,7 @@ class Population {
 int run(Options options) {
   namespace fs = std::filesystem;
   const char* data = std::getenv("GENU_DATA");
-  options.trial.data = data != nullptr ? data : GENU_DATA_DEFAULT;
+  options.trial.data = data != nullptr ? std::string(data) : genu::test::data_default();
   if (!fs::exists(options.trial.data + "/ssm")) {
     options.trial.data.clear();
     fmt::print("no public knee data here (GENU_DATA): measured knees are left out\n");
@@ -168,7 +169,7 @@ int run(Options options) {
 int main(int argc, char** argv) {
   using namespace genu::population;
   Options options;
-  options.trial.genu = GENU_PROGRAM;
+  options.trial.genu = genu::test::program();
   CLI::App app{"Random knees from a seed: solved, judged, compared with another method"};
   app.add_option("--knees", options.knees, "how many")->check(CLI::Range(1, 10'000'000));
   app.add_option("--first", options.first, "number of the first one")->check(CLI::NonNegativeNumber);

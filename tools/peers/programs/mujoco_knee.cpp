@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
     the_knee = &knee;
     mjcb_passive = add_springs;
     MujocoKnee mujoco(knee, model);
-    error = write_path(walk(knee, mujoco), argv[4]);
+    error = write_path(follow(knee, mujoco), argv[4]);
   }
   if (!error.empty()) std::fprintf(stderr, "mujoco_knee: %s\n", error.c_str());
   return error.empty() ? 0 : 1;

@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
   std::string error = read_knee(argv[1], knee);
   if (error.empty()) {
     SimbodyKnee simbody(knee, folder_of(argv[1]), kPerCubicMillimetre * std::atof(argv[2]));
-    error = write_path(walk(knee, simbody), argv[3]);
+    error = write_path(follow(knee, simbody), argv[3]);
   }
   if (!error.empty()) std::fprintf(stderr, "simbody_knee: %s\n", error.c_str());
   return error.empty() ? 0 : 1;

@@ -20,7 +20,7 @@ inline SpringValue evaluate(const Spring& spring, double length) {
 /// Every pose from the one before it: solver.go_to(flexion) says whether it arrived and is timed, solver.tell(pose) is
 /// not.
 template <typename Solver>
-FoundPath walk(const Knee& knee, Solver& solver) {
+FoundPath follow(const Knee& knee, Solver& solver) {
   FoundPath path;
   for (const double flexion : knee.flexions) {
     FoundPose& pose = path.poses.emplace_back();

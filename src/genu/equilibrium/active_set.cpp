@@ -1,0 +1,355 @@
+#include "genu/equilibrium/active_set.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "genu/equilibrium/force_guess.h"
+#include "genu/equilibrium/piece_changes.h"
+#include "genu/equilibrium/stiffness_homotopy.h"
+
+namespace genu {
+namespace {
+
+constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
+constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
+/// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
+std::vector<std::pair<int, int>> signature(const State& state) {
+  std::vector<std::pair<int, int>> s;
+  for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
+  for (const LigamentPiece& p : state.pieces)
+    if (!p.by_length) s.emplace_back(-1 - p.ligament, 2 * p.piece + p.held);
+  std::sort(s.begin(), s.end());
+  return s;
+}
+
+}  // namespace
+
+const char* to_string(PoseStatus status) {
+  switch (status) {
+    case PoseStatus::ok:
+      return "ok";
+    case PoseStatus::no_equilibrium:
+      return "no_equilibrium";
+    case PoseStatus::over_edge:
+      return "over_edge";
+    case PoseStatus::overlap:
+      return "overlap";
+    case PoseStatus::chatter:
+      return "chatter";
+    case PoseStatus::overconstrained:
+      return "overconstrained";
+    case PoseStatus::undetermined:
+      return "undetermined";
+    case PoseStatus::flawed_mesh:
+      return "flawed_mesh";
+  }
+  return "";
+}
+
+ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
+    : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
+  // Contact points far from the world's origin close to rounding only.
+  if (!model.pairs.empty() && model.safeguards.has(Safeguard::gap_rounding))
+    options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
+}
+
+int ActiveSetSolver::contact_limit(const Target& target) const {
+  if (model_->safeguards.lacks(Safeguard::contact_limit)) return std::numeric_limits<int>::max();
+  return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
+}
+
+PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) const {
+  PoseReport report;
+  report.newton = newton;
+  report.iterations = newton.iterations;
+  report.certificate = inspector_.certify(state, newton.residual);
+  report.status = PoseStatus::ok;
+  if (report.certificate.least_opposed > 0 && model_->safeguards.has(Safeguard::opposed)) {
+    report.status = PoseStatus::overlap;
+    report.why = "a contact presses from the inner side";
+  }
+  if (findings.doubtful) {
+    report.status = PoseStatus::flawed_mesh;
+    report.why = "contact leans on " + findings.where;
+  } else if (findings.over_edge) {
+    report.status = PoseStatus::over_edge;
+    report.why = "contact " + findings.where + " lies past the edge of its surface";
+  } else if (findings.deep_overlap) {
+    report.status = PoseStatus::overlap;
+    report.why = "surfaces overlap deeply: " + findings.where;
+  }
+  return report;
+}
+
+PoseReport ActiveSetSolver::solve_held(Balanced& pose, const Target& target, Findings& findings) {
+  State state = pose.state;
+  const NewtonReport newton = newton_.solve(state, target, options_);
+  if (!newton.converged()) {
+    PoseReport report;
+    report.newton = newton;
+    report.iterations = newton.iterations;
+    report.why = to_string(newton.outcome);
+    return report;
+  }
+  pose.state = std::move(state);
+  return inspect(pose.state, newton, findings);
+}
+
+PoseReport ActiveSetSolver::inspect(const State& state, const NewtonReport& newton, Findings& findings) {
+  inspector_.inspect(state, findings);
+  inspect_pieces(*model_, state, findings);
+  return judge(state, newton, findings);
+}
+
+std::vector<Candidate> ActiveSetSolver::touching(const State& state, ContactInspector::Touching which, double within) {
+  Findings findings;
+  inspector_.inspect(state, findings);
+  return inspector_.touching(state, which, within);
+}
+
+void ActiveSetSolver::close(Balanced& pose, const Candidate& candidate) const {
+  // An open contact is followed by descent and lands where the survey does.
+  const double same_open = 0.1 * field_->spacing();
+  ActiveContact contact{candidate.pair, 0, candidate.minimum.contact, 0};
+  for (auto it = pose.open.begin(); it != pose.open.end(); ++it) {
+    if (it->pair != candidate.pair || !same_place(it->geometry, contact.geometry, same_open)) continue;
+    contact.number = it->number;
+    pose.open.erase(it);
+    break;
+  }
+  if (contact.number == 0) {
+    pose.last_number.resize(model_->pairs.size(), 0);
+    contact.number = ++pose.last_number[at(candidate.pair)];
+  }
+  pose.state.contacts.push_back(contact);
+}
+
+void ActiveSetSolver::release(Balanced& pose, int contact) const {
+  const ActiveContact& c = pose.state.contacts[at(contact)];
+  pose.open.push_back({c.pair, c.number, c.geometry, 0});
+  pose.state.contacts.erase(pose.state.contacts.begin() + contact);
+}
+
+void ActiveSetSolver::follow_open(Balanced& pose) {
+  std::vector<OpenContact> still;
+  for (OpenContact open : pose.open) {
+    const auto descent = field_->follow(pose.state, open.pair, open.geometry);
+    if (!descent || !descent->settled || field_->edge_distance(open.pair, descent->minimum.contact) < 0) continue;
+    const Candidate candidate{open.pair, descent->minimum};
+    const bool merged =
+        inspector_.held(pose.state, candidate) || std::any_of(still.begin(), still.end(), [&](const OpenContact& o) {
+          return o.pair == open.pair && same_place(o.geometry, descent->minimum.contact, inspector_.same_contact());
+        });
+    if (merged) continue;
+    open.geometry = descent->minimum.contact;
+    open.gap = descent->minimum.gap;
+    still.push_back(open);
+  }
+  pose.open = std::move(still);
+}
+
+bool ActiveSetSolver::change(Balanced& pose, const Target& target, const Findings& findings) const {
+  State& state = pose.state;
+  if (!findings.merged.empty()) {
+    const auto [stays, goes] = findings.merged.front();
+    state.contacts[at(stays)].force += state.contacts[at(goes)].force;
+    state.contacts.erase(state.contacts.begin() + goes);
+    return true;
+  }
+  if (!findings.not_minimal.empty()) {
+    for (auto it = findings.not_minimal.rbegin(); it != findings.not_minimal.rend(); ++it) release(pose, *it);
+    for (const Candidate& c : findings.beside)
+      if (!inspector_.held(state, c) && static_cast<int>(state.contacts.size()) < contact_limit(target)) close(pose, c);
+    return true;
+  }
+  if (!findings.overlapping.empty()) {
+    const Candidate& deepest = findings.overlapping.front();
+    if (static_cast<int>(state.contacts.size()) >= contact_limit(target)) {
+      if (state.contacts.empty()) return false;
+      const auto weakest = std::min_element(state.contacts.begin(), state.contacts.end(),
+                                            [](const auto& x, const auto& y) { return x.force < y.force; });
+      release(pose, static_cast<int>(weakest - state.contacts.begin()));
+    }
+    close(pose, deepest);
+    return true;
+  }
+  if (!findings.pulling.empty()) {
+    release(pose, findings.pulling.front());
+    return true;
+  }
+  return false;
+}
+
+PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
+  Balanced trial = pose;
+  follow_lengths(*model_, trial.state);
+  PoseReport report;
+  std::set<std::vector<std::pair<int, int>>> seen;
+  int iterations = 0;
+  for (int k = 0; k < kChanges; ++k) {
+    Findings findings;
+    report = solve_held(trial, target, findings);
+    report.iterations = iterations += report.iterations;
+    const bool solved = report.newton.converged() && (report.newton.full_rank || held_count(trial.state) == 0);
+    if (!solved && (let_go(*model_, trial.state) || fix_pieces(*model_, trial.state))) continue;
+    if (!report.newton.converged()) return settle_without_one(pose, trial, target, report);
+    if (findings.none()) {
+      if (report.status != PoseStatus::ok) return report;
+      fix_pieces(*model_, trial.state);
+      follow_open(trial);
+      pose = std::move(trial);
+      return report;
+    }
+    seen.insert(signature(trial.state));
+    if (!change_pieces(*model_, findings, trial.state) && !change(trial, target, findings)) {
+      if (report.status == PoseStatus::ok) report.status = PoseStatus::overconstrained;
+      return report;
+    }
+    if (seen.count(signature(trial.state)) > 0) break;
+  }
+  report.status = PoseStatus::chatter;
+  report.why = "no set of contacts satisfies all conditions: the search comes back to one it has left";
+  if (const std::string gap = piece_in_doubt(*model_, trial.state); !gap.empty())
+    report.why = "no equilibrium on either side of the jump of " + gap;
+  if (static_cast<int>(trial.state.contacts.size()) >= contact_limit(target)) {
+    report.status = PoseStatus::overconstrained;
+    report.why = "more contacts are needed than the prescribed coordinates and the joints leave room for";
+  }
+  return report;
+}
+
+PoseReport ActiveSetSolver::settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
+                                               const PoseReport& failure) {
+  // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one
+  // of them has to go before the other can come.
+  if (model_->safeguards.lacks(Safeguard::without_one) || failure.newton.full_rank || failed.state.contacts.size() < 2)
+    return failure;
+  int iterations = failure.iterations;
+  for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {
+    Balanced trial = failed;
+    release(trial, i);
+    Findings findings;
+    PoseReport report = solve_held(trial, target, findings);
+    report.iterations = iterations += report.iterations;
+    if (report.status != PoseStatus::ok || !findings.none()) continue;
+    fix_pieces(*model_, trial.state);
+    follow_open(trial);
+    pose = std::move(trial);
+    return report;
+  }
+  return failure;
+}
+
+void ActiveSetSolver::close_touching(Balanced& pose, const Target& target, double below) {
+  field_->survey(pose.state, survey_);
+  std::vector<Candidate> minima = survey_.minima;
+  std::stable_sort(minima.begin(), minima.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
+  for (const Candidate& c : minima)
+    if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
+}
+
+PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill) {
+  return settle_from_seed(pose, target, SeedWay{.downhill = downhill});
+}
+
+PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way) {
+  Balanced trial = pose;
+  for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
+  const SeedReport seed =
+      way.downhill ? descent_seed(*model_, *field_, target, trial.state, way.stride, options_.cancelled)
+                   : stiffness_homotopy(*model_, *field_, target, trial.state, way.stiffer, options_.cancelled);
+  PoseReport report;
+  if (!seed.balanced) {
+    report.iterations = seed.iterations;
+    report.why = "no balanced pose was found even on an elastic foundation";
+    return report;
+  }
+  follow_open(trial);
+  close_touching(trial, target, 0);
+  report = settle(trial, target);
+  report.iterations += seed.iterations;
+  if (report.status == PoseStatus::ok) pose = std::move(trial);
+  return report;
+}
+
+bool ActiveSetSolver::passes_through(const State& from, const State& to, bool followed) {
+  // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
+  // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
+  // over the other, which no straight way follows.
+  if (model_->safeguards.lacks(Safeguard::passing)) return false;
+  constexpr int kMost = 200;
+  constexpr double kShallow = 0.1;  // of the characteristic length
+  const double step = 2 * field_->spacing(),
+               shallow = followed ? step : std::max(step, kShallow * model_->scales.length);
+  for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
+    const double moved = field_->motion(from, to, pair);
+    const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
+    if (steps <= 1) continue;
+    if (followed && moved > kMost * step) return true;  // too far to be looked at
+    const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
+    State between = from;
+    for (int k = 1; k < steps; ++k) {
+      const double u = static_cast<double>(k) / steps;
+      for (std::size_t i = 0; i < from.poses.size(); ++i) {
+        const Pose &a = from.poses[i], &b = to.poses[i];
+        between.poses[i] = {exp_rotation(u * log_rotation(b.R * a.R.transpose())) * a.R, (1 - u) * a.p + u * b.p};
+      }
+      if (field_->overlap(between, pair) > allowed) return true;
+    }
+  }
+  return false;
+}
+
+PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
+  Balanced trial = pose;
+  const double touching = 0.05 * field_->spacing();
+  close_touching(trial, target, touching);
+  PoseReport report = settle(trial, target);
+  if (report.status == PoseStatus::no_equilibrium && model_->safeguards.has(Safeguard::force_guess)) {
+    // Without a force a contact has no stiffness along the surfaces, and what little else there is leads Newton astray.
+    trial = pose;
+    close_touching(trial, target, touching);
+    if (guess_forces(*model_, target, trial.state)) report = settle(trial, target);
+  }
+  if (report.status == PoseStatus::ok) {
+    if (!passes_through(pose.state, trial.state)) {
+      pose = std::move(trial);
+      return report;
+    }
+    report.status = PoseStatus::overlap;
+    report.why = kBehind;
+  }
+  if (model_->safeguards.lacks(Safeguard::seed)) return report;
+  // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
+  // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one. From far
+  // Newton's method on it may wander without end, where the way down has one; and long steps down leap over the ends
+  // that a body would slide into.
+  PoseReport seeded;
+  for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
+                             SeedWay{.downhill = true, .stride = Stride::careful}}) {
+    if (way.downhill && model_->safeguards.lacks(Safeguard::downhill)) break;
+    trial = pose;
+    PoseReport tried = settle_from_seed(trial, target, way);
+    tried.iterations += seeded.iterations;
+    if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state)) {
+      tried.status = PoseStatus::overlap;
+      tried.why = kBehind;
+    }
+    const bool vague = tried.status == PoseStatus::no_equilibrium;
+    if (way.downhill && (vague || (tried.status != PoseStatus::ok && seeded.status != PoseStatus::no_equilibrium)))
+      seeded.iterations = tried.iterations;  // where the way down leads to nothing, what Newton met says more
+    else
+      seeded = tried;
+    if (tried.status != PoseStatus::ok) continue;
+    pose = std::move(trial);
+    break;
+  }
+  seeded.iterations += report.iterations;
+  // Of two failures the one that names a cause says more.
+  const bool vague = seeded.status == PoseStatus::no_equilibrium;
+  return vague && report.status != PoseStatus::no_equilibrium ? report : seeded;
+}
+
+}  // namespace genu

@@ -1,0 +1,367 @@
+#include "genu/path/path_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/core/bracket.h"
+#include "genu/equilibrium/piece_changes.h"
+#include "genu/equilibrium/state_difference.h"
+
+namespace genu {
+namespace {
+
+// Toward a limit point the tangent grows without bound: one step may move the bodies so far and no farther, or the
+// solution found at its end may lie on another branch. Characteristic lengths plus rad.
+constexpr double kFarthest = 0.25;
+constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a substep is not seen
+
+}  // namespace
+
+void PathFollower::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
+  plan_ = plan;
+  rate_ = plan.rate();
+  step_ = step;
+  driven_ = plan.only_driven();
+  t_ = 0;
+  stiffest_seen_ = 0;
+  last_definite_ = 0;
+  stepped_over_ = crowd_ = 0;
+  crowd_from_ = 0;
+  tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
+  prediction_.forget();
+  accept(0, std::move(pose), report);
+}
+
+void PathFollower::compute_tangent(const State& state, double t, Tangent& out) {
+  if (here_.layers == nullptr) here_.layers = solver_.newton().layers();
+  linearize(solver_.model(), state, plan_.target(t), here_);
+  if (solver_.newton().step().factor(here_, plan_.target(t))) return compute_tangent(here_, state, t, out);
+  out.motion.resize(0, 0, 0);
+  out.stability = assess_stability(here_, solver_.model().scales.length);
+}
+
+void PathFollower::compute_tangent(const Linearization& at, const State& state, double t, Tangent& out) {
+  const JointModel& model = solver_.model();
+  out.stability = assess_stability(at, model.scales.length);
+  solver_.newton().step().solve_rates(load_rate(model, state, plan_.target(t), rate_),
+                                      constraint_rate(rate_, at.constraint.size()), out.motion);
+}
+
+void PathFollower::compute_tangent_of_last(const State& state, double t, Tangent& out) {
+  // Times the Jacobian's own error, of all rates together: a reaction's rate that small has a sign only with the
+  // Jacobian at the solution.
+  constexpr double kDoubt = 30;
+  Newton& newton = solver_.newton();
+  compute_tangent(newton.linearization(), state, t, out);
+  if (driven_ < 0 || newton.jacobian_error() == 0) return;
+  const Target target = plan_.target(t);
+  const bool rotation = is_rotation(solver_.model(), target, at(driven_));
+  const auto& scales = solver_.model().scales;
+  const double rate = std::abs(reaction_rate(out)) / (rotation ? scales.force * scales.length : scales.force);
+  if (rate > kDoubt * newton.jacobian_error() * newton.step().norm(out.motion, target)) return;
+  if (newton.factor_at_solution()) compute_tangent(newton.linearization(), state, t, out);
+}
+
+void PathFollower::accept(double t, Balanced pose, const PoseReport& report, bool leaps) {
+  compute_tangent(pose.state, t, next_);
+  const bool first = substeps_ == 0;
+  for (const Turn& turn : law_turns(t, pose.state, leaps)) emit_at(turn.kind, turn.t, turn.state, turn.what);
+  take(t, std::move(pose), report);
+  if (stability().complex_pair && (first || !next_.stability.complex_pair))
+    emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
+  if (first) return;
+  // Contacts may have changed here, and rates with them at once.
+  if (stability().verdict != next_.stability.verdict)
+    emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
+  if (!opposite(reaction_rate(next_), reaction_rate(tangent_))) return;
+  if (const std::string words = reaction_words(tangent_, pose_.state); !words.empty())
+    emit(PathEvent::Kind::reaction_turns, words);
+}
+
+bool PathFollower::pass(double t, Attempt trial) {
+  std::vector<Turn> turns;
+  if (!find_turns(t, trial.pose.state, turns)) return false;
+  for (const Turn& turn : turns) emit_at(turn.kind, turn.t, turn.state, turn.what);
+  solver_.follow_open(trial.pose);
+  take(t, std::move(trial.pose), trial.report);
+  return true;
+}
+
+void PathFollower::take(double t, Balanced pose, const PoseReport& report) {
+  if (t > t_ && same_contacts(pose_.state, pose.state))
+    prediction_.went_on(t - t_, tangent_.motion, next_.motion);
+  else
+    prediction_.forget();
+  t_ = t;
+  inside_ = std::numeric_limits<double>::infinity();
+  pose_ = std::move(pose);
+  report_ = report;
+  std::swap(tangent_, next_);
+  ++substeps_;
+  if (stability().verdict != Stability::Verdict::neutral) last_definite_ = stability().smallest;
+  stiffest_seen_ = std::max(stiffest_seen_, std::abs(stability().smallest));
+}
+
+PathFollower::Attempt PathFollower::attempt(double t) {
+  Attempt out;
+  out.pose = pose_;
+  const bool predictable = tangent_.motion.twist.size() > 0 && tangent_.motion.twist.allFinite();
+  if (predictable && prediction_.at(pose_.state, tangent_.motion, t - t_, out.predicted))
+    out.pose.state = out.predicted;
+  else
+    out.predicted = pose_.state;
+  out.report = solver_.solve_held(out.pose, plan_.target(t), out.findings);
+  iterations_ += out.report.iterations;
+  return out;
+}
+
+bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
+  // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
+  // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
+  // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
+  // differ by less than this: for a cubic one of the two tests notices then.
+  constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
+  const double before = path_speed(solver_.model(), tangent_.motion), after = path_speed(solver_.model(), next.motion);
+  if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
+  return std::max(before, after) > kRatio * std::min(before, after);
+}
+
+bool PathFollower::far_from_predicted(const Attempt& attempt) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
+  // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
+  constexpr double kShare = 0.5, kSlack = 1e-5;
+  return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
+         kShare * distance(solver_.model(), pose_.state, attempt.predicted) + kSlack;
+}
+
+bool PathFollower::jumped(const State& state, double h) const {
+  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
+  // A pose that lies much farther than the tangent leads has left the branch that is followed.
+  constexpr double kFactor = 4, kSlack = 0.02;
+  return distance(solver_.model(), pose_.state, state) >
+         std::min(kFactor * h * path_speed(solver_.model(), tangent_.motion), kFarthest) + kSlack;
+}
+
+bool PathFollower::passes_through(const Attempt& trial) {
+  return solver_.passes_through(pose_.state, trial.pose.state, true);
+}
+
+bool PathFollower::advance_to(double t_end) {
+  snap_ = {0, 0};
+  law_jump_.clear();
+  double h = t_end - t_;
+  while (t_ < t_end) {
+    h = std::min({h, kLongestStep, kFarthest / std::max(path_speed(solver_.model(), tangent_.motion), 1e-300)});
+    if (h < options_.smallest_increment) {
+      failure_ = {};
+      failure_.why = "the path becomes infinitely steep";
+      return false;
+    }
+    const double t = std::min(t_end, t_ + h);
+    Attempt trial = attempt(t);
+    const bool solved = trial.report.newton.converged();
+    const bool followed = solved && !far_from_predicted(trial) && !passes_through(trial);
+    if (followed && trial.valid()) {
+      compute_tangent_of_last(trial.pose.state, t, next_);
+      if (!passes_a_fold(next_, t - t_)) {
+        const double inside = trial.findings.worst;
+        if (pass(t, trial)) {
+          inside_ = inside;
+          h *= 2;
+          continue;
+        }
+      }
+    }
+    if (followed && !trial.findings.none()) {
+      if (!pass_event(t, std::move(trial)) || events_without_end()) return false;
+      h = std::max(h, (t_end - t_) / 4);
+      continue;
+    }
+    failure_ = trial.report;
+    if (solved && failure_.why.empty()) failure_.why = "the solution found lies on another branch, or through a body";
+    h = (t - t_) / 2;
+    if (h < options_.smallest_increment) return false;
+  }
+  return true;
+}
+
+bool PathFollower::events_without_end() {
+  // Contacts that come and go ever faster lead nowhere, however many of them are followed.
+  constexpr double kShort = 1e-5;  // of a step
+  constexpr int kMost = 100;
+  if (t_ - crowd_from_ > kShort || t_ < crowd_from_) crowd_from_ = t_, crowd_ = 0;
+  if (++crowd_ <= kMost) return false;
+  failure_ = {};
+  failure_.status = PoseStatus::chatter;
+  failure_.why = "contacts come and go without end";
+  return true;
+}
+
+bool PathFollower::pass_event(double t, Attempt violated) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
+  while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
+    // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
+    const double worst_there = violated.findings.worst;
+    if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
+        std::isfinite(inside_) && inside_ > 0 &&
+        -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
+      break;
+    const double middle = bracket.next();
+    Attempt trial = attempt(middle);
+    const double worst = trial.findings.worst;
+    const bool valid = trial.report.newton.converged() && trial.valid() && !passes_through(trial);
+    if (valid) compute_tangent_of_last(trial.pose.state, middle, next_);
+    if (valid && pass(middle, trial)) {
+      bracket.move_low(middle, worst);
+      inside_ = worst;
+    } else if (trial.report.newton.converged() && !trial.findings.none()) {
+      bracket.move_high(middle, worst);
+      t = middle;
+      violated = std::move(trial);
+    } else {
+      bracket.move_high(middle, kUnknown);
+      failure_ = trial.report;
+    }
+  }
+  t = bracket.high();
+  Balanced next = violated.pose;
+  if (violated.findings.final()) {
+    failure_ = violated.report;
+    emit(end_of(violated.findings), violated.findings.where);
+    return false;
+  }
+  PoseReport report;
+  if (const std::string drop = dropped_force(solver_.model(), violated.findings, violated.pose.state); !drop.empty()) {
+    constexpr double kRest = 1e-6;
+    report = fall(t, drop, next);
+    if (report.status != PoseStatus::ok || distance(solver_.model(), violated.pose.state, next.state) > kRest)
+      emit_at(PathEvent::Kind::jump, t, violated.pose.state, drop);
+  } else {
+    report = settle_beyond(t, next);
+  }
+  if (report.status != PoseStatus::ok) {
+    failure_ = report;
+    return false;
+  }
+  const Balanced before = pose_;
+  accept(t, std::move(next), report);
+  report_changes(before, pose_);
+  return true;
+}
+
+PoseReport PathFollower::settle_beyond(double t, Balanced& next) {
+  PoseReport report = solver_.settle(next, plan_.target(t));
+  iterations_ += report.iterations;
+  if (report.status != PoseStatus::ok) {
+    next = pose_;
+    report = solver_.settle_from_seed(next, plan_.target(t));
+    iterations_ += report.iterations;
+  }
+  if (report.status == PoseStatus::ok && jumped(next.state, t - t_)) {
+    snap_ = largest_motion(pose_.state, next.state);
+    report.status = PoseStatus::no_equilibrium;
+    report.why = "the equilibrium that was followed ends where its contacts change";
+  }
+  return report;
+}
+
+PoseReport PathFollower::fall(double t, const std::string& drop, Balanced& next) {
+  // What is prescribed stands still while the joint moves on, downhill: not to any equilibrium, but to a near one.
+  const Balanced edge = next;
+  PoseReport report;
+  for (const bool seeded : {false, true}) {
+    next = edge;
+    report = seeded ? solver_.settle_from_seed(next, plan_.target(t), true) : solver_.settle(next, plan_.target(t));
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    if (distance(solver_.model(), edge.state, next.state) <= kFarthest) return report;
+    snap_ = largest_motion(pose_.state, next.state);
+    report.status = PoseStatus::no_equilibrium;
+  }
+  law_jump_ = drop;
+  report.why = "no equilibrium is near beyond the jump of ligament " + drop;
+  return report;
+}
+
+bool PathFollower::balance_at(double t, Balanced& next, PoseReport& report) {
+  for (const bool seeded : {false, true}) {
+    next = pose_;
+    report = seeded ? solver_.settle_from_seed(next, plan_.target(t)) : solver_.settle(next, plan_.target(t));
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    if (!jumped(next.state, t - t_)) return true;
+    snap_ = largest_motion(pose_.state, next.state);
+  }
+  return false;
+}
+
+bool PathFollower::step_over(double window) {
+  const double from = t_;
+  // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
+  // has to be stepped over again and again is no path.
+  constexpr int kMost = 30;
+  if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
+  if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
+  snap_ = {0, 0};
+  // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
+  for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
+    const double t = std::min(1.0, from + fraction * window);
+    Balanced next;
+    PoseReport report;
+    if (balance_at(t, next, report)) {
+      constexpr double kRest = 1e-3;  // characteristic lengths, rad
+      if (turning_back() && same_contacts(pose_.state, next.state) &&
+          distance(solver_.model(), pose_.state, next.state) > kRest) {
+        // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
+        snap_ = largest_motion(pose_.state, next.state);
+        return false;
+      }
+      const Balanced before = pose_;
+      emit(PathEvent::Kind::stepped_over, "from here");
+      accept(t, std::move(next), report);
+      emit(PathEvent::Kind::stepped_over, "to here");
+      report_changes(before, pose_);
+      return true;
+    }
+    if (t == 1.0) break;
+  }
+  return false;
+}
+
+bool PathFollower::can_snap() const {
+  return !solver_.model().layers.empty() &&
+         std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+}
+
+bool PathFollower::snap_beyond(double window) {
+  if (!can_snap()) return false;
+  for (const double fraction : {0.03, 0.3, 1.0}) {
+    const double t = std::min(1.0, t_ + fraction * window);
+    Balanced next = pose_;
+    const PoseReport report = solver_.settle_from_seed(next, plan_.target(t), true);
+    iterations_ += report.iterations;
+    if (report.status != PoseStatus::ok) continue;
+    const auto [distance, angle] = largest_motion(pose_.state, next.state);
+    const Balanced before = pose_;
+    emit(PathEvent::Kind::snapped,
+         fmt::format("to an equilibrium {:.2f} mm and {:.2f} deg away", 1e3 * distance, angle * 180 / M_PI));
+    accept(t, std::move(next), report, true);
+    report_changes(before, pose_);
+    return true;
+  }
+  return false;
+}
+
+bool PathFollower::turning_back() const {
+  if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
+  // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance; the path was followed
+  // until that distance was the smallest increment.
+  constexpr double kVanishing = 0.02;
+  return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishing * stiffest_seen_;
+}
+
+}  // namespace genu
