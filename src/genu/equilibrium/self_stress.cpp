@@ -122,8 +122,8 @@ void find_self_stress(ActiveSetSolver& solver, const Target& target, const Certi
   if (touching)
     for (const Candidate& c : nearest(solver.touching(pose.state))) solver.close(closed, c);
   linearize(model, closed.state, target, at);
-  const MatX self_stresses = self_stresses(at, model.scales.length, accuracy.of_rows());
-  stability.redundant = possible(self_stresses, bounds_of(model, target, self_stresses, closed.state));
+  const MatX stresses = self_stresses(at, model.scales.length, accuracy.of_rows());
+  stability.redundant = possible(stresses, bounds_of(model, target, stresses, closed.state));
   if (!stability.redundant.empty()) pose = std::move(closed);
 }
 

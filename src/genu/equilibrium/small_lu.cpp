@@ -33,8 +33,8 @@ auto with_rows(int n, const Work& work) {
 template <int kRows>
 void solve_in_place(int rows, const double* columns, const double* inverse, double* out) {
   const int n = kRows > 0 ? kRows : rows;
-  constexpr int kMost = kRows > 0 ? kRows : 1;
-  double local[kMost];
+  constexpr int kLocal = kRows > 0 ? kRows : 1;
+  double local[kLocal];
   double* v = kRows > 0 ? local : out;
   if constexpr (kRows > 0) std::copy_n(out, kRows, local);
 #pragma GCC unroll 11
@@ -58,8 +58,8 @@ void solve_in_place(int rows, const double* columns, const double* inverse, doub
 template <int kRows>
 double largest_row_sum(int rows, const double* columns, const double* inverse, double* memory) {
   const int n = kRows > 0 ? kRows : rows;
-  constexpr int kMost = kRows > 0 ? kRows : 1;
-  double local[kMost];
+  constexpr int kLocal = kRows > 0 ? kRows : 1;
+  double local[kLocal];
   double* b = kRows > 0 ? local : memory;
   std::fill_n(b, n, 1.0);
 #pragma GCC unroll 11
