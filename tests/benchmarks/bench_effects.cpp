@@ -45,18 +45,12 @@ std::string with(std::string text, const std::string& old, const std::string& by
 
 Prepared prepared(const Variant& variant) {
   Diagnostics out;
-  Prepared p;
-  auto scene = parse_scene(variant.text, variant.name, out);
-  if (scene) {
-    p.scene = std::move(*scene);
-    centre_bodies(p.scene);
-    p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-    if (auto model = build_model(p.scene, p.surfaces, out)) p.model = std::move(*model);
-    p.steps = plan_steps(p.scene);
-  }
+  std::optional<Prepared> p;
+  if (auto scene = parse_scene(variant.text, variant.name, out))
+    p = prepare(std::move(*scene), std::make_shared<MeshLibrary>(), out);
   for (const Diagnostic& d : out.items()) fmt::print(stderr, "{}\n", to_string(d));
-  if (out.has_errors()) std::exit(1);
-  return p;
+  if (!p) std::exit(1);
+  return std::move(*p);
 }
 
 void measure(Variant& variant) {

@@ -53,14 +53,10 @@ std::string text_of(const std::string& file) {
 }
 
 Prepared prepared(const std::string& text) {
-  Prepared p;
   Diagnostics out;
-  p.scene = parse_scene(text, "scene.toml", out).value_or(Scene{});
-  centre_bodies(p.scene);
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-  if (auto model = build_model(p.scene, p.surfaces, out)) p.model = std::move(*model);
+  auto p = prepare(parse_scene(text, "scene.toml", out).value_or(Scene{}), std::make_shared<MeshLibrary>(), out);
   for (const Diagnostic& d : out.items()) fmt::print(stderr, "{}\n", to_string(d));
-  return p;
+  return p ? std::move(*p) : Prepared{};
 }
 
 struct Moved {

@@ -238,14 +238,13 @@ TEST(RunScene, AKneeMovedInSpaceIsTheSameKnee) {
 TEST(RunScene, AStartThatOverlapsDeeplyIsRefusedALittleIsSolved) {
   Scene scene = dortmans();
   for (const auto& [lower, good] : {std::pair{5.9e-3, true}, {6.1e-3, false}}) {
-    Prepared p;
     Diagnostics out;
-    p.scene = scene;
-    p.scene.joints[0].reference[5] -= lower;
-    p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-    p.model = *build_model(p.scene, p.surfaces, out);
-    ContactField field(p.model);
-    EXPECT_EQ(check_start(p, field, out), good) << lower;
+    Scene lowered = scene;
+    lowered.joints[0].reference[5] -= lower;
+    const auto p = prepare(lowered, std::make_shared<MeshLibrary>(), out);
+    ASSERT_TRUE(p.has_value()) << test::messages(out);
+    ContactField field(p->model);
+    EXPECT_EQ(check_start(*p, field, out), good) << lower;
     EXPECT_EQ(out.count(Diagnostic::Severity::error), good ? 0u : 2u) << test::messages(out);  // one for each condyle
   }
 }

@@ -25,18 +25,12 @@ inline std::string messages(const Diagnostics& out) {
 
 /// Solves a scene that has to be good.
 inline Solution solved(const Scene& scene) {
-  Prepared p;
   Diagnostics out;
-  p.scene = scene;
-  centre_bodies(p.scene);
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-  auto model = build_model(p.scene, p.surfaces, out);
-  EXPECT_TRUE(model.has_value()) << messages(out);
-  if (!model) return {};
-  p.model = std::move(*model);
-  p.steps = plan_steps(p.scene);
-  ContactField field(p.model);
-  Solution solution = solve(p, field, {});
+  const auto p = prepare(scene, std::make_shared<MeshLibrary>(), out);
+  EXPECT_TRUE(p.has_value()) << messages(out);
+  if (!p) return {};
+  ContactField field(p->model);
+  Solution solution = solve(*p, field, {});
   expect_judged_ok(scene, solution.poses);
   return solution;
 }

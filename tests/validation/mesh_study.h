@@ -136,7 +136,8 @@ class MeshStudy {
       def.file_unit = units::kMillimetre;
       if (options.degree != 3) def.degree = options.degree;
     }
-    p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, problems);
+    MeshLibrary meshes;
+    p.surfaces = build_surfaces(p.scene, meshes, p.notes, p.seconds, problems);
     for (const auto& surface : p.surfaces)
       if (const auto* blend = dynamic_cast<const BlendSurface*>(surface.get())) note(*blend, row);
   }

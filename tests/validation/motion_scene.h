@@ -22,15 +22,10 @@ inline constexpr double kG = 9.81;  // m/s^2
 inline constexpr double kPerDegree = std::numbers::pi / 180;
 
 inline Prepared prepared_motion(const Scene& scene) {
-  Prepared p;
   Diagnostics out;
-  p.scene = scene;
-  centre_bodies(p.scene);
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-  auto model = build_model(p.scene, p.surfaces, out);
+  auto p = prepare(scene, std::make_shared<MeshLibrary>(), out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
-  if (model) p.model = std::move(*model);
-  return p;
+  return p ? std::move(*p) : Prepared{};
 }
 
 inline Scene motion_scene(const std::string& text) {

@@ -155,6 +155,7 @@ test::MeshStudyRow measure(const Prepared& exact, const Solution& reference, dou
   p.scene = exact.scene;
   p.steps = exact.steps;
   Diagnostics problems;
+  MeshLibrary meshes;
   for (std::size_t k = 0; k < p.scene.surfaces.size(); ++k) {
     SurfaceDef& def = p.scene.surfaces[k];
     const std::string file = folder / (def.name + ".stl");
@@ -165,7 +166,7 @@ test::MeshStudyRow measure(const Prepared& exact, const Solution& reference, dou
     def.file = file;
     def.file_unit = units::kMillimetre;
   }
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, problems);
+  p.surfaces = build_surfaces(p.scene, meshes, p.notes, p.seconds, problems);
   if (!problems.has_errors())
     if (auto model = build_model(p.scene, p.surfaces, problems)) p.model = std::move(*model);
   if (problems.has_errors()) {

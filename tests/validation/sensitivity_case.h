@@ -21,17 +21,12 @@ namespace genu::test {
 constexpr double kDerivativeTolerance = 1e-6;
 
 inline Prepared prepared(const std::string& text) {
-  Prepared p;
   Diagnostics out;
-  auto scene = parse_scene(text, "scene.toml", out);
-  if (scene) {
-    p.scene = std::move(*scene);
-    p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-    if (auto model = build_model(p.scene, p.surfaces, out)) p.model = std::move(*model);
-    p.steps = plan_steps(p.scene);
-  }
+  std::optional<Prepared> p;
+  if (auto scene = parse_scene(text, "scene.toml", out))
+    p = prepare(std::move(*scene), std::make_shared<MeshLibrary>(), out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
-  return p;
+  return p ? std::move(*p) : Prepared{};
 }
 
 inline SensitivityResult differentiated(const Prepared& p, const SensitivityChoice& choice) {

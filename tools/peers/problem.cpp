@@ -72,24 +72,19 @@ std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
 }
 
 std::optional<Prepared> prepare_knee(const std::string& scene, const std::string& folder, Diagnostics& out) {
-  auto prepared = prepare(scene, out);
-  if (!prepared || folder.empty()) return prepared;
-  if (!make_knee(*prepared, out)) return std::nullopt;
-  Prepared& p = *prepared;
-  for (const ContactDef& contact : p.scene.contacts) {
-    SurfaceDef& condyle = p.scene.surfaces[static_cast<std::size_t>(contact.surface_a)];
+  auto closed_forms = prepare(scene, out);
+  if (!closed_forms || folder.empty()) return closed_forms;
+  if (!make_knee(*closed_forms, out)) return std::nullopt;
+  auto meshed = read_scene(scene, out);
+  if (!meshed) return std::nullopt;
+  for (const ContactDef& contact : meshed->contacts) {
+    SurfaceDef& condyle = meshed->surfaces[static_cast<std::size_t>(contact.surface_a)];
     condyle.shape = SurfaceDef::Shape::mesh;
     condyle.file = (std::filesystem::path(folder) / (condyle.name + ".stl")).string();
     condyle.file_unit = units::kMillimetre;
-    condyle.placement = {Mat3::Identity(), -p.scene.bodies[static_cast<std::size_t>(condyle.body)].centre};
+    condyle.placement = Pose{};
   }
-  p.notes.clear();
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out);
-  if (out.has_errors()) return std::nullopt;
-  auto model = build_model(p.scene, p.surfaces, out);
-  if (!model) return std::nullopt;
-  p.model = std::move(*model);
-  return prepared;
+  return prepare(std::move(*meshed), std::make_shared<MeshLibrary>(), out);
 }
 
 FoundPath solve_path(const Prepared& prepared) {

@@ -14,7 +14,6 @@
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh_care/mesh_shape.h"
-#include "genu/mesh_files/mesh_reader.h"
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/scene/centre_bodies.h"
@@ -160,15 +159,15 @@ std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace
 }
 
 std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, bool facets,
-                                                  SurfaceNote& note, double& read_seconds, const Safeguards& safeguards,
-                                                  Diagnostics& out) {
+                                                  MeshLibrary& meshes, SurfaceNote& note, double& read_seconds,
+                                                  const Safeguards& safeguards, Diagnostics& out) {
   Diagnostics found;
   std::shared_ptr<BlendSurface> surface;
   std::optional<Mesh> mesh;
   std::vector<DoubtfulPlace> doubtful;
   {
     const ScopedTimer timing(read_seconds);
-    mesh = read_mesh(def.file, def.file_unit, found);
+    mesh = meshes.read(def.file, def.file_unit, found);
     if (mesh) {
       note.mesh = check_mesh(*mesh);
       if (safeguards.has(Safeguard::scale_doubts)) check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
@@ -222,7 +221,8 @@ void check_patch(const Scene& scene, const SurfaceDef& def, const Surface* part,
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, MeshLibrary& meshes,
+                                                           std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out, const Safeguards& safeguards) {
   std::vector<std::shared_ptr<const Surface>> surfaces;
@@ -232,7 +232,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, s
     const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), note, read, safeguards, out));
+      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, safeguards, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
@@ -284,10 +284,10 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
              "and y");
 }
 
-/// What cannot be read is told when the surface is built.
-std::optional<Vec3> middle_of_mesh(const SurfaceDef& def) {
+/// What cannot be read is an error when the surface is built.
+std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
   Diagnostics ignored;
-  const auto mesh = read_mesh(def.file, def.file_unit, ignored);
+  const auto mesh = meshes.read(def.file, def.file_unit, ignored);
   if (!mesh) return std::nullopt;
   const BoundingBox box = bounding_box(*mesh);
   return 0.5 * (box.low + box.high);
@@ -296,17 +296,29 @@ std::optional<Vec3> middle_of_mesh(const SurfaceDef& def) {
 }  // namespace
 
 std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
+  const Timer timer;
+  auto meshes = std::make_shared<MeshLibrary>();
+  auto scene = read_scene(path, meshes->files(), out, safeguards);
+  if (!scene) return std::nullopt;
+  const double reading = timer.seconds();
+  auto prepared = prepare(std::move(*scene), std::move(meshes), out, safeguards);
+  if (prepared) prepared->seconds.front().second += reading;
+  return prepared;
+}
+
+std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out,
+                                const Safeguards& safeguards) {
   Prepared p;
   const Timer timer;
-  auto scene = read_scene(path, out, safeguards);
-  if (!scene) return std::nullopt;
-  p.scene = std::move(*scene);
-  if (safeguards.has(Safeguard::centring)) centre_bodies(p.scene, middle_of_mesh);
+  p.scene = std::move(scene);
+  p.meshes = std::move(meshes);
+  if (safeguards.has(Safeguard::centring))
+    centre_bodies(p.scene, [&](const SurfaceDef& def) { return middle_of_mesh(*p.meshes, def); });
   p.seconds.emplace_back("reading scene", timer.seconds());
-  p.surfaces = build_surfaces(p.scene, p.notes, p.seconds, out, safeguards);
+  p.surfaces = build_surfaces(p.scene, *p.meshes, p.notes, p.seconds, out, safeguards);
   if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);
-  p.bones = read_bones(p.scene, out);
-  p.bodies = read_solids(p.scene, out);
+  p.bones = read_bones(p.scene, *p.meshes, out);
+  p.bodies = read_solids(p.scene, *p.meshes, out);
   if (out.has_errors()) return std::nullopt;
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;

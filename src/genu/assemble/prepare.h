@@ -1,4 +1,4 @@
-// From a scene file to a joint ready to be solved, or everything that is wrong with it.
+// From a scene, in a file or in memory, to a joint ready to be solved, or everything that is wrong with it.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_care/mesh_flaws.h"
+#include "genu/mesh_files/mesh_reader.h"
 #include "genu/model/step_plan.h"
 #include "genu/results/summary.h"
 #include "genu/surface/blend_surface.h"
@@ -32,17 +33,24 @@ struct Prepared {
   JointModel model;
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
+  std::shared_ptr<MeshLibrary> meshes;                  ///< what the scene's meshes, and its file, were read through
 };
 
-/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well. Tests
-/// may leave out `safeguards`.
+/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well. Each
+/// file is opened once. Tests may leave out `safeguards`.
 std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards = {});
+
+/// The same of a scene in memory, as read_scene() or parse_scene() gives it, changed or not. Its meshes come from
+/// `meshes`: files, or meshes in memory under the names that the scene has for files (MeshLibrary::put()).
+std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out,
+                                const Safeguards& safeguards = {});
 
 /// What a summary of anything done with a scene begins with: names, scales, surfaces and the time taken until now.
 RunSummary begin_summary(const Prepared& prepared);
 
 /// The surfaces of a scene; those that cannot be built are null and said in `out`.
-std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, MeshLibrary& meshes,
+                                                           std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out, const Safeguards& safeguards = {});
 

@@ -5,15 +5,15 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh_care/mesh_shape.h"
-#include "genu/mesh_files/mesh_reader.h"
 
 namespace genu {
 namespace {
 
-std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef& surface, Diagnostics& out) {
+std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef& surface, MeshLibrary& meshes,
+                                           Diagnostics& out) {
   const SurfaceDef::Thickness& thickness = *surface.thickness;
   Diagnostics found;
-  auto mesh = read_mesh(thickness.bone, thickness.bone_unit, found);
+  auto mesh = meshes.read(thickness.bone, thickness.bone_unit, found);
   if (mesh) check_scale(check_mesh(*mesh), thickness.bone, thickness.bone_unit == 1 ? "m" : "mm", found);
   add_at_key(scene, thickness.bone_where, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
   if (!mesh || found.has_errors()) return nullptr;
@@ -29,10 +29,10 @@ std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef&
 
 }  // namespace
 
-Bones read_bones(const Scene& scene, Diagnostics& out) {
+Bones read_bones(const Scene& scene, MeshLibrary& meshes, Diagnostics& out) {
   Bones bones;
   for (const SurfaceDef& surface : scene.surfaces)
-    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, out) : nullptr);
+    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, meshes, out) : nullptr);
   return bones;
 }
 

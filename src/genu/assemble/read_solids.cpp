@@ -10,7 +10,6 @@
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/solid_inertia.h"
 #include "genu/mesh_care/mesh_flaws.h"
-#include "genu/mesh_files/mesh_reader.h"
 
 namespace genu {
 namespace {
@@ -69,8 +68,8 @@ void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostic
   if (turned > 0) warn(fmt::format("has {} triangles wound against the rest of it: turned round", turned));
 }
 
-std::optional<SolidInertia> read_solid_mesh(const Solid& solid, Diagnostics& out) {
-  auto mesh = read_mesh(solid.file, solid.file_unit, out);
+std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& meshes, Diagnostics& out) {
+  auto mesh = meshes.read(solid.file, solid.file_unit, out);
   if (!mesh) return std::nullopt;
   check_scale(check_mesh(*mesh), solid.file, solid.file_unit == 1 ? "m" : "mm", out);
   if (out.has_errors()) return std::nullopt;
@@ -86,12 +85,12 @@ std::optional<SolidInertia> read_solid_mesh(const Solid& solid, Diagnostics& out
 
 }  // namespace
 
-std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, Diagnostics& out) {
+std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, MeshLibrary& meshes, Diagnostics& out) {
   std::vector<RunSummary::BodyFacts> facts;
   for (BodyDef& body : scene.bodies) {
     if (!body.solid) continue;
     Diagnostics found;
-    const auto solid = read_solid_mesh(*body.solid, found);
+    const auto solid = read_solid_mesh(*body.solid, meshes, found);
     add_at_key(scene, body.solid->file_where, "body." + body.name + ".solid.file", body.solid->file, found, out);
     if (!solid) continue;
     const double density = body.solid->density;

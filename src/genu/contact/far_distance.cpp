@@ -104,11 +104,8 @@ struct FarDistance::Triangles {
 };
 
 FarDistance::FarDistance(const Surface& surface, double edge, const Vec3& centre, double reach) : surface_(&surface) {
-  if (!surface.knows_distance()) triangles_ = std::make_unique<Triangles>(surface.triangles(edge, centre, reach));
+  if (!surface.knows_distance()) triangles_ = std::make_shared<const Triangles>(surface.triangles(edge, centre, reach));
 }
-FarDistance::~FarDistance() = default;
-FarDistance::FarDistance(FarDistance&&) noexcept = default;
-FarDistance& FarDistance::operator=(FarDistance&&) noexcept = default;
 
 FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   Nearest out;

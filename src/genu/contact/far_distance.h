@@ -15,10 +15,6 @@ class FarDistance {
   /// (Surface::triangles).
   explicit FarDistance(const Surface& surface, double edge = 1e-3, const Vec3& centre = Vec3::Zero(),
                        double reach = 0.1);
-  ~FarDistance();
-  FarDistance(FarDistance&&) noexcept;
-  FarDistance& operator=(FarDistance&&) noexcept;
-
   struct Nearest {
     double distance = 0;            ///< m, positive outside; of facets where the surface is a mesh: error O(h^2)
     Vec3 direction = Vec3::Zero();  ///< unit, outward: where the distance grows
@@ -33,7 +29,7 @@ class FarDistance {
  private:
   struct Triangles;  // FCL lives behind this
   const Surface* surface_;
-  std::unique_ptr<Triangles> triangles_;  // null for surfaces that know their distance
+  std::shared_ptr<const Triangles> triangles_;  // null for surfaces that know their distance; copies share it
 };
 
 }  // namespace genu

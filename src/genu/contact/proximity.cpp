@@ -58,7 +58,8 @@ LocalMinimum oriented(LocalMinimum m, bool samples_b) {
 }  // namespace
 
 Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
-    : queried_(samples_second(a, b) ? &a : &b),
+    : options_(options),
+      queried_(samples_second(a, b) ? &a : &b),
       sampled_(samples_second(a, b) ? &b : &a),
       samples_b_(samples_second(a, b)),
       safeguards_(options.safeguards),
@@ -69,15 +70,22 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
                       options.reach),
       rim_of_queried_(*queried_, *sampled_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                       options.reach) {
-  samples_ = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
-  if (too_dense(samples_, options.spacing)) samples_ = thin_samples(samples_, options.spacing);
-  gap_.assign(samples_.points.size(), kInfinity);
-  memory_.resize(samples_.points.size());
-  swallowed_.emplace(*queried_, *sampled_, samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
+  SampleSet samples = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
+  if (too_dense(samples, options.spacing)) samples = thin_samples(samples, options.spacing);
+  samples_ = std::make_shared<const SampleSet>(std::move(samples));
+  gap_.assign(samples_->points.size(), kInfinity);
+  memory_.resize(samples_->points.size());
+  swallowed_.emplace(*queried_, *sampled_, *samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
-  SampleTree tree = build_sample_tree(samples_.points);
+  SampleTree tree = build_sample_tree(samples_->points);
   order_ = std::move(tree.order);
   for (const SampleNode& node : tree.nodes) groups_.push_back({node});
+}
+
+bool Proximity::is_of(const Surface& a, const Surface& b, const Options& options) const {
+  return (samples_b_ ? queried_ : sampled_) == &a && (samples_b_ ? sampled_ : queried_) == &b &&
+         options.spacing == options_.spacing && options.reach == options_.reach &&
+         options.centre_a == options_.centre_a && options.centre_b == options_.centre_b;
 }
 
 void Proximity::forget() {
@@ -114,7 +122,7 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
     for (int k = group.first; k < group.last; ++k) {
       const int i = order_[at(k)];
       const Memory& known = memory_[at(i)];
-      if (known.clearance - (X_qs * samples_.points[at(i)] - known.at).norm() > window) continue;
+      if (known.clearance - (X_qs * samples_->points[at(i)] - known.at).norm() > window) continue;
       visit(i);
     }
   }
@@ -153,8 +161,8 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
 
 double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   const auto i = static_cast<std::size_t>(sample);
-  const Vec3 x = X_qs * samples_.points[i];
-  const Vec3 normal = X_qs.R * samples_.normals[i];
+  const Vec3 x = X_qs * samples_->points[i];
+  const Vec3 normal = X_qs.R * samples_->normals[i];
   Memory& memory = memory_[i];
   memory.at = x;
   if (const auto gap = queried_->gap(x)) {
@@ -181,7 +189,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
 /// gap tells: how deep a point behind both is inside both, 0 where it is not.
 double Proximity::depth_behind(const Pose& X_qs, int sample) {
   constexpr double kBehind = 0.5, kInside = 0.25;  // of the spacing
-  const Vec3 behind = samples_.points[at(sample)] - kBehind * spacing_ * samples_.normals[at(sample)];
+  const Vec3 behind = samples_->points[at(sample)] - kBehind * spacing_ * samples_->normals[at(sample)];
   if (swallowed_->distance_to_outer(behind) > -kInside * spacing_) return 0;
   const double depth = far_.nearest(X_qs * behind).distance;
   return depth < -kInside * spacing_ ? depth : 0;
@@ -214,8 +222,8 @@ std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) c
 
 bool Proximity::lowest_of_neighbours(int sample) const {
   const auto i = static_cast<std::size_t>(sample);
-  for (int k = samples_.first_neighbour[i]; k < samples_.first_neighbour[i + 1]; ++k) {
-    const int j = samples_.neighbours[static_cast<std::size_t>(k)];
+  for (int k = samples_->first_neighbour[i]; k < samples_->first_neighbour[i + 1]; ++k) {
+    const int j = samples_->neighbours[static_cast<std::size_t>(k)];
     const double other = gap_[static_cast<std::size_t>(j)];
     if (other < gap_[i] || (other == gap_[i] && j < sample)) return false;
   }
@@ -230,7 +238,7 @@ bool Proximity::slopes_to_known(int sample) const {
   constexpr double kShare = 0.05;                  // of the rise
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     const SurfacePoint& from = raw_[k].contact.b;
-    const Vec3 away = samples_.points[at(sample)] - from.p;
+    const Vec3 away = samples_->points[at(sample)] - from.p;
     const double distance = away.norm();
     if (distance < kNearest * spacing_ || distance > kFarthest * spacing_) continue;
     const Vec2 d = from.T.transpose() * away;
@@ -264,7 +272,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     const bool lowest = lowest_of_neighbours(sample);
     const DescentLimits limits{spacing_, &raw_, kMerge * spacing_, lowest ? window : kHopeless * spacing_,
                                lowest ? kInfinity : kBetweenSamples * spacing_};
-    const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_.points[i], limits);
+    const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_->points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);
     // A minimum past the edge matters only where the surface inside its edge is already reached.
@@ -310,7 +318,7 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
   std::stable_sort(out.edge.begin(), out.edge.end(), by_gap);
   if (deepest >= 0) {
     const auto i = static_cast<std::size_t>(deepest);
-    out.deepest = {samples_.points[i], Vec3::Zero(), gap_[i], samples_.areas[i]};
+    out.deepest = {samples_->points[i], Vec3::Zero(), gap_[i], samples_->areas[i]};
     sample_gap(X_qs, deepest, &out.deepest.direction);
   }
 }
@@ -327,7 +335,7 @@ void Proximity::near_samples(const Pose& X_ab, double window, std::vector<NearSa
   out.clear();
   const Pose X_qs = query_from_samples(X_ab);
   visit_near(X_qs, window, [&](int sample) {
-    NearSample near{samples_.points[at(sample)], Vec3::Zero(), 0, samples_.areas[at(sample)]};
+    NearSample near{samples_->points[at(sample)], Vec3::Zero(), 0, samples_->areas[at(sample)]};
     near.gap = sample_gap(X_qs, sample, &near.direction);
     if (near.gap < window) out.push_back(near);
   });

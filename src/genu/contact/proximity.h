@@ -48,7 +48,11 @@ class Proximity {
     Vec3 centre_b = Vec3::Zero();  ///< the same in b's
     Safeguards safeguards = {};
   };
+  /// Copies share what was prepared of the surfaces.
   Proximity(const Surface& a, const Surface& b, const Options& options);
+
+  /// Whether a pair made of these would be prepared in the same way.
+  bool is_of(const Surface& a, const Surface& b, const Options& options) const;
 
   /// As if nothing had been looked at yet.
   void forget();
@@ -111,6 +115,7 @@ class Proximity {
   template <typename Visit>
   void visit_near(const Pose& X_qs, double window, Visit visit);
 
+  Options options_;
   const Surface* queried_;
   const Surface* sampled_;
   bool samples_b_;
@@ -118,7 +123,7 @@ class Proximity {
   double spacing_;
   FarDistance far_;
   double reserve_;  // m: what facets may lie off the smooth surface
-  SampleSet samples_;
+  std::shared_ptr<const SampleSet> samples_;
   std::optional<Swallowed> swallowed_;  // the asked surface in the sampled one
   Rim rim_of_sampled_, rim_of_queried_;
   std::vector<LocalMinimum> rims_;  // as found

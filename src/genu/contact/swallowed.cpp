@@ -35,7 +35,7 @@ Swallowed::Swallowed(const Surface& inner, const Surface& outer, const SampleSet
 }
 
 const FarDistance& Swallowed::far() {
-  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarseSpacing * spacing_, outer_centre_, reach_);
+  if (!far_) far_.emplace(*outer_, kCoarseSpacing * spacing_, outer_centre_, reach_);
   return *far_;
 }
 

@@ -48,7 +48,7 @@ class Swallowed {
   std::vector<Point> points_;
   std::vector<Vec3> near_points_, near_normals_;  // a coarse choice of the outer surface's samples
   double cover_ = 0;                              // m: no point of the outer surface is farther from one of them
-  std::unique_ptr<FarDistance> far_;              // made when first a point is suspected: most joints never need it
+  std::optional<FarDistance> far_;           // made when first a point is suspected: most joints never need it
 };
 
 }  // namespace genu

@@ -4,8 +4,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <exception>
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
@@ -45,12 +48,27 @@ std::string append_below(const aiScene& scene, const aiNode& node, const aiMatri
   return {};
 }
 
-std::string read_here(const std::string& path, Mesh& mesh) {
+/// Gives assimp the file's bytes; what that file names beside itself (a .gltf its buffers) comes from the disk.
+class BytesOfFile : public Assimp::DefaultIOSystem {
+ public:
+  BytesOfFile(const std::string& path, std::string_view bytes) : path_(path), bytes_(bytes) {}
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (path_ != file) return DefaultIOSystem::Open(file, mode);
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size());
+  }
+
+ private:
+  std::string path_;
+  std::string_view bytes_;
+};
+
+std::string read_here(const std::string& path, std::string_view bytes, Mesh& mesh) {
   const auto unreadable = [](const std::string& why) {
     return "cannot be read as a mesh (" + why + "): export it again as binary STL";
   };
   try {
     Assimp::Importer importer;
+    importer.SetIOHandler(new BytesOfFile(path, bytes));  // which the importer owns
     // No post-processing: assimp's triangulation aborts the program on some broken files (5.2.5).
     const aiScene* scene = importer.ReadFile(path, 0);
     if (scene == nullptr) return unreadable(importer.GetErrorString());
@@ -63,7 +81,7 @@ std::string read_here(const std::string& path, Mesh& mesh) {
 
 /// Whether a process of its own that reads the file dies of it: where nodes hold each other by the thousand, or
 /// themselves, assimp's parsers go on until the stack is full.
-bool kills_its_reader(const std::string& path) {
+bool kills_its_reader(const std::string& path, std::string_view bytes) {
   const pid_t child = ::fork();
   if (child < 0) return false;
   if (child == 0) {
@@ -71,7 +89,7 @@ bool kills_its_reader(const std::string& path) {
     ::setrlimit(RLIMIT_CORE, &none);
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, SIG_DFL);
     Mesh ignored;
-    read_here(path, ignored);
+    read_here(path, bytes, ignored);
     ::_exit(0);
   }
   int status = 0;
@@ -82,10 +100,10 @@ bool kills_its_reader(const std::string& path) {
 
 }  // namespace
 
-std::string read_by_assimp(const std::string& path, Mesh& mesh) {
-  if (kills_its_reader(path))
+std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh) {
+  if (kills_its_reader(path, bytes))
     return "cannot be read as a mesh (its reader, assimp, breaks down over it): export it again as binary STL";
-  return read_here(path, mesh);
+  return read_here(path, bytes, mesh);
 }
 
 }  // namespace genu

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include <unistd.h>
 
@@ -23,20 +22,10 @@ std::string lower(std::string s) {
   return s;
 }
 
-// Up to `count` bytes from `offset`.
-std::string read_bytes(const std::string& path, std::uint64_t offset, std::uint64_t count) {
-  std::ifstream in(path, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(offset));
-  std::string bytes(static_cast<std::size_t>(count), '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(count));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return bytes;
-}
-
 // ASCII STL starts with "solid", but so do some binary ones: the words of the body decide. Titles may be long.
-bool is_ascii_stl(const std::string& path) {
-  constexpr std::uint64_t kFar = 1 << 23;
-  const std::string text = lower(read_bytes(path, 0, kFar));
+bool is_ascii_stl(std::string_view bytes) {
+  constexpr std::size_t kFar = 1 << 23;
+  const std::string text = lower(std::string(bytes.substr(0, kFar)));
   const std::size_t mark = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // of UTF-8
   const std::size_t first = text.find_first_not_of(" \t\r\n", mark);
   if (first == std::string::npos || text.compare(first, 5, "solid") != 0) return false;
@@ -44,49 +33,54 @@ bool is_ascii_stl(const std::string& path) {
   return has("vertex") || has("endsolid") || (has("facet") && text.find('\0') == std::string::npos);
 }
 
-MeshFileCheck check_stl(const std::string& path, std::uint64_t size) {
-  const std::string start = read_bytes(path, 0, std::min<std::uint64_t>(size, 1024));
+std::string check_stl(std::string_view bytes) {
+  const std::size_t size = bytes.size();
   std::uint32_t count = 0;
-  if (start.size() >= kStlHeader) std::memcpy(&count, start.data() + kStlHeader - sizeof count, sizeof count);
+  if (size >= kStlHeader) std::memcpy(&count, bytes.data() + kStlHeader - sizeof count, sizeof count);
   const std::uint64_t expected = kStlHeader + kStlTriangle * count;
-  if (start.size() >= kStlHeader && size == expected) return {.problem = {}, .least_triangles = count};
-  if (is_ascii_stl(path)) {
-    const std::uint64_t tail = std::min<std::uint64_t>(size, 1024);
-    if (lower(read_bytes(path, size - tail, tail)).find("endsolid") != std::string::npos) return {};
-    return {.problem = "is an ASCII STL without its final \"endsolid\": it is truncated; copy or export it again"};
+  if (size >= kStlHeader && size == expected) return {};
+  if (is_ascii_stl(bytes)) {
+    const std::size_t tail = std::min<std::size_t>(size, 1024);
+    if (lower(std::string(bytes.substr(size - tail))).find("endsolid") != std::string::npos) return {};
+    return "is an ASCII STL without its final \"endsolid\": it is truncated; copy or export it again";
   }
-  if (start.size() < kStlHeader) return {.problem = "is too short for an STL: copy or export it again"};
+  if (size < kStlHeader) return "is too short for an STL: copy or export it again";
   const std::string sizes = "is a binary STL of " + std::to_string(count) + " triangles, which take " +
                             std::to_string(expected) + " bytes, but it has " + std::to_string(size);
-  return {.problem = sizes + (size < expected ? ": it is truncated; copy or export it again"
-                                              : ": it is damaged or no STL at all; export it again")};
+  return sizes + (size < expected ? ": it is truncated; copy or export it again"
+                                  : ": it is damaged or no STL at all; export it again");
 }
 
 }  // namespace
 
-MeshFileCheck check_mesh_file(const std::string& path) {
+std::string mesh_extension(const std::string& path) { return lower(std::filesystem::path(path).extension().string()); }
+
+std::string check_mesh_name(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status))
-    return {.problem = "there is no such mesh file; check the path, relative to the scene's folder"};
-  if (fs::is_directory(status)) return {.problem = "is a folder; name the mesh file inside it"};
-  if (!fs::is_regular_file(status)) return {.problem = "is not a regular file; name an STL, PLY, OBJ, OFF or VTP file"};
+  if (!fs::exists(status)) return "there is no such mesh file; check the path, relative to the scene's folder";
+  if (fs::is_directory(status)) return "is a folder; name the mesh file inside it";
+  if (!fs::is_regular_file(status)) return "is not a regular file; name an STL, PLY, OBJ, OFF or VTP file";
   const std::uint64_t size = fs::file_size(path, failure);
-  if (failure || !std::ifstream(path, std::ios::binary)) return {.problem = "cannot be opened; check its permissions"};
-  if (size == 0) return {.problem = "is empty; copy or export it again"};
+  if (failure || ::access(path.c_str(), R_OK) != 0) return kCannotOpen;
+  if (size == 0) return "is empty; copy or export it again";
   const auto memory =
       static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  if (size > memory / kMemoryPerByte) return {.problem = "is too large for this computer's memory; reduce the mesh"};
-  const std::string extension = lower(fs::path(path).extension().string());
-  if (extension == ".stl") return check_stl(path, size);
-  if (extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".vtp") return {};
+  if (size > memory / kMemoryPerByte) return "is too large for this computer's memory; reduce the mesh";
+  const std::string extension = mesh_extension(path);
+  if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".vtp")
+    return {};
   std::string known = ".stl, .ply, .obj, .off, .vtp";
   for (const char* other : kByAssimp) {
     if (extension == other) return {};
     known += std::string(", ") + other;
   }
-  return {.problem = "has the ending \"" + extension + "\"; genu reads " + known};
+  return "has the ending \"" + extension + "\"; genu reads " + known;
+}
+
+std::string check_mesh_bytes(const std::string& extension, std::string_view bytes) {
+  return extension == ".stl" ? check_stl(bytes) : std::string();
 }
 
 }  // namespace genu

@@ -1,18 +1,22 @@
 // What can be said about a mesh file before a parser sees it: parsers accept half a file, or ask for all memory.
 #pragma once
 
-#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace genu {
 
-struct MeshFileCheck {
-  std::string problem;              ///< what is wrong and what to do; empty where nothing is
-  std::size_t least_triangles = 0;  ///< that the header of a binary STL promises; 0 where unknown
-};
+/// What is wrong with a file of that name, and what to do; empty where it is a regular file of a known format, not
+/// empty, and not larger than this computer's memory. It is not opened.
+std::string check_mesh_name(const std::string& path);
 
-/// Is there a regular file of a known format, neither empty nor truncated (as far as its format tells) nor larger than
-/// this computer's memory?
-MeshFileCheck check_mesh_file(const std::string& path);
+/// What is wrong with the bytes of a file whose ending is `extension` (".stl", in small letters): whether it is
+/// truncated, as far as its format tells.
+std::string check_mesh_bytes(const std::string& extension, std::string_view bytes);
+
+/// The ending of a file's name, in small letters, with its dot.
+std::string mesh_extension(const std::string& path);
+
+inline constexpr const char* kCannotOpen = "cannot be opened; check its permissions";
 
 }  // namespace genu

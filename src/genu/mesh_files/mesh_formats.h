@@ -1,14 +1,12 @@
-// Readers of mesh file formats, one .cpp each. They give what the file holds: coordinates in its own unit, vertices as
+// Readers of mesh file formats, one .cpp each: from the bytes of a file to what it holds: coordinates in its own unit, vertices as
 // often as it repeats them, polygons cut into fans. What is wrong with a file comes back as text, with the line where
 // there are lines; the empty text is success, and a mesh without triangles is none of their business.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "genu/mesh/mesh.h"
 
@@ -16,25 +14,26 @@ namespace genu {
 
 /// STL, binary or ASCII (mesh_stl.cpp). A binary file whose size fits its count of triangles is binary whatever its
 /// title says. Every word of an ASCII file is looked at: parsers that skip what they do not know lose triangles.
-std::string read_stl(const std::string& path, Mesh& mesh);
+std::string read_stl(std::string_view bytes, Mesh& mesh);
 
 /// OFF, ASCII (mesh_off.cpp): "OFF", counts, vertices, faces; normals and colours are passed over.
-std::string read_off(const std::string& path, Mesh& mesh);
+std::string read_off(std::string_view bytes, Mesh& mesh);
 
 /// VTP, VTK's XML for polygons (mesh_vtp.cpp): polygons and strips of all pieces; numbers as text, base64 or raw,
 /// inline or appended, of either byte order, plain or compressed by zlib.
-std::string read_vtp(const std::string& path, Mesh& mesh);
+std::string read_vtp(std::string_view bytes, Mesh& mesh);
 
 /// PLY, ASCII or binary of either byte order (mesh_ply.cpp): faces and triangle strips; other elements and properties
 /// are passed over.
-std::string read_ply(const std::string& path, Mesh& mesh);
+std::string read_ply(std::string_view bytes, Mesh& mesh);
 
 /// Wavefront OBJ (mesh_obj.cpp): v and f lines.
-std::string read_obj(const std::string& path, Mesh& mesh);
+std::string read_obj(std::string_view bytes, Mesh& mesh);
 
 /// What assimp reads and genu has no reader of its own for (mesh_assimp.cpp): the meshes of a scene graph in its root's
-/// frame. assimp keeps coordinates in single precision. Names its formats ".glb".
-std::string read_by_assimp(const std::string& path, Mesh& mesh);
+/// frame. assimp keeps coordinates in single precision. `path` tells the format by its ending, and where files lie that
+/// the mesh's own file names.
+std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh);
 inline constexpr const char* kByAssimp[] = {".3ds", ".amf", ".dae", ".glb", ".gltf"};
 
 /// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
@@ -48,13 +47,5 @@ inline constexpr const char* kCoordinate = "a coordinate (finite, at most 1e9)";
 
 /// How many vertices, or triangles, a mesh may have: an int counts them, three to a triangle of STL.
 inline constexpr std::size_t kMostPerMesh = 700'000'000;
-
-/// The bytes of a file; empty where it cannot be opened.
-inline std::optional<std::string> bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-inline constexpr const char* kCannotOpen = "cannot be opened; check its permissions";
 
 }  // namespace genu

@@ -86,9 +86,6 @@ class ObjFile {
 
 }  // namespace
 
-std::string read_obj(const std::string& path, Mesh& mesh) {
-  const auto text = bytes_of(path);
-  return text ? ObjFile(*text, mesh).read() : kCannotOpen;
-}
+std::string read_obj(std::string_view bytes, Mesh& mesh) { return ObjFile(bytes, mesh).read(); }
 
 }  // namespace genu

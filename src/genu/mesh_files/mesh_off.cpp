@@ -97,9 +97,6 @@ class OffFile {
 
 }  // namespace
 
-std::string read_off(const std::string& path, Mesh& mesh) {
-  const auto text = bytes_of(path);
-  return text ? OffFile(*text, mesh).read() : kCannotOpen;
-}
+std::string read_off(std::string_view bytes, Mesh& mesh) { return OffFile(bytes, mesh).read(); }
 
 }  // namespace genu

@@ -234,12 +234,10 @@ class PlyFile {
 
 }  // namespace
 
-std::string read_ply(const std::string& path, Mesh& mesh) {
-  const auto text = bytes_of(path);
-  if (!text) return kCannotOpen;
+std::string read_ply(std::string_view bytes, Mesh& mesh) {
   PlyHeader header;
-  if (std::string problem = read_ply_header(*text, header); !problem.empty()) return problem;
-  return PlyFile(*text, header, mesh).read();
+  if (std::string problem = read_ply_header(bytes, header); !problem.empty()) return problem;
+  return PlyFile(bytes, header, mesh).read();
 }
 
 }  // namespace genu

@@ -1,9 +1,9 @@
 #include "genu/mesh_files/mesh_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
+#include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,12 +14,6 @@
 
 namespace genu {
 namespace {
-
-std::string lower_extension(const std::string& path) {
-  std::string s = std::filesystem::path(path).extension().string();
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return s;
-}
 
 /// Binary files have no lines to name: the number of the vertex stands for them.
 std::string check_coordinates(const Mesh& mesh, bool stl) {
@@ -34,15 +28,15 @@ std::string check_coordinates(const Mesh& mesh, bool stl) {
 }
 
 /// Empty text where all is well.
-std::string import(const std::string& path, Mesh& mesh) {
-  const std::string extension = lower_extension(path);
+std::string import(const std::string& path, std::string_view bytes, Mesh& mesh) {
+  const std::string extension = mesh_extension(path);
   const bool stl = extension == ".stl";
-  const std::string problem = stl                   ? read_stl(path, mesh)
-                              : extension == ".off" ? read_off(path, mesh)
-                              : extension == ".vtp" ? read_vtp(path, mesh)
-                              : extension == ".ply" ? read_ply(path, mesh)
-                              : extension == ".obj" ? read_obj(path, mesh)
-                                                    : read_by_assimp(path, mesh);
+  const std::string problem = stl                   ? read_stl(bytes, mesh)
+                              : extension == ".off" ? read_off(bytes, mesh)
+                              : extension == ".vtp" ? read_vtp(bytes, mesh)
+                              : extension == ".ply" ? read_ply(bytes, mesh)
+                              : extension == ".obj" ? read_obj(bytes, mesh)
+                                                    : read_by_assimp(path, bytes, mesh);
   return problem.empty() ? check_coordinates(mesh, stl) : problem;
 }
 
@@ -85,36 +79,33 @@ void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_
        out);
 }
 
-/// The mesh in the file's unit, with its facts.
-std::optional<Mesh> read_in_file_unit(const std::string& path, Diagnostics& out, MeshFileFacts& facts) {
-  const MeshFileCheck check = check_mesh_file(path);
-  if (!check.problem.empty()) {
-    out.error(path, check.problem);
-    return std::nullopt;
-  }
-  Mesh mesh;
-  std::string problem = import(path, mesh);
-  if (problem.empty() && mesh.empty()) problem = "has no triangles: export the surface as a triangle mesh";
-  if (problem.empty()) {
-    constexpr std::size_t kEnough = 100;  // fewer vertices may lie on decimals by chance, or by design
-    facts.vertices = mesh.vertices.size();
-    facts.triangles = mesh.triangles.size();
-    const CoordinateStep written = coordinate_step(mesh);
-    const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kEnough;
-    facts.rounding = decimal ? written.decimal : written.single;
-    facts.single = !decimal && written.single > 0;
-    const double tolerance = weld_tolerance(mesh);
-    facts.weld = weld(mesh, tolerance);
-    if (mesh.empty()) {
-      import(path, mesh = {});
-      problem = why_nothing_is_left(mesh, tolerance);
-    }
-  }
-  if (!problem.empty()) {
-    out.error(path, problem);
-    return std::nullopt;
-  }
-  return mesh;
+/// Welds what was read and notes its facts; says why nothing is left of it. `again` gives what was read once more.
+std::string clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>& again) {
+  constexpr std::size_t kEnough = 100;  // fewer vertices may lie on decimals by chance, or by design
+  if (mesh.empty()) return "has no triangles: export the surface as a triangle mesh";
+  facts.vertices = mesh.vertices.size();
+  facts.triangles = mesh.triangles.size();
+  const CoordinateStep written = coordinate_step(mesh);
+  const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kEnough;
+  facts.rounding = decimal ? written.decimal : written.single;
+  facts.single = !decimal && written.single > 0;
+  const double tolerance = weld_tolerance(mesh);
+  facts.weld = weld(mesh, tolerance);
+  return mesh.empty() ? why_nothing_is_left(again(), tolerance) : std::string();
+}
+
+/// The mesh in the file's unit, with its facts; says why there is none.
+std::string read_in_file_unit(const std::string& path, InputFiles& files, Mesh& mesh, MeshFileFacts& facts) {
+  if (std::string problem = check_mesh_name(path); !problem.empty()) return problem;
+  const auto bytes = files.bytes(path);
+  if (!bytes) return kCannotOpen;
+  if (std::string problem = check_mesh_bytes(mesh_extension(path), *bytes); !problem.empty()) return problem;
+  if (std::string problem = import(path, *bytes, mesh); !problem.empty()) return problem;
+  return clean(mesh, facts, [&] {
+    Mesh again;
+    import(path, *bytes, again);
+    return again;
+  });
 }
 
 /// What is left to do once the unit is known.
@@ -130,24 +121,79 @@ Mesh in_metres(const std::string& path, Mesh mesh, double metres_per_unit, MeshF
   return mesh;
 }
 
+/// m
+double guessed_unit(const Mesh& mesh) { return guess_unit(bounding_box(mesh).diagonal()) == "m" ? 1.0 : 1e-3; }
+
+}  // namespace
+
+const MeshLibrary::Entry& MeshLibrary::entry(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  const auto [place, is_new] = entries_.try_emplace(path);
+  Entry& e = place->second;
+  if (is_new) {
+    e.problem = read_in_file_unit(path, *files_, e.mesh, e.facts);
+    files_->release(path);
+  }
+  return e;
+}
+
+void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
+  Entry e;
+  e.mesh = mesh;
+  e.problem = check_coordinates(e.mesh, false);
+  if (e.problem.empty()) e.problem = clean(e.mesh, e.facts, [&] { return mesh; });
+  const std::lock_guard lock(mutex_);
+  entries_.insert_or_assign(name, std::move(e));
+}
+
+std::optional<Mesh> MeshLibrary::read(const std::string& path, double metres_per_unit, Diagnostics& out,
+                                      MeshFileFacts* facts) {
+  const Entry& e = entry(path);
+  if (!e.problem.empty()) {
+    out.error(path, e.problem);
+    return std::nullopt;
+  }
+  MeshFileFacts found = e.facts;
+  Mesh mesh = in_metres(path, e.mesh, metres_per_unit, found, out);
+  if (facts != nullptr) *facts = found;
+  return mesh;
+}
+
+std::optional<Mesh> MeshLibrary::read_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
+                                                   MeshFileFacts* facts) {
+  const Entry& e = entry(path);
+  if (e.problem.empty()) metres_per_unit = guessed_unit(e.mesh);
+  return read(path, metres_per_unit, out, facts);
+}
+
+namespace {
+
+/// One file for one use: nothing is kept. Where no unit is given it is guessed.
+std::optional<Mesh> read_once(const std::string& path, double& metres_per_unit, bool guess, Diagnostics& out,
+                              MeshFileFacts* facts) {
+  InputFiles files;
+  Mesh mesh;
+  MeshFileFacts found;
+  if (const std::string problem = read_in_file_unit(path, files, mesh, found); !problem.empty()) {
+    out.error(path, problem);
+    return std::nullopt;
+  }
+  files.release(path);
+  if (guess) metres_per_unit = guessed_unit(mesh);
+  mesh = in_metres(path, std::move(mesh), metres_per_unit, found, out);
+  if (facts != nullptr) *facts = found;
+  return mesh;
+}
+
 }  // namespace
 
 std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts) {
-  MeshFileFacts unasked;
-  MeshFileFacts& found = facts != nullptr ? *facts : unasked;
-  auto mesh = read_in_file_unit(path, out, found);
-  if (!mesh) return std::nullopt;
-  return in_metres(path, std::move(*mesh), metres_per_unit, found, out);
+  return read_once(path, metres_per_unit, false, out, facts);
 }
 
 std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
                                            MeshFileFacts* facts) {
-  MeshFileFacts unasked;
-  MeshFileFacts& found = facts != nullptr ? *facts : unasked;
-  auto mesh = read_in_file_unit(path, out, found);
-  if (!mesh) return std::nullopt;
-  metres_per_unit = guess_unit(bounding_box(*mesh).diagonal()) == "m" ? 1.0 : 1e-3;
-  return in_metres(path, std::move(*mesh), metres_per_unit, found, out);
+  return read_once(path, metres_per_unit, true, out, facts);
 }
 
 }  // namespace genu

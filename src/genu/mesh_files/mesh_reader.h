@@ -1,10 +1,15 @@
 // Triangle meshes from files: STL (binary, ASCII), PLY, OBJ, OFF and VTP.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "genu/core/diagnostics.h"
+#include "genu/core/input_files.h"
 #include "genu/mesh/mesh.h"
 #include "genu/mesh/mesh_weld.h"
 
@@ -18,18 +23,51 @@ struct MeshFileFacts {
   bool single = false;  ///< that is float32's step at the largest coordinate, not one the exporter chose
 };
 
-/// Reads all triangles of `path` (convex polygons are cut into fans), welds vertices within weld_tolerance(), drops
-/// degenerate and repeated triangles (a warning tells how many) and turns file units into metres. Vertices keep the
-/// order of their first appearance; the winding is the file's. Coordinates that single precision rounds to more than
-/// 2 um, as far from the origin, get a warning.
-/// Empty with an error in `out` that names the file, what is wrong and what to do, for a file that is missing, not
-/// readable, of another format, empty, truncated, larger than memory, or without triangles or with coordinates that
-/// are not numbers or lie beyond 1e9 units.
+/// The meshes that a piece of work uses. Each file is opened and parsed once, whoever asks for it and however often;
+/// meshes in memory stand in for files. Calls from several threads are safe.
+class MeshLibrary {
+ public:
+  /// Opens files through `files`, so that others see the same bytes.
+  explicit MeshLibrary(std::shared_ptr<InputFiles> files = std::make_shared<InputFiles>()) : files_(std::move(files)) {}
+
+  /// Reads all triangles of `path` (convex polygons are cut into fans), welds vertices within weld_tolerance(), drops
+  /// degenerate and repeated triangles (a warning gives their number) and turns file units into metres. Vertices keep
+  /// the order of their first appearance; the winding is the file's. Coordinates that single precision rounds to more
+  /// than 2 um, as far from the origin, get a warning.
+  /// Empty with an error in `out` that names the file, what is wrong and what to do, for a file that is missing, not
+  /// readable, of another format, empty, truncated, larger than memory, or without triangles or with coordinates that
+  /// are not numbers or lie beyond 1e9 units.
+  std::optional<Mesh> read(const std::string& path, double metres_per_unit, Diagnostics& out,
+                           MeshFileFacts* facts = nullptr);
+
+  /// The same for a file of unknown unit: m where that alone makes it a knee's surface, else mm. `metres_per_unit`
+  /// gets it.
+  std::optional<Mesh> read_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
+                                        MeshFileFacts* facts = nullptr);
+
+  /// From now on read(name) gives this mesh (its coordinates in units of that call), cleaned as a file's would be.
+  void put(const std::string& name, const Mesh& mesh);
+
+  InputFiles& files() { return *files_; }
+
+ private:
+  struct Entry {
+    Mesh mesh;  ///< in the file's unit
+    MeshFileFacts facts;
+    std::string problem;  ///< why there is no mesh
+  };
+  const Entry& entry(const std::string& path);
+
+  std::shared_ptr<InputFiles> files_;
+  std::mutex mutex_;
+  std::map<std::string, Entry> entries_;
+};
+
+/// MeshLibrary::read() of one file for one use.
 std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out,
                               MeshFileFacts* facts = nullptr);
 
-/// The same for a file whose unit nobody says: m where that alone makes it a knee's surface, else mm.
-/// `metres_per_unit` gets it.
+/// MeshLibrary::read_of_some_unit() of one file for one use.
 std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
                                            MeshFileFacts* facts = nullptr);
 

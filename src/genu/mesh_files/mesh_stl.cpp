@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
@@ -17,26 +15,18 @@ static_assert(std::endian::native == std::endian::little, "STL is little-endian:
 
 constexpr std::size_t kBinaryHeader = 84, kTriangle = 50;  // bytes of a binary STL
 
-std::string read_binary(std::ifstream& in, std::size_t count, Mesh& mesh) {
+/// `triangles`: the bytes after the header.
+void read_binary(std::string_view triangles, std::size_t count, Mesh& mesh) {
   mesh.vertices.resize(3 * count);
   mesh.triangles.resize(count);
-  constexpr std::size_t kAtOnce = 4096;  // triangles
-  std::string bytes(kAtOnce * kTriangle, '\0');
-  in.seekg(static_cast<std::streamoff>(kBinaryHeader));
-  for (std::size_t first = 0; first < count; first += kAtOnce) {
-    const std::size_t now = std::min(kAtOnce, count - first);
-    if (!in.read(bytes.data(), static_cast<std::streamsize>(now * kTriangle))) return "cannot be read to its end";
-    for (std::size_t t = 0; t < now; ++t) {
-      std::array<float, 9> corners;  // after the normal, which the corners' order repeats
-      std::memcpy(corners.data(), bytes.data() + t * kTriangle + 12, sizeof corners);
-      const std::size_t v = 3 * (first + t);
-      for (std::size_t k = 0; k < 3; ++k)
-        mesh.vertices[v + k] = Vec3(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
-      const int i = static_cast<int>(v);
-      mesh.triangles[first + t] = {i, i + 1, i + 2};
-    }
+  for (std::size_t t = 0; t < count; ++t) {
+    std::array<float, 9> corners;  // after the normal, which the corners' order repeats
+    std::memcpy(corners.data(), triangles.data() + t * kTriangle + 12, sizeof corners);
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh.vertices[3 * t + k] = Vec3(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+    const int i = static_cast<int>(3 * t);
+    mesh.triangles[t] = {i, i + 1, i + 2};
   }
-  return {};
 }
 
 bool same(std::string_view word, std::string_view lower) {
@@ -124,25 +114,14 @@ class AsciiStl {
 
 }  // namespace
 
-std::string read_stl(const std::string& path, Mesh& mesh) {
-  std::ifstream in(path, std::ios::binary);
-  std::error_code failure;
-  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, failure));
-  if (!in || failure) return "cannot be opened; check its permissions";
+std::string read_stl(std::string_view bytes, Mesh& mesh) {
+  if (bytes.size() < kBinaryHeader) return AsciiStl(bytes, mesh).read();
   std::uint32_t count = 0;
-  if (size >= kBinaryHeader) {
-    in.seekg(static_cast<std::streamoff>(kBinaryHeader - sizeof count));
-    in.read(reinterpret_cast<char*>(&count), sizeof count);
-    if (size == kBinaryHeader + kTriangle * count) {
-      if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
-      return read_binary(in, count, mesh);
-    }
-  }
-  in.clear();
-  in.seekg(0);
-  std::string text(size, '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size))) return "cannot be read to its end";
-  return AsciiStl(text, mesh).read();
+  std::memcpy(&count, bytes.data() + kBinaryHeader - sizeof count, sizeof count);
+  if (bytes.size() != kBinaryHeader + kTriangle * count) return AsciiStl(bytes, mesh).read();
+  if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
+  read_binary(bytes.substr(kBinaryHeader), count, mesh);
+  return {};
 }
 
 }  // namespace genu

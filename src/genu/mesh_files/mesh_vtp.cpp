@@ -234,9 +234,6 @@ class VtpFile {
 
 }  // namespace
 
-std::string read_vtp(const std::string& path, Mesh& mesh) {
-  const auto text = bytes_of(path);
-  return text ? VtpFile(*text, mesh).read() : kCannotOpen;
-}
+std::string read_vtp(std::string_view bytes, Mesh& mesh) { return VtpFile(bytes, mesh).read(); }
 
 }  // namespace genu

@@ -50,11 +50,17 @@ double sample_spacing(const JointModel& model) {
   return spacing;
 }
 
-ContactField::ContactField(const JointModel& model)
+ContactField::ContactField(const JointModel& model) : ContactField(model, nullptr) {}
+
+ContactField::ContactField(const JointModel& model, const ContactField& prepared) : ContactField(model, &prepared) {}
+
+ContactField::ContactField(const JointModel& model, const ContactField* prepared)
     : model_(&model), spacing_(sample_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
   pairs_.reserve(model.pairs.size());
-  for (const auto& pair : model.pairs) {
-    pairs_.push_back(proximity_of(pair));
+  for (std::size_t k = 0; k < model.pairs.size(); ++k) {
+    const auto& pair = model.pairs[k];
+    const bool known = prepared != nullptr && k < prepared->pairs_.size();
+    pairs_.push_back(proximity_of(pair, known ? &prepared->pairs_[k] : nullptr));
     any_doubtful_ = any_doubtful_ || !pair.a->doubtful().empty() || !pair.b->doubtful().empty();
   }
   layer_pairs_.resize(model.layers.size());
@@ -63,7 +69,7 @@ ContactField::ContactField(const JointModel& model)
 }
 
 template <typename Meeting>
-Proximity ContactField::proximity_of(const Meeting& surfaces) const {
+Proximity ContactField::proximity_of(const Meeting& surfaces, const Proximity* prepared) const {
   const Vec3 centre = joint_centre(*model_);
   Proximity::Options options;
   options.spacing = spacing_;
@@ -71,7 +77,11 @@ Proximity ContactField::proximity_of(const Meeting& surfaces) const {
   options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
   options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
   options.safeguards = model_->safeguards;
-  return {*surfaces.a, *surfaces.b, options};
+  if (prepared == nullptr || !prepared->is_of(*surfaces.a, *surfaces.b, options))
+    return {*surfaces.a, *surfaces.b, options};
+  Proximity shared = *prepared;
+  shared.forget();
+  return shared;
 }
 
 void ContactField::forget() {

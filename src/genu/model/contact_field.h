@@ -28,6 +28,10 @@ class ContactField {
  public:
   explicit ContactField(const JointModel& model);
 
+  /// The same field, as if nothing had been looked at yet. What `prepared` has prepared of pairs of the same surfaces is
+  /// shared with it where it would come out the same: only numbers differ between the models.
+  ContactField(const JointModel& model, const ContactField& prepared);
+
   /// Points that stand for a surface are about this far apart (m): 1/30 of the characteristic length, 1/60 of the
   /// smallest surface. Every length in the search for contacts is a fraction of it.
   double spacing() const { return spacing_; }
@@ -83,6 +87,8 @@ class ContactField {
   double add_foundation(const State& state, double modulus, Linearization& out);
 
  private:
+  ContactField(const JointModel& model, const ContactField* prepared);
+
   /// Where two surfaces touch, in the frames of their bodies, and how far (m) each of these points stands for more.
   struct Feet {
     std::vector<Vec3> on_a, on_b;
@@ -95,7 +101,7 @@ class ContactField {
 
   void scan_pairs(const State& state, Survey& out);
   template <typename Meeting>
-  Proximity proximity_of(const Meeting& surfaces) const;
+  Proximity proximity_of(const Meeting& surfaces, const Proximity* prepared = nullptr) const;
   Pose relative(const State& state, int pair) const;
 
   const JointModel* model_;

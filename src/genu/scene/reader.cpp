@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = 16u << 20;  // a scene holds no geometry: the largest known is 14 kB
 
-std::optional<std::string> read_text(const std::string& path, Diagnostics& out) {
+std::shared_ptr<const std::string> read_text(const std::string& path, InputFiles& files, Diagnostics& out) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   std::string rule;
@@ -39,24 +39,16 @@ std::optional<std::string> read_text(const std::string& path, Diagnostics& out) 
   }
   if (!rule.empty()) {
     out.error(path, std::move(rule));
-    return std::nullopt;
+    return nullptr;
   }
 
-  std::ifstream stream(path, std::ios::binary);
-  std::string text;
-  char block[1 << 16];
-  while (stream && text.size() <= kMaxFileBytes) {
-    stream.read(block, sizeof(block));
-    text.append(block, static_cast<std::size_t>(stream.gcount()));
-  }
-  if (text.size() > kMaxFileBytes) {
+  if (fs::file_size(path, failed) > kMaxFileBytes && !failed) {
     out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxFileBytes >> 20));
-  } else if (!stream.eof()) {
-    out.error(path, "cannot be read");
-  } else {
-    return text;
+    return nullptr;
   }
-  return std::nullopt;
+  auto text = files.bytes(path);
+  if (!text) out.error(path, "cannot be read");
+  return text;
 }
 
 void read_units(ReadContext& context, Section& root) {
@@ -156,13 +148,20 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
 }
 
 std::optional<Scene> read_scene(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
-  const std::optional<std::string> text = read_text(path, out);
+  InputFiles files;
+  return read_scene(path, files, out, safeguards);
+}
+
+std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out,
+                                const Safeguards& safeguards) {
+  const auto text = read_text(path, files, out);
   if (!text) return std::nullopt;
   return parse_scene(*text, path, out, safeguards);
 }
 
 std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out) {
-  const std::optional<std::string> text = read_text(path, out);
+  InputFiles files;
+  const auto text = read_text(path, files, out);
   if (!text) return std::nullopt;
   const std::optional<TomlNode> document = parse_document(*text, path, out);
   if (!document) return std::nullopt;

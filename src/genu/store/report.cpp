@@ -103,11 +103,6 @@ std::vector<ReportContact> contacts_of(const Prepared& p, const Solution& soluti
   return out;
 }
 
-std::string text_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 ReportRun report_run(const Prepared& p, const Solution& solution) {
@@ -117,7 +112,7 @@ ReportRun report_run(const Prepared& p, const Solution& solution) {
   run.summary = &solution.summary;
   run.poses = &solution.poses;
   run.events = &solution.event_rows;
-  run.scene_text = text_of(p.scene.file);
+  if (const auto text = p.meshes ? p.meshes->files().bytes(p.scene.file) : nullptr) run.scene_text = *text;
   const ResultTable* bars = solution.error_bars ? &solution.error_bars->bars : nullptr;
   run.chart = curves(p.scene, p.steps, solution.poses, solution.events, bars);
   add_report_plots(p.scene, solution.poses, run.chart);

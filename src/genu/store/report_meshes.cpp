@@ -5,7 +5,6 @@
 #include <set>
 
 #include "genu/mesh/display_mesh.h"
-#include "genu/mesh_files/mesh_reader.h"
 #include "genu/surface/tessellate.h"
 
 namespace genu {
@@ -85,10 +84,10 @@ Mesh triangles_of(const Prepared& p, std::size_t i, const Places& places) {
   return mesh;
 }
 
-/// Triangles of a file, where they can still be read.
-std::optional<Mesh> mesh_of_file(const std::string& file, double unit, const Pose& placement) {
+/// Triangles of a file, where it could be read.
+std::optional<Mesh> mesh_of_file(MeshLibrary& meshes, const std::string& file, double unit, const Pose& placement) {
   Diagnostics ignored;
-  auto mesh = read_mesh(file, unit, ignored);
+  auto mesh = meshes.read(file, unit, ignored);
   if (!mesh || ignored.has_errors()) return std::nullopt;
   for (Vec3& v : mesh->vertices) v = placement * v;
   return mesh;
@@ -106,7 +105,7 @@ std::vector<ReportMesh> report_meshes(const Prepared& p, const ReportRun& run, s
   std::set<std::pair<int, std::string>> told;  // one bone often lies under several surfaces
   const auto add_bone = [&](const std::string& name, int body, const std::string& file, double unit, const Pose& X) {
     if (!told.emplace(body, file).second) return;
-    if (auto mesh = mesh_of_file(file, unit, X))
+    if (auto mesh = mesh_of_file(*p.meshes, file, unit, X))
       out.push_back(shown(name, body, ReportMesh::Kind::bone, std::move(*mesh), most));
   };
   for (const SurfaceDef& s : p.scene.surfaces)

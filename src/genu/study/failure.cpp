@@ -96,9 +96,9 @@ std::vector<std::string> verdict_of(const Names& names, const Solution* found, s
 }
 
 /// The triangles of a mesh within `reach` (m) of some points of its body.
-std::string cut_mesh(const SurfaceDef& def, const std::vector<Vec3>& feet, double reach) {
+std::string cut_mesh(const SurfaceDef& def, MeshLibrary& meshes, const std::vector<Vec3>& feet, double reach) {
   Diagnostics ignored;
-  const auto mesh = read_mesh(def.file, def.file_unit, ignored);
+  const auto mesh = meshes.read(def.file, def.file_unit, ignored);
   if (!mesh) return {};
   const Pose back = def.placement.inverse();
   std::vector<Vec3> places;
