@@ -25,7 +25,7 @@ std::string axis_name(const Vec3& axis) {
 }
 
 /// What a load is, and what that means for the tangent.
-std::string kind_name(const Scene& scene, const LoadDef& load) {
+std::string kind_name(const SceneTables& scene, const LoadDef& load) {
   switch (load.kind) {
     case LoadDef::Kind::toward:
       return fmt::format("toward a point of {}, {:g} N", scene.bodies[at(load.toward_body)].name, load.value);
@@ -39,7 +39,7 @@ std::string kind_name(const Scene& scene, const LoadDef& load) {
   return load.frame == LoadDef::Frame::body ? "follows " + body + ": unsymmetric tangent" : "dead, on " + body;
 }
 
-std::string scale_name(const Scene& scene, const LoadDef& load) {
+std::string scale_name(const SceneTables& scene, const LoadDef& load) {
   if (!load.scale) return {};
   switch (load.scale->kind) {
     case ScaleDef::Kind::over_coordinate:
@@ -56,7 +56,7 @@ std::string scale_name(const Scene& scene, const LoadDef& load) {
 
 class Explanation {
  public:
-  explicit Explanation(const Scene& scene) : scene_(scene) {}
+  explicit Explanation(const SceneTables& scene) : scene_(scene) {}
 
   std::string text() {
     out_ = fmt::format("{}{}{}\n\n", scene_.file, scene_.title.empty() ? "" : ": ", scene_.title);
@@ -250,13 +250,13 @@ class Explanation {
     out_ += fmt::format("; N = {}: {} x {}\n", likely, square + 5 * likely, square + 5 * likely);
   }
 
-  const Scene& scene_;
+  const SceneTables& scene_;
   std::vector<std::string> off_;
   std::string last_head_, out_;
 };
 
 }  // namespace
 
-std::string explain(const Scene& scene) { return Explanation(scene).text(); }
+std::string explain(const SceneTables& scene) { return Explanation(scene).text(); }
 
 }  // namespace genu

@@ -9,6 +9,6 @@
 namespace genu {
 
 /// Some tens of lines for the terminal. Opens no mesh.
-std::string explain(const Scene& scene);
+std::string explain(const SceneTables& scene);
 
 }  // namespace genu

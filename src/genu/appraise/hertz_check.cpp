@@ -62,7 +62,7 @@ std::optional<ContactGeometry> geometry_at(const JointModel::Layer& layer, const
 double largest_curvature(const SurfacePoint& point) { return symmetric_eigen(point.S).values.cwiseAbs().maxCoeff(); }
 
 /// Young's modulus of the half spaces: of one alone where the other surface is bare bone.
-double reduced_modulus(const Scene& scene, const LayerDef& def) {
+double reduced_modulus(const PlacedScene& scene, const LayerDef& def) {
   const auto bare = [&](int surface) {
     const auto& thickness = scene.surfaces[at(surface)].thickness;
     return thickness && !thickness->measured && thickness->constant == 0;
@@ -72,7 +72,7 @@ double reduced_modulus(const Scene& scene, const LayerDef& def) {
 }
 
 /// Fills the check in, or says why there is none.
-void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& layer, const State& state,
+void compare(const PlacedScene& scene, const LayerDef& def, const JointModel::Layer& layer, const State& state,
              const Pressed& pressed, HertzCheck& check) {
   const auto geometry = geometry_at(layer, state, pressed);
   if (!geometry) {

@@ -35,7 +35,7 @@ Extreme extreme(const ResultTable& poses, const std::string& column, double sign
 
 }  // namespace
 
-std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& model, const ResultTable& poses) {
+std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointModel& model, const ResultTable& poses) {
   std::vector<std::string> out;
   for (std::size_t k = 0; k < scene.layers.size(); ++k) {
     const LayerDef& layer = scene.layers[k];

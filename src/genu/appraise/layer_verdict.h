@@ -11,7 +11,7 @@ namespace genu {
 
 /// Sentences on layers too stiff for their mesh and on depths that their law or rays do not reach; empty where all is
 /// well. `poses` is the pose_table() of the scene.
-std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& model, const ResultTable& poses);
+std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointModel& model, const ResultTable& poses);
 
 /// Adds what layer_doubts.h finds at the pose where the search starts and at some of the records.
 void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records, std::vector<std::string>& out);

@@ -11,7 +11,7 @@ namespace {
 /// What varies in a step, where it stands: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
 /// nothing varies.
 std::string place(const Prepared& prepared, int step, const Target& target) {
-  const Scene& scene = prepared.scene;
+  const PlacedScene& scene = prepared.scene;
   const StepPlan* plan = step > 0 ? &prepared.steps[static_cast<std::size_t>(step - 1)] : nullptr;
   std::string varying, held;
   const auto add = [&](bool varies, const std::string& part) {

@@ -16,7 +16,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 class GivenPosesReader {
  public:
-  GivenPosesReader(const Scene& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
+  GivenPosesReader(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
       : scene_(scene), file_(file), columns_(columns), errors_(file.path, out), out_(out) {
     for (const JointDef& joint : scene.joints) held_.push_back(joint.reference);
   }
@@ -97,7 +97,7 @@ class GivenPosesReader {
                   fmt::format("must be > {:g}, the time before it", given_.poses.back().time));
   }
 
-  const Scene& scene_;
+  const SceneTables& scene_;
   const PoseFile& file_;
   const PoseColumns& columns_;
   LongErrors errors_;
@@ -108,7 +108,7 @@ class GivenPosesReader {
 
 }  // namespace
 
-std::optional<GivenPoses> read_given_poses(const Scene& scene, const PoseFile& file, const PoseColumns& columns,
+std::optional<GivenPoses> read_given_poses(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns,
                                            Diagnostics& out) {
   return GivenPosesReader(scene, file, columns, out).read();
 }

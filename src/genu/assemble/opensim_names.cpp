@@ -33,7 +33,7 @@ std::string last_part_of_path(const std::string& column) {
   return last(column) == "value" ? last(parent(column)) : last(column);
 }
 
-std::vector<CoordinateRef> opensim_coordinates(const Scene& scene, const std::string& column) {
+std::vector<CoordinateRef> opensim_coordinates(const SceneTables& scene, const std::string& column) {
   const std::string part = lower_case(last_part_of_path(column));
   std::vector<CoordinateRef> found;
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j) {

@@ -14,6 +14,6 @@ std::string last_part_of_path(const std::string& column);
 
 /// The coordinates that a column may mean, in the scene's order: knee_flex_r is the rotation of joint `knee` (or
 /// `knee_r`) whose name begins with "flex" (three letters at least), knee_tx_r its translation `x` or `tx`.
-std::vector<CoordinateRef> opensim_coordinates(const Scene& scene, const std::string& column);
+std::vector<CoordinateRef> opensim_coordinates(const SceneTables& scene, const std::string& column);
 
 }  // namespace genu

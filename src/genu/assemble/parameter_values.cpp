@@ -19,7 +19,7 @@ struct Path {
   double unit = 1;
 };
 
-Path ligament_path(const Scene& scene, const Parameter& p) {
+Path ligament_path(const SceneTables& scene, const Parameter& p) {
   const LigamentDef& l = scene.ligaments[at(p.object)];
   const double length = scene.length_unit;
   const auto of = [&](const std::string& key, double unit) { return Path{{"ligament", l.name, key}, -1, -1, unit}; };
@@ -41,7 +41,7 @@ Path ligament_path(const Scene& scene, const Parameter& p) {
   }
 }
 
-Path load_path(const Scene& scene, const Parameter& p) {
+Path load_path(const SceneTables& scene, const Parameter& p) {
   const LoadDef& l = scene.loads[at(p.object)];
   switch (p.kind) {
     case Kind::force:
@@ -57,7 +57,7 @@ Path load_path(const Scene& scene, const Parameter& p) {
   }
 }
 
-Path path_of(const Scene& scene, const Parameter& p) {
+Path path_of(const SceneTables& scene, const Parameter& p) {
   if (p.of_ligament()) return ligament_path(scene, p);
   if (p.of_load()) return load_path(scene, p);
   if (p.of_joint())
@@ -127,7 +127,7 @@ double* parameter_number(Scene& scene, const Parameter& p) {
   }
 }
 
-ParameterPlace parameter_place(const Scene& scene, const Parameter& parameter, const TomlNode& document) {
+ParameterPlace parameter_place(const SceneTables& scene, const Parameter& parameter, const TomlNode& document) {
   const Path path = path_of(scene, parameter);
   ParameterPlace place{&document, "", path.unit};
   const auto element = [&](int k) {

@@ -19,6 +19,6 @@ struct ParameterPlace {
   std::string key;       ///< "joint.j1.stiffness", "ligament.AAC.from.point[1]"
   double file_unit = 1;  ///< SI per unit of the file
 };
-ParameterPlace parameter_place(const Scene& scene, const Parameter& parameter, const TomlNode& document);
+ParameterPlace parameter_place(const SceneTables& scene, const Parameter& parameter, const TomlNode& document);
 
 }  // namespace genu

@@ -43,7 +43,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 class Matcher {
  public:
-  Matcher(const Scene& scene, const PoseFile& file, Diagnostics& out) : scene_(scene), file_(file), out_(out) {
+  Matcher(const SceneTables& scene, const PoseFile& file, Diagnostics& out) : scene_(scene), file_(file), out_(out) {
     for (std::size_t c = 0; c < file.names.cells.size(); ++c) by_name_[file.names.cells[c].text] = c;
     for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
       for (int i = 0; i < 6; ++i)
@@ -251,7 +251,7 @@ class Matcher {
                              more > 0 ? fmt::format(" and {} more", more) : "")});
   }
 
-  const Scene& scene_;
+  const SceneTables& scene_;
   const PoseFile& file_;
   Diagnostics& out_;
   std::map<std::string, std::size_t> by_name_;
@@ -266,7 +266,7 @@ class Matcher {
 
 }  // namespace
 
-std::optional<PoseColumns> match_columns(const Scene& scene, const PoseFile& file, const PoseColumnOptions& options,
+std::optional<PoseColumns> match_columns(const SceneTables& scene, const PoseFile& file, const PoseColumnOptions& options,
                                          Diagnostics& out) {
   return Matcher(scene, file, out).match(options);
 }

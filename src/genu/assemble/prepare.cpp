@@ -121,7 +121,7 @@ void warn_thin(const Prepared& p, Diagnostics& out) {
 }
 
 /// Errors of a stage that does not know the scene get the place in the scene that named the file.
-void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
+void add_at(const PlacedScene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
   Diagnostics of_file;
   for (Diagnostic d : found.items()) {
     if (d.key != def.file + ".fit_radius") {
@@ -138,7 +138,7 @@ void add_at(const Scene& scene, const SurfaceDef& def, const Diagnostics& found,
 }
 
 /// Whether nothing but the triangles of a surface is asked for: then it is not made smooth.
-bool triangles_alone(const Scene& scene, std::size_t surface) {
+bool triangles_alone(const PlacedScene& scene, std::size_t surface) {
   const auto uses = [&](const ContactDef& c) {
     return c.surface_a == static_cast<int>(surface) || c.surface_b == static_cast<int>(surface);
   };
@@ -158,7 +158,7 @@ std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace
   return facets;
 }
 
-std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const SurfaceDef& def, bool facets,
+std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, const SurfaceDef& def, bool facets,
                                                   MeshLibrary& meshes, SurfaceNote& note, double& read_seconds,
                                                   const Safeguards& safeguards, Diagnostics& out) {
   Diagnostics found;
@@ -199,7 +199,7 @@ std::shared_ptr<const Surface> build_mesh_surface(const Scene& scene, const Surf
 
 /// What is left of a surface within its patch has to be something, and what polynomials become there no larger than a
 /// joint.
-void check_patch(const Scene& scene, const SurfaceDef& def, const Surface* part, Diagnostics& out) {
+void check_patch(const PlacedScene& scene, const SurfaceDef& def, const Surface* part, Diagnostics& out) {
   constexpr double kCoarse = 0.01, kTooLarge = 5;  // m: as check_scale() has it of meshes
   std::string rule = "holds no part of the surface: its ranges are in the surface's own frame";
   if (part != nullptr) {
@@ -221,7 +221,7 @@ void check_patch(const Scene& scene, const SurfaceDef& def, const Surface* part,
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, MeshLibrary& meshes,
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& scene, MeshLibrary& meshes,
                                                            std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out, const Safeguards& safeguards) {
@@ -310,10 +310,12 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
                                 const Safeguards& safeguards) {
   Prepared p;
   const Timer timer;
-  p.scene = std::move(scene);
+  p.source = std::move(scene);
   p.meshes = std::move(meshes);
+  std::vector<Vec3> origins(p.source.bodies.size(), Vec3::Zero());
   if (safeguards.has(Safeguard::centring))
-    centre_bodies(p.scene, [&](const SurfaceDef& def) { return middle_of_mesh(*p.meshes, def); });
+    origins = choose_origins(p.source, [&](const SurfaceDef& def) { return middle_of_mesh(*p.meshes, def); });
+  p.scene = place(p.source, origins);
   p.seconds.emplace_back("reading scene", timer.seconds());
   p.surfaces = build_surfaces(p.scene, *p.meshes, p.notes, p.seconds, out, safeguards);
   if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);

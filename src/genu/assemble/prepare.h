@@ -25,7 +25,8 @@ struct SurfaceNote {
 };
 
 struct Prepared {
-  Scene scene;  ///< its points from the origins that centre_bodies() chose, its bodies with their masses
+  Scene source;       ///< as read
+  PlacedScene scene;  ///< as solved, its bodies with their masses
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<SurfaceNote> notes;
   Bones bones;                                ///< under surfaces whose thickness is measured
@@ -49,7 +50,7 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
 RunSummary begin_summary(const Prepared& prepared);
 
 /// The surfaces of a scene; those that cannot be built are null and said in `out`.
-std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, MeshLibrary& meshes,
+std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& scene, MeshLibrary& meshes,
                                                            std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
                                                            Diagnostics& out, const Safeguards& safeguards = {});

@@ -9,7 +9,7 @@
 namespace genu {
 namespace {
 
-std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef& surface, MeshLibrary& meshes,
+std::shared_ptr<const BoneUnder> read_bone(const PlacedScene& scene, const SurfaceDef& surface, MeshLibrary& meshes,
                                            Diagnostics& out) {
   const SurfaceDef::Thickness& thickness = *surface.thickness;
   Diagnostics found;
@@ -29,7 +29,7 @@ std::shared_ptr<const BoneUnder> read_bone(const Scene& scene, const SurfaceDef&
 
 }  // namespace
 
-Bones read_bones(const Scene& scene, MeshLibrary& meshes, Diagnostics& out) {
+Bones read_bones(const PlacedScene& scene, MeshLibrary& meshes, Diagnostics& out) {
   Bones bones;
   for (const SurfaceDef& surface : scene.surfaces)
     bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, meshes, out) : nullptr);

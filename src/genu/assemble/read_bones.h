@@ -7,6 +7,6 @@
 namespace genu {
 
 /// Reads them, in the frames of their bodies. What cannot be read is an error in `out`, and null.
-Bones read_bones(const Scene& scene, MeshLibrary& meshes, Diagnostics& out);
+Bones read_bones(const PlacedScene& scene, MeshLibrary& meshes, Diagnostics& out);
 
 }  // namespace genu

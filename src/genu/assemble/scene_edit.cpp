@@ -86,7 +86,7 @@ std::string pair_tables(const std::vector<FittedPair>& pairs) {
 
 }  // namespace
 
-std::string with_fitted_surfaces(const std::string& file, const Scene& scene, const std::vector<FittedPair>& pairs,
+std::string with_fitted_surfaces(const std::string& file, const SceneTables& scene, const std::vector<FittedPair>& pairs,
                                  const std::vector<NamedFit>& fits, const std::string& folder, Diagnostics& out) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream read;

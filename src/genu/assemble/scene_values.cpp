@@ -84,7 +84,7 @@ void for_mesh_names(const TomlNode& document, const std::function<void(const std
 
 }  // namespace
 
-std::string with_values(const std::string& file, const Scene& scene,
+std::string with_values(const std::string& file, const SceneTables& scene,
                         const std::vector<std::pair<Parameter, double>>& values, const std::string& folder,
                         Diagnostics& out) {
   std::ifstream in(file, std::ios::binary);

@@ -24,7 +24,7 @@ struct ContactMotion {
 class Sensitivity {
  public:
   /// Both must outlive this.
-  Sensitivity(const Scene& scene, const JointModel& model) : scene_(&scene), model_(&model), step_(model) {}
+  Sensitivity(const PlacedScene& scene, const JointModel& model) : scene_(&scene), model_(&model), step_(model) {}
 
   /// Factors the Jacobian at a pose, which is kept by reference. False where a derivative does not exist: the pose is
   /// not solved, or not determined (a motion costs no force, a force can be traded for another), or a ligament stays at
@@ -55,7 +55,7 @@ class Sensitivity {
   Vec6 twist(int body) const;
   Vec12 twists(int body_a, int body_b) const;
 
-  const Scene* scene_;
+  const PlacedScene* scene_;
   const JointModel* model_;
   NewtonStep step_;
   const PosePoint* point_ = nullptr;

@@ -77,7 +77,7 @@ void build_smooth(const LayerDef& def, Mesh a, Mesh b, const SharedThickness& on
 
 }  // namespace
 
-bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out) {
+bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out) {
   const LayerDef& def = scene.layers[k];
   JointModel::Layer& between = model.layers[k];
   const bool smooth = def.quadrature == LayerDef::Quadrature::smooth;

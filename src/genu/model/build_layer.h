@@ -11,6 +11,6 @@ namespace genu {
 /// formula into triangles whose edges are 1/100 of the smaller of both surfaces, or 1/50 where the sum is over smooth
 /// surfaces. False, with the reason in `out`, where a thickness is to be measured and there is no bone; where bone is
 /// missing or stands out in places, a warning in `out` says where.
-bool build_layer(const Scene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out);
+bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out);
 
 }  // namespace genu

@@ -103,7 +103,7 @@ void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
   if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
 }
 
-bool make_loads(const Scene& scene, JointModel& model, Diagnostics& out) {
+bool make_loads(const PlacedScene& scene, JointModel& model, Diagnostics& out) {
   bool good = true;
   for (const LoadDef& def : scene.loads) {
     std::string why;
@@ -148,17 +148,18 @@ void add_ligament(JointModel& model, JointModel::Ligament ligament) {
   model.scales = choose_scales(model);
 }
 
-std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+std::optional<JointModel> build_model(const PlacedScene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out, const Bones& bones) {
   JointModel model;
-  for (const BodyDef& body : scene.bodies)
-    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, body.centre});
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyDef& body = scene.bodies[b];
+    model.bodies.push_back({body.name, body.fixed ? -1 : model.moving_count++, scene.origins[b]});
+  }
   for (const BodyDef& body : scene.bodies)
     if (scene.dynamics && !body.fixed) model.inertias.push_back({body.mass, body.centre_of_mass, body.inertia});
   std::vector<JointValues> reference;
   for (const JointDef& joint : scene.joints) {
-    const JointCoordinates coordinates(joint, scene.bodies[at(joint.parent)].centre,
-                                       scene.bodies[at(joint.child)].centre);
+    const JointCoordinates coordinates(joint, scene.origins[at(joint.parent)], scene.origins[at(joint.child)]);
     model.joints.push_back(
         {joint.name, joint.parent, joint.child, coordinates, joint.reference, joint.start.value_or(joint.reference)});
     reference.push_back(joint.reference);

@@ -13,7 +13,7 @@ namespace genu {
 /// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each
 /// whose thickness is measured (null for others; may be empty where there is none). What the scene's laws cannot be is
 /// added to `out`, and the result is empty; so are warnings on thicknesses.
-std::optional<JointModel> build_model(const Scene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+std::optional<JointModel> build_model(const PlacedScene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                       Diagnostics& out, const Bones& bones = {});
 
 /// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies

@@ -66,7 +66,7 @@ double Load::largest_force(double length) const {
   return (scale ? scale->largest() : 1) * largest;
 }
 
-std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::string& why) {
+std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why) {
   Load load;
   load.name = def.name;
   load.body_a = def.body;
@@ -95,7 +95,7 @@ std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::strin
   return load.scale ? std::optional(load) : std::nullopt;
 }
 
-Load make_weight(const Scene& scene, int body) {
+Load make_weight(const PlacedScene& scene, int body) {
   const BodyDef& def = scene.bodies[static_cast<std::size_t>(body)];
   Load load;
   load.name = "weight of " + def.name;

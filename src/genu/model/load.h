@@ -50,9 +50,9 @@ struct Load {
 };
 
 /// The load that `def` describes; empty where its scale is none, then `why` says what is wrong.
-std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::string& why);
+std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
 
 /// Mass times gravity at the centre of mass of a body of a scene with gravity.
-Load make_weight(const Scene& scene, int body);
+Load make_weight(const PlacedScene& scene, int body);
 
 }  // namespace genu

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-void say(const Scene& scene, const SurfaceDef& surface, Diagnostic::Severity severity, std::string rule,
+void say(const PlacedScene& scene, const SurfaceDef& surface, Diagnostic::Severity severity, std::string rule,
          Diagnostics& out) {
   Diagnostic d{.severity = severity,
                .file = scene.file,
@@ -24,12 +24,12 @@ void say(const Scene& scene, const SurfaceDef& surface, Diagnostic::Severity sev
 }
 
 /// In the body as the file has it.
-std::string place(const Scene& scene, const SurfaceDef& surface, const Vec3& x) {
-  const Vec3 p = to::kMillimetre * (x + scene.bodies[static_cast<std::size_t>(surface.body)].centre);
+std::string place(const PlacedScene& scene, const SurfaceDef& surface, const Vec3& x) {
+  const Vec3 p = to::kMillimetre * (x + scene.origins[static_cast<std::size_t>(surface.body)]);
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", p[0], p[1], p[2]);
 }
 
-void warn(const Scene& scene, const SurfaceDef& surface, const BoneReport& report, Diagnostics& out) {
+void warn(const PlacedScene& scene, const SurfaceDef& surface, const BoneReport& report, Diagnostics& out) {
   const SurfaceDef::Thickness& asked = *surface.thickness;
   const auto percent = [&](int count) { return 100.0 * count / report.vertices; };
   if (report.without > 0) {
@@ -58,7 +58,7 @@ void warn(const Scene& scene, const SurfaceDef& surface, const BoneReport& repor
 
 }  // namespace
 
-bool thickness_on(const Scene& scene, const Bones& bones, int surface, const Mesh& mesh,
+bool thickness_on(const PlacedScene& scene, const Bones& bones, int surface, const Mesh& mesh,
                   std::shared_ptr<const ThicknessField>& field, Diagnostics& out) {
   const auto k = static_cast<std::size_t>(surface);
   const SurfaceDef& def = scene.surfaces[k];

@@ -9,7 +9,7 @@ namespace genu {
 /// `field` becomes the thickness measured on the triangles `mesh` of a surface, and stays null where the scene measures
 /// none. False, with an error in `out`, where there is no bone under it; warnings on places without bone, and on those
 /// where bone stands out or cartilage is thinner than the scene lets it be, each once for a surface.
-bool thickness_on(const Scene& scene, const Bones& bones, int surface, const Mesh& mesh,
+bool thickness_on(const PlacedScene& scene, const Bones& bones, int surface, const Mesh& mesh,
                   std::shared_ptr<const ThicknessField>& field, Diagnostics& out);
 
 }  // namespace genu

@@ -35,7 +35,7 @@ void add_load_rate(const JointModel& model, const State& state, const Target& ta
   add_wrench(model, load.body_a, load.body_b, factor * wrench, out);
 }
 
-void add_weight_rate(const Scene& scene, const JointModel& model, const State& state, const Parameter& parameter,
+void add_weight_rate(const PlacedScene& scene, const JointModel& model, const State& state, const Parameter& parameter,
                      VecX& out) {
   for (const Load& weight : model.weights) {
     if (weight.body_a != parameter.object) continue;
@@ -53,7 +53,7 @@ void add_spring_rate(const JointModel& model, const State& state, const Paramete
   add_wrench(model, joint.parent, joint.child, -point.values()[0] * point.gradient(0).transpose(), out);
 }
 
-void add_contact_rates(const Scene& scene, const JointModel& model, const State& state, const Parameter& parameter,
+void add_contact_rates(const PlacedScene& scene, const JointModel& model, const State& state, const Parameter& parameter,
                        Linearization& out) {
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
     const ActiveContact& contact = state.contacts[c];
@@ -69,7 +69,7 @@ void add_contact_rates(const Scene& scene, const JointModel& model, const State&
 
 }  // namespace
 
-PairChange pair_change(const Scene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact) {
+PairChange pair_change(const PlacedScene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact) {
   PairChange out;
   if (!parameter.of_surface()) return out;
   const ContactDef& def = scene.contacts[at(pair)];
@@ -80,7 +80,7 @@ PairChange pair_change(const Scene& scene, const Parameter& parameter, int pair,
   return out;
 }
 
-void residual_rate(const Scene& scene, const JointModel& model, const State& state, const Target& target,
+void residual_rate(const PlacedScene& scene, const JointModel& model, const State& state, const Target& target,
                    const Parameter& parameter, Linearization& out) {
   out.wrench.setZero(6 * model.moving_count);
   out.constraint.setZero(static_cast<Eigen::Index>(constraint_count(model, target)));

@@ -13,11 +13,11 @@ struct PairChange {
   SurfaceChange a, b;
   bool none = true;  ///< the parameter belongs to neither
 };
-PairChange pair_change(const Scene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact);
+PairChange pair_change(const PlacedScene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact);
 
 /// dR/dp per SI unit, equation by equation as linearize() has them: `wrench`, `constraint` and the residuals of the
 /// contacts of `out` are set, its derivatives are left alone. NaN where the parameter has no derivative.
-void residual_rate(const Scene& scene, const JointModel& model, const State& state, const Target& target,
+void residual_rate(const PlacedScene& scene, const JointModel& model, const State& state, const Target& target,
                    const Parameter& parameter, Linearization& out);
 
 }  // namespace genu

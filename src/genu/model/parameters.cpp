@@ -22,7 +22,7 @@ constexpr double kTermReach = 10e-3;    // m
 
 class Parameters {
  public:
-  explicit Parameters(const Scene& scene) : scene_(scene) {}
+  explicit Parameters(const SceneTables& scene) : scene_(scene) {}
 
   std::vector<Parameter> list() {
     for (object_ = 0; object_ < static_cast<int>(scene_.ligaments.size()); ++object_)
@@ -195,13 +195,13 @@ class Parameters {
     }
   }
 
-  const Scene& scene_;
+  const SceneTables& scene_;
   int object_ = 0;
   std::vector<Parameter> out_;
 };
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(const Scene& scene) { return Parameters(scene).list(); }
+std::vector<Parameter> parameters_of(const SceneTables& scene) { return Parameters(scene).list(); }
 
 }  // namespace genu

@@ -71,6 +71,6 @@ struct Parameter {
 
 /// All of a scene, ligament by ligament, surface by surface, load by load, then weights, joints and what is prescribed.
 /// What a scene does not say has none: no slack length where a reference strain is given.
-std::vector<Parameter> parameters_of(const Scene& scene);
+std::vector<Parameter> parameters_of(const SceneTables& scene);
 
 }  // namespace genu

@@ -48,7 +48,7 @@ int StepPlan::only_driven() const {
   return loads ? -1 : driven;
 }
 
-std::vector<StepPlan> plan_steps(const Scene& scene) {
+std::vector<StepPlan> plan_steps(const SceneTables& scene) {
   std::vector<StepPlan> steps;
   double time = 0;
   for (const StepDef& def : scene.steps) {

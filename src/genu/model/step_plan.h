@@ -38,7 +38,7 @@ struct StepPlan {
 
 /// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
 /// it ends, the first at 0.
-std::vector<StepPlan> plan_steps(const Scene& scene);
+std::vector<StepPlan> plan_steps(const SceneTables& scene);
 
 /// The walk from where a joint is, `state` under loads of `factors`, to where `step` begins; the time stands still.
 StepPlan approach_to(const StepPlan& step, const JointModel& model, const State& state,

@@ -6,7 +6,7 @@
 
 namespace genu {
 
-std::string coordinate_column(const Scene& scene, const QuantityRef& c) {
+std::string coordinate_column(const SceneTables& scene, const QuantityRef& c) {
   return quantity_name(scene, c) + (c.is_rotation() ? "_deg" : "_mm");
 }
 
@@ -14,7 +14,7 @@ double shown_value(const QuantityRef& c, double value) {
   return value * (c.is_rotation() ? to::kDegree : to::kMillimetre);
 }
 
-std::string reaction_column(const Scene& scene, const QuantityRef& c) {
+std::string reaction_column(const SceneTables& scene, const QuantityRef& c) {
   return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
 }
 
@@ -29,7 +29,7 @@ std::string residual_column(const std::string& body, std::size_t i) {
   return fmt::format("{}.residual_{}_{}", body, i < 3 ? "force" : "moment", kAxisNames[i % 3]) + (i < 3 ? "_N" : "_Nm");
 }
 
-std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis) {
+std::string point_column(const SceneTables& scene, std::size_t pair, bool second, std::size_t axis) {
   return centre_column(scene, scene.contacts[pair], second, axis);
 }
 
@@ -49,7 +49,7 @@ const std::array<LayerColumn, 13> kLayerColumns = {{
     {"points", [](const LayerTotals& t) { return static_cast<double>(t.points); }},
 }};
 
-std::string centre_column(const Scene& scene, const ContactDef& c, bool second, std::size_t axis) {
+std::string centre_column(const SceneTables& scene, const ContactDef& c, bool second, std::size_t axis) {
   const int surface = second ? c.surface_b : c.surface_a;
   return fmt::format("{}.{}_mm", scene.surfaces[static_cast<std::size_t>(surface)].name, kAxisNames[axis]);
 }

@@ -13,13 +13,13 @@ namespace genu {
 inline constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 /// "knee.flexion_deg", "knee.x_mm", or of a combination
-std::string coordinate_column(const Scene& scene, const QuantityRef& c);
+std::string coordinate_column(const SceneTables& scene, const QuantityRef& c);
 
 /// A value (SI) in the unit of its coordinate_column().
 double shown_value(const QuantityRef& c, double value);
 
 /// "knee.flexion.reaction_Nm"
-std::string reaction_column(const Scene& scene, const QuantityRef& c);
+std::string reaction_column(const SceneTables& scene, const QuantityRef& c);
 
 /// "elbow.reaction.force_x_N", i from 0 to 5: force, then moment
 std::string held_column(const std::string& joint, std::size_t i);
@@ -33,10 +33,10 @@ inline constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "extern
 std::string clinical_column(const std::string& joint, std::size_t i);
 
 /// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
-std::string point_column(const Scene& scene, std::size_t pair, bool second, std::size_t axis);
+std::string point_column(const SceneTables& scene, std::size_t pair, bool second, std::size_t axis);
 
 /// The same of an elastic layer's centre of pressure.
-std::string centre_column(const Scene& scene, const ContactDef& contact, bool second, std::size_t axis);
+std::string centre_column(const SceneTables& scene, const ContactDef& contact, bool second, std::size_t axis);
 
 /// Columns of an elastic layer as a whole or of one of its regions, after its name.
 struct LayerColumn {

@@ -14,7 +14,7 @@ namespace genu {
 class ContactColumns {
  public:
   /// `numbers`: how many contacts each pair has had; each has columns of its own where that is 2 or more.
-  ContactColumns(const Scene& scene, const JointModel& model, std::vector<int> numbers)
+  ContactColumns(const PlacedScene& scene, const JointModel& model, std::vector<int> numbers)
       : scene_(scene), model_(model), numbers_(std::move(numbers)) {}
 
   void add_columns(ResultTable& table) const;
@@ -45,7 +45,7 @@ class ContactColumns {
   Contacts contacts_of(std::size_t pair, const State& state, const std::vector<OpenContact>& open) const;
   const Vec3& centre(std::size_t pair, bool second) const;
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const JointModel& model_;
   std::vector<int> numbers_;
   std::vector<ElasticLayer::Memory> layer_memory_;

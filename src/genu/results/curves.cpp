@@ -33,7 +33,7 @@ bool unilateral(const std::vector<double>& values) {
 
 class Curves {
  public:
-  Curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses, const ResultTable* bars)
+  Curves(const PlacedScene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses, const ResultTable* bars)
       : scene_(scene), steps_(steps), poses_(poses), bars_(bars) {
     for (const StepPlan& step : steps)
       for (const auto& p : step.prescribed)
@@ -261,7 +261,7 @@ class Curves {
         {kind, x, x, fmt::format("{} at {}{}{}", word, text(x), e.what.empty() ? "" : ": ", e.what)});
   }
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const std::vector<StepPlan>& steps_;
   const ResultTable& poses_;
   const ResultTable* bars_;
@@ -274,7 +274,7 @@ class Curves {
 
 }  // namespace
 
-Chart curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
+Chart curves(const PlacedScene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
              const std::vector<PathEvent>& events, const ResultTable* bars) {
   return Curves(scene, steps, poses, bars).draw(events);
 }

@@ -11,7 +11,7 @@ namespace genu {
 /// The chart of a run. `poses` is its pose_table(), whose columns it reads. The x axis is the first prescribed
 /// coordinate that runs from row to row in one direction, else the number of the row (from 1). `bars`, where given, are
 /// the error_bars() of `poses` and are drawn as bands.
-Chart curves(const Scene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
+Chart curves(const PlacedScene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
              const std::vector<PathEvent>& events, const ResultTable* bars = nullptr);
 
 }  // namespace genu

@@ -4,7 +4,7 @@
 
 namespace genu {
 
-std::vector<LigamentGroup> ligament_groups(const Scene& scene) {
+std::vector<LigamentGroup> ligament_groups(const SceneTables& scene) {
   std::vector<LigamentGroup> groups;
   for (std::size_t i = 0; i < scene.ligaments.size(); ++i) {
     const std::string& name = scene.ligaments[i].name;

@@ -14,6 +14,6 @@ struct LigamentGroup {
 };
 
 /// In the order of their first fibres.
-std::vector<LigamentGroup> ligament_groups(const Scene& scene);
+std::vector<LigamentGroup> ligament_groups(const SceneTables& scene);
 
 }  // namespace genu

@@ -14,13 +14,13 @@ namespace genu {
 namespace {
 
 /// "j1.angle_velocity_deg_s", "knee.x_velocity_mm_s"
-std::string rate_column(const Scene& scene, const CoordinateRef& c) {
+std::string rate_column(const PlacedScene& scene, const CoordinateRef& c) {
   return coordinate_name(scene, c) + (c.index < 3 ? "_velocity_deg_s" : "_velocity_mm_s");
 }
 
 class MotionTable {
  public:
-  MotionTable(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points)
+  MotionTable(const PlacedScene& scene, const JointModel& model, const std::vector<MotionPoint>& points)
       : scene_(scene), model_(model), contacts_(scene, model, numbers_of(model, points)) {
     add_columns();
     for (const MotionPoint& point : points) add_row(point, points.front());
@@ -148,7 +148,7 @@ class MotionTable {
     }
   }
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const JointModel& model_;
   ContactColumns contacts_;
   ResultTable table_;
@@ -156,7 +156,7 @@ class MotionTable {
 
 }  // namespace
 
-ResultTable motion_table(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points) {
+ResultTable motion_table(const PlacedScene& scene, const JointModel& model, const std::vector<MotionPoint>& points) {
   return MotionTable(scene, model, points).take();
 }
 

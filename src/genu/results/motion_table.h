@@ -9,7 +9,7 @@
 namespace genu {
 
 /// One row a point. `status` of all is ok.
-ResultTable motion_table(const Scene& scene, const JointModel& model, const std::vector<MotionPoint>& points);
+ResultTable motion_table(const PlacedScene& scene, const JointModel& model, const std::vector<MotionPoint>& points);
 
 /// J: how far the sum of all energies and works at a point is off that at the first.
 double energy_error(const JointModel& model, const MotionPoint& first, const MotionPoint& point);

@@ -79,7 +79,7 @@ void take_layer(const std::string& name, const std::string& centre, OpenSimTable
              units::kMillimetre);
 }
 
-void take_layers(const Scene& scene, OpenSimTable& out) {
+void take_layers(const PlacedScene& scene, OpenSimTable& out) {
   for (const LayerDef& layer : scene.layers) {
     const std::string& name = layer.pair.name;
     take_layer(name, fmt::format("{}.{}.", name, scene.surfaces[at(layer.pair.surface_b)].name), out);
@@ -90,7 +90,7 @@ void take_layers(const Scene& scene, OpenSimTable& out) {
   }
 }
 
-bool is_of_layer(const Scene& scene, const std::string& contact) {
+bool is_of_layer(const PlacedScene& scene, const std::string& contact) {
   for (const LayerDef& layer : scene.layers)
     if (contact == layer.pair.name || contact.starts_with(layer.pair.name + ".")) return true;
   return false;

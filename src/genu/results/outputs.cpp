@@ -72,7 +72,7 @@ std::vector<MovingContact> within(const RegionDef& region, std::vector<MovingCon
 
 class Outputs {
  public:
-  Outputs(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps)
+  Outputs(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps)
       : scene_(scene), model_(model), steps_(steps) {}
 
   std::vector<Output> list(int contact_numbers) {
@@ -196,7 +196,7 @@ class Outputs {
     add(name + ".force_N", "N", 1, [l](const auto&, const auto& s) { return s.ligament(l).force; });
   }
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const JointModel& model_;
   const std::vector<StepPlan>& steps_;
   std::vector<Output> out_;
@@ -210,7 +210,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 }  // namespace
 
-std::vector<Output> outputs_of(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+std::vector<Output> outputs_of(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
                                int contact_numbers) {
   return Outputs(scene, model, steps).list(contact_numbers);
 }

@@ -22,7 +22,7 @@ struct Output {
 
 /// In the order of pose_table(). Columns of single contacts are listed up to `contact_numbers` of each pair where that
 /// is 2 or more.
-std::vector<Output> outputs_of(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+std::vector<Output> outputs_of(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
                                int contact_numbers);
 
 /// Why a column of results.csv has no exact derivative; empty for all others.

@@ -14,7 +14,7 @@ namespace {
 
 class PoseTable {
  public:
-  PoseTable(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+  PoseTable(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
             const std::vector<PoseRecord>& records)
       : scene_(scene), model_(model), contacts_(scene, model, numbers_of(model, records)) {
     add_columns(steps);
@@ -163,7 +163,7 @@ class PoseTable {
     }
   }
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const JointModel& model_;
   ContactColumns contacts_;
   ResultTable table_;
@@ -171,12 +171,12 @@ class PoseTable {
 
 }  // namespace
 
-ResultTable pose_table(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+ResultTable pose_table(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
                        const std::vector<PoseRecord>& records) {
   return PoseTable(scene, model, steps, records).take();
 }
 
-ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
+ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
   ResultTable table;
   for (const char* name : {"step", "t", "time_s", "event", "what"}) table.add_column(name);
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)

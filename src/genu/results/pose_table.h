@@ -25,10 +25,10 @@ struct PoseRecord {
 
 /// One row a pose; columns BODY.residual_force_x_N ... where poses were given. Lengths in mm, angles in deg whatever
 /// the scene's units are.
-ResultTable pose_table(const Scene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
+ResultTable pose_table(const PlacedScene& scene, const JointModel& model, const std::vector<StepPlan>& steps,
                        const std::vector<PoseRecord>& records);
 
 /// One row an event, with the prescribed coordinates and load factors where it happened.
-ResultTable event_table(const Scene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events);
+ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events);
 
 }  // namespace genu

@@ -17,7 +17,7 @@ constexpr const char* kHeading =
 
 class PressureMap {
  public:
-  PressureMap(const Scene& scene, const JointModel& model, int layer)
+  PressureMap(const PlacedScene& scene, const JointModel& model, int layer)
       : model_(model), index_(at(layer)), layer_(model.layers[at(layer)]), text_(kHeading) {
     const ContactDef& pair = scene.layers[at(layer)].pair;
     names_ = {scene.surfaces[at(pair.surface_a)].name, scene.surfaces[at(pair.surface_b)].name};
@@ -58,7 +58,7 @@ class PressureMap {
 
 }  // namespace
 
-std::string pressure_map(const Scene& scene, const JointModel& model, int layer,
+std::string pressure_map(const PlacedScene& scene, const JointModel& model, int layer,
                          const std::vector<PoseRecord>& records) {
   PressureMap map(scene, model, layer);
   for (std::size_t row = 0; row < records.size(); ++row) {
@@ -69,7 +69,7 @@ std::string pressure_map(const Scene& scene, const JointModel& model, int layer,
   return map.take();
 }
 
-std::vector<std::pair<std::string, std::string>> pressure_maps(const Scene& scene, const JointModel& model,
+std::vector<std::pair<std::string, std::string>> pressure_maps(const PlacedScene& scene, const JointModel& model,
                                                                const std::vector<PoseRecord>& records) {
   std::vector<std::pair<std::string, std::string>> files;
   for (std::size_t k = 0; k < model.layers.size(); ++k)

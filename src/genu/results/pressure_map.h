@@ -14,11 +14,11 @@ namespace genu {
 /// rows of results.csv, from 1; `triangle` those of the surface's mesh, from 0. Place and normal are those of the named
 /// surface, which casts, in its own body; force is that on the second surface's body, in its axes. Frames as in the
 /// scene's files; areas and forces hold the surface's share.
-std::string pressure_map(const Scene& scene, const JointModel& model, int layer,
+std::string pressure_map(const PlacedScene& scene, const JointModel& model, int layer,
                          const std::vector<PoseRecord>& records);
 
 /// File names and contents of all layers: pressures_CONTACT.csv.
-std::vector<std::pair<std::string, std::string>> pressure_maps(const Scene& scene, const JointModel& model,
+std::vector<std::pair<std::string, std::string>> pressure_maps(const PlacedScene& scene, const JointModel& model,
                                                                const std::vector<PoseRecord>& records);
 
 }  // namespace genu

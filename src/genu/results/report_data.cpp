@@ -93,7 +93,7 @@ ordered_json bodies_json(const ReportRun& run) {
   return j;
 }
 
-ordered_json ligaments_json(const Scene& scene) {
+ordered_json ligaments_json(const PlacedScene& scene) {
   std::vector<std::string> group(scene.ligaments.size());
   for (const LigamentGroup& g : ligament_groups(scene))
     for (const std::size_t member : g.members) group[member] = g.name;

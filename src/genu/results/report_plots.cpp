@@ -12,7 +12,7 @@ namespace {
 
 class ReportPlots {
  public:
-  ReportPlots(const Scene& scene, const ResultTable& poses, Chart& chart)
+  ReportPlots(const PlacedScene& scene, const ResultTable& poses, Chart& chart)
       : scene_(scene), poses_(poses), chart_(chart) {}
 
   void add() {
@@ -106,14 +106,14 @@ class ReportPlots {
     return out;
   }
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const ResultTable& poses_;
   Chart& chart_;
 };
 
 }  // namespace
 
-void add_report_plots(const Scene& scene, const ResultTable& poses, Chart& chart) {
+void add_report_plots(const PlacedScene& scene, const ResultTable& poses, Chart& chart) {
   ReportPlots(scene, poses, chart).add();
 }
 

@@ -9,6 +9,6 @@ namespace genu {
 
 /// Adds panels to a run's curves(), after the ones they belong to: the clinical description of each joint, the mean
 /// strain of each ligament whose force is drawn, area and pressure of elastic layers, the force of joints that hold.
-void add_report_plots(const Scene& scene, const ResultTable& poses, Chart& chart);
+void add_report_plots(const PlacedScene& scene, const ResultTable& poses, Chart& chart);
 
 }  // namespace genu

@@ -34,7 +34,7 @@ struct ReportContact {
 
 /// One result. What is pointed at must live until report_html() (report.h) returns.
 struct ReportRun {
-  const Scene* scene = nullptr;
+  const PlacedScene* scene = nullptr;
   const JointModel* model = nullptr;
   const RunSummary* summary = nullptr;
   const ResultTable* poses = nullptr;

@@ -19,7 +19,7 @@ bool varies(const StepPlan& step) {
 
 /// The columns of `poses` that say where on the path a row is: what is prescribed, and where a step does not drive any
 /// of that, the load factors, and the time that loads follow.
-std::vector<std::string> place_columns(const Scene& scene, const std::vector<StepPlan>& steps,
+std::vector<std::string> place_columns(const SceneTables& scene, const std::vector<StepPlan>& steps,
                                        const ResultTable& poses) {
   std::vector<std::string> out;
   for (const StepPlan& step : steps) {
@@ -126,7 +126,7 @@ std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t ou
   return grouped(rows, output, out);
 }
 
-std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+std::string sensitivity_csv(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                             const ResultTable& poses) {
   std::string out = "step,increment";
   const std::vector<std::string> places = place_columns(scene, steps, poses);
@@ -147,7 +147,7 @@ std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, con
   return out;
 }
 
-ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+ResultTable ranking_table(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                           const ResultTable& poses) {
   ResultTable table;
   const std::vector<std::string> places = place_columns(scene, steps, poses);
@@ -178,7 +178,7 @@ ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const
   return table;
 }
 
-std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+std::string ranking_text(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                          const ResultTable& poses, std::size_t most) {
   std::string out;
   const std::vector<std::string> places = place_columns(scene, steps, poses);

@@ -44,15 +44,15 @@ struct RankedParameter {
 std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t output);
 
 /// sensitivity.csv: one row for each pose, output and parameter. `poses` is the run's pose_table().
-std::string sensitivity_csv(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+std::string sensitivity_csv(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                             const ResultTable& poses);
 
 /// ranking.csv: one row for each output and parameter, with the place on the path where the effect is largest.
-ResultTable ranking_table(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+ResultTable ranking_table(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                           const ResultTable& poses);
 
 /// The ranking for a terminal, `most` parameters of each output.
-std::string ranking_text(const SensitivityRows& rows, const Scene& scene, const std::vector<StepPlan>& steps,
+std::string ranking_text(const SensitivityRows& rows, const SceneTables& scene, const std::vector<StepPlan>& steps,
                          const ResultTable& poses, std::size_t most);
 
 /// The effects of the most important parameters along the path, a panel for each of the first outputs. `axis` gives

@@ -8,13 +8,13 @@ namespace {
 
 /// Calls visit(coordinate) for every coordinate that some joint leaves free.
 template <typename Visit>
-void for_coordinates(const Scene& scene, Visit visit) {
+void for_coordinates(const PlacedScene& scene, Visit visit) {
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
     for (int i = 0; i < 6; ++i)
       if (scene.joints[static_cast<std::size_t>(j)].leaves(i)) visit(CoordinateRef{j, i});
 }
 
-void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibrium& e, long number,
+void add_equilibrium(const PlacedScene& scene, const JointModel& model, const Equilibrium& e, long number,
                      ResultTable& table) {
   const State& state = e.pose.state;
   table.add_row();
@@ -35,7 +35,7 @@ void add_equilibrium(const Scene& scene, const JointModel& model, const Equilibr
 
 }  // namespace
 
-ResultTable starts_table(const Scene& scene, const JointModel& model, const StartSearch& search) {
+ResultTable starts_table(const PlacedScene& scene, const JointModel& model, const StartSearch& search) {
   ResultTable table;
   for (const char* name : {"equilibrium", "starts", "first_start", "status", "found"}) table.add_column(name);
   for_coordinates(scene, [&](const CoordinateRef& c) { table.add_column(coordinate_column(scene, c)); });

@@ -7,6 +7,6 @@
 namespace genu {
 
 /// One row for each distinct equilibrium, then one for each start that found none.
-ResultTable starts_table(const Scene& scene, const JointModel& model, const StartSearch& search);
+ResultTable starts_table(const PlacedScene& scene, const JointModel& model, const StartSearch& search);
 
 }  // namespace genu

@@ -18,7 +18,7 @@ struct TrianglePressures {
 /// Remembers what makes the next pose faster. `scene` and `model` must outlive it.
 class PressureFinder {
  public:
-  PressureFinder(const Scene& scene, const JointModel& model) : scene_(scene), model_(model) {}
+  PressureFinder(const PlacedScene& scene, const JointModel& model) : scene_(scene), model_(model) {}
 
   /// Surfaces that are meshes and cast, as scene and model have them: the same at every pose.
   std::vector<int> surfaces() const;
@@ -30,7 +30,7 @@ class PressureFinder {
   template <typename Visit>
   void for_sides(Visit visit) const;
 
-  const Scene& scene_;
+  const PlacedScene& scene_;
   const JointModel& model_;
   Linearization memory_;
   std::vector<ElasticLayer::Memory> layers_;

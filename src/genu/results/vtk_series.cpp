@@ -28,7 +28,7 @@ VtkWords one_word(const char* name, const std::string& word) { return {name, {wo
 
 void append(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.data(), v.data() + 3); }
 
-VtkCells lines_of(const Scene& scene) {
+VtkCells lines_of(const PlacedScene& scene) {
   std::vector<std::vector<int>> lines;
   int next = 0;
   for (const LigamentDef& l : scene.ligaments) {

@@ -31,7 +31,7 @@ void for_points(SceneType& scene, Visit visit) {
 /// What lies on each body: a load without a point of its own is felt at the origin of the file, which says nothing of
 /// where the body is, and so is a mesh whose placement leaves it where its file has it. `known[i]` is the middle of
 /// surface i in its own frame, its origin if unknown.
-std::vector<std::vector<Vec3>> telling_points(const Scene& scene, const std::vector<Vec3>& known) {
+std::vector<std::vector<Vec3>> telling_points(const SceneTables& scene, const std::vector<Vec3>& known) {
   std::vector<std::vector<Vec3>> points(scene.bodies.size());
   for (std::size_t i = 0; i < known.size(); ++i) {
     const SurfaceDef& s = scene.surfaces[i];
@@ -59,7 +59,7 @@ Vec3 mean(const std::vector<Vec3>& points) {
 }
 
 /// How large things are: what is farthest from the middle of its body, and the largest of the sizes given as such.
-double size_of(const Scene& scene, const std::vector<std::vector<Vec3>>& points) {
+double size_of(const SceneTables& scene, const std::vector<std::vector<Vec3>>& points) {
   double size = kLeastSize;
   for (const auto& of_body : points)
     for (const Vec3& p : of_body) size = std::max(size, (p - mean(of_body)).norm());
@@ -69,7 +69,7 @@ double size_of(const Scene& scene, const std::vector<std::vector<Vec3>>& points)
 
 /// The middle of each body's points; of a body without points, and of the world without points on fixed bodies, what
 /// lies at the middle of all others in the reference pose.
-std::vector<Vec3> middles(const Scene& scene, const std::vector<std::vector<Vec3>>& points) {
+std::vector<Vec3> middles(const SceneTables& scene, const std::vector<std::vector<Vec3>>& points) {
   const std::vector<Pose> poses = reference_poses(scene);
   std::vector<Vec3> in_world, on_fixed, out(scene.bodies.size(), Vec3::Zero());
   for (std::size_t b = 0; b < points.size(); ++b)
@@ -87,7 +87,7 @@ std::vector<Vec3> middles(const Scene& scene, const std::vector<std::vector<Vec3
 }
 
 /// The middles of those bodies that lie far from their origins, 0 for the others.
-std::vector<Vec3> far_middles(const Scene& scene, const std::vector<Vec3>& known) {
+std::vector<Vec3> far_middles(const SceneTables& scene, const std::vector<Vec3>& known) {
   const auto points = telling_points(scene, known);
   const double far = kFar * size_of(scene, points);
   std::vector<Vec3> centres = middles(scene, points);
@@ -98,7 +98,7 @@ std::vector<Vec3> far_middles(const Scene& scene, const std::vector<Vec3>& known
 
 }  // namespace
 
-void centre_bodies(Scene& scene, const MeshMiddle& mesh_middle) {
+std::vector<Vec3> choose_origins(const Scene& scene, const MeshMiddle& mesh_middle) {
   std::vector<Vec3> known(scene.surfaces.size(), Vec3::Zero());
   std::vector<Vec3> centres = far_middles(scene, known);
   bool found = false;
@@ -110,18 +110,21 @@ void centre_bodies(Scene& scene, const MeshMiddle& mesh_middle) {
     found = found || middle;
   }
   if (found) centres = far_middles(scene, known);
-  for_points(scene, [&](int body, Vec3& point) { point -= centres[at(body)]; });
-  for (std::size_t b = 0; b < centres.size(); ++b) {
-    scene.bodies[b].centre += centres[b];
-    scene.bodies[b].centre_of_mass -= centres[b];
-  }
+  return centres;
+}
+
+PlacedScene place(const Scene& scene, const std::vector<Vec3>& origins) {
+  PlacedScene placed{scene, origins};
+  for_points(placed, [&](int body, Vec3& point) { point -= origins[at(body)]; });
+  for (std::size_t b = 0; b < origins.size(); ++b) placed.bodies[b].centre_of_mass -= origins[b];
   const auto move_regions = [&](ContactDef& c) {
     for (RegionDef& region : c.regions)
       for (auto& condition : region.conditions)
-        condition.value -= centres[at(scene.surfaces[at(c.surface_b)].body)][condition.axis];
+        condition.value -= origins[at(placed.surfaces[at(c.surface_b)].body)][condition.axis];
   };
-  for (ContactDef& c : scene.contacts) move_regions(c);
-  for (LayerDef& layer : scene.layers) move_regions(layer.pair);
+  for (ContactDef& c : placed.contacts) move_regions(c);
+  for (LayerDef& layer : placed.layers) move_regions(layer.pair);
+  return placed;
 }
 
 }  // namespace genu

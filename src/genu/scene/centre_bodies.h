@@ -13,11 +13,14 @@ namespace genu {
 /// The middle of a mesh surface's file (m, in the file's own frame); nothing where it cannot be read.
 using MeshMiddle = std::function<std::optional<Vec3>(const SurfaceDef&)>;
 
-/// Moves the origin of each body that needs it into the middle of its points: surfaces, ends of ligaments, points of
-/// loads, centre of mass and regions are then measured from there, BodyDef::centre is where it is. The axes stay. All
-/// fixed bodies keep one common frame. Coordinates of joints keep their meaning, for the origins of the file. A scene
-/// whose points lie within 4 times its size of their origins is left as it is. A placement may as well bring a mesh to
-/// its body as away from it: `mesh_middle` tells, and is asked for those meshes alone whose body would be moved.
-void centre_bodies(Scene& scene, const MeshMiddle& mesh_middle = {});
+/// The origin of each body (m, in the body as the file has it): the middle of its points for a body that lies far from
+/// its origin in the file, else 0. All fixed bodies keep one common frame. A scene whose points lie within 4 times its
+/// size of their origins keeps all of them. A placement may bring a mesh to its body as well as away from it:
+/// `mesh_middle` says which, and is asked only for meshes whose body would be moved.
+std::vector<Vec3> choose_origins(const Scene& scene, const MeshMiddle& mesh_middle = {});
+
+/// The scene with the points of its bodies measured from `origins`. The axes stay, and coordinates of joints keep their
+/// meaning, for the origins of the file.
+PlacedScene place(const Scene& scene, const std::vector<Vec3>& origins);
 
 }  // namespace genu

@@ -15,7 +15,7 @@ namespace genu {
 namespace {
 
 /// The joint whose child is `body`, or -1.
-int joint_above(const Scene& scene, int body) {
+int joint_above(const SceneTables& scene, int body) {
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     if (scene.joints[j].child == body) return static_cast<int>(j);
   }
@@ -23,7 +23,7 @@ int joint_above(const Scene& scene, int body) {
 }
 
 /// True if going from parent to parent leads from `body` back to itself.
-bool is_own_ancestor(const Scene& scene, int body) {
+bool is_own_ancestor(const SceneTables& scene, int body) {
   int at = body;
   for (std::size_t steps = 0; steps <= scene.joints.size(); ++steps) {
     const int joint = joint_above(scene, at);
@@ -191,7 +191,7 @@ void check_columns(ReadContext& context) {
 
 }  // namespace
 
-std::vector<Pose> reference_poses(const Scene& scene) {
+std::vector<Pose> reference_poses(const SceneTables& scene) {
   std::vector<Pose> poses(scene.bodies.size());
   for (std::size_t b = 0; b < poses.size(); ++b) {
     Pose pose;  // X_ancestor_body, from the body up to a fixed one

@@ -98,6 +98,6 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint);
 void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
 
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
-std::vector<Pose> reference_poses(const Scene& scene);
+std::vector<Pose> reference_poses(const SceneTables& scene);
 
 }  // namespace genu

@@ -26,7 +26,7 @@ bool RegionDef::contains(const Vec3& p) const {
   return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) { return holds(c, p[c.axis]); });
 }
 
-std::vector<std::string> mesh_files(const Scene& scene) {
+std::vector<std::string> mesh_files(const SceneTables& scene) {
   std::vector<std::string> files;
   for (const BodyDef& body : scene.bodies)
     if (body.solid) files.push_back(body.solid->file);
@@ -58,13 +58,13 @@ double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses) 
   return length;
 }
 
-std::string coordinate_name(const Scene& scene, const CoordinateRef& c) {
+std::string coordinate_name(const SceneTables& scene, const CoordinateRef& c) {
   const JointDef& joint = scene.joints[static_cast<std::size_t>(c.joint)];
   const auto k = static_cast<std::size_t>(c.index);
   return joint.name + "." + (k < 3 ? joint.rotations[k].name : joint.translations[k - 3]);
 }
 
-std::string quantity_name(const Scene& scene, const QuantityRef& q) {
+std::string quantity_name(const SceneTables& scene, const QuantityRef& q) {
   if (q.combination < 0) return coordinate_name(scene, q.first);
   return scene.combinations[static_cast<std::size_t>(q.combination)].name;
 }

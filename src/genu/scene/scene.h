@@ -32,9 +32,6 @@ struct BodyDef {
   double mass = 0;                     ///< kg; 0 has no weight
   Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
   Mat3 inertia = Mat3::Zero();         ///< kg m^2, about the centre of mass, axes of the body; only with dynamics
-  /// m, in the body as the file has it: where the origin of all points of this scene stands (centre_bodies.h). 0 as
-  /// read.
-  Vec3 centre = Vec3::Zero();
   SourceLocation where;
 };
 
@@ -308,7 +305,8 @@ struct DynamicsDef {
   SourceLocation where;
 };
 
-struct Scene {
+/// What a scene says, wherever its points are measured from.
+struct SceneTables {
   std::string file;
   std::string title;
   double length_unit = 1;       ///< m per unit of length in the file
@@ -328,16 +326,25 @@ struct Scene {
   std::vector<SolidDef> solids;  ///< of a file for `genu mesh` alone
 };
 
+/// A scene as read: points on a body are measured from the body's origin in the file.
+struct Scene : SceneTables {};
+
+/// A scene as it is solved: points on a body (surfaces, ends of ligaments, points of loads, centre of mass, regions) are
+/// measured from an origin chosen near them (centre_bodies.h). Neither kind of scene converts to the other.
+struct PlacedScene : SceneTables {
+  std::vector<Vec3> origins;  ///< m, of each body: where that origin is in the body as the file has it
+};
+
 /// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
 
 /// All files that the scene names, as opened; a file named twice stands there twice.
-std::vector<std::string> mesh_files(const Scene& scene);
+std::vector<std::string> mesh_files(const SceneTables& scene);
 
 /// "knee.flexion"
-std::string coordinate_name(const Scene& scene, const CoordinateRef& c);
+std::string coordinate_name(const SceneTables& scene, const CoordinateRef& c);
 
 /// "knee.flexion", or the name of a combination
-std::string quantity_name(const Scene& scene, const QuantityRef& q);
+std::string quantity_name(const SceneTables& scene, const QuantityRef& q);
 
 }  // namespace genu

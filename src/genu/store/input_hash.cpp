@@ -66,7 +66,7 @@ std::string file_hash(const std::string& path) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-std::vector<std::pair<std::string, std::string>> input_hashes(const Scene& scene) {
+std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene) {
   std::vector<std::pair<std::string, std::string>> hashes{{scene.file, file_hash(scene.file)}};
   for (const std::string& file : mesh_files(scene)) hashes.emplace_back(file, file_hash(file));
   return hashes;

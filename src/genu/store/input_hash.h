@@ -17,7 +17,7 @@ std::string content_hash(const std::string& bytes);
 std::string file_hash(const std::string& path);
 
 /// The scene's file and its meshes with their hashes, in the order of the scene.
-std::vector<std::pair<std::string, std::string>> input_hashes(const Scene& scene);
+std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene);
 
 /// Of this program, of the libraries that it is linked with, and of the instructions that they choose from the
 /// processor: where all are the same, the same input gives the same bytes.

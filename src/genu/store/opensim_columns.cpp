@@ -24,7 +24,7 @@ std::string side_of(const JointDef& joint, const std::string& side) {
   return {};
 }
 
-std::string habitual_name(const Scene& scene, const CoordinateRef& c, const std::string& side) {
+std::string habitual_name(const SceneTables& scene, const CoordinateRef& c, const std::string& side) {
   const JointDef& joint = scene.joints[at(c.joint)];
   const std::string stem = ends_with_side(joint.name) ? joint.name.substr(0, joint.name.size() - 2) : joint.name;
   const auto with = [&](const std::string& word) { return stem + "_" + word + side_of(joint, side); };
@@ -46,7 +46,7 @@ bool can_be_name(const std::string& name) {
 
 class OpenSimNamer {
  public:
-  OpenSimNamer(const Scene& scene, Diagnostics& out) : scene_(scene), out_(out) {
+  OpenSimNamer(const SceneTables& scene, Diagnostics& out) : scene_(scene), out_(out) {
     for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
       for (int i = 0; i < 6; ++i)
         if (scene.joints[at(j)].leaves(i)) wanted_.push_back({j, i});
@@ -105,7 +105,7 @@ class OpenSimNamer {
     }
   }
 
-  const Scene& scene_;
+  const SceneTables& scene_;
   Diagnostics& out_;
   std::vector<CoordinateRef> wanted_;
   std::map<std::string, std::string> own_;
@@ -113,7 +113,7 @@ class OpenSimNamer {
 
 }  // namespace
 
-std::optional<OpenSimNames> opensim_column_names(const Scene& scene, const OpenSimNameOptions& options,
+std::optional<OpenSimNames> opensim_column_names(const SceneTables& scene, const OpenSimNameOptions& options,
                                                  Diagnostics& out) {
   return OpenSimNamer(scene, out).names(options);
 }

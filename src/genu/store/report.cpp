@@ -33,7 +33,7 @@ ReportContact contact_named(std::string name, const std::string& surface, int bo
       std::move(name), surface, body_a, body_b, std::vector<Vec3>(rows, kNowhere), std::vector<Vec3>(rows, kNowhere)};
 }
 
-const std::string& surface_b(const Scene& scene, const ContactDef& contact) {
+const std::string& surface_b(const PlacedScene& scene, const ContactDef& contact) {
   return scene.surfaces[at(contact.surface_b)].name;
 }
 

@@ -115,7 +115,7 @@ std::vector<ReportMesh> report_meshes(const Prepared& p, const ReportRun& run, s
     const BodyDef& body = p.scene.bodies[b];
     if (!body.solid) continue;
     Pose X = body.solid->placement;
-    X.p -= body.centre;  // the file's own place is not moved where the body's origin is
+    X.p -= p.scene.origins[b];  // the file's own place is not moved where the body's origin is
     add_bone(body.name + " (solid)", static_cast<int>(b), body.solid->file, body.solid->file_unit, X);
   }
   return out;

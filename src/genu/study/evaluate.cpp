@@ -153,7 +153,7 @@ void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunS
                                     s.given->left_out == 1 ? "s" : ""));
 }
 
-RunSummary::GivenPoses facts_of(const Scene& scene, const PoseFile& file, const PoseColumns& columns) {
+RunSummary::GivenPoses facts_of(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns) {
   RunSummary::GivenPoses facts;
   facts.file = file.path;
   const auto name = [&](std::size_t c) { return file.names.cells[c].text; };

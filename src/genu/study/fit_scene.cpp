@@ -123,7 +123,7 @@ std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::st
   return result;
 }
 
-std::vector<std::pair<std::string, double>> pose_differences(const Scene& scene, const ResultTable& a,
+std::vector<std::pair<std::string, double>> pose_differences(const SceneTables& scene, const ResultTable& a,
                                                              const ResultTable& b) {
   std::vector<std::pair<std::string, double>> out;
   const std::size_t rows = std::min(a.rows(), b.rows());

@@ -33,7 +33,7 @@ struct SceneFits {
 std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::string& folder, Diagnostics& out);
 
 /// The largest differences between two runs of the same path, in the joints' coordinates (columns of results.csv).
-std::vector<std::pair<std::string, double>> pose_differences(const Scene& scene, const ResultTable& a,
+std::vector<std::pair<std::string, double>> pose_differences(const SceneTables& scene, const ResultTable& a,
                                                              const ResultTable& b);
 
 }  // namespace genu

@@ -34,7 +34,7 @@ std::string folder_for(const std::string& folder, const RunOptions& options, Run
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
 }
 
-void note_files(const Scene& scene, RunSummary& summary) {
+void note_files(const SceneTables& scene, RunSummary& summary) {
   std::vector<std::string> files = mesh_files(scene);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());

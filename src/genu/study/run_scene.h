@@ -35,7 +35,7 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
 ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, Solution& solution);
 
 /// Names the files that a scene was read from, with their checksums, in its summary.
-void note_files(const Scene& scene, RunSummary& summary);
+void note_files(const SceneTables& scene, RunSummary& summary);
 
 /// Where the results go: into `folder`, or beside it where the run was cancelled and would replace a whole result by a
 /// part of one. The verdict then says so.

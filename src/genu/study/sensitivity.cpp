@@ -25,14 +25,14 @@ bool names(const std::string& pattern, const std::string& column) {
 }
 
 /// The layer whose number a column of results.csv is; null for any other column.
-const LayerDef* layer_of(const Scene& scene, const std::string& column) {
+const LayerDef* layer_of(const SceneTables& scene, const std::string& column) {
   for (const LayerDef& layer : scene.layers)
     if (column.starts_with(layer.pair.name + ".")) return &layer;
   return nullptr;
 }
 
 /// The layer that a parameter's surface is pressed by; null for any other parameter.
-const LayerDef* layer_of(const Scene& scene, const Parameter& p) {
+const LayerDef* layer_of(const SceneTables& scene, const Parameter& p) {
   for (const LayerDef& layer : scene.layers)
     if (p.of_surface() && (layer.pair.surface_a == p.object || layer.pair.surface_b == p.object)) return &layer;
   return nullptr;
@@ -66,7 +66,7 @@ const char* kind_of_object(const Parameter& p) {
 
 /// Why a pattern names no parameter: what the objects that it names have, those of ligaments alone where it asks for a
 /// key that only ligaments can have.
-std::string no_parameter(const Scene& scene, const std::vector<Parameter>& known, const std::string& pattern) {
+std::string no_parameter(const SceneTables& scene, const std::vector<Parameter>& known, const std::string& pattern) {
   for (const Parameter& p : parameters_of(scene))
     if (const LayerDef* layer = layer_of(scene, p); layer != nullptr && matches(pattern, p.name))
       return fmt::format("matches {}, on a surface that the elastic layer {} presses: there are no derivatives to it",
@@ -122,7 +122,7 @@ void choose_outputs(const Prepared& prepared, const std::vector<std::string>& pa
 constexpr const char* kTogether = ":together";
 
 /// Marks what a pattern names in `wanted`, or refuses it.
-void mark_parameters(const Scene& scene, const std::vector<Parameter>& known, const std::string& pattern,
+void mark_parameters(const SceneTables& scene, const std::vector<Parameter>& known, const std::string& pattern,
                      std::vector<bool>& wanted, Diagnostics& out) {
   bool found = false;
   for (std::size_t k = 0; k < known.size(); ++k) {
@@ -145,14 +145,14 @@ Parameter bundle_of(const std::string& name, const std::vector<Parameter>& membe
 }
 
 /// What can be asked for: nothing that only moves a surface that a layer presses.
-std::vector<Parameter> known_parameters(const Scene& scene) {
+std::vector<Parameter> known_parameters(const SceneTables& scene) {
   std::vector<Parameter> known = parameters_of(scene);
   std::erase_if(known, [&](const Parameter& p) { return layer_of(scene, p) != nullptr; });
   return known;
 }
 
 /// Single parameters in the scene's order, then the bundles as asked for.
-void choose_parameters(const Scene& scene, const std::vector<std::string>& patterns, SensitivityRows& rows,
+void choose_parameters(const SceneTables& scene, const std::vector<std::string>& patterns, SensitivityRows& rows,
                        Diagnostics& out) {
   const std::vector<Parameter> known = known_parameters(scene);
   const auto marked = [&](const std::vector<bool>& wanted) {
@@ -216,7 +216,7 @@ bool too_many(const Prepared& prepared, const SensitivityRows& rows, Diagnostics
 }
 
 /// The layers whose surfaces a pattern names beside what it finds; their parameters are left out.
-std::string left_out(const Scene& scene, const SensitivityChoice& choice) {
+std::string left_out(const SceneTables& scene, const SensitivityChoice& choice) {
   std::vector<const LayerDef*> layers;
   for (const Parameter& p : parameters_of(scene))
     for (const std::string& pattern : choice.parameters)
@@ -229,7 +229,7 @@ std::string left_out(const Scene& scene, const SensitivityChoice& choice) {
   return fmt::format("  {:<12}not of the surfaces under elastic layers ({})\n", "", names);
 }
 
-std::string facts(const Scene& scene, const SensitivityChoice& choice, const SensitivityResult& r) {
+std::string facts(const SceneTables& scene, const SensitivityChoice& choice, const SensitivityResult& r) {
   std::string out =
       fmt::format("  {:<12}{} poses, {} outputs, {} parameters: {} derivatives in {:.3f} s\n", "derivatives",
                   r.rows.rows(), r.rows.outputs.size(), r.rows.parameters.size(), r.rows.derivatives.size(), r.seconds);
@@ -319,7 +319,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   if (!check_start(*prepared, field, out)) return kExitRefused;
   result.solution = solve(*prepared, field, options);
   differentiate(*prepared, field, choice, result);
-  const Scene& scene = prepared->scene;
+  const SceneTables& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;
   result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(scene, choice, result);

@@ -29,7 +29,7 @@ std::vector<LayerReport> report_layers(const Prepared& prepared, const State& st
 
 }  // namespace
 
-PathOptions path_options(const Scene& scene, const RunOptions& options) {
+PathOptions path_options(const SceneTables& scene, const RunOptions& options) {
   PathOptions path = options.path;
   path.newton.residual_tolerance = scene.solver.tolerance;
   path.newton.residual_floor = std::max(path.newton.residual_floor, scene.solver.tolerance);

@@ -8,7 +8,7 @@
 namespace genu {
 
 /// `options.path`, solved as exactly as the scene asks for: the tolerance of `options` stands for nothing.
-PathOptions path_options(const Scene& scene, const RunOptions& options);
+PathOptions path_options(const SceneTables& scene, const RunOptions& options);
 
 /// All steps. What could not be solved is in the statuses, never an error.
 Solved solve_path(const Prepared& prepared, ContactField& field, const RunOptions& options);
