@@ -320,7 +320,8 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   p.surfaces = build_surfaces(p.scene, *p.meshes, p.notes, p.seconds, out, safeguards);
   if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);
   p.bones = read_bones(p.scene, *p.meshes, out);
-  p.bodies = read_solids(p.scene, *p.meshes, out);
+  p.bodies = read_solids(p.source, *p.meshes, out);
+  p.scene = place(p.source, origins);
   if (out.has_errors()) return std::nullopt;
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;

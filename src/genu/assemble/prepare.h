@@ -16,6 +16,8 @@
 
 namespace genu {
 
+class ContactField;
+
 /// What was read and built for one surface, in words for the user.
 struct SurfaceNote {
   std::string name;
@@ -34,7 +36,8 @@ struct Prepared {
   JointModel model;
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
-  std::shared_ptr<MeshLibrary> meshes;                  ///< what the scene's meshes, and its file, were read through
+  std::shared_ptr<MeshLibrary> meshes;         ///< through which the scene's meshes, and its file, were read
+  std::shared_ptr<const ContactField> search;  ///< shared with other numbers (with_numbers.h); null: not shared
 };
 
 /// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well. Each

@@ -85,10 +85,9 @@ std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& mes
 
 }  // namespace
 
-std::vector<RunSummary::BodyFacts> read_solids(PlacedScene& scene, MeshLibrary& meshes, Diagnostics& out) {
+std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, MeshLibrary& meshes, Diagnostics& out) {
   std::vector<RunSummary::BodyFacts> facts;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    BodyDef& body = scene.bodies[b];
+  for (BodyDef& body : scene.bodies) {
     if (!body.solid) continue;
     Diagnostics found;
     const auto solid = read_solid_mesh(*body.solid, meshes, found);
@@ -96,7 +95,7 @@ std::vector<RunSummary::BodyFacts> read_solids(PlacedScene& scene, MeshLibrary& 
     if (!solid) continue;
     const double density = body.solid->density;
     body.mass = density * solid->volume;
-    body.centre_of_mass = solid->centroid - scene.origins[b];
+    body.centre_of_mass = solid->centroid;
     body.inertia = density * solid->about_centroid;
     facts.push_back({body.name, body.solid->file, density, solid->volume, body.mass, solid->centroid, body.inertia});
   }

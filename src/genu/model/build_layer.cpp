@@ -105,4 +105,20 @@ bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model
   return true;
 }
 
+bool share_layer(const PlacedScene& scene, const BuiltBefore& before, JointModel& model, std::size_t k) {
+  if (before.model == nullptr || k >= before.model->layers.size() || k >= before.scene->layers.size()) return false;
+  const JointModel::Layer& old = before.model->layers[k];
+  JointModel::Layer& now = model.layers[k];
+  const auto place = [&](const JointModel& m, int body) -> Vec3 {
+    return m.reference_poses[at(body)].inverse() * joint_centre(m);
+  };
+  const bool same = scene.layers[k] == before.scene->layers[k] && now.a == old.a && now.b == old.b &&
+                    model.scales.length == before.model->scales.length &&
+                    model.scales.size == before.model->scales.size &&
+                    place(model, now.body_a) == place(*before.model, old.body_a) &&
+                    place(model, now.body_b) == place(*before.model, old.body_b);
+  if (same) now = old;
+  return same;
+}
+
 }  // namespace genu

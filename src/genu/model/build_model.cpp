@@ -148,8 +148,9 @@ void add_ligament(JointModel& model, JointModel::Ligament ligament) {
   model.scales = choose_scales(model);
 }
 
-std::optional<JointModel> build_model(const PlacedScene& scene, const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                                      Diagnostics& out, const Bones& bones) {
+std::optional<JointModel> build_model(const PlacedScene& scene,
+                                      const std::vector<std::shared_ptr<const Surface>>& surfaces, Diagnostics& out,
+                                      const Bones& bones, const BuiltBefore& before) {
   JointModel model;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const BodyDef& body = scene.bodies[b];
@@ -198,7 +199,8 @@ std::optional<JointModel> build_model(const PlacedScene& scene, const std::vecto
   }
   if (!good) return std::nullopt;
   model.scales = choose_scales(model);
-  for (std::size_t k = 0; k < scene.layers.size(); ++k) good = build_layer(scene, bones, model, k, out) && good;
+  for (std::size_t k = 0; k < scene.layers.size(); ++k)
+    good = (share_layer(scene, before, model, k) || build_layer(scene, bones, model, k, out)) && good;
   if (!good) return std::nullopt;
   return model;
 }

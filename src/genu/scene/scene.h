@@ -132,10 +132,12 @@ struct RegionDef {
     int axis = 0;  ///< 0 x, 1 y, 2 z
     Comparison comparison = Comparison::less;
     double value = 0;  ///< m
+    bool operator==(const Condition&) const = default;
   };
   std::string name;
   std::vector<Condition> conditions;
   bool contains(const Vec3& p) const;
+  bool operator==(const RegionDef&) const = default;
 };
 
 struct ContactDef {
@@ -144,6 +146,8 @@ struct ContactDef {
   int surface_b = -1;
   std::vector<RegionDef> regions;
   SourceLocation where;
+
+  bool operator==(const ContactDef&) const = default;
 };
 
 /// An elastic layer between two surfaces: cartilage on rigid bones (contact/layer_law.h).
@@ -161,6 +165,8 @@ struct LayerDef {
   int cast_from = -1;       ///< triangles: index into Scene::surfaces
   double damping = 0;       ///< c, s/m: the pressure is p (1 + c d'); only with dynamics
   double search_depth = 0;  ///< m: how far rays look; 0: as deep as the layers are thick, where that is measured
+
+  bool operator==(const LayerDef&) const = default;
 };
 
 struct LigamentDef {

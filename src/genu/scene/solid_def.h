@@ -14,6 +14,8 @@ namespace genu {
 struct SourceLocation {
   int line = 0;
   int column = 0;
+
+  bool operator==(const SourceLocation&) const = default;
 };
 
 struct SolidDef {

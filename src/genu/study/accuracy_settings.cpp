@@ -57,14 +57,14 @@ std::shared_ptr<const Surface> rebuilt(const Prepared& p, std::size_t surface, c
   return surface_made;
 }
 
-void change_layers(const AccuracySetting& setting, Scene& scene) {
+void change_layers(const AccuracySetting& setting, SceneTables& scene) {
   for (LayerDef& layer : scene.layers)
     if (setting.layer_tolerance > 0 && layer.quadrature == LayerDef::Quadrature::smooth)
       layer.tolerance = setting.layer_tolerance;
 }
 
 /// Layers in the place of rigid contacts, one ray from every triangle.
-void make_layers(const Prepared& p, double modulus, Scene& scene) {
+void make_layers(const Prepared& p, double modulus, SceneTables& scene) {
   for (const ContactDef& pair : scene.contacts) {
     LayerDef layer;
     layer.pair = pair;

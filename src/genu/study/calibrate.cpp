@@ -10,8 +10,8 @@
 #include "genu/assemble/parameter_values.h"
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/scene_values.h"
+#include "genu/assemble/with_numbers.h"
 #include "genu/core/least_squares.h"
-#include "genu/model/build_model.h"
 #include "genu/results/motion_table.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
@@ -100,22 +100,17 @@ class Calibration {
 
   /// The scene with other values, ready to be solved; empty where its laws cannot be.
   std::optional<Prepared> with(const VecX& u) const {
-    Prepared p = prepared_;
+    std::vector<NewNumber> numbers;
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      // Points are told from origins of their own: what changes is the same.
-      *parameter_number(p.scene, unknowns_[k].parameter) +=
-          unknowns_[k].value(u[static_cast<Eigen::Index>(k)]) - unknowns_[k].start;
+      numbers.emplace_back(unknowns_[k].parameter, unknowns_[k].value(u[static_cast<Eigen::Index>(k)]));
     Diagnostics unused;
-    auto model = build_model(p.scene, p.surfaces, unused, p.bones);
-    if (!model) return std::nullopt;
-    p.model = std::move(*model);
-    return p;
+    return with_numbers(prepared_, numbers, unused);
   }
 
   Solution solve_scene(const Prepared& p) const {
     ++runs_;
     if (p.scene.dynamics) return solve_motion(p, options_);
-    ContactField field(p.model);
+    ContactField field = contact_field(p);
     return solve(p, field, options_);
   }
 
@@ -270,7 +265,7 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
                     const RunOptions& options, Diagnostics& out, CalibrationResult& result) {
   auto prepared = prepare_run(path, folder, out, {choice.target});
   if (!prepared) return kExitRefused;
-  const std::vector<Unknown> unknowns = choose_unknowns(prepared->scene, choice.vary, out);
+  const std::vector<Unknown> unknowns = choose_unknowns(prepared->source, choice.vary, out);
   const auto target =
       read_calibration_target(choice.target, choice.columns, known_columns(*prepared), duration_of(*prepared), out);
   if (out.has_errors() || !target || !can_be_written(*prepared, unknowns, folder, out)) return kExitRefused;
@@ -279,7 +274,8 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
                                          target->values.size(), unknowns.size()));
     return kExitRefused;
   }
-  ContactField field(prepared->model);
+  share_search(*prepared);
+  ContactField field = contact_field(*prepared);
   if (!check_start(*prepared, field, out)) return kExitRefused;
 
   const Calibration calibration(*prepared, unknowns, *target, options);

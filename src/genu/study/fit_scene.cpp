@@ -82,9 +82,9 @@ class SceneFitter {
     options.margin = request_.margin;
     auto fit = fit_surface(piece, options, "surface." + named.name, out_);
     if (!fit) return named.name;
-    to_file_frame(prepared_.scene.bodies[at(def.body)].centre, *fit);
+    to_file_frame(prepared_.scene.origins[at(def.body)], *fit);
     named.fit = std::move(*fit);
-    for (const Vec3& p : points) named.contacts.push_back(p + prepared_.scene.bodies[at(def.body)].centre);
+    for (const Vec3& p : points) named.contacts.push_back(p + prepared_.scene.origins[at(def.body)]);
     result.fits.push_back(std::move(named));
     return result.fits.back().name;
   }

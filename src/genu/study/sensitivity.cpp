@@ -319,7 +319,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
   if (!check_start(*prepared, field, out)) return kExitRefused;
   result.solution = solve(*prepared, field, options);
   differentiate(*prepared, field, choice, result);
-  const SceneTables& scene = prepared->scene;
+  const PlacedScene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;
   result.text = ranking_text(result.rows, scene, steps, solution.poses, choice.most) + facts(scene, choice, result);

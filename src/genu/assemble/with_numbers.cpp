@@ -1,0 +1,39 @@
+#include "genu/assemble/with_numbers.h"
+
+#include "genu/assemble/parameter_values.h"
+#include "genu/model/build_model.h"
+#include "genu/scene/centre_bodies.h"
+
+namespace genu {
+
+std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector<NewNumber>& numbers,
+                                     Diagnostics& out) {
+  Prepared changed = prepared;
+  for (const auto& [parameter, value] : numbers) {
+    double* const number = parameter_number(changed.source, parameter);
+    if (number == nullptr)
+      out.add({.file = prepared.source.file,
+               .key = parameter.name,
+               .found = {},
+               .rule = "cannot be changed: numbers of ligaments, loads, bodies and joints can"});
+    else
+      *number = value;
+  }
+  if (out.has_errors()) return std::nullopt;
+  changed.scene = place(changed.source, prepared.scene.origins);
+  auto model = build_model(changed.scene, changed.surfaces, out, changed.bones, {&prepared.scene, &prepared.model});
+  if (!model) return std::nullopt;
+  model->safeguards = prepared.model.safeguards;
+  model->meter = std::make_shared<EffectMeter>();
+  changed.model = std::move(*model);
+  changed.steps = plan_steps(changed.scene);
+  return changed;
+}
+
+void share_search(Prepared& prepared) { prepared.search = std::make_shared<const ContactField>(prepared.model); }
+
+ContactField contact_field(const Prepared& prepared) {
+  return prepared.search ? ContactField(prepared.model, *prepared.search) : ContactField(prepared.model);
+}
+
+}  // namespace genu
