@@ -176,14 +176,14 @@ class PathRun {
     const ArcLengthFollower::End end = follower.follow(step, pose_, report_);
     result_.substeps += follower.substeps();
     result_.iterations += follower.iterations();
-    pose_ = path_follower.here().at.pose;
-    report_ = path_follower.here().report;
+    pose_ = follower.here().at.pose;
+    report_ = follower.here().report;
     if (end == ArcLengthFollower::End::cancelled) return stop();
     if (end != ArcLengthFollower::End::reached) explain_arc_end(step, end, follower);
   }
 
   void explain_arc_end(const StepPlan& step, ArcLengthFollower::End end, const ArcLengthFollower& follower) {
-    const ArcLengthFollower::Point& last = path_follower.here();
+    const ArcLengthFollower::Point& last = follower.here();
     PoseReport report = follower.failure();
     report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
     if (end == ArcLengthFollower::End::closed) {
@@ -276,7 +276,7 @@ class PathRun {
     const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kReach);
     result_.iterations += follower.iterations();
     if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
-    if (path_follower.here().at.t > follower_.t() + options_.smallest_increment) return {};
+    if (follower.here().at.t > follower_.t() + options_.smallest_increment) return {};
     return turn_at(step, follower_.t(), follower_.pose().state);
   }
 
