@@ -10,9 +10,9 @@ namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// What follows are fractions of the samples' spacing, so that a joint of any size is looked at alike.
-// Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
-// tenths of the spacing stand well above.
+// Fractions of the samples' spacing, so that the search scales with the joint. Refined minima closer than kSamePoint
+// are one: refinement is far more accurate, and distinct minima of a surface sampled at tenths of the spacing are
+// farther apart.
 constexpr double kSamePoint = 2e-3;
 // A sample nearer than this may have a closed contact beside it: half of a relative curvature of 0.2 / spacing times
 // the square of the largest distance to a sample, 1.2 spacings.
@@ -187,8 +187,8 @@ double Proximity::depth_behind(const Pose& X_qs, int sample) {
   return depth < -kInside * spacing_ ? depth : 0;
 }
 
-/// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
-/// then the point is inside, as all of a small body may be that a large one has swallowed.
+/// The gap at a point where the smooth surface gives a value < 0 for the wrong side of a sharp rim, or past an edge. It
+/// counts only if the facets agree: then the point is inside, as for a small body swallowed by a large one.
 double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const {
   if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
   const FarDistance::Nearest facets = far_.nearest(x);
