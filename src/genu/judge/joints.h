@@ -11,14 +11,15 @@
 
 namespace genu::judge {
 
-using Coordinates = std::vector<std::array<double, 6>>;  ///< of each joint: rad, then m
+using Coordinates =
+    std::vector<std::array<double, 6>>;  ///< of each joint: three angles in rad, then three translations in m
 
 /// "knee.flexion_deg", "knee.x_mm": the column of a coordinate or of a combination.
 std::string column_of(const Scene& scene, const QuantityRef& q);
 /// SI per unit of such a column.
 double column_unit(const QuantityRef& q);
 
-/// The coordinates in a row; those a joint holds are as the scene has them. NaN where a cell is empty.
+/// The coordinates of a row; those held by a joint are taken from the scene. NaN for an empty cell.
 Coordinates coordinates_in(const Scene& scene, const Row& row);
 Coordinates reference_coordinates(const Scene& scene);
 
@@ -27,16 +28,16 @@ double value_of(const Scene& scene, const Coordinates& q, const QuantityRef& qua
 /// Poses of all bodies in the world.
 std::vector<Pose> poses_at(const Scene& scene, const Coordinates& q);
 
-/// How a body moves: velocity of its origin and rate of turn, in the world's axes.
+/// Motion of a body: velocity of its origin and angular velocity, in the world's axes.
 struct Motion {
   Vec3 v = Vec3::Zero(), w = Vec3::Zero();
 };
 
-/// Motion of a joint's child for one unit (rad, m) of its coordinate `index`, everything else held. Central differences
-/// of order 8: they err by rounding alone, some 1e-12.
+/// Motion of a joint's child per unit (rad, m) of its coordinate `index`, all others fixed. Central differences of
+/// order 8: only rounding errors, about 1e-12.
 Motion motion_of(const Scene& scene, const Coordinates& q, const std::vector<Pose>& poses, int joint, int index);
 
-/// Bodies that a joint carries: its child and all that hang on it.
+/// Bodies carried by a joint: its child and everything attached to it.
 std::vector<bool> carried_by(const Scene& scene, int joint);
 
 }  // namespace genu::judge
