@@ -22,8 +22,8 @@ class FarDistance {
   struct Nearest {
     double distance = 0;            ///< m, positive outside; to the facets of a mesh: error O(h^2)
     Vec3 direction = Vec3::Zero();  ///< unit, outward: gradient of the distance
-    bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: outside, unless most of
-                                    ///< what is seen from x is the sheet's inner side
+    bool beyond_edge = false;       ///< the nearest point lies on an edge of an open sheet: outside, unless x sees
+                                    ///< mostly the sheet's inner side
     /// m: a point that moves less than this from x, and stays farther than `distance` from the surface, keeps its side.
     /// (A point can get behind an open sheet around its edge without coming close.) 0 for a point inside.
     double same_side = 0;

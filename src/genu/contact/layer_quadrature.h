@@ -28,9 +28,8 @@ struct LayerSum {
 /// Relative motion, for damping: the pressure becomes p (1 + c d'), at least 0 (Hunt and Crossley 1975). The tangent
 /// does not include damping.
 struct LayerMotion {
-  Vec6 twist =
-      Vec6::Zero();    ///< of the casting body relative to the other, at the casting body's origin, in its own axes
-  double damping = 0;  ///< c, s/m
+  Vec6 twist = Vec6::Zero();  ///< of the casting body relative to the other, at its own origin, in its own axes
+  double damping = 0;         ///< c, s/m
 
   double factor(double depth_rate) const { return std::max(0.0, 1 + damping * depth_rate); }
   /// m/s: velocity of a point of the casting body.

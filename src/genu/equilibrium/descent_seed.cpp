@@ -10,19 +10,17 @@
 namespace genu {
 namespace {
 
-constexpr int kMostDescents = 150;       // of each stage
-constexpr int kMostCareful = 600;        // the same with careful strides
-constexpr double kCareful = 0.05;        // of the longest usual step
-constexpr double kBalancedForce = 1e-5;  // scaled force and moment along the free motions: a seed, not a result
-constexpr double kNearEnoughForce =
-    0.05;  // the same where samples that enter and leave contact let no step descend further
-constexpr double kLeastStiffness =
-    1e-3;  // of the characteristic one: keeps steps finite along free motions without stiffness
-constexpr double kMostTranslation = 0.1;  // of the model's size, per iteration
-constexpr double kMostRotation = 0.1;     // rad per iteration
-constexpr double kShortStep = 1e-3;       // of the longest one: for smaller steps Newton's method is better
-constexpr double kTooShort = 1e-7;        // of the longest step
-constexpr double kWorkRounding = 1e-13;   // of characteristic force times length: less work is rounding
+constexpr int kMostDescents = 150;         // of each stage
+constexpr int kMostCareful = 600;          // the same with careful strides
+constexpr double kCareful = 0.05;          // of the longest usual step
+constexpr double kBalancedForce = 1e-5;    // scaled force and moment along the free motions: a seed, not a result
+constexpr double kNearEnoughForce = 0.05;  // the same where changing samples allow no further descent
+constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: limits steps along motions without stiffness
+constexpr double kMostTranslation = 0.1;   // of the model's size, per iteration
+constexpr double kMostRotation = 0.1;      // rad per iteration
+constexpr double kShortStep = 1e-3;        // of the longest one: for smaller steps Newton's method is better
+constexpr double kTooShort = 1e-7;         // of the longest step
+constexpr double kWorkRounding = 1e-13;    // of characteristic force times length: less work is rounding
 
 class DescentStage {
  public:

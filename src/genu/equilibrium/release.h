@@ -23,7 +23,7 @@ struct Released {
   Linearization at;  ///< without the released parts
   std::vector<ReleasedPlane> planes;
   /// k x 6B: rows that contacts without force along a line or an area also block while closed. Their gap alone does not
-  /// say how far one must open to free them.
+  /// state how far one must open to free them.
   MatX conforming;
   std::vector<int> idle_layers;  ///< layers with no or hardly any load: touching, or far apart
   double cancelled = 0;          ///< J: size of the terms removed from the stiffness, in the metric of stability

@@ -10,10 +10,10 @@
 namespace genu {
 
 /// Searches a solved pose with known `stability` for self-stresses. It does so where self-stresses exist, where
-/// surfaces touch without an active contact, where a ligament is at a jump of its force, or where the Newton correction
-/// left is larger than rows are known to (PoseAccuracy::of_rows). Only self-stresses count in which no contact without
-/// force would pull and no ligament would leave its jump. Stability::redundant lists the members. Touching places among
-/// them become contacts of `pose` with force 0; ligaments become held at their jumps.
+/// surfaces touch without an active contact, where a ligament is at a jump of its force, or where the pose's residual
+/// is above Newton's tolerance. Only self-stresses count in which no contact without force would pull and no ligament
+/// would leave its jump. Stability::redundant lists the members. Touching places among them become contacts of `pose`
+/// with force 0; ligaments become held at their jumps.
 void find_self_stress(ActiveSetSolver& solver, const Target& target, const Certificate& certificate, Balanced& pose,
                       Stability& stability);
 

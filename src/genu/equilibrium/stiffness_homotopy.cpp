@@ -15,12 +15,11 @@ constexpr double kFirstModulus = 1.3e3;
 constexpr double kStiffer = 4.5;
 constexpr int kStages = 6;
 constexpr double kLittleOverlap = 1e-3;
-constexpr int kMostStageSteps = 80;         // of each stage
-constexpr double kBalancedResidual = 1e-5;  // scaled residual: a seed, not a result
-constexpr double kNearEnoughResidual =
-    0.1;  // the same where samples that enter and leave contact let no step reduce it further
-constexpr double kMaxTranslation = 0.06;  // of the model's size, per iteration
-constexpr double kMaxRotation = 0.05;     // rad per iteration
+constexpr int kMostStageSteps = 80;          // of each stage
+constexpr double kBalancedResidual = 1e-5;   // scaled residual: a seed, not a result
+constexpr double kNearEnoughResidual = 0.1;  // the same where changing samples allow no further reduction
+constexpr double kMaxTranslation = 0.06;     // of the model's size, per iteration
+constexpr double kMaxRotation = 0.05;        // rad per iteration
 
 /// One stage: Levenberg-Marquardt steps on the scaled residual; slack ligaments may make damping necessary.
 class Stage {

@@ -162,9 +162,9 @@ class Balance {
     if (n == 0) return;
     const auto rows = static_cast<Eigen::Index>(equations_.size()), unknowns = static_cast<Eigen::Index>(2 * n);
     std::vector<Vec3> direction(n);
-    std::vector<double> length(n);  // of what is made a unit vector of: derivatives need it, as two nearly parallel
-                                    // forces can turn by much against each other before a sum tells
-    std::vector<std::array<Vec3, 3>> frame;  // the facets' normal, and across it what one unit turns by: a cone's width
+    std::vector<double> length(n);  // of the vectors to be normalised, for exact derivatives: two nearly parallel
+                                    // forces can turn far against each other before a sum shows it
+    std::vector<std::array<Vec3, 3>> frame;  // the facets' normal, and two axes across it, one cone width per unit
     for (const LooseForce& f : forces_.loose) {
       const Vec3 middle = (f.normal_b - f.normal_a).normalized(), one = middle.unitOrthogonal();
       const double most = std::max(std::min(f.turn_a, f.turn_b), 1e-6);

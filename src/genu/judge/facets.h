@@ -19,8 +19,7 @@ class Facets {
   Facets(const Mesh& mesh, const SurfaceDef& def);
 
   static constexpr double kReach = 2;  ///< edges: range of the search for overlap
-  static constexpr double kNear =
-      3;  ///< edges: facets this near say how a smooth surface leans: the least that fits reach
+  static constexpr double kNear = 3;   ///< edges: range of facets that give the orientation; the least fit radius
 
   /// Whether x is certainly farther than kReach edges from all triangles.
   bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }

@@ -1,6 +1,6 @@
-// Where bodies stand when their joints' coordinates are given, by the definitions of docs/scene-reference.md alone:
+// Poses of bodies from joint coordinates, by the definitions of docs/scene-reference.md only:
 //   X_parent_child = [R1 R2 R3, x],   X_world_child = X_world_parent X_parent_child
-// and how a coordinate moves its child, by differences of these poses.
+// and the motion of a child per coordinate, from differences of these poses.
 #pragma once
 
 #include <array>
@@ -11,8 +11,7 @@
 
 namespace genu::judge {
 
-using Coordinates =
-    std::vector<std::array<double, 6>>;  ///< of each joint: three angles in rad, then three translations in m
+using Coordinates = std::vector<std::array<double, 6>>;  ///< of each joint: rad, then m
 
 /// "knee.flexion_deg", "knee.x_mm": the column of a coordinate or of a combination.
 std::string column_of(const Scene& scene, const QuantityRef& q);

@@ -335,8 +335,7 @@ class Layers {
     expect_centre(name + "." + scene_.surfaces[at(layer_->pair.surface_a)].name, X_ab * centre);
   }
 
-  static constexpr double kSamples =
-      3;  // integrals of n samples may be off by this / n: those at the border of contact
+  static constexpr double kSamples = 3;  // sums of n samples may be off by this / n, at the border of contact
   static constexpr double kMissed = 0.1;
   static constexpr double kLeastShare = 0.01;  // of the force scale: below it `tolerance` is relative to that force
   static constexpr double kFacets = 0.05;  // error of facets for a smooth surface: docs/scene-reference.md, Cartilage

@@ -10,10 +10,9 @@
 namespace genu {
 
 struct Inertia {
-  double mass = 0;                     ///< kg
-  Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
-  Mat3 about_centre_of_mass =
-      Mat3::Zero();  ///< kg m^2, in the body's axes; products of inertia as elements of the matrix
+  double mass = 0;                           ///< kg
+  Vec3 centre_of_mass = Vec3::Zero();        ///< m, in the body
+  Mat3 about_centre_of_mass = Mat3::Zero();  ///< kg m^2, in the body's axes; products as matrix elements
 };
 
 /// M for the orientation R of the body in the world: kg, kg m, kg m^2.

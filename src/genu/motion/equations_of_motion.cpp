@@ -17,11 +17,9 @@ namespace {
 constexpr double kOnConstraints = 1e-14;  // scaled residual: rounding of positions of a few lengths
 constexpr double kLargestResidual = 1e-11;
 constexpr int kMostProjections = 8;
-constexpr double kDependentConstraints =
-    1e-13;  // reciprocal condition of J J^T: below, constraints say one thing twice
-constexpr double kPlaceRounding =
-    1e-15;                     // of a position: higher accuracy is not possible, however small the length scale
-constexpr double kSecond = 1;  // s: speeds below length / kSecond are small
+constexpr double kDependentConstraints = 1e-13;  // reciprocal condition of J J^T: below, constraints are dependent
+constexpr double kPlaceRounding = 1e-15;         // of a position: limit of accuracy for any length scale
+constexpr double kSecond = 1;                    // s: speeds below length / kSecond are small
 
 Eigen::Quaterniond quaternion(OdeSystem::Values y, Eigen::Index from) {
   return {y[from], y[from + 1], y[from + 2], y[from + 3]};

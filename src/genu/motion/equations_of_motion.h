@@ -129,7 +129,7 @@ class EquationsOfMotion {
   State near_;
   std::vector<DamperMode> modes_;
   Target target_;
-  VecX drive_rate_, drive_acceleration_;  ///< of what is prescribed
+  VecX drive_rate_, drive_acceleration_;  ///< of prescribed coordinates
   double from_, to_;                      ///< s: between stops
   Linearization constraints_, forces_;
   std::vector<ClosedContact> closed_;

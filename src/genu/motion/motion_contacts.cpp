@@ -311,8 +311,7 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
   for (const Candidate& c : findings.overlapping) {
     if (c.minimum.gap > -allowed_overlap(to.state, c)) continue;
     const auto gap = [&](const MotionPoint& p) { return opening_of(model_, c, p).gap; };
-    const double shift =
-        gap(from) > 0 ? 0 : touching_;  // the gap of a contact that has just opened may be negative by rounding
+    const double shift = gap(from) > 0 ? 0 : touching_;  // a contact just opened may have a negative gap by rounding
     const auto value = [&](const MotionPoint& p) { return gap(p) + shift; };
     const bool located = model_.safeguards.has(Safeguard::landing);
     Change closes{Change::Kind::closes, 0, {c}, located ? locate(from, to, point_at, value, 1e-3 * touching_) : to, {}};
