@@ -266,8 +266,8 @@ class Matcher {
 
 }  // namespace
 
-std::optional<PoseColumns> match_columns(const SceneTables& scene, const PoseFile& file, const PoseColumnOptions& options,
-                                         Diagnostics& out) {
+std::optional<PoseColumns> match_columns(const SceneTables& scene, const PoseFile& file,
+                                         const PoseColumnOptions& options, Diagnostics& out) {
   return Matcher(scene, file, out).match(options);
 }
 

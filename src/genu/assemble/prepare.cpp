@@ -232,7 +232,8 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
     const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, safeguards, out));
+      surfaces.push_back(
+          build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, safeguards, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)

@@ -36,7 +36,7 @@ struct Prepared {
   JointModel model;
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
-  std::shared_ptr<MeshLibrary> meshes;         ///< through which the scene's meshes, and its file, were read
+  std::shared_ptr<MeshLibrary> meshes;                  ///< through which the scene's meshes, and its file, were read
   std::shared_ptr<const ContactField> search;  ///< shared with other numbers (with_numbers.h); null: not shared
 };
 

@@ -32,7 +32,8 @@ std::shared_ptr<const BoneUnder> read_bone(const PlacedScene& scene, const Surfa
 Bones read_bones(const PlacedScene& scene, MeshLibrary& meshes, Diagnostics& out) {
   Bones bones;
   for (const SurfaceDef& surface : scene.surfaces)
-    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, meshes, out) : nullptr);
+    bones.push_back(surface.thickness && surface.thickness->measured ? read_bone(scene, surface, meshes, out)
+                                                                     : nullptr);
   return bones;
 }
 

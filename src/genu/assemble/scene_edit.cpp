@@ -86,8 +86,9 @@ std::string pair_tables(const std::vector<FittedPair>& pairs) {
 
 }  // namespace
 
-std::string with_fitted_surfaces(const std::string& file, const SceneTables& scene, const std::vector<FittedPair>& pairs,
-                                 const std::vector<NamedFit>& fits, const std::string& folder, Diagnostics& out) {
+std::string with_fitted_surfaces(const std::string& file, const SceneTables& scene,
+                                 const std::vector<FittedPair>& pairs, const std::vector<NamedFit>& fits,
+                                 const std::string& folder, Diagnostics& out) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream read;
   read << in.rdbuf();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// Area vectors of the triangles round each vertex, as directions; zero where there is none.
+/// Area-weighted normals at the vertices; zero where undefined.
 std::vector<Vec3> area_weighted_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const auto& t : mesh.triangles) {
@@ -25,7 +25,7 @@ class BoneRays {
  public:
   explicit BoneRays(const BoneUnder& bone) : bone_(bone) {}
 
-  /// Takes the side of the bone that more rays meet for the outer one.
+  /// The side of the bone that more rays meet becomes the outer one.
   void choose_side(const Mesh& mesh, const std::vector<Vec3>& normals) {
     int entered = 0, left = 0;
     for (std::size_t v = 0; v < normals.size(); ++v) {
@@ -37,7 +37,7 @@ class BoneRays {
     turned_ = left > entered;
   }
 
-  /// m, from x down along the outward normal n to the bone; negative where it stands out. Empty without bone.
+  /// m, from x along the inward normal -n to the bone; negative where bone protrudes. Empty without bone.
   std::optional<double> measure(const Vec3& x, const Vec3& n) const {
     if (n.isZero(0)) return {};
     const TriangleTree& tree = *bone_.triangles;
@@ -53,8 +53,8 @@ class BoneRays {
   bool turned_ = false;
 };
 
-/// Ring by ring from the vertices that are known, each new one as the mean of its neighbours in the ring before. What
-/// hangs together with none of them becomes `least`. Tells how far (m, along edges) the last ring is.
+/// Fills unknown values ring by ring from the known vertices, each as the mean of its neighbours in the ring before.
+/// Parts of the mesh without a known vertex get `least`. Reports the distance (m, along edges) of the last ring.
 void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& report) {
   std::vector<std::vector<int>> neighbours(h.size());
   for (const auto& t : mesh.triangles)

@@ -1,8 +1,8 @@
-// Thickness of cartilage from a mesh of the bone under it.
+// Cartilage thickness from a mesh of the bone under it.
 //
-// At each vertex and at each centroid of the cartilage's mesh a ray along minus the outward normal looks for the bone.
-// Where it finds none (the bone's mesh often ends before the cartilage's does, and nothing lies under the back of a
-// closed shell) the thickness is that of the nearest rings of vertices that have one.
+// From each vertex and each triangle centroid of the cartilage mesh a ray along the inward normal searches for the
+// bone. Where it finds none (bone meshes often end before the cartilage, and nothing lies under the back of a closed
+// shell) the thickness is that of the nearest rings of vertices that have one.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace genu {
 
-/// The bone under one surface, in the frame of the body that carries both. Which way its triangles are wound does not
-/// matter: the side that more rays meet is the outer one.
+/// The bone under one surface, in the frame of the body that carries both. The winding of its triangles is irrelevant:
+/// the side that more rays meet is the outer one.
 struct BoneUnder {
   std::shared_ptr<const TriangleTree> triangles;
-  double least = 0.5e-3;  ///< m: where cartilage is thinner, or bone stands out of it, it counts as this thick
-  double most = 10e-3;    ///< m: bone farther away is not the bone under this cartilage
+  double least = 0.5e-3;  ///< m: lower bound, where cartilage is thinner or bone protrudes
+  double most = 10e-3;    ///< m: bone farther away does not belong to this cartilage
 };
 
-/// How well it went, at the vertices.
+/// Quality of the measurement at the vertices.
 struct BoneReport {
   int vertices = 0;
-  int without = 0;      ///< have no bone under them, nor standing out over them
-  double farthest = 0;  ///< m: the one of these that is farthest from any vertex that has bone, along edges
+  int without = 0;      ///< vertices without bone, under or protruding
+  double farthest = 0;  ///< m: largest distance along edges of such a vertex from one with bone
   Vec3 farthest_place = Vec3::Zero();
-  int thin = 0;         ///< thinner than the least, bone standing out included
-  double thinnest = 0;  ///< m: of these; negative where bone stands out
+  int thin = 0;         ///< vertices below the lower bound, protruding bone included
+  double thinnest = 0;  ///< m: the smallest of these; negative where bone protrudes
   Vec3 thinnest_place = Vec3::Zero();
 };
 

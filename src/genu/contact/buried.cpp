@@ -20,7 +20,7 @@ std::vector<Vec3> box_corners(const Mesh& mesh) {
 
 double size_of(const std::vector<Vec3>& box) { return box.empty() ? 0 : (box.back() - box.front()).norm(); }
 
-/// From the middles of some triangles, spread over the mesh's own order and so over its surface.
+/// From the centroids of some triangles, spread over the order of the mesh and so over its surface.
 std::vector<Ray> rays_of(const Mesh& mesh) {
   std::vector<Ray> rays;
   const std::size_t stride = 1 + mesh.triangles.size() / kMostRays;
@@ -49,13 +49,13 @@ double Buried::Side::deepest(const Pose& X_TC, double depth) const {
     const Vec3 origin = X_TC * ray.origin, direction = X_TC.R * ray.direction;
     const TriangleTree::Hit out = other->leaving(origin, direction, reach);
     if (!out || out.distance <= std::max(depth, deepest)) continue;
-    // What goes in before it comes out was outside.
+    // A ray that enters before it leaves started outside.
     if (!other->entering(origin, direction, out.distance)) deepest = out.distance;
   }
   return deepest;
 }
 
-/// How far (m) any point of b moves against a, at most: a box's corners move farthest.
+/// m: upper bound of the motion of any point of b relative to a; the corners of a box move farthest.
 double Buried::motion(const Pose& from, const Pose& to) const {
   double farthest = 0;
   for (const Vec3& p : corners_) farthest = std::max(farthest, (from * p - to * p).norm());

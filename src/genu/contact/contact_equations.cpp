@@ -7,8 +7,8 @@
 namespace genu {
 namespace {
 
-/// Closure and tangency rows over the surface columns; tangency scaled by the length, so that every entry is a pure
-/// number of order 1.
+/// Closure and tangency rows over the surface columns. Tangency is scaled by the length, so that every entry is
+/// dimensionless and of order 1.
 Mat4 scaled_block(const ContactBlock& block, double length) {
   Mat4 local;
   local << block.d_surface.topRows<2>(), length * block.d_surface.bottomRows<2>();
@@ -24,7 +24,7 @@ Eigen::Matrix<double, 4, 12> scaled_twist(const ContactBlock& block, double leng
   return twist;
 }
 
-/// What both the residual and the derivatives are made of, in world axes.
+/// Common quantities of residual and derivatives, in world axes.
 struct ContactFrame {
   Vec3 arm_a, arm_b;  ///< from each body's origin to its point
   Vec3 n_a, n_b;
@@ -52,8 +52,8 @@ void set_direction(const ContactFrame& f, ContactBlock& out) {
   out.direction << -f.n_a, -f.arm_a.cross(f.n_a), f.n_a, f.arm_b_to_a().cross(f.n_a);
 }
 
-/// x_A moves with a, x_B with b; n_A and T_A turn with a, n_B with b: d(t . (x_A - x_B)) = t . v_a + (x_B - o_a) x t .
-/// w_a - t . v_b - (arm_b x t) . w_b, as the turn of t acts on x_A - x_B, which vanishes at a solution only.
+/// x_A moves with a, x_B with b; n_A and T_A rotate with a, n_B with b: d(t . (x_A - x_B)) = t . v_a + (x_B - o_a) x t
+/// . w_a - t . v_b - (arm_b x t) . w_b. The rotation of t acts on x_A - x_B, which vanishes at a solution only.
 void set_twist_rows(const ContactFrame& f, WhichMove moves, ContactBlock& out) {
   const Vec3 t[2] = {f.T_a.col(0), f.T_a.col(1)}, tip = f.arm_a - f.apart;
   const Vec3 lever[2] = {t[0].cross(f.n_b), t[1].cross(f.n_b)};
@@ -75,7 +75,7 @@ void set_twist_rows(const ContactFrame& f, WhichMove moves, ContactBlock& out) {
   }
 }
 
-/// n_A and T_A turn along A (parallel transport: dt = n (S ds)), n_B along B.
+/// n_A and T_A change along A (parallel transport: dt = n (S ds)), n_B along B.
 void set_surface_columns(const ContactFrame& f, const ContactGeometry& contact, const Mat2& turn, ContactBlock& out) {
   out.d_surface.block<2, 2>(0, 0) = Mat2::Identity() + f.n_a.dot(f.apart) * contact.a.S;
   out.d_surface.block<2, 2>(0, 2) = -turn;
@@ -93,7 +93,7 @@ void set_wrench_derivatives(const ContactFrame& f, const ContactGeometry& contac
   const Mat32 dn = -force * f.T_a * contact.a.S;  // by ds_A
   auto twist = [&](int row, int column) { return out.wrench_d_twist.block<3, 3>(row, column); };
   if (moves.a) {
-    // arm_a turns with w_a alone, so the whole moment turns: d = w_a x (arm_a x n)
+    // arm_a rotates with w_a only, so the whole moment rotates: d = w_a x (arm_a x n)
     out.wrench_d_twist.block<6, 3>(0, 0).setZero();
     twist(0, 3) = N;
     twist(3, 3) = skew(force * moment_a);
@@ -139,13 +139,13 @@ void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const Contact
 bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMove moves) {
   length_ = length;
   const Mat4 scaled = scaled_block(block, length);
-  // By cofactors, whose digits one step of Newton's method for the inverse makes up for.
+  // By cofactors; one step of Newton's method for the inverse restores the lost digits.
   inverse_ = scaled.inverse();
   const Mat4 missing = Mat4::Identity() - scaled * inverse_;
   inverse_ += (inverse_ * missing).eval();
   rcond = 1 / (one_norm(scaled) * one_norm(inverse_));
-  // Where two directions conform at once all cofactors are rounding, and so is the size of their quotients: then it is
-  // no inverse, and a matrix that has none leaves 1 or more missing.
+  // Where two directions conform at once, all cofactors and the size of their quotients are rounding, and the result is
+  // no inverse: for a singular matrix the residual of the inverse is 1 or more.
   constexpr double kNoInverse = 0.5;
   if (!(rcond > kSingular) || !(one_norm(missing) < kNoInverse)) {
     rcond = 0;

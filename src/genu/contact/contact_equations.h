@@ -32,43 +32,43 @@ struct ContactBlock {
   Eigen::Matrix<double, 12, 4> wrench_d_surface = Eigen::Matrix<double, 12, 4>::Zero();
 };
 
-/// Evaluates the block for the normal force `force` (N, positive pushes the bodies apart). Derivatives by the twist of
-/// a body that does not move, and of the wrench on it, are left as they were.
+/// Evaluates the block for the normal force `force` (N, positive pushes the bodies apart). Derivatives of a body that
+/// does not move, and of the wrench on it, do not change.
 void evaluate_contact(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, double force,
                       ContactBlock& out, WhichMove moves = {});
 
-/// `residual` and `direction` alone; the derivatives are left as they were.
+/// `residual` and `direction` only; the derivatives do not change.
 void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const ContactGeometry& contact, ContactBlock& out);
 
 /// The same contact with its four surface coordinates eliminated by the closure and tangency rows:
 /// ds = surface_offset + surface_gain * twist.
 class EliminatedContact {
  public:
-  /// Below this reciprocal condition the eliminated step keeps fewer than half of the digits of the dense one.
+  /// Below this reciprocal condition the eliminated step loses more than half of the digits of the dense one.
   static constexpr double kSingular = 1e-8;
 
-  /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. Returns false where it is singular to
-  /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the
-  /// dense route serves then. Gradient, gain and stiffness over a body that does not move are left as
-  /// they were.
+  /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. False where it is singular to working
+  /// accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split); the dense route
+  /// is needed then. Gradient, gain and stiffness of a body that does not move do not change.
   bool factor(const ContactBlock& block, double length, WhichMove moves = {});
 
-  /// The same where the block is singular (the surfaces conform along a line or an area): surface coordinates move by
-  /// the least that the rows determine, and what no motion along the surfaces can make up for is left in `closure`.
-  /// For stability only, where the undetermined motion changes no force to first order.
+  /// The same where the block is singular (the surfaces conform along a line or an area): a minimum-norm solution.
+  /// `closure` receives the rows that no motion along the surfaces can satisfy. For stability only, where the
+  /// undetermined motion changes no force to first order.
   void factor_minimum_norm(const ContactBlock& block, double length, WhichMove moves = {});
 
-  /// Sets gap, surface_offset and wrench_offset for the given residual, which may be that of another state.
+  /// Sets gap, surface_offset and wrench_offset for the given residual, which may belong to another state.
   void set_residual(const Vec5& residual);
 
   double rcond = 0;                     ///< reciprocal condition of the 4x4 block; 0 is singular
   double gap = 0;                       ///< residual of the gap row after elimination, m
   Vec12 gap_gradient = Vec12::Zero();   ///< d gap / d twist
-  Vec12 wrench_offset = Vec12::Zero();  ///< change of the wrench that the surface offset alone causes
+  Vec12 wrench_offset = Vec12::Zero();  ///< change of the wrench by the surface offset
   Mat12 stiffness = Mat12::Zero();      ///< d wrench / d twist
   Vec4 surface_offset = Vec4::Zero();   ///< m
   Eigen::Matrix<double, 4, 12> surface_gain = Eigen::Matrix<double, 4, 12>::Zero();
-  /// At most 4 x 12, rows to be held at 0: conforming surfaces let no motion happen that would part them to a point.
+  /// At most 4 x 12, rows to be held at 0: motions that would separate conforming surfaces except at a point are
+  /// excluded.
   Eigen::Matrix<double, Eigen::Dynamic, 12, 0, 4, 12> closure;
 
  private:

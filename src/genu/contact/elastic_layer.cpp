@@ -7,7 +7,7 @@ namespace {
 
 using Mat6x12 = Eigen::Matrix<double, 6, 12>;
 
-/// Wrench on the casting body c and the target t, [c, t], from what the quadrature has summed in c's axes.
+/// Wrench on the casting body c and the target t, [c, t], from the integrals in c's axes.
 LayerWrench in_world(const Pose& X_Wc, const Pose& X_Wt, const LayerSum& sum) {
   Mat6 R = Mat6::Zero();
   R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = X_Wc.R;
@@ -15,13 +15,13 @@ LayerWrench in_world(const Pose& X_Wc, const Pose& X_Wt, const LayerSum& sum) {
   const Vec3 f = on_c.head<3>(), m = on_c.tail<3>(), arm = X_Wc.p - X_Wt.p;
   const Mat3 I = Mat3::Identity();
 
-  // Twist of c against t at c's origin: v_c - v_t - w_t x arm, w_c - w_t.
+  // Twist of c relative to t at c's origin: v_c - v_t - w_t x arm, w_c - w_t.
   Mat6x12 relative = Mat6x12::Zero();
   relative.block<3, 3>(0, 0) = relative.block<3, 3>(3, 3) = I;
   relative.block<3, 3>(0, 6) = relative.block<3, 3>(3, 9) = -I;
   relative.block<3, 3>(0, 9) = skew(arm);
   Mat6x12 c = R * sum.tangent * R.transpose() * relative;
-  // What is constant in c's axes turns with c.
+  // A vector constant in c's axes rotates with c.
   c.block<3, 3>(0, 3) -= skew(f);
   c.block<3, 3>(3, 3) -= skew(m);
 

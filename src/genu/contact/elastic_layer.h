@@ -1,5 +1,5 @@
-// Two surfaces that press elastic layers against each other: cartilage on rigid bones. A force with a tangent, and no
-// unknowns of its own.
+// Elastic layers on two surfaces pressed against each other: cartilage on rigid bones. A force with a tangent and
+// without unknowns of its own.
 #pragma once
 
 #include <memory>
@@ -15,44 +15,44 @@ namespace genu {
 struct LayerWrench {
   Vec12 wrench = Vec12::Zero();
   Mat12 stiffness = Mat12::Zero();
-  double load = 0;    ///< N: sum of p dA, without damping
-  double damped = 0;  ///< W: what damping takes
-  double error = 0;   ///< N: of the load, estimated (LayerSum)
+  double load = 0;    ///< N: integral of p dA, without damping
+  double damped = 0;  ///< W: power dissipated by damping
+  double error = 0;   ///< N: estimated error of the load (LayerSum)
 };
 
 class ElasticLayer {
  public:
-  /// One side whose surface is cut into cells, and its share of the whole: 1, or 1/2 where both sides are.
+  /// A casting surface divided into cells, and its weight: 1, or 1/2 where both surfaces cast.
   struct Side {
-    bool a = true;  ///< a casts, b is the target; else the other way round
+    bool a = true;  ///< a casts and b is the target; else the reverse
     double share = 1;
     std::shared_ptr<const LayerQuadrature> quadrature;
   };
-  /// One for each thread: what earlier poses have shown, side by side, and what came out at the last one.
+  /// One for each thread: results of earlier poses for each side, and of the last one.
   struct Memory {
     std::vector<LayerQuadrature::Memory> sides;
     Pose a, b;
     LayerWrench last;
     int level = 0;
     bool known = false;   ///< whether `last` belongs to the poses `a` and `b`, and to `level`
-    Cancelled cancelled;  ///< where it says so what comes out is not finite
+    Cancelled cancelled;  ///< once true the result is not finite
   };
 
   /// `damping`: c of LayerMotion, s/m.
   explicit ElasticLayer(std::vector<Side> sides, std::shared_ptr<const Buried> buried = {}, double damping = 0)
       : sides_(std::move(sides)), buried_(std::move(buried)), damping_(damping) {}
 
-  /// At the poses of both bodies in the world; results do not depend on `memory`. `level`: see LayerQuadrature.
-  /// `twists`: of [a; b], where they move and damping counts.
+  /// At the poses of both bodies in the world. Results do not depend on `memory`. `level`: see LayerQuadrature.
+  /// `twists`: of [a; b], for damping.
   void evaluate(const Pose& X_Wa, const Pose& X_Wb, Memory& memory, LayerWrench& out, int level = 0,
                 const Vec12* twists = nullptr) const;
 
-  /// Visits the points of one side that carry pressure.
+  /// Visits the points of one side with pressure.
   void visit(const Pose& X_Wa, const Pose& X_Wb, std::size_t side, Memory& memory,
              const std::function<void(const LayerPoint&)>& visit, int level = 0, const Vec12* twists = nullptr) const;
 
   const std::vector<Side>& sides() const { return sides_; }
-  /// Null where nobody asks.
+  /// Null where it is not checked.
   const Buried* buried() const { return buried_.get(); }
 
  private:

@@ -20,24 +20,24 @@
 namespace genu {
 namespace {
 
-// FCL tests triangles with an absolute 1e-15, which breaks small ones in metres: it is fed millimetres.
+// FCL tests triangles with an absolute 1e-15, which breaks small ones in metres: it gets millimetres.
 constexpr double kMillimetres = 1e3;
 
 using Bvh = fcl::BVHModel<fcl::RSSd>;
 
-// Winding numbers from which on a point is inside: between pieces, and behind the edge of an open sheet. Behind the
-// edge of a flat one it is at most 1/4, at right angles; behind one that bends round, as a condyle's does, more.
+// Winding numbers above which a point is inside: between pieces, and behind the edge of an open sheet. Behind the edge
+// of a flat sheet it is at most 1/4, at right angles; behind a curved one, such as a condyle, it is larger.
 constexpr double kInside = 0.5, kBehindEdge = 0.2;
 
-/// How far a point may go (m) until its winding number can reach kBehindEdge: away from the surface, which is
-/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3/2 sup|w| /
-/// (distance
-/// - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26), and sup|w| is about 1.
+/// m: how far a point may move until its winding number can reach kBehindEdge. Away from the surface, which is at
+/// `distance`, the winding number w is a harmonic function. Its gradient at distance r from x is at most
+/// 3/2 sup|w| / (distance - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26); sup|w| is
+/// about 1.
 double same_side(double winding, double distance) {
   return winding < kBehindEdge ? distance * -std::expm1((winding - kBehindEdge) / 1.5) : 0;
 }
 
-/// Without the triangles that have no area, to rounding: the nearest point on one has no side.
+/// Without triangles of zero area (to rounding): a nearest point on one has no side.
 Mesh with_area(Mesh mesh) {
   constexpr double kSmallestSine = 1e-9;
   std::erase_if(mesh.triangles, [&](const auto& t) {
@@ -48,10 +48,10 @@ Mesh with_area(Mesh mesh) {
   return mesh;
 }
 
-/// Do the boxes of any two pieces overlap?
+/// Whether the boxes of any two pieces overlap.
 bool pieces_may_meet(const Mesh& mesh) {
   const Components parts = connected_components(mesh);
-  constexpr int kMost = 64;  // so many pieces are looked at; with more the answer is yes
+  constexpr int kMost = 64;  // largest number of pieces examined; with more the answer is yes
   if (parts.count < 2 || parts.count > kMost) return parts.count > 1;
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Vec3> low(static_cast<std::size_t>(parts.count), Vec3::Constant(infinity)), high(low.size(), -low[0]);
@@ -88,8 +88,8 @@ struct FarDistance::Triangles {
     bvh->endModel();
   }
 
-  /// The nearest point of one sheet tells the side for certain. At the edge of a hole it tells nothing, and between
-  /// pieces that run into each other it may lie on the one whose outside x is.
+  /// The nearest point of a single sheet gives the side reliably. At the edge of a hole it gives none, and between
+  /// pieces that intersect it may lie on the wrong piece.
   void tell_sides() {
     normals.emplace(mesh);
     entangled = pieces_may_meet(mesh);
@@ -98,8 +98,8 @@ struct FarDistance::Triangles {
 
   Mesh mesh;
   std::optional<FeatureNormals> normals;
-  std::unique_ptr<WindingNumber> winding;  // where the nearest point does not tell the side for certain
-  bool entangled = false;                  // which is everywhere
+  std::unique_ptr<WindingNumber> winding;  // where the nearest point does not give the side reliably
+  bool entangled = false;                  // that is so everywhere
   std::shared_ptr<Bvh> bvh = std::make_shared<Bvh>();
 };
 
@@ -118,7 +118,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     }
     return out;
   }
-  constexpr double kPoint = 1e-6;  // mm: the radius of the sphere that plays the point
+  constexpr double kPoint = 1e-6;  // mm: radius of the sphere that represents the point
   const fcl::Sphered point(kPoint);
   const fcl::Transform3d here(Eigen::Translation3d(kMillimetres * x));
   fcl::DistanceRequestd request(true);

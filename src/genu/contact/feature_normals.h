@@ -1,4 +1,4 @@
-// On which side of a mesh a point lies, by the normal of what is nearest to it: a face, an edge or a vertex.
+// The side of a mesh that a point lies on, from the normal of its nearest feature: face, edge or vertex.
 #pragma once
 
 #include <algorithm>
@@ -30,11 +30,11 @@ class FeatureNormals {
 
   bool any_open() const { return std::find(open_vertex_.begin(), open_vertex_.end(), true) != open_vertex_.end(); }
 
-  /// The normal of the feature of triangle t on which `p` lies; `open` says that it belongs to an edge of the sheet.
+  /// The normal of the feature of triangle t that `p` lies on. `open`: it belongs to an edge of the sheet.
   Vec3 at(int triangle, const Vec3& p, bool& open) const {
     const auto& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
     const Vec3 bary = barycentric(t, p);
-    constexpr double kOnFeature = 1e-7;  // of the triangle: FCL's nearest points carry about 1e-9
+    constexpr double kOnFeature = 1e-7;  // of the triangle: FCL's nearest points have an error of about 1e-9
     int zeros = 0;
     std::size_t zero = 0, one = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -65,7 +65,7 @@ class FeatureNormals {
     return *std::lower_bound(edges_.begin(), edges_.end(), Edge{std::min(i, j), std::max(i, j), {}, 0});
   }
 
-  /// Sorts the sides of all triangles and joins those that are the same edge.
+  /// Sorts the sides of all triangles and merges equal edges.
   void join_edges() {
     std::stable_sort(edges_.begin(), edges_.end());
     std::size_t last = 0;

@@ -11,7 +11,7 @@ constexpr int kMostSteps = 200;
 
 }  // namespace
 
-/// The arithmetic-geometric mean: quadratic convergence.
+/// By the arithmetic-geometric mean: quadratic convergence.
 double carlson_rf0(double y, double z) {
   double a = std::sqrt(y), g = std::sqrt(z);
   for (int i = 0; i < kMostSteps && std::abs(a - g) > 1e-8 * a; ++i) {
@@ -22,7 +22,7 @@ double carlson_rf0(double y, double z) {
   return std::numbers::pi / (a + g);
 }
 
-/// Duplication until the arguments agree to a hundredth, then Carlson's series of sixth order.
+/// Duplication until the arguments agree to 1 %, then Carlson's series of sixth order.
 double carlson_rd0(double y, double z) {
   constexpr double kEnough = 2e-3;
   double x = 0, sum = 0, factor = 1, mean = 0.2 * (y + 3 * z);
@@ -42,8 +42,8 @@ double carlson_rd0(double y, double z) {
 }
 
 HertzContact hertz(double least, double most, double reduced_modulus, double approach) {
-  // With m1 = (b/a)^2, Johnson's 4.26 read least/2 = p0/E* b/a^2 R_D(0, m1, 1)/3 and most/2 = p0/E* b/a^2 R_D(0, 1,
-  // m1)/3: their ratio falls from infinity to 1 as m1 grows to 1.
+  // With m1 = (b/a)^2, Johnson's equation 4.26 reads least/2 = p0/E* b/a^2 R_D(0, m1, 1)/3 and most/2 = p0/E* b/a^2
+  // R_D(0, 1, m1)/3. Their ratio decreases from infinity to 1 as m1 grows to 1.
   const double ratio = most / least;
   double low = -80, high = 0;  // of ln m1
   for (int i = 0; i < 100; ++i) {

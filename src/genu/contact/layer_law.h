@@ -20,11 +20,11 @@ struct LayerLaw {
     double slope = 0;  ///< dp/dd, Pa/m
   };
 
-  /// Of the thickness: deeper, the logarithmic law goes on straight along its tangent, so that an iteration on its way
-  /// stays finite. A run says which poses end there.
+  /// Of the thickness. Beyond it the logarithmic law continues along its tangent, so that iterates are finite. Poses
+  /// that end there are reported.
   static constexpr double kDeepest = 0.95;
 
-  /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.
+  /// At the depth d (m) of layers h (m) thick. Negative depths have the odd continuation, whose sign is used.
   Pressure at(double d, double h) const {
     if (kind == Kind::linear) return {confined_modulus * d / h, confined_modulus / h};
     const double e = d / h;
@@ -35,7 +35,7 @@ struct LayerLaw {
   }
 };
 
-/// M (Pa) of Young's modulus (Pa) and Poisson's ratio in [0, 0.5).
+/// M (Pa) from Young's modulus (Pa) and Poisson's ratio in [0, 0.5).
 inline double confined_modulus(double young, double poisson) {
   return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
 }

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kTogether = 64;                                   // rays
 constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
-constexpr std::size_t kCoarseClearances = 3;                    // of them, for rays together
-constexpr double kLookAgain = 4;  // edges: what was near is taken to be so until it has moved that far
-constexpr double kPocket = 3;     // edges: the motion that triangles near a group are gathered for
-constexpr double kLeast = 0.05;   // edges: the motion that what a ray can meet is listed for
+constexpr std::size_t kCoarseClearances = 3;                    // of them, for grouped rays
+constexpr double kLookAgain = 4;  // edges: something near counts as near until it has moved this far
+constexpr double kPocket = 3;     // edges: motion for which the triangles near a group are collected
+constexpr double kLeast = 0.05;   // edges: motion for which the triangles that a ray can meet are listed
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void LayerRays::enclose(Group& group) const {
   group.middle = {origin, norm > 0 ? Vec3(direction / norm) : Vec3::UnitZ()};
   const Vec3 end = origin + length_ * group.middle.direction;
   for (int k = group.first; k < group.last; ++k) {
-    // The distance to the point of the middle ray at the same parameter is largest at one of the ends.
+    // The distance to the point of the central ray at the same parameter is largest at one of the ends.
     const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
     const Ray& ray = rays_[index];
     const double off = std::max((ray.origin - origin).norm(), (ray.origin + length_ * ray.direction - end).norm());
@@ -107,7 +107,7 @@ void LayerRays::begin(Memory& memory) const {
   memory.rays.resize(rays_.size());
 }
 
-/// How far (m) any point of the group's rays has moved from one pose to another, at most.
+/// m: upper bound of the motion of any point of the group's rays between two poses.
 double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) const {
   const Mat3 turn = to.R - from.R;
   const Vec3 start = turn * group.middle.origin + (to.p - from.p);
@@ -116,7 +116,7 @@ double LayerRays::motion(const Group& group, const Pose& from, const Pose& to) c
   return std::sqrt(std::max(start.squaredNorm(), end.squaredNorm())) + rotation * group.radius;
 }
 
-/// How far (m) a group is surely clear of the target; 0: it may be near. `near`: a triangle that was the last time.
+/// m: lower bound of a group's clearance from the target; 0: it may be near. `near`: a triangle that was near last.
 double LayerRays::measure(const Group& group, const Pose& X_TC, int& near) const {
   std::array<double, kClearances.size()> margins;
   for (std::size_t i = 0; i < levels_; ++i) margins[i] = group.radius + kClearances[i] * step_;
@@ -154,7 +154,7 @@ LayerRays::Memory::Block& LayerRays::advance(const Group& group, const Pose& X_T
   return block;
 }
 
-/// Sees to it that a leaf has all triangles that matter for the least motion beyond it at least.
+/// Ensures that a leaf has all triangles needed for at least the least motion beyond it.
 void LayerRays::gather(const Group& group, Memory::Block& block) const {
   if (block.path + kLeast * step_ <= block.until) return;
   constexpr double kRounding = 1e-6;
@@ -188,7 +188,7 @@ TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Bl
   return meet_listed(ray, block, known);
 }
 
-/// What a ray meets, if the sheet that it crossed the last time can tell.
+/// The hit of a ray, if the sheet that it crossed last gives it.
 bool LayerRays::meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const {
   const TriangleSheet& sheet = atlas_->sheet(known.piece);
   if (!sheet.good()) return false;

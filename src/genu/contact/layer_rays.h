@@ -1,5 +1,5 @@
-// Rays that a surface sends into another one, cast at pose after pose: what cannot meet anything is skipped until the
-// bodies have moved by as much as it was clear, so that the cost follows the contact and not the mesh.
+// Rays from one surface into another, cast at many successive poses. Rays without a hit are skipped until the bodies
+// have moved by their clearance, so that the cost depends on the contact and not on the mesh.
 #pragma once
 
 #include <algorithm>
@@ -19,38 +19,39 @@ struct Ray {
 
 class LayerRays {
  public:
-  /// How rays are told apart from those that meet nothing: one by one and closely where much depends on each, or a few
-  /// neighbours together where each is asked for no more than what it meets.
+  /// How rays without a hit are separated from the others: one by one, where each is expensive, or in groups of
+  /// neighbours, where each only needs its hit.
   enum class Grouping { single, together };
 
-  /// Rays of `length` (m) into the triangles of `target`. `radii` (m): each stands for what is within that of it.
+  /// Rays of `length` (m) into the triangles of `target`. `radii` (m): each ray represents everything within its
+  /// radius.
   LayerRays(std::vector<Ray> rays, std::shared_ptr<const TriangleTree> target, double length, Grouping grouping,
             std::vector<double> radii = {});
 
-  /// What is known from earlier poses: makes the next cast faster and never other. One for each thread.
+  /// Results of earlier poses: they make the next cast faster and never change it. One for each thread.
   struct Memory {
     struct Group {
-      double clear = -1;  ///< m: so far from everything when it was measured; 0: near, -1: never measured
+      double clear = -1;  ///< m: clearance when measured; 0: near, -1: never measured
       int near = -1;      ///< a triangle of the target that was near
       Pose measured;
     };
-    /// Of a leaf: how far its rays have come, and the triangles that they can meet until they have moved on.
+    /// Of a leaf: the path length of its rays, and the triangles they can meet up to a later path length.
     struct Block {
       Pose last;
-      double path = -1;  ///< m: how far any point of its rays has moved since the first pose, at most; -1: none yet
-      double empty_until = 0;  ///< m: of the path that no ray meets anything for
-      double near_until = 0;   ///< m: of the path that the leaf is taken to be near something for
+      double path = -1;  ///< m: upper bound of the motion of any point of its rays since the first pose; -1: none yet
+      double empty_until = 0;  ///< m: path length up to which no ray meets anything
+      double near_until = 0;   ///< m: path length up to which the leaf counts as near something
       int near = -1;           ///< a triangle of the target that was near
-      int piece = -1;          ///< whose sheet a ray crossed last,
-      int facet = 0;           ///< and where
+      int piece = -1;          ///< piece whose sheet a ray crossed last,
+      int facet = 0;           ///< and the facet there
       ClustersNear clusters;
-      double until = -1;  ///< m: of the path that the clusters are good for
+      double until = -1;  ///< m: path length up to which the clusters are valid
     };
     struct AtRay {
-      int piece = -1;  ///< of the target, whose sheet the ray may cross
-      int facet = 0;   ///< of that sheet: where it did
+      int piece = -1;  ///< piece of the target whose sheet the ray may cross
+      int facet = 0;   ///< facet of that sheet where it did
       TrianglesAtRay triangles;
-      double until = -1;  ///< m: of the block's path that the triangles are good for
+      double until = -1;  ///< m: path length of the block up to which the triangles are valid
     };
     std::vector<Group> groups;
     std::vector<Block> blocks;  ///< of each leaf
@@ -58,16 +59,17 @@ class LayerRays {
     std::vector<std::vector<int>> open;  ///< of each part
   };
 
-  /// The rays in parts that may be cast at the same time, with one memory: as many for every number of threads.
+  /// Parts of the rays that may be cast in parallel with one memory. Their number does not depend on the number of
+  /// threads.
   static constexpr int kMostParts = 16;
   int parts() const { return static_cast<int>(parts_.size()); }
 
-  /// Makes a memory ready for all parts.
+  /// Prepares a memory for all parts.
   void begin(Memory& memory) const;
 
-  /// Calls visit(ray, hit, origin, direction) with the ray in the target's frame for every ray of a part that leaves
-  /// the target through a triangle (TriangleTree::leaving), in an order that depends on the rays alone. X_TC: casting
-  /// body in the target's frame. Begun with begin().
+  /// Calls visit(ray, hit, origin, direction), the ray in the target's frame, for every ray of a part that leaves the
+  /// target through a triangle (TriangleTree::leaving), in an order that depends on the rays only. X_TC: casting body
+  /// in the target's frame. Call begin() first.
   template <typename Visit>
   void cast_part(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
     each_near_group(part, X_TC, memory, [&](const Group& group) {
@@ -88,7 +90,7 @@ class LayerRays {
     });
   }
 
-  /// The same for all parts, one after another.
+  /// The same for all parts in turn.
   template <typename Visit>
   void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
     begin(memory);
@@ -96,7 +98,7 @@ class LayerRays {
   }
 
   /// Calls visit(ray) for every ray that may have a triangle within its radius, and for some that have none, in an
-  /// order that depends on the rays alone.
+  /// order that depends on the rays only.
   template <typename Visit>
   void each_near(const Pose& X_TC, Memory& memory, Visit visit) const {
     begin(memory);
@@ -111,16 +113,16 @@ class LayerRays {
   double length() const { return length_; }
 
  private:
-  /// Rays [first, last) of order_, all within `radius` of a middle one over its whole length.
+  /// Rays [first, last) of order_, all within `radius` of a central one over its whole length.
   struct Group {
     int first = 0, last = 0;
     int children = -1;  ///< index of the first of two, -1 for a leaf
-    int leaf = -1;      ///< its number among the leaves
+    int leaf = -1;      ///< its index among the leaves
     Ray middle;
     double radius = 0;  ///< m
   };
 
-  /// Calls visit(group) for every leaf of a part that is not clear of the target.
+  /// Calls visit(group) for every leaf of a part that may be near the target.
   template <typename Visit>
   void each_near_group(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
     std::vector<int>& open = memory.open[static_cast<std::size_t>(part)];
@@ -129,7 +131,7 @@ class LayerRays {
       const int index = open.back();
       open.pop_back();
       const Group& group = groups_[static_cast<std::size_t>(index)];
-      const bool leaf_of_cast = group.children < 0 && leaf_ > 1;  // which knows by itself
+      const bool leaf_of_cast = group.children < 0 && leaf_ > 1;  // it tests this itself
       if (!leaf_of_cast && clear(group, X_TC, memory.groups[static_cast<std::size_t>(index)])) continue;
       if (group.children < 0) {
         visit(group);
@@ -141,7 +143,7 @@ class LayerRays {
   }
 
   Memory::Block& advance(const Group& group, const Pose& X_TC, Memory& memory) const;
-  /// What a ray, given in the target's frame, meets.
+  /// The hit of a ray given in the target's frame.
   TriangleTree::Hit meet(const Ray& ray, const Group& group, Memory::Block& block, Memory::AtRay& known) const;
   bool meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const;
   TriangleTree::Hit meet_listed(const Ray& ray, Memory::Block& block, Memory::AtRay& known) const;
@@ -158,13 +160,13 @@ class LayerRays {
   std::vector<double> radii_;
   std::shared_ptr<const TriangleTree> target_;
   double length_;
-  double step_ = 0;            // m: the unit of clearances, about an edge of the target
-  std::size_t levels_ = 0;     // of clearances that are told apart
-  int leaf_ = 1, leaves_ = 0;  // rays in a leaf at most; how many leaves there are
+  double step_ = 0;            // m: unit of clearances, about an edge length of the target
+  std::size_t levels_ = 0;     // number of distinct clearances
+  int leaf_ = 1, leaves_ = 0;  // most rays in a leaf; number of leaves
   std::vector<int> order_;
   std::vector<Group> groups_;                // the root first
-  std::vector<int> parts_;                   // groups that hold each ray once, in order
-  std::shared_ptr<const SheetAtlas> atlas_;  // of the target, where rays are cast
+  std::vector<int> parts_;                   // groups that contain each ray once, in order
+  std::shared_ptr<const SheetAtlas> atlas_;  // of the target, for casting
 };
 
 }  // namespace genu

@@ -29,7 +29,7 @@ ThicknessField::ThicknessField(const Mesh& mesh, std::vector<double> at_vertices
 
 double ThicknessField::at(int triangle, const Vec3& x) const {
   const Plane& plane = planes_[static_cast<std::size_t>(triangle)];
-  // Rounding may put x a little outside of the triangle: never beyond what is known anywhere.
+  // Rounding may put x slightly outside the triangle: clamp to the range of all vertices.
   return std::clamp(plane.h + plane.gradient.dot(x - plane.corner), least_, most_);
 }
 

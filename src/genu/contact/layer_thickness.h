@@ -1,4 +1,4 @@
-// How thick the two layers of a contact are: one number for both, or what was measured on either mesh.
+// Thickness of the two layers of a contact: one number for both, or measured on either mesh.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,13 @@
 
 namespace genu {
 
-/// Thickness on the mesh of one surface: known at its vertices, linear over each triangle. So it is continuous while a
-/// contact wanders over the mesh, invents nothing between the vertices and has an exact derivative inside of each
-/// triangle; its slope jumps at edges.
+/// Thickness on the mesh of one surface: given at its vertices, linear over each triangle. It is continuous as a
+/// contact moves over the mesh, adds no detail between vertices, and has an exact derivative within each triangle; the
+/// slope jumps at edges.
 class ThicknessField {
  public:
-  /// One thickness (m) for each vertex of the mesh. A ray that starts at a triangle's centroid has a thickness of its
-  /// own where `at_centroids` has one for each triangle; else that of the field there.
-  /// `guessed`: vertices that nothing was measured at; empty: none.
+  /// One thickness (m) for each vertex of the mesh. `at_centroids` (one for each triangle, or empty): thickness for
+  /// rays that start at centroids; else that of the field. `guessed`: vertices without a measured value; empty: none.
   ThicknessField(const Mesh& mesh, std::vector<double> at_vertices, std::vector<double> at_centroids = {},
                  const std::vector<bool>& guessed = {});
 
@@ -23,12 +22,12 @@ class ThicknessField {
   double at_centroid(int triangle) const { return at_centroids_[static_cast<std::size_t>(triangle)]; }
   /// At x, on the plane of the triangle, in the mesh's frame.
   double at(int triangle, const Vec3& x) const;
-  /// The same for an x that may lie beside the triangle: no more and no less than at its corners.
+  /// The same for an x that may lie beside the triangle: clamped to the values at its corners.
   double within(int triangle, const Vec3& x) const;
-  /// Its derivative by x: along the triangle.
+  /// Its derivative to x, within the triangle.
   const Vec3& gradient(int triangle) const { return planes_[static_cast<std::size_t>(triangle)].gradient; }
 
-  /// Whether the thickness at one of the triangle's corners was not measured, but filled in.
+  /// Whether the thickness at one of the triangle's corners was filled in and not measured.
   bool guessed(int triangle) const { return !guessed_.empty() && guessed_[static_cast<std::size_t>(triangle)]; }
 
   double least() const { return least_; }  ///< m

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-/// A point of B, its foot on A, and the gap between both with its first two derivatives over B's tangent plane.
+/// A point of B, its foot on A, and the gap between them with its first two derivatives over B's tangent plane.
 struct GapJet {
   SurfacePoint a, b;
   double value = 0;  ///< m
@@ -32,19 +32,19 @@ bool evaluate_gap(const Surface& A, const Pose& X_ab, GapJet& jet) {
   return jet.gradient.allFinite() && jet.hessian.allFinite();
 }
 
-/// A stationary point that curves down by no more than this (1/m) counts as a minimum: over 1 mm the gap falls by less
-/// than 1e-9 m.
+/// 1/m: a stationary point with less negative curvature counts as a minimum: over 1 mm the gap decreases by less than
+/// 1e-9 m.
 constexpr double kSaddle = 2e-3;
 
-/// The direction in which the gap curves down, scaled to `radius`; empty at a minimum.
+/// The direction of negative curvature of the gap, scaled to `radius`; empty at a minimum.
 std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
   const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
   if (eigen.values[0] >= -kSaddle) return std::nullopt;
   return radius * eigen.vectors.col(0);
 }
 
-/// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted one. Its
-/// length is the radius to a thousandth, which a trust region does not notice.
+/// Minimiser of the quadratic model within `radius`: Newton's step where the model is convex, else the shifted step,
+/// whose length is the radius to within 0.1 %.
 Vec2 trust_step(const GapJet& jet, double radius) {
   const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
   const Vec2 g = eigen.vectors.transpose() * jet.gradient;
@@ -53,8 +53,8 @@ Vec2 trust_step(const GapJet& jet, double radius) {
   const double gradient = g.norm();
   if (gradient == 0) return Vec2::Zero();
   if (d.x() > 0 && step(0).norm() <= radius) return eigen.vectors * step(0);
-  // |step(shift)| falls with the shift, between "just convex" and "surely inside". Newton's method on its inverse,
-  // which is nearly straight (Moré and Sorensen 1983), bisection where that leaves what is known.
+  // |step(shift)| decreases with the shift, between "just convex" and "surely inside". Newton's method on its inverse,
+  // which is nearly linear (Moré and Sorensen 1983); bisection where that leaves the bracket.
   constexpr double kLength = 1e-3;  // of the radius
   double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y()), shift = high;
   for (int i = 0; i < 60; ++i) {
@@ -72,11 +72,10 @@ Vec2 trust_step(const GapJet& jet, double radius) {
 
 bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.hessian.trace() > 0; }
 
-/// How far below the gap here the minimum of a convex model lies.
+/// Decrease of the gap from here to the minimum of a convex model.
 double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hessian.inverse() * jet.gradient); }
 
-/// Whether the descent ends where one has ended already: near a known minimum, or on a plateau (plane on plane) where
-/// every point is one.
+/// Whether the descent ends at a known minimum, or on a plateau (plane on plane) where every point is a minimum.
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
   if (limits.known == nullptr) return false;
   const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
@@ -94,14 +93,14 @@ bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& li
 }  // namespace
 
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
-  // The offset (I - gap S) is singular at a focal point; Newton from a nearby foot needs a few steps only.
+  // The offset (I - gap S) is singular at a focal point; from a nearby foot Newton's method needs a few steps only.
   constexpr int kIterations = 12;
   for (int i = 0; i < kIterations; ++i) {
     const Vec2 offset = foot.T.transpose() * (x - foot.p);
     const double height = foot.n.dot(x - foot.p);
     if (offset.norm() <= 1e-14 * (1e-3 + std::abs(height))) return true;
     const Mat2 metric = Mat2::Identity() - height * foot.S;
-    // Past a focal point the foot is no longer a minimum of the distance; the plain offset still leads downhill.
+    // Beyond a focal point the foot is no minimum of the distance; the plain offset still descends.
     Vec2 step = metric.determinant() > 0.1 && metric.trace() > 0 ? Vec2(metric.inverse() * offset) : offset;
     SurfacePoint next;
     if (!surface.retract(foot, step, next)) return false;
@@ -116,8 +115,8 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
   GapJet jet;
   if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
   constexpr int kIterations = 60;
-  constexpr double kFlat = 1e-13;      // gradient (a sine) at which the normals are parallel to rounding
-  constexpr double kShortest = 1e-14;  // m: steps below this no longer change the point
+  constexpr double kFlat = 1e-13;      // gradient (a sine) at which normals are parallel to rounding
+  constexpr double kShortest = 1e-14;  // m: smaller steps do not change the point
   double radius = limits.max_step;
   bool settled = false;
   const Vec3 from = jet.b.p;
@@ -135,7 +134,8 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     if (leads_to_known(jet, step, limits)) return std::nullopt;
     GapJet next;
     const bool known = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, next);
-    // Near the bottom the fall of the gap drowns in rounding long before the gradient does: accept a smaller gradient.
+    // Near the minimum, rounding hides the decrease of the gap long before the gradient vanishes: accept a smaller
+    // gradient.
     const double rounding = 1e-15 * (1 + std::abs(jet.value) + jet.b.p.norm());
     const bool lower = known && (jet.value - next.value >= -0.1 * predicted ||
                                  (std::abs(predicted) < 10 * rounding && next.gradient.norm() < jet.gradient.norm()));

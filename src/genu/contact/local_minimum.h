@@ -1,4 +1,4 @@
-// The local minimum of the gap between two surfaces held still: where a contact is, or would be.
+// Local minima of the gap between two fixed surfaces: places of contact, actual or possible.
 #pragma once
 
 #include <limits>
@@ -14,33 +14,33 @@ struct LocalMinimum {
   double gap = 0;  ///< m, along A's normal, negative where the surfaces overlap
 };
 
-/// The point of `surface` nearest to x (frame of its body), starting from the point `foot`: unlike Surface::project
-/// this is the true closest point to rounding, where the surface's curvature allows one. Returns false when the search
-/// leaves the surface.
+/// The point of `surface` nearest to x (frame of its body), starting from the point `foot`. In contrast to
+/// Surface::project it is the closest point to rounding, where the surface's curvature allows one. False when the
+/// search leaves the surface.
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot);
 
 struct Descent {
   LocalMinimum minimum;
-  /// The gradient vanished. False at the edge of what is known, where the gap still falls outward.
+  /// The gradient vanished. False at the edge of the known surface where the gap still decreases outward.
   bool settled = false;
   Mat2 bend = Mat2::Zero();  ///< the gap's second derivatives over B's tangent plane, 1/m
 };
 
-/// When a descent need not be finished; by default it always is.
+/// Early ends of a descent; by default none.
 struct DescentLimits {
   double max_step = 1e-3;  ///< m: the trust region
-  /// Minima (their points of B, frame of b) that are known: a descent whose model leads to within `same` (m) of one of
-  /// them ends.
+  /// Known minima (their points of B, frame of b). A descent whose model leads to within `same` (m) of one of them
+  /// ends.
   const std::vector<LocalMinimum>* known = nullptr;
   double same = 0;
   /// A convex model with a minimum above this gap (m) at the start ends the descent.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// A descent that has come this far (m) from its start ends.
+  /// A descent that has moved this far (m) from its start ends.
   double farthest = std::numeric_limits<double>::infinity();
 };
 
-/// Descends from the point `start` of B (frame of b) to the nearest local minimum of the signed gap of B's points to A:
-/// Newton on the gap's gradient and Hessian over B's tangent plane, in a trust region, so that the gap falls with every
+/// Descends from the point `start` of B (frame of b) to the nearest local minimum of the signed gap of B's points to A.
+/// Newton's method with a trust region on gradient and Hessian over B's tangent plane; the gap decreases in every
 /// accepted step. Empty where A is not known near a point on the way, or a limit ended the descent.
 std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
                                    const DescentLimits& limits);

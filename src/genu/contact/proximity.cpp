@@ -10,36 +10,36 @@ namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// What follows are fractions of the samples' spacing, so that a joint of any size is looked at alike.
-// Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
-// tenths of the spacing stand well above.
+// Fractions of the samples' spacing, so that the search scales with the joint. Refined minima closer than kSamePoint
+// are one: refinement is far more accurate, and distinct minima of a surface sampled at tenths of the spacing are
+// farther apart.
 constexpr double kSamePoint = 2e-3;
 // A sample nearer than this may have a closed contact beside it: half of a relative curvature of 0.2 / spacing times
-// the square of a sample's distance to it, 1.2 spacings at most.
+// the square of the largest distance to a sample, 1.2 spacings.
 constexpr double kNearContact = 0.15;
-// Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
+// Starts whose model has its minimum above this gap are dropped: the model's error between samples is smaller.
 constexpr double kHopeless = 0.03;
-// What hides between samples is found from those around it: a start that is not the lowest of its neighbours is
-// followed no further. Where surfaces conform all of them would cross the whole of them.
+// Minima between samples are found from the samples around them: a start that is not the lowest of its neighbours is
+// followed no farther. On conforming surfaces every descent would otherwise cross the whole surface.
 constexpr double kBetweenSamples = 4;
-// A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
+// A descent this close to a known minimum ends there; closer pairs of minima are found by probe_around().
 constexpr double kMerge = 0.1;
-// Facets lie off the smooth surface by no more.
+// Largest distance of facets from the smooth surface.
 constexpr double kShallow = 0.05;
-// Outward normals within 60 degrees of each other: the sides cannot touch.
+// Cosine: outward normals within 60 degrees of each other cannot belong to touching sides.
 constexpr double kFacingSameWay = 0.5;
 
-/// Which surface to sample: one that is bounded by itself, as a plane can be asked anywhere but has no natural extent;
-/// between two closed forms or two meshes the second.
+/// The surface to sample is the bounded one (a plane can be queried anywhere but has no extent); of two closed forms or
+/// two meshes it is the second.
 bool samples_second(const Surface& a, const Surface& b) {
   return a.is_unbounded() || !(b.is_unbounded() || (!a.is_global() && b.is_global()));
 }
 
-/// Samples of a fine mesh stand much closer together than contacts have to be told apart.
+/// Samples of a fine mesh are much closer than contacts have to be resolved.
 bool too_dense(const SampleSet& samples, double spacing) {
   double area = 0;
   for (const double a : samples.areas) area += a;
-  constexpr double kDense = 0.5;  // of one sample for each square of the spacing's side
+  constexpr double kDense = 0.5;  // of one sample per square of the spacing
   return samples.size() > 1000 && area / samples.size() < kDense * spacing * spacing;
 }
 
@@ -70,7 +70,8 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
                       options.reach),
       rim_of_queried_(*queried_, *sampled_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                       options.reach) {
-  SampleSet samples = sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
+  SampleSet samples =
+      sampled_->samples(options.spacing, samples_b_ ? options.centre_b : options.centre_a, options.reach);
   if (too_dense(samples, options.spacing)) samples = thin_samples(samples, options.spacing);
   samples_ = std::make_shared<const SampleSet>(std::move(samples));
   gap_.assign(samples_->points.size(), kInfinity);
@@ -98,7 +99,7 @@ void Proximity::forget() {
   rim_of_queried_.forget();
 }
 
-/// Whether the gap rises from a minimum in every direction, by half a hundredth of the spacing over one spacing.
+/// Whether the gap rises from a minimum in every direction by at least 0.005 of the spacing over one spacing.
 bool Proximity::is_bowl(const Mat2& bend) const { return symmetric_eigen(bend).values[0] * spacing_ >= 0.01; }
 
 double Proximity::motion(const Pose& from_ab, const Pose& to_ab) const {
@@ -128,18 +129,18 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
   }
 }
 
-/// The distance of which a gap tells. Inside the band of a mesh it is one to first order only: keep a third. Closed
-/// forms that do not know their distance have a gap anywhere, but no band in which it is one.
+/// A lower bound of the distance from a gap. Within the band of a mesh the gap is the distance to first order only: use
+/// a third. Closed forms without a distance function have a gap everywhere, but no such band.
 std::optional<double> Proximity::near_clearance(std::optional<double> gap) const {
   constexpr double kFirstOrder = 2.0 / 3;
   if (!gap || queried_->knows_distance()) return gap;
   return queried_->is_global() ? std::nullopt : std::optional(kFirstOrder * *gap);
 }
 
-/// Of what lies within `radius` of a point beyond the band: the distance is that of facets, which lie off the smooth
-/// surface by less than half of the samples' spacing. What is far from an open sheet may be in front of it as
-/// well as behind: all of a `large` group is where its middle is only if it is small against its distance, as those
-/// without children are taken to be.
+/// For everything within `radius` of a point beyond the band. The distance is to facets, which differ from the smooth
+/// surface by less than half of the samples' spacing. A point far from an open sheet may be in front of it or behind
+/// it. A `large` group is entirely on the side of its centre only if it is small against its distance; leaves count as
+/// small.
 double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radius, bool large) const {
   return std::min(nearest.distance - radius - reserve_, large ? nearest.same_side - radius : nearest.same_side);
 }
@@ -147,7 +148,7 @@ double Proximity::far_clearance(const FarDistance::Nearest& nearest, double radi
 bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   const double moved = group.motion(group.measured, X_qs);
   if (group.clearance - moved > window) return true;
-  // It may be clear by now, if it went straight away; bodies in contact roll and slide.
+  // It may be clear after moving straight away; bodies in contact roll and slide instead.
   constexpr double kAway = 0.25;
   if (group.clearance + kAway * moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
@@ -174,7 +175,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
     const bool same_way = foot.n.dot(normal) > kFacingSameWay, beyond = queried_->edge_distance(foot.p) < 0;
     if (same_way && !beyond && std::abs(*gap) <= kShallow * spacing_ && safeguards_.has(Safeguard::swallowed))
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
-    // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
+    // The back of a thin shell, or a place beyond the edge of an open sheet: usually no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
     return *gap;
   }
@@ -185,8 +186,8 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   return nearest.distance;
 }
 
-/// Where both surfaces lie on one another and face the same way, as those of bodies that fill the same space do, no
-/// gap tells: how deep a point behind both is inside both, 0 where it is not.
+/// Where both surfaces coincide and face the same way, as for bodies that occupy the same space, the gap is no
+/// evidence. Returns the depth inside both of a point behind both; 0 where it is not inside both.
 double Proximity::depth_behind(const Pose& X_qs, int sample) {
   constexpr double kBehind = 0.5, kInside = 0.25;  // of the spacing
   const Vec3 behind = samples_->points[at(sample)] - kBehind * spacing_ * samples_->normals[at(sample)];
@@ -195,8 +196,8 @@ double Proximity::depth_behind(const Pose& X_qs, int sample) {
   return depth < -kInside * spacing_ ? depth : 0;
 }
 
-/// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
-/// then the point is inside, as all of a small body may be that a large one has swallowed.
+/// The gap at a point where the smooth surface gives a value < 0 for the wrong side of a sharp rim, or past an edge. It
+/// counts only if the facets agree: then the point is inside, as for a small body swallowed by a large one.
 double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const {
   if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
   const FarDistance::Nearest facets = far_.nearest(x);
@@ -230,9 +231,8 @@ bool Proximity::lowest_of_neighbours(int sample) const {
   return true;
 }
 
-/// Whether the gap at a sample is what the curvature at a known minimum makes it. A second minimum that reaches as deep
-/// as the known one lowers the samples next to it by more: it lies where the bowl has risen by an eight-hundredth of
-/// the spacing and more.
+/// Whether the gap at a sample agrees with the curvature at a known minimum. A second minimum of the same depth lowers
+/// the samples next to it by more: it lies where the bowl has risen by at least 1/800 of the spacing.
 bool Proximity::slopes_to_known(int sample) const {
   constexpr double kNearest = 0.5, kFarthest = 3;  // of the spacing
   constexpr double kShare = 0.05;                  // of the rise
@@ -249,9 +249,9 @@ bool Proximity::slopes_to_known(int sample) const {
 }
 
 void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out) {
-  // A minimum between samples can hide beside a deeper one a few samples away: near contact every sample is a start,
-  // not only the lowest among its neighbours. Most starts end after one evaluation, their model being hopeless or
-  // leading to what is known.
+  // A minimum between samples may be hidden beside a deeper one a few samples away. So near contact every sample is a
+  // start, not only local minima among samples. Most starts end after one evaluation, because their model has no low
+  // minimum or leads to a known one.
   starts_.clear();
   for (const int sample : measured_) {
     const double gap = gap_[static_cast<std::size_t>(sample)];
@@ -263,7 +263,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   });
   raw_.clear();
   bends_.clear();
-  // Surfaces with more minima than this conform: what is not looked at still counts in the samples' gaps.
+  // Surfaces with more minima than this conform. Minima not examined still count through the gaps of samples.
   constexpr std::size_t kMostMinima = 500;
   for (const int sample : starts_) {
     if (raw_.size() >= kMostMinima) break;
@@ -275,7 +275,7 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_->points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);
-    // A minimum past the edge matters only where the surface inside its edge is already reached.
+    // A minimum past the edge matters only where the surface is already reached inside its edge.
     if (descent->settled && edge_distance(found.contact) >= 0) {
       raw_.push_back(descent->minimum);
       bends_.push_back(is_bowl(descent->bend) ? descent->bend : Mat2::Zero());

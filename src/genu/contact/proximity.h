@@ -1,11 +1,10 @@
-// Where two surfaces are near or overlap, over the whole of both: candidates for contact, and the proof that there is
-// no other.
+// Contact detection over two whole surfaces: candidates for contact, and the proof that there are no others.
 //
-// One surface is sampled, the other is asked for the signed distance. The samples stand in a tree of spheres; a sphere
-// that is known to be clear is skipped, with all it holds, until the bodies have moved by as much as it was clear.
-// What is left is looked at sample by sample, and every local minimum among neighbouring samples is refined on the
-// smooth surfaces. Overlap far beyond the band in which a meshed surface is smooth is seen through the closest
-// triangle, and a surface that lies inside the other as a whole through points of its own (swallowed.h).
+// One surface is sampled; the other gives the signed distance. The samples are in a tree of spheres. A sphere known to
+// be clear is skipped with its contents until the bodies have moved by its clearance. The rest is tested sample by
+// sample, and every local minimum among neighbouring samples is refined on the smooth surfaces. Overlap far beyond the
+// band where a meshed surface is smooth is found with the nearest triangle; a surface entirely inside the other is
+// found with points of its own (swallowed.h).
 #pragma once
 
 #include <limits>
@@ -21,30 +20,30 @@
 
 namespace genu {
 
-/// A sample that overlaps or is near: for compliant seeds and for saying where surfaces overlap.
+/// A sample that overlaps or is near: for compliant seeds and for reporting overlaps.
 struct NearSample {
   Vec3 point;       ///< m, in the frame of the sampled body
-  Vec3 direction;   ///< unit, in the frame of the other body, where its distance grows
+  Vec3 direction;   ///< unit, in the frame of the other body: gradient of its distance
   double gap = 0;   ///< m
   double area = 0;  ///< m^2
 };
 
 struct ProximityScan {
-  std::vector<LocalMinimum> minima;  ///< settled local minima below the window, by gap, duplicates removed
-  std::vector<LocalMinimum> edge;    ///< the gap still falls at the edge of a patch and is below the window there
-  double smallest_sample_gap = 0;    ///< m; of the smooth surface in its band, of facets beyond
+  std::vector<LocalMinimum> minima;  ///< converged local minima below the window, by gap, without duplicates
+  std::vector<LocalMinimum> edge;    ///< the gap decreases across the edge of a patch and is below the window there
+  double smallest_sample_gap = 0;    ///< m; to the smooth surface within its band, to facets beyond
   NearSample deepest;                ///< the sample of that gap
-  double swallowed = 0;              ///< m, < 0: how deep a point of the asked surface lies inside the sampled one
+  double swallowed = 0;              ///< m, < 0: depth of a point of the queried surface inside the sampled one
 };
 
 class Proximity {
  public:
-  /// `spacing` (m) of samples on surfaces without samples of their own; `reach` (m) bounds unbounded shapes around
-  /// where the joint is.
+  /// `spacing` (m) of samples on surfaces without samples of their own. `reach` (m) bounds unbounded shapes around the
+  /// location of the joint.
   struct Options {
     double spacing = 1e-3;
     double reach = 0.1;
-    Vec3 centre_a = Vec3::Zero();  ///< m: where the joint is, in the frame of a's body
+    Vec3 centre_a = Vec3::Zero();  ///< m: location of the joint, in the frame of a's body
     Vec3 centre_b = Vec3::Zero();  ///< the same in b's
     Safeguards safeguards = {};
   };
@@ -54,17 +53,17 @@ class Proximity {
   /// Whether a pair made of these would be prepared in the same way.
   bool is_of(const Surface& a, const Surface& b, const Options& options) const;
 
-  /// As if nothing had been looked at yet.
+  /// Discards all memory.
   void forget();
 
-  /// Looks at the whole pair at the relative pose X_ab for gaps below `window` (m).
+  /// Searches the whole pair at the relative pose X_ab for gaps below `window` (m).
   void scan(const Pose& X_ab, double window, ProximityScan& out);
 
-  /// The smallest gap of any sample, +infinity where all are clear: cheap, and coarse by a sample's distance to the
+  /// The smallest gap of any sample, +infinity where all are clear. Cheap; its error is that of a sample beside the
   /// true minimum.
   double smallest_sample_gap(const Pose& X_ab);
 
-  /// How far (m) a point of the sampled surface moves at most from one relative pose to another.
+  /// m: largest motion of a point of the sampled surface from one relative pose to another.
   double motion(const Pose& from_ab, const Pose& to_ab) const;
 
   /// All samples with a gap below `window`, overlapping ones included, wherever they are.
@@ -73,12 +72,12 @@ class Proximity {
   /// True when b is sampled and a asked (NearSample's frames), false the other way round.
   bool samples_b() const { return samples_b_; }
 
-  /// The local minimum nearest to `contact` at the pose X_ab; empty when it has left what is known.
+  /// The local minimum nearest to `contact` at the pose X_ab; empty when it has left the known surface.
   std::optional<Descent> follow(const Pose& X_ab, const ContactGeometry& contact) const;
 
-  /// Minima reached from points around `contact`, `radius` (m) away: finds the twin of a contact about to split. Where
-  /// the gap bends by more than `steep` (1/m) one way, from two points the other way: what else there is in a valley
-  /// lies along its bottom.
+  /// Minima reached from points around `contact` at `radius` (m): finds the second minimum of a contact about to split.
+  /// Where the gap's curvature exceeds `steep` (1/m) in one direction, two points in the other direction suffice:
+  /// further minima of a valley lie along its bottom.
   void probe_around(const Pose& X_ab, const ContactGeometry& contact, double radius, double steep,
                     std::vector<LocalMinimum>& out) const;
 
@@ -91,11 +90,11 @@ class Proximity {
     Pose measured = {};
   };
 
-  /// What is known of a sample from where it was when it was looked at, in the frame of the asked surface.
+  /// What is known of a sample since it was last tested, in the frame of the queried surface.
   struct Memory {
     Vec3 at = Vec3::Zero(), doubted_at = Vec3::Zero();
-    double clearance = -1;  ///< m: clear of the surface by that much
-    double doubt = -1;      ///< m: by facets outside by that much, whatever the smooth surface says of its wrong side
+    double clearance = -1;  ///< m: clearance from the surface
+    double doubt = -1;      ///< m: clearance by facets, where the smooth surface gives the wrong side
   };
 
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
@@ -122,9 +121,9 @@ class Proximity {
   Safeguards safeguards_;
   double spacing_;
   FarDistance far_;
-  double reserve_;  // m: what facets may lie off the smooth surface
+  double reserve_;  // m: largest distance of facets from the smooth surface
   std::shared_ptr<const SampleSet> samples_;
-  std::optional<Swallowed> swallowed_;  // the asked surface in the sampled one
+  std::optional<Swallowed> swallowed_;  // the queried surface in the sampled one
   Rim rim_of_sampled_, rim_of_queried_;
   std::vector<LocalMinimum> rims_;  // as found
   std::vector<int> order_;
@@ -134,8 +133,8 @@ class Proximity {
   std::vector<double> gap_;        // of each sample at the last measurement; infinity where clear
   std::vector<int> measured_;      // the samples that have one
   std::vector<int> starts_;        // of descents, by gap
-  std::vector<LocalMinimum> raw_;  // as descended: a of the asked surface, b of the sampled one
-  std::vector<Mat2> bends_;        // of each: the gap's second derivatives over b's tangent plane, 1/m
+  std::vector<LocalMinimum> raw_;  // at the end of descents: a of the queried surface, b of the sampled one
+  std::vector<Mat2> bends_;        // second derivatives of each gap over b's tangent plane, 1/m
 };
 
 }  // namespace genu

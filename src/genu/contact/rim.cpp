@@ -10,20 +10,20 @@ namespace genu {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kChord = 4;      // spacings: the lowest place on a segment is looked for, not its ends
-constexpr double kOnEdge = 1e-3;  // of a chord: vertices of the border lie on the edge but for rounding
-constexpr double kDip = 0.2;      // of a chord: between two points the rim lies no farther below both
-constexpr double kInward = 0.02;  // of the way to the middle of the surface's triangle beside it
-// Outward normals within 60 degrees of each other: the sides cannot touch.
+constexpr double kChord = 4;      // spacings: the lowest place on a segment is searched, not only its ends
+constexpr double kOnEdge = 1e-3;  // of a chord: border vertices lie on the edge up to rounding
+constexpr double kDip = 0.2;      // of a chord: largest depth of the rim below both ends of a segment
+constexpr double kInward = 0.02;  // of the way to the centroid of the adjacent triangle
+// Cosine: outward normals within 60 degrees of each other cannot belong to touching sides.
 constexpr double kSameWay = 0.5;
 
 struct BorderEdge {
   int from, to, inside;  // vertices; inside: opposite
 };
 
-/// The edges of one triangle, by their vertices.
+/// The edges of only one triangle, by their vertices.
 std::vector<BorderEdge> border_of(const Mesh& mesh) {
-  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // of triangles: how often, and the vertex opposite
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // number of adjacent triangles, and the opposite vertex
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
       auto& side = sides[std::minmax({t[at(k)], t[at((k + 1) % 3)]})];
@@ -66,7 +66,7 @@ void Rim::forget() {
   for (Point& point : points_) point.clearance = -1;
 }
 
-/// The gap of the rim's point p, +infinity where the other surface does not face it; `found` gets both points.
+/// The gap at the point p of the rim, +infinity where the other surface does not face it. `found` receives both points.
 double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
   LocalMinimum here;
   if (!own_->project(p, here.contact.b)) return kNowhere;
@@ -81,7 +81,7 @@ double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
 }
 
 double Rim::look_at(Point& point, const Pose& X_os) const {
-  constexpr double kFirstOrder = 2.0 / 3;  // in the band of a mesh the gap is a distance to first order only
+  constexpr double kFirstOrder = 2.0 / 3;  // within the band of a mesh the gap is a distance to first order only
   const Vec3 x = X_os * point.p;
   if (point.clearance - (x - point.at).norm() > kDip * spacing_) return kNowhere;
   point.at = x;
@@ -93,7 +93,7 @@ double Rim::look_at(Point& point, const Pose& X_os) const {
   return *gap;
 }
 
-/// By golden sections, on the surface over the chord.
+/// By golden-section search, on the surface over the chord.
 Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
   const Vec3 &from = points_[at(segment.from)].p, &to = points_[at(segment.to)].p;
   const auto place = [&](double t) { return Vec3(from + t * (to - from)); };

@@ -1,7 +1,7 @@
-// The rim of a surface that ends, against another surface: where a body would stand on an edge, which has no normal.
+// The rim of an open surface against another surface. A body may rest on such an edge, which has no normal.
 //
-// Samples stand apart, on the rim too, and those of the other surface do not see it: between two of them a rim may dip
-// below. So the rim itself is looked at.
+// Samples have a spacing, on the rim too, and samples of the other surface do not detect a rim: between two of them it
+// may dip into the other surface. So the rim itself is searched.
 #pragma once
 
 #include <vector>
@@ -12,25 +12,25 @@ namespace genu {
 
 class Rim {
  public:
-  /// `spacing` (m) of samples, of which a few go to a segment of a closed form's rim; a mesh's is made of its edges.
-  /// `reach` (m) bounds unbounded shapes around `centre`, in the frame of its body.
+  /// `spacing` (m) of samples; a segment of a closed form's rim spans a few of them, a mesh's rim consists of its
+  /// edges. `reach` (m) bounds unbounded shapes around `centre`, in the frame of its body.
   Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach);
 
   bool empty() const { return segments_.empty(); }
 
-  /// As if nothing had been looked at yet.
+  /// Discards all memory.
   void forget();
 
-  /// Adds the places where the rim lies lowest and below the other surface, and the gap rises from it inward: what
-  /// falls inward has its minimum inside and is found there. X_os: from the frame of its body to the other's. In each
+  /// Adds the places where the rim has its lowest points below the other surface and the gap rises inward. (If it
+  /// decreases inward, its minimum is inside and is found there.) X_os: pose of this body in the other's frame. In each
   /// contact a is the other surface's point, b the rim's, each in its own body.
   void scan(const Pose& X_os, std::vector<LocalMinimum>& out);
 
  private:
   struct Point {
     Vec3 p;
-    Vec3 at = Vec3::Zero();  ///< where it was when it was last looked at, in the other's frame
-    double clearance = -1;   ///< m: by that much it was clear
+    Vec3 at = Vec3::Zero();  ///< position when last tested, in the other's frame
+    double clearance = -1;   ///< m: clearance then
     double gap = 0;          ///< m, now
   };
   struct Segment {

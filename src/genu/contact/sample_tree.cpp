@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLeafSize = 12;
 
-/// `axis`: of the longest side of the box round the node's points.
+/// `axis`: of the longest side of the box around the node's points.
 SampleNode sphere_round(const std::vector<Vec3>& points, const std::vector<int>& order, int first, int last,
                         int& axis) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;

@@ -1,4 +1,4 @@
-// A tree of spheres round the samples of a surface: what is known of a sphere is known of all that it holds.
+// A tree of spheres around the samples of a surface: a bound for a sphere is a bound for its contents.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace genu {
 
-/// A sphere round the samples order[first .. last).
+/// A sphere around the samples order[first .. last).
 struct SampleNode {
   int first = 0, last = 0;
   int children = -1;  ///< index of the first of two, -1 for a leaf
   Vec3 centre;
   double radius = 0;
 
-  /// The farthest (m) that a point of the sphere moves between two poses of the samples.
+  /// m: largest motion of a point of the sphere between two poses of the samples.
   double motion(const Pose& from, const Pose& to) const;
 };
 
@@ -23,7 +23,7 @@ struct SampleTree {
   std::vector<SampleNode> nodes;  ///< the root first; none where there are no points
 };
 
-/// Halves the points along the longest side of their box until a node holds a dozen at most.
+/// Halves the points along the longest side of their box until a node has at most a dozen.
 SampleTree build_sample_tree(const std::vector<Vec3>& points);
 
 }  // namespace genu

@@ -11,11 +11,11 @@
 namespace genu {
 namespace {
 
-constexpr double kSlack = 0.5;  // of an edge: room round a cell for what the smooth surface does between its corners
-constexpr double kBulge = 0.8;  // of that room: what a node may use of it
-constexpr double kSameNormal = 0.5;  // cosine of a corner's normal with the mesh's
+constexpr double kSlack = 0.5;       // of an edge: room around a cell for the smooth surface between its corners
+constexpr double kBulge = 0.8;       // of that room: part that a node may use
+constexpr double kSameNormal = 0.5;  // least cosine between a corner's normal and the mesh's
 
-/// Area vectors of the triangles round each vertex.
+/// Area-weighted normals at the vertices.
 std::vector<Vec3> mesh_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const auto& t : mesh.triangles) {
@@ -119,7 +119,7 @@ SmoothCells::Node SmoothCells::node(const Place& p, double length) const {
   double room = longest_edge(p.cell);
   Eigen::Index opposite = 0;
   if (l.minCoeff(&opposite) == 0) {
-    // On an edge: from its lower vertex to the higher one, so that both cells find the same to the last bit.
+    // On an edge: from its lower vertex to the higher one, so that both cells compute the same bits.
     int a = (static_cast<int>(opposite) + 1) % 3, b = (static_cast<int>(opposite) + 2) % 3;
     if (t[at(a)] > t[at(b)]) std::swap(a, b);
     flat = between(*c[at(a)], *c[at(b)], *c[at(b)], {l[a], l[b], 0});

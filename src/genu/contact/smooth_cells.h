@@ -1,7 +1,7 @@
-// A surface cut into triangular cells, each with a lattice of nodes that lie on the smooth surface.
+// A surface divided into triangular cells, each with a lattice of nodes on the smooth surface.
 //
-// The cells are the triangles of a mesh of the surface. Cut n times along each edge they share the nodes on their
-// edges; those of n / 2 are among those of n.
+// The cells are the triangles of a mesh of the surface. With n divisions along each edge, neighbours share the nodes on
+// their edges. The nodes of n / 2 are among those of n.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ class SmoothCells {
     Vec3 x = Vec3::Zero();
     Vec3 n = Vec3::UnitZ();
   };
-  /// A place in the lattice of a cell: i of `divisions` along the edge from its first corner to the second, j along
-  /// that to the third.
+  /// A place in the lattice of a cell: i of `divisions` along the edge from its first corner to the second, j along the
+  /// edge to the third.
   struct Place {
     int cell = 0;
     int divisions = 1;
@@ -31,7 +31,7 @@ class SmoothCells {
   static Place corner(const Place& p, int k) {
     return {p.cell, p.divisions, k == 1 ? p.divisions : 0, k == 2 ? p.divisions : 0};
   }
-  /// Of the cell's corners in the node; exact where `divisions` is a power of two.
+  /// Weights of the cell's corners at the node; exact where `divisions` is a power of two.
   static std::array<double, 3> shares(const Place& p) {
     const double n = p.divisions;
     return {1 - (p.i + p.j) / n, p.i / n, p.j / n};
@@ -43,12 +43,13 @@ class SmoothCells {
   int node_count(int divisions) const;
   /// The same number from every cell that shares the node.
   int number(const Place& place) const;
-  /// Onto the surface from the flat cell. Where the surface is not known there, or so far that the normals and places
-  /// of the cell's corners say nothing about it, the node stays on the flat cell, with their normals in between.
-  /// `length`: of the line along the normal that the node stands for, m.
+  /// Projects a node of the flat cell onto the surface. It stays on the flat cell, with an interpolated normal, where
+  /// the surface is not known there or is too far from the cell's corners and normals. `length`: of the line along the
+  /// normal that belongs to the node, m.
   Node node(const Place& place, double length) const;
 
-  /// No node of the cell, and no point `length` along its normal to either side, is farther (m) from that of `middle`.
+  /// m: upper bound of the distance from `middle` of any node of the cell and of any point `length` along its normal to
+  /// either side (from the same point of `middle`).
   double radius(int cell, const Node& middle, double length) const;
   Node middle(int cell) const;
   double longest_edge(int cell) const { return longest_edges_[static_cast<std::size_t>(cell)]; }

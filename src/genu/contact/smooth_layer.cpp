@@ -9,14 +9,14 @@
 namespace genu {
 namespace {
 
-constexpr double kLead = 1.5;  // mean edges: what lies farther outside of contact than this has no depth
-// Of an edge: where all corners are farther outside, only a bump as small as the cell could touch between them.
+constexpr double kLead = 1.5;  // mean edges: points farther outside contact have no depth
+// Of an edge: if all corners are farther outside, only a bump as small as the cell could touch between them.
 constexpr double kBump = 0.1;
-constexpr double kTrust = 1;          // mean edges of the target: how far its smooth surface may be from its triangles
-constexpr double kLeastAcross = 0.1;  // cosine of a line with the normal of what it meets
+constexpr double kTrust = 1;  // mean edges of the target: largest distance of its smooth surface from its triangles
+constexpr double kLeastAcross = 0.1;  // least cosine between a line and the normal where it hits
 constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
-// The error that is left is of the order of the square of the one that was taken away: measured 0.04 to 0.17 of it for
-// spheres, ellipsoids and tori.
+// The remaining error is of the order of the square of the removed one: measured 0.04 to 0.17 of it for spheres,
+// ellipsoids and tori.
 constexpr double kErrorLeft = 0.3;
 
 std::vector<Ray> rays_from_cells(const SmoothCells& cells, double lead) {
@@ -46,7 +46,7 @@ Vec6 line_of(const SmoothNode& node) {
   return line;
 }
 
-/// 1, or what damping makes of the pressure at a node.
+/// Factor of damping on the pressure at a node; 1 without damping.
 double damped(const LayerMotion& motion, const SmoothNode& node) {
   return motion.damping == 0 ? 1 : motion.factor(node.p_rate.dot(motion.twist) / node.slope);
 }
@@ -97,7 +97,7 @@ SmoothLayer::Depth SmoothLayer::measure(const Pose& X_TC, const SmoothCells::Nod
   return out;
 }
 
-/// What was measured on the triangle that was met, where it was met.
+/// The thickness measured at the triangle and point of the hit.
 void SmoothLayer::add_thickness(const Pose& X_TC, const SmoothCells::Node& node, Depth& out) const {
   const Vec3 direction = -(X_TC.R * node.n), y = X_TC * node.x + out.flat * direction;
   const Vec3& m = target_->area_vector(out.triangle);
@@ -110,12 +110,13 @@ double SmoothLayer::own_thickness(const SmoothCells::Place& place) const {
   if (!thickness_.casting) return thickness_.constant;
   const std::array<double, 3> share = SmoothCells::shares(place);
   const std::array<int, 3>& corners = casting_->vertices(place.cell);
-  double own = 0;  // alone: of two terms, on an edge, the sum is the same from both cells to the last bit
+  double own = 0;  // added first: of two terms, on an edge, both cells get the same bits
   for (int k = 0; k < 3; ++k) own += share[at(k)] * thickness_.casting->at_vertex(corners[at(k)]);
   return thickness_.constant + own;
 }
 
-/// Where the cell's corners round it have met the other surface, from the depth in between; else as for a corner.
+/// Where the surrounding corners of the cell have met the other surface, from the interpolated depth; else as for a
+/// corner.
 SmoothLayer::Depth SmoothLayer::measure_inside(const Pose& X_TC, const SmoothCells::Place& place,
                                                const SmoothCells::Node& node, int hint, Memory& memory) const {
   if (thickness_.target) return measure(X_TC, node, hint);  // its triangle is needed
@@ -147,7 +148,7 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
   const int hint = known.nodes[at(index)].triangle;
   const Depth d =
       SmoothCells::is_corner(place) ? measure(X_TC, line, hint) : measure_inside(X_TC, place, line, hint, memory);
-  SmoothNode& node = known.nodes[at(index)];  // not before: corners may be new
+  SmoothNode& node = known.nodes[at(index)];  // not earlier: corners may be new
   node.pose = known.pose;
   node.met = d.met;
   if (!d.met) return node;
@@ -186,7 +187,7 @@ void SmoothLayer::add_triangle(const std::array<SmoothNode*, 3>& nodes, bool fin
   if (a->met && b->met && c->met) {
     if (!clipped_integrals(area, {a->p, b->p, c->p}, part)) return;
   } else {
-    // Over the other surface's end: each corner stands for a third, if it meets that surface.
+    // At the edge of the other surface: each corner counts for a third if it meets that surface.
     for (Eigen::Index i = 0; i < 3; ++i) {
       const SmoothNode& node = *nodes[static_cast<std::size_t>(i)];
       if (node.met && node.p > 0) part.mass(i, i) = part.share[i] = area / 3;
@@ -215,7 +216,7 @@ void SmoothLayer::add_triangle(const std::array<SmoothNode*, 3>& nodes, bool fin
 
 void SmoothLayer::add_cell(const Pose& X_TC, int cell, int n, Memory& memory, LayerSum& out) const {
   if (!worth_it(X_TC, cell, n, memory)) return;
-  // Room for all of the cell's nodes at once: pointers to them are held below.
+  // Reserves all of the cell's nodes at once: pointers to them are held below.
   std::vector<SmoothNode>& nodes = memory.nodes.nodes;
   const std::size_t most = nodes.size() + at((n + 1) * (n + 2) / 2);
   if (most > nodes.capacity()) nodes.reserve(2 * most);
@@ -238,7 +239,7 @@ void SmoothLayer::add_cell(const Pose& X_TC, int cell, int n, Memory& memory, La
   out.error += std::abs(loads[1] - loads[0]) * kRichardson[1];
 }
 
-/// `out.wrench` and `out.tangent` are left to the caller; `out.error` is what was taken away.
+/// The caller sets `out.wrench` and `out.tangent`. `out.error` is the error removed by extrapolation.
 void SmoothLayer::sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out) const {
   const int divisions = 2 << std::clamp(level, 0, kMaxLevel);
   SmoothNodes& known = memory.nodes;
@@ -273,7 +274,7 @@ void SmoothLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int level
 
 namespace {
 
-/// Goes from `here` by ds, or as far as the surface's edge; false where there is no way.
+/// Moves `here` by ds, or up to the surface's edge; false where that fails.
 bool go_inside(const Surface& surface, const Vec2& ds, SurfacePoint& here) {
   SurfacePoint there;
   if (!surface.retract(here, ds, there)) return false;
@@ -297,7 +298,7 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
   if (!casting_->surface().project(node.x, here)) return best;
   double h = 0.5 * spacing;
   for (int step = 0; step < kSteps; ++step, h = std::max(0.5 * h, 0.05 * spacing)) {
-    // The quadratic through six points round here.
+    // The quadratic through six points around it.
     double d[6], target_thickness = 0;
     const Vec2 places[6] = {{0, 0}, {h, 0}, {-h, 0}, {0, h}, {0, -h}, {h, h}};
     for (int k = 0; k < 6; ++k) {

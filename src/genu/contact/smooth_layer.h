@@ -1,13 +1,13 @@
-// The layer summed over smooth surfaces: the casting surface is cut into triangles with corners on it, and the pressure
-// at these corners, from the depth along minus the surface's normal to the other smooth surface, goes linearly over
-// each triangle, outside of contact into negative values, and is cut off exactly where it is zero.
+// A layer integrated over smooth surfaces. The casting surface is divided into triangles with corners on it. The
+// pressure at the corners follows from the depth along the inward normal to the other smooth surface. It is
+// interpolated linearly over each triangle, with negative values outside contact, and cut off exactly at its zero line.
 //
-// With triangles of edge h the sum is off by c h^2 + O(h^4): sums I(h) and I(h / 2) give (4 I(h/2) - I(h)) / 3, and
-// their difference tells the error (L. F. Richardson 1911). Each is once continuously differentiable in the pose, and
-// the tangent is exact: what moves the zero line adds nothing, as the pressure is zero there.
+// With triangles of edge h the error is c h^2 + O(h^4). Integrals I(h) and I(h / 2) are extrapolated to (4 I(h/2) -
+// I(h)) / 3, and their difference gives the error (L. F. Richardson 1911). Each is C1 in the pose, and the tangent is
+// exact: the motion of the zero line contributes nothing, because the pressure is zero there.
 //
-// At `level` l each triangle of the mesh is cut 2^l and 2^(l + 1) times along its edges. Where the other surface ends,
-// pressure ends at once, as it does between triangles.
+// At `level` l each triangle of the mesh has 2^l and 2^(l + 1) divisions along its edges. At the edge of the other
+// surface the pressure ends abruptly, also within a triangle.
 #pragma once
 
 #include <array>
@@ -24,15 +24,16 @@ class SmoothLayer final : public LayerQuadrature {
  public:
   static constexpr int kMaxLevel = 4;
 
-  /// `target`: triangles of the surface `other`, in the same frame. A measured thickness is that of the meshes of
-  /// `casting` and `target`: linear over a cell, and where a line along the normal meets the target's triangles.
+  /// `target`: triangles of the surface `other`, in the same frame. A measured thickness belongs to the meshes of
+  /// `casting` and `target`: linear over a cell, and at the point where a line along the normal meets the target's
+  /// triangles.
   SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,
               std::shared_ptr<const TriangleTree> target, double search_depth, const LayerLaw& law,
               LayerThickness thickness);
 
   void add(const Pose& X_TC, Memory& memory, LayerSum& out, int level = 0,
            const LayerMotion& motion = {}) const override;
-  /// The nodes, and the deepest points found from those deeper than all round them, which stand for no area.
+  /// The nodes, and the deepest points found from nodes deeper than all their neighbours; the latter represent no area.
   void visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int level = 0,
              const LayerMotion& motion = {}) const override;
   std::vector<Ray> cell_rays() const override;
@@ -43,9 +44,9 @@ class SmoothLayer final : public LayerQuadrature {
     bool met = false;
     double depth = 0;       ///< m, negative outside
     Vec3 w = Vec3::Zero();  ///< its derivative, see add_pressure(); in casting axes
-    int triangle = -1;      ///< of the target, -1: not looked for
+    int triangle = -1;      ///< of the target, -1: unknown
     double thickness = 0;   ///< m: measured on the target
-    double flat = 0;        ///< m: depth of the target's triangles, where that is
+    double flat = 0;        ///< m: depth to the target's triangles, there
     Vec3 u = Vec3::Zero();  ///< derivative of `thickness`, see thickness_rate(); in casting axes
   };
 

@@ -1,4 +1,4 @@
-// The nodes of a smooth layer's lattice that one thread has come across, and what they carry at the pose at hand.
+// The nodes of a smooth layer's lattice that one thread has visited, and their values at the current pose.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,29 @@ namespace genu {
 struct SmoothNode {
   Vec3 x = Vec3::Zero();  ///< m, on the casting surface, in its body's frame
   Vec3 n = Vec3::UnitZ();
-  double own_thickness = 0;  ///< m, of what does not depend on the pose
+  double own_thickness = 0;  ///< m, the part that does not depend on the pose
   int triangle = -1;         ///< of the target, met last
 
-  std::uint64_t pose = 0;  ///< the pose that what follows is of
+  std::uint64_t pose = 0;  ///< the pose of the values below
   bool met = false;        ///< the line along the normal meets the other surface
   bool listed = false;     ///< among SmoothNodes::carrying
-  bool passed = false;     ///< a node next to it is deeper
+  bool passed = false;     ///< a neighbouring node is deeper
   double depth = 0;        ///< m, negative outside of contact
   double thickness = 0;    ///< m, of both layers
   double p = 0;            ///< Pa, negative outside of contact
   double slope = 0;        ///< Pa/m: of the pressure, to the depth
   Vec6 p_rate;             ///< Pa/m, Pa: its derivative to the twist, casting axes
-  double load = 0;         ///< N that the node stands for
+  double load = 0;         ///< N that the node represents
   double area = 0;         ///< m^2
   Vec6 load_rate;          ///< N/m, N
   int cell = -1;
 };
 
 struct SmoothNodes {
-  int divisions = 0;       ///< of the lattice that the numbers below are of
-  std::vector<int> place;  ///< by number: index into `nodes`, -1: not come across
+  int divisions = 0;       ///< of the lattice that the indices below belong to
+  std::vector<int> place;  ///< by number: index into `nodes`, -1: not visited
   std::vector<SmoothNode> nodes;
-  std::vector<int> carrying;  ///< indices of the nodes with pressure round them, in the order of the cells
+  std::vector<int> carrying;  ///< indices of the nodes with pressure around them, in the order of the cells
   std::uint64_t pose = 0;     ///< counts
 };
 

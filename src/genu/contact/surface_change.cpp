@@ -18,7 +18,7 @@ ContactChange contact_change(const Pose& X_Wa, const Pose& X_Wb, const ContactGe
   out.residual.head<2>() = a.gradient * n_a.dot(apart) - b.w * (T_a.transpose() * n_b);
   out.residual[2] = -dn_a.dot(apart) - a.w + b.w * n_a.dot(n_b);
   out.residual.tail<2>() = a.gradient * n_a.dot(n_b) + T_a.transpose() * dn_b;
-  // The force acts along n_A at x_A, which moves along n_A itself: only the turning of n_A changes the wrench.
+  // The force acts along n_A at x_A, which moves along n_A: only the rotation of n_A changes the wrench.
   const Vec3 turned = force * dn_a;
   out.wrench << -turned, -arm_a.cross(turned), turned, (arm_a + X_Wa.p - X_Wb.p).cross(turned);
   return out;

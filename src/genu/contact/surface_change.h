@@ -1,9 +1,9 @@
-// What a contact feels of a surface that changes its shape or its place.
+// The effect on a contact of a surface that changes its shape or position.
 //
-// The contact equations are geometric: how points of the surface are named while it changes does not matter. So let
-// each point move along its own normal. Then w, the speed in the direction of the outward normal, and its gradient
-// along the surface are all there is to know: dp = w n, dn = -T grad w, dT = n (grad w)^T. A change that moves points
-// by a velocity field V(x) has w = V . n and grad w = T^T (dV/dx)^T n - S T^T V.
+// The contact equations are geometric, so the labelling of surface points during the change is irrelevant. Let each
+// point move along its own normal. The normal speed w and its gradient along the surface then describe the change: dp =
+// w n, dn = -T grad w, dT = n (grad w)^T. For points that move with a velocity field V(x): w = V . n and grad w = T^T
+// (dV/dx)^T n - S T^T V.
 #pragma once
 
 #include "genu/contact/contact_equations.h"
@@ -11,15 +11,15 @@
 namespace genu {
 
 struct SurfaceChange {
-  double w = 0;                  ///< m per unit of what changes
+  double w = 0;                  ///< m per unit of the parameter
   Vec2 gradient = Vec2::Zero();  ///< 1 per unit, in the tangent basis of the point
 };
 
-/// The change of a surface whose points move with the velocity `V` (frame of the point) and its derivative `dV` by x.
+/// The change of a surface whose points move with velocity `V` (frame of the point) with derivative `dV` to x.
 SurfaceChange change_of_field(const SurfacePoint& point, const Vec3& V, const Mat3& dV);
 
-/// What a change of both surfaces adds to the residual of a contact and to its wrench on [a; b], bodies and surface
-/// coordinates held. `force` in N.
+/// The change of a contact's residual and of its wrench on [a; b] by changes of both surfaces, at fixed poses and
+/// surface coordinates. `force` in N.
 struct ContactChange {
   Vec5 residual;
   Vec12 wrench;

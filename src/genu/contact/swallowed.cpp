@@ -6,10 +6,10 @@
 namespace genu {
 namespace {
 
-constexpr double kAcross = 10;        // points of the inner surface are a tenth of its box apart
-constexpr double kCoarseSpacing = 3;  // of the spacing: samples of the outer surface that are looked at first
-constexpr double kSideKept = 0.1;     // of its distance: so far a point moves before its side is asked for again
-constexpr double kFacetsOff = 0.05;   // of the spacing: what facets may say wrongly of the smooth surface
+constexpr double kAcross = 10;        // points of the inner surface have a spacing of a tenth of its box
+constexpr double kCoarseSpacing = 3;  // of the spacing: distance of the outer samples in the first test
+constexpr double kSideKept = 0.1;     // of its distance: motion of a point before its side is tested again
+constexpr double kFacetsOff = 0.05;   // of the spacing: error of facets against the smooth surface
 
 double box_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
@@ -71,7 +71,7 @@ Swallowed::Depth Swallowed::deepest(const Pose& X_oi) {
     const double g = gap(x, point.clearance);
     point.at = x;
     if (g >= -kFacetsOff * spacing_) continue;
-    point.clearance = -1;  // only what is outside stays so while it is clear
+    point.clearance = -1;  // only a point outside stays there while it is clear
     if (g < out.gap) out = {g, point.p};
   }
   return out;

@@ -14,7 +14,7 @@ Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// A ray from each triangle; one without area sends a ray that carries nothing.
+/// A ray from each triangle; a degenerate triangle sends a ray without weight.
 std::vector<Ray> rays_from_triangles(const Mesh& mesh) {
   std::vector<Ray> rays;
   rays.reserve(mesh.triangles.size());
@@ -48,8 +48,8 @@ double TriangleLayer::damped(const LayerMotion& motion, const Vec3& w, const Vec
   return motion.damping == 0 ? 1 : motion.factor(w.dot(motion.velocity(y)));
 }
 
-/// d' = w . (velocity of the ray - velocity of the target), in the target's frame; with a measured thickness h, of the
-/// depth that the pressure follows: d' - (d / h) h'.
+/// d' = w . (velocity of the ray - velocity of the target), in the target's frame. With a measured thickness h it is
+/// the rate of the depth that the pressure follows: d' - (d / h) h'.
 Vec3 TriangleLayer::depth_rate(const TriangleTree::Hit& hit, const Vec3& direction, double h) const {
   const Vec3& plane = rays_.target().area_vector(hit.triangle);
   const Vec3 w = plane / -plane.dot(direction);
@@ -75,7 +75,7 @@ void TriangleLayer::add_part(int part, const Pose& X_TC, Memory& memory, const L
                   });
 }
 
-/// Each part is summed by itself and the parts in their order, so that the sum is the same for any number of threads.
+/// Each part is summed separately and the parts in order, so that the sum is the same for any number of threads.
 void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, const LayerMotion& motion) const {
   rays_.begin(memory);
   std::array<LayerSum, LayerRays::kMostParts> sums;

@@ -1,10 +1,9 @@
-// The layer summed over triangles: one ray from the centroid of each triangle of the casting mesh along minus its
-// normal, to the nearest triangle of the other mesh that the ray comes out of, not deeper than `search_depth`
-// (Smith, Brandon and Thelen 2019: OpenSim-JAM's articular contact).
+// A layer integrated over triangles: one ray from the centroid of each triangle of the casting mesh along its inward
+// normal, to the nearest triangle of the other mesh that the ray leaves through, within `search_depth` (Smith, Brandon
+// and Thelen 2019: the articular contact of OpenSim-JAM).
 //
-// Pressure is continuous while rays wander over the other mesh; where a ray runs off its edge it ends at once. So is a
-// measured thickness (layer_thickness.h): at the ray's start on the casting mesh, where the ray comes out on the
-// target.
+// Pressure is continuous as rays move over the other mesh and ends abruptly at its edge. So does a measured thickness
+// (layer_thickness.h): taken at the ray's start on the casting mesh and at its exit point on the target.
 #pragma once
 
 #include <memory>
@@ -33,12 +32,12 @@ class TriangleLayer final : public LayerQuadrature {
  private:
   void add_part(int part, const Pose& X_TC, Memory& memory, const LayerMotion& motion, LayerSum& out) const;
 
-  /// 1, or what damping makes of the pressure at a ray that comes out at y.
+  /// Factor of damping on the pressure at a ray with exit point y; 1 without damping.
   static double damped(const LayerMotion& motion, const Vec3& w, const Vec3& y);
 
   Vec3 depth_rate(const TriangleTree::Hit& hit, const Vec3& direction, double thickness) const;
 
-  /// Both layers together where a ray meets the target, m.
+  /// m: both layers together where a ray meets the target.
   double thickness(int ray, const TriangleTree::Hit& hit, const Vec3& origin, const Vec3& direction) const;
 
   LayerRays rays_;

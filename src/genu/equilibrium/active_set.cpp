@@ -11,9 +11,9 @@
 namespace genu {
 namespace {
 
-constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
+constexpr int kChanges = 24;  // changes of the active set at one pose; more count as chatter
 constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
-/// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
+/// An active set as a sorted list of (pair, number), with the pieces of ligaments' laws. Detects cycles.
 std::vector<std::pair<int, int>> signature(const State& state) {
   std::vector<std::pair<int, int>> s;
   for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
@@ -49,7 +49,7 @@ const char* to_string(PoseStatus status) {
 
 ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
     : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
-  // Contact points far from the world's origin close to rounding only.
+  // For contact points far from the world's origin, rounding limits the accuracy of a closed gap.
   if (!model.pairs.empty() && model.safeguards.has(Safeguard::gap_rounding))
     options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
 }
@@ -109,7 +109,7 @@ std::vector<Candidate> ActiveSetSolver::touching(const State& state, ContactInsp
 }
 
 void ActiveSetSolver::close(Balanced& pose, const Candidate& candidate) const {
-  // An open contact is followed by descent and lands where the survey does.
+  // The descent that follows an open contact ends where the survey's descent ends, up to this distance.
   const double same_open = 0.1 * field_->spacing();
   ActiveContact contact{candidate.pair, 0, candidate.minimum.contact, 0};
   for (auto it = pose.open.begin(); it != pose.open.end(); ++it) {
@@ -221,8 +221,8 @@ PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
 
 PoseReport ActiveSetSolver::settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                                const PoseReport& failure) {
-  // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one
-  // of them has to go before the other can come.
+  // Contacts that exclude each other (the two feet of a stool with prescribed tilt) make the Jacobian singular. One of
+  // them must be released before the other can close.
   if (model_->safeguards.lacks(Safeguard::without_one) || failure.newton.full_rank || failed.state.contacts.size() < 2)
     return failure;
   int iterations = failure.iterations;
@@ -275,9 +275,9 @@ PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& targe
 }
 
 bool ActiveSetSolver::passes_through(const State& from, const State& to, bool followed) {
-  // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
-  // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
-  // over the other, which no straight way follows.
+  // Newton's method sees only surfaces in contact: from above a thin sheet it may find a pose below. On the straight
+  // way between the two poses the bodies then overlap, although they do so at neither end. A body that rolls over
+  // another also overlaps on that way, but only a little.
   if (model_->safeguards.lacks(Safeguard::passing)) return false;
   constexpr int kMost = 200;
   constexpr double kShallow = 0.1;  // of the characteristic length
@@ -287,7 +287,7 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
     const double moved = field_->motion(from, to, pair);
     const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
     if (steps <= 1) continue;
-    if (followed && moved > kMost * step) return true;  // too far to be looked at
+    if (followed && moved > kMost * step) return true;  // too far to examine
     const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
     State between = from;
     for (int k = 1; k < steps; ++k) {
@@ -308,7 +308,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
   if (report.status == PoseStatus::no_equilibrium && model_->safeguards.has(Safeguard::force_guess)) {
-    // Without a force a contact has no stiffness along the surfaces, and what little else there is leads Newton astray.
+    // A contact without force has no stiffness along the surfaces, and Newton's method may diverge.
     trial = pose;
     close_touching(trial, target, touching);
     if (guess_forces(*model_, target, trial.state)) report = settle(trial, target);
@@ -322,10 +322,10 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.why = kBehind;
   }
   if (model_->safeguards.lacks(Safeguard::seed)) return report;
-  // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
-  // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one. From far
-  // Newton's method on it may wander without end, where the way down has one; and long steps down leap over the ends
-  // that a body would slide into.
+  // A contact at a flaw is no reason to stop here: the joint may come to rest at another place. A foundation too soft
+  // for the forces lets a body pass through a thin surface, so stiffer ones follow. From far away Newton's method may
+  // wander where descent converges. Long descent steps may leap over a rim that a body would slide into, so short ones
+  // come last.
   PoseReport seeded;
   for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
                              SeedWay{.downhill = true, .stride = Stride::careful}}) {
@@ -339,7 +339,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     }
     const bool vague = tried.status == PoseStatus::no_equilibrium;
     if (way.downhill && (vague || (tried.status != PoseStatus::ok && seeded.status != PoseStatus::no_equilibrium)))
-      seeded.iterations = tried.iterations;  // where the way down leads to nothing, what Newton met says more
+      seeded.iterations = tried.iterations;  // where descent fails, the report of Newton's method says more
     else
       seeded = tried;
     if (tried.status != PoseStatus::ok) continue;
@@ -347,7 +347,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     break;
   }
   seeded.iterations += report.iterations;
-  // Of two failures the one that names a cause says more.
+  // Of two failures, keep the one that names a cause.
   const bool vague = seeded.status == PoseStatus::no_equilibrium;
   return vague && report.status != PoseStatus::no_equilibrium ? report : seeded;
 }

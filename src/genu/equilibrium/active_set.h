@@ -1,8 +1,7 @@
-// Which contacts carry load: the search for the set that satisfies every condition at one pose, and the certificate
-// that it does.
+// The active set: which contacts carry load at one pose, and the certificate that all conditions hold.
 //
-// Dortmans 1984: a contact whose force turns negative is dropped. A gap that turns negative is added; a contact that is
-// no longer a minimum of the gap is replaced by the minima beside it.
+// Dortmans 1984: a contact whose force turns negative is dropped, and a gap that turns negative is added. A contact
+// that is no longer a minimum of the gap is replaced by the minima beside it.
 #pragma once
 
 #include <string>
@@ -14,22 +13,22 @@
 
 namespace genu {
 
-/// A contact point that was closed once and is open now: still followed for its gap.
+/// A contact point that was closed before and is open now. Its gap is still followed.
 struct OpenContact {
   int pair = 0;
-  int number = 0;  ///< 0: never closed, and looked at for its gap alone
+  int number = 0;  ///< 0: never closed, followed for its gap only
   ContactGeometry geometry;
   double gap = 0;  ///< m
 };
 
-/// A state with the history that its numbering of contacts needs.
+/// A state with the history that the numbering of its contacts needs.
 struct Balanced {
   State state;
   std::vector<OpenContact> open;
-  std::vector<int> last_number;  ///< of each pair: numbers are not used twice
+  std::vector<int> last_number;  ///< of each pair; no number is used twice
 };
 
-/// Why a pose is or is not accepted; `status` words in results are to_string of it.
+/// Why a pose is or is not accepted. Column `status` of the results contains to_string() of it.
 enum class PoseStatus { ok, no_equilibrium, over_edge, overlap, chatter, overconstrained, undetermined, flawed_mesh };
 const char* to_string(PoseStatus status);
 
@@ -45,47 +44,48 @@ class ActiveSetSolver {
  public:
   ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options);
 
-  /// Newton with the contacts of `pose` as they are; checks, but changes no contact.
+  /// Newton's method with the contacts of `pose` fixed. Checks the result and changes no contact.
   PoseReport solve_held(Balanced& pose, const Target& target, Findings& findings);
 
-  /// Looks at a pose that is solved: what is wrong with its contacts, and what it is worth.
+  /// Checks a solved pose: conditions that its contacts violate, and its certificate.
   PoseReport inspect(const State& state, const NewtonReport& newton, Findings& findings);
 
-  /// One change of the contact set for what was found. False where there is none to make.
+  /// Makes one change of the active set in answer to `findings`. False where there is none to make.
   bool change(Balanced& pose, const Target& target, const Findings& findings) const;
 
-  /// Newton and changes of the contact set until nothing is wrong. On failure `pose` is left as it was.
+  /// Alternates Newton's method and changes of the active set until all conditions hold. On failure `pose` is
+  /// unchanged.
   PoseReport settle(Balanced& pose, const Target& target);
 
-  /// From far: a compliant seed first, then settle() from the contacts it shows. `downhill`: the seed moves toward less
-  /// energy all the way (descent_seed.h), so that it ends at a stable pose.
+  /// From a distant start: a compliant seed, then settle() from the contacts of the seed. `downhill`: the seed descends
+  /// in energy (descent_seed.h) and so ends at a stable pose.
   PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false);
 
-  /// From a pose never solved: the contacts that touch or overlap already, else a compliant seed; the seed as well
-  /// where the bodies would have to pass through each other on the way. Last downhill, where Newton's method wanders:
-  /// in long steps, then in short ones.
+  /// From a pose that was never solved: starts from the contacts that touch or overlap, else from a compliant seed. The
+  /// seed is also used where bodies would otherwise pass through each other. Where Newton's method wanders, descent
+  /// seeds follow: first with long steps, then with short ones.
   PoseReport settle_cold(Balanced& pose, const Target& target);
 
-  /// The residual that Newton's method is to come below; where rounding keeps it above, it may accept a larger one.
+  /// Scaled residual that Newton's method aims for. Where rounding prevents that, it may accept up to the floor.
   double tolerance() const { return options_.residual_tolerance; }
 
-  /// Where surfaces touch in a solved state and no contact is held.
+  /// Places where surfaces touch in a solved state without an active contact.
   std::vector<Candidate> touching(const State& state,
                                   ContactInspector::Touching which = ContactInspector::Touching::places,
                                   double within = 0);
 
-  /// Follows open contacts to the new pose and forgets those that are no more.
+  /// Follows open contacts to the new pose. Drops those that no longer exist.
   void follow_open(Balanced& pose);
 
-  /// Holds a minimum closed from now on, under its old number where it had one.
+  /// Adds a minimum of the gap to the active set, under its old number if it had one.
   void close(Balanced& pose, const Candidate& candidate) const;
   void release(Balanced& pose, int contact) const;
 
-  /// Most contacts that `target` leaves room for (N + M <= 5 for one moving body).
+  /// Largest number of contacts for `target`: N + M <= 5 for one moving body, M constraints.
   int contact_limit(const Target& target) const;
 
-  /// Whether the bodies overlap on the straight way from one pose to the other by more than rolling over each other
-  /// does. `followed`: along a path, of which a shorter step can be tried.
+  /// Whether the bodies overlap on the straight way between two poses by more than rolling explains. `followed`: the
+  /// poses lie on a path, where a shorter step can be tried.
   bool passes_through(const State& from, const State& to, bool followed = false);
 
   Newton& newton() { return newton_; }
@@ -95,7 +95,7 @@ class ActiveSetSolver {
  private:
   struct SeedWay {
     bool downhill = false;
-    double stiffer = 1;  ///< than usual, the foundation at first
+    double stiffer = 1;  ///< factor on the stiffness of the first foundation
     Stride stride = Stride::usual;
   };
   PoseReport settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way);

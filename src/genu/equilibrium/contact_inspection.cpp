@@ -11,13 +11,13 @@
 namespace genu {
 namespace {
 
-// Below this relative curvature, in 1/spacing, a contact may be about to split: look around it, the samples may miss
-// its twin.
+// 1/spacing: with less relative curvature a contact may be about to split. Its surroundings are searched, because the
+// samples may miss a second minimum.
 constexpr double kNearSplit = 3e-3;
 constexpr double kSteep = 4 * kNearSplit;
 constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
-// Samples overlap by at most this part of the characteristic length beyond the deepest refined minimum, or something
-// else is wrong: samples lie on the surfaces to rounding, and each that overlaps starts a descent.
+// Of the characteristic length. A sample may overlap by this much more than the deepest refined minimum; beyond that
+// something is wrong, because samples lie on the surfaces to rounding and each that overlaps starts a descent.
 constexpr double kUnexplained = 1e-6;
 
 void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, double same) {
@@ -71,8 +71,8 @@ void ContactInspector::look_for_buried(const State& state, Findings& out) {
   const auto buried = field_->buried(state);
   if (!buried) return;
   const auto& layer = model_->layers[at(buried->layer)];
-  // A soft layer may be pressed deeper than that somewhere and still carry what it is asked to: the run tells how deep.
-  // One that carries nothing is taken for free though it is not.
+  // A soft layer may be compressed deeper than its search depth somewhere and still carry its load; the report states
+  // the depth. A layer without load here would wrongly count as free.
   ElasticLayer::Memory memory;
   LayerWrench pressed;
   layer.layer->evaluate(state.poses[at(layer.body_a)], state.poses[at(layer.body_b)], memory, pressed,
@@ -85,7 +85,7 @@ void ContactInspector::look_for_buried(const State& state, Findings& out) {
 }
 
 void ContactInspector::look_for_doubt(const State& state, Findings& out) {
-  // Where a surface ends because a flaw was cut out of it, that is what is wrong, and not its edge.
+  // Where a flaw was cut out of a surface, the finding is the flaw and not the edge.
   beyond_edge_.clear();
   for (const Candidate& c : survey_.edges)
     if (c.minimum.gap < -gap_tolerance_ && !held(state, c)) beyond_edge_.push_back(c);
@@ -114,7 +114,7 @@ void ContactInspector::inspect_held(const State& state, Findings& out) {
             [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
 }
 
-/// Two contacts that have run into each other share one force in any proportion: one of them goes.
+/// Two contacts that have merged share one force in any proportion. One of them is removed.
 void ContactInspector::look_for_merged(const State& state, Findings& out) const {
   const double one = 1e-3 * same_contact();
   for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i)
@@ -144,7 +144,7 @@ void ContactInspector::look_beside(const State& state, int i, Findings& out) {
     else if (!held(state, candidate))
       out.overlapping.push_back(candidate);
   }
-  // Flat to rounding (a plane on a plane) is a minimum; a saddle is none only if something beside it lies lower.
+  // Flat to rounding (a plane on a plane) counts as a minimum. A saddle counts only if a point beside it lies lower.
   if (least < 0 && lower) out.not_minimal.push_back(i);
 }
 
@@ -165,7 +165,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
     if (std::isfinite(field_->edge_distance(c.pair, c.minimum.contact))) {
       out.over_edge = true;
       out.where = model_->pairs[at(c.pair)].name;
-    } else {  // no edge is there: what a descent did not get out of overlaps
+    } else {  // no edge there: the descent could not leave the overlap
       out.deep_overlap = true;
       out.where = fmt::format("{} by {:.3g} mm", model_->pairs[at(c.pair)].name, -1e3 * c.minimum.gap);
     }
@@ -180,8 +180,8 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
 }
 
 std::vector<Candidate> ContactInspector::touching(const State& state, Touching which, double within) const {
-  constexpr double kRounding = 16;  // of the tolerance: of what Newton's method leaves, and levers
-  // Along a valley (a cylinder on a plane) one contact stands for all that is pressed.
+  constexpr double kRounding = 16;  // of the tolerance: for the residual of Newton's method, times lever arms
+  // Along a valley (a cylinder on a plane) one contact represents the whole line.
   const auto is_a_place = [&](const Candidate& c) {
     const auto of_pair = [&](const ActiveContact& held) { return held.pair == c.pair; };
     if (which == Touching::all && std::none_of(state.contacts.begin(), state.contacts.end(), of_pair)) return true;

@@ -11,16 +11,16 @@ namespace genu {
 namespace {
 
 constexpr int kMostDescents = 150;         // of each stage
-constexpr int kMostCareful = 600;          // the same in careful strides
+constexpr int kMostCareful = 600;          // the same with careful strides
 constexpr double kCareful = 0.05;          // of the longest usual step
 constexpr double kBalancedForce = 1e-5;    // scaled force and moment along the free motions: a seed, not a result
-constexpr double kNearEnoughForce = 0.05;  // the same where samples that come and go let no step go further down
-constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: keeps steps finite along motions that are free
-constexpr double kMostTranslation = 0.1;   // of the model's size, an iteration
-constexpr double kMostRotation = 0.1;      // rad an iteration
-constexpr double kShortStep = 1e-3;        // of the longest one: nearer, Newton's method is better
+constexpr double kNearEnoughForce = 0.05;  // the same where changing samples allow no further descent
+constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: limits steps along motions without stiffness
+constexpr double kMostTranslation = 0.1;   // of the model's size, per iteration
+constexpr double kMostRotation = 0.1;      // rad per iteration
+constexpr double kShortStep = 1e-3;        // of the longest one: for smaller steps Newton's method is better
 constexpr double kTooShort = 1e-7;         // of the longest step
-constexpr double kWorkRounding = 1e-13;    // of work, in the characteristic force times length: none
+constexpr double kWorkRounding = 1e-13;    // of characteristic force times length: less work is rounding
 
 class DescentStage {
  public:
@@ -47,8 +47,8 @@ class DescentStage {
       const double fraction = std::min(1.0, longest / excess());
       if (!retract(model_, state, correction_, fraction, trial_)) return false;
       evaluate(trial_, there_);
-      // The force along the step may turn, but not so far that on the way it has climbed. From an equilibrium, moved on
-      // by what is prescribed alone, the step down is rounding, and so is what it climbs.
+      // The force along the step may change sign, as long as the energy decreases overall. From an equilibrium that
+      // only the prescribed motion has changed, both the step and its work are rounding.
       const double slope = there_.wrench.dot(down_);
       const double rounding = kWorkRounding * model_.scales.force * model_.scales.length;
       if (std::isfinite(slope) && slope >= -0.5 * slope_ - rounding) {
@@ -69,7 +69,7 @@ class DescentStage {
     deepest_ = field_.add_foundation(state, modulus_, out);
   }
 
-  /// The step down from `here_`, and the multipliers that leave no force along what the constraints hold.
+  /// The descent step from `here_`, and the multipliers that balance the forces along the constraints.
   void find_step(State& state) {
     const double L = model_.scales.length;
     const Eigen::Index n = here_.wrench.size(), m = here_.constraint.size();
@@ -92,7 +92,8 @@ class DescentStage {
       free = null_space(held, kDependentRow);
       motion = minimum_norm_solution(held, -error);
       const VecX balancing = minimum_norm_solution(held.transpose(), -force);
-      // At once, whatever fraction of the motion follows: only the curvature of the constraints depends on them.
+      // The multipliers take their full value whatever fraction of the step follows: only the curvature of the
+      // constraints depends on them.
       for (Eigen::Index k = 0; k < m; ++k) {
         const double more = balancing[k] / row_length[k];
         state.multipliers[static_cast<std::size_t>(k)] += more;
@@ -117,7 +118,7 @@ class DescentStage {
     return eigen.vectors * (eigen.vectors.transpose() * force).cwiseQuotient(sizes);
   }
 
-  /// The step in units of the longest one allowed.
+  /// The step in units of the longest allowed step.
   double excess() const {
     double out = 1e-300;
     for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
@@ -135,7 +136,7 @@ class DescentStage {
   const Cancelled& cancelled_;
   Linearization here_, there_;
   Correction correction_;
-  VecX down_;  // the twist along free motions alone
+  VecX down_;  // the descent part of the twist, along free motions
   State trial_;
   double deepest_ = 0, force_ = 0, slope_ = 0;
 };

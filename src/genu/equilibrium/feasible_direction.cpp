@@ -8,10 +8,10 @@
 namespace genu {
 namespace {
 
-constexpr double kPressed = 1e-9;  // what a motion of unit norm exceeds a bound by less is rounding
-constexpr double kLeft = 1e-6;     // what it leaves none by more than this is no way out
+constexpr double kPressed = 1e-9;  // of a motion of unit norm: exceeding a bound by less is rounding
+constexpr double kLeft = 1e-6;     // a feasible direction moves away from some bound by more than this
 
-/// The rows of norm 1; those without one are left out, for no motion comes to them.
+/// The rows, scaled to norm 1. Zero rows are omitted: they restrict no motion.
 MatX unit_rows(const MatX& rates) {
   MatX out(0, rates.cols());
   for (Eigen::Index i = 0; i < rates.rows(); ++i) {
@@ -23,9 +23,9 @@ MatX unit_rows(const MatX& rates) {
   return out;
 }
 
-/// The weights y >= `least` for which |A y - b| is least: Lawson and Hanson (1974), Solving least squares problems,
-/// chapter 23, for z = y - least >= 0. Each pass raises one weight and solves for all that are raised; one that would
-/// fall below `least` ends the step there and is that again.
+/// Minimises |A y - b| over y >= `least` by Lawson and Hanson (Solving Least Squares Problems, 1974, chapter 23), with
+/// z = y - least >= 0. Each pass frees one weight and solves for all free ones. A weight that would fall below `least`
+/// ends the step there and is fixed again.
 class LeastSum {
  public:
   LeastSum(MatX columns, VecX aim, double least)
@@ -35,7 +35,7 @@ class LeastSum {
         y_(VecX::Constant(columns_.cols(), least)),
         raised_(static_cast<std::size_t>(columns_.cols()), false) {}
 
-  /// |A y - b| falls with every pass, so that no set of raised weights comes twice; the limit is for rounding.
+  /// |A y - b| decreases in every pass, so no set of free weights occurs twice. The limit guards against rounding.
   VecX solve() {
     const int most = 30 * static_cast<int>(y_.size());
     for (int pass = 0; pass < most && raise_one(); ++pass) settle();
@@ -54,7 +54,7 @@ class LeastSum {
 
   VecX sum() const { return columns_ * y_ - aim_; }
 
-  /// Raises the weight whose growth makes the sum smallest; false where none does.
+  /// Frees the weight with the steepest descent of the sum. False where none descends.
   bool raise_one() {
     const VecX now = sum();
     const double rounding = 1e-14 * (y_.lpNorm<1>() + aim_.norm());
@@ -71,7 +71,7 @@ class LeastSum {
     return true;
   }
 
-  /// Moves the raised weights to where the sum is least, or as far towards that as all of them stay above `least`.
+  /// Moves the free weights to the minimum of the sum, or towards it until one reaches `least`.
   void settle() {
     for (Set set = raised(); !set.empty(); set = raised()) {
       const VecX step = minimum_norm_solution(columns_(Eigen::all, set), -sum());
@@ -117,7 +117,7 @@ VecX interior_direction(const MatX& bounds, const MatX& motions) {
   const VecX none = VecX::Zero(motions.rows());
   const MatX rows = unit_rows(bounds * motions);
   if (rows.rows() == 0) return motions.cols() > 0 ? VecX(motions.col(0)) : none;
-  // The point of their convex hull that is nearest to 0, but for its size.
+  // Up to a factor, the point of their convex hull that is nearest to 0.
   MatX columns(rows.cols() + 1, rows.rows());
   columns << rows.transpose(), MatX::Ones(1, rows.rows());
   const VecX sum = rows.transpose() * LeastSum(columns, VecX::Unit(rows.cols() + 1, rows.cols()), 0).solve();

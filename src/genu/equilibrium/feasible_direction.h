@@ -1,23 +1,22 @@
-// Motions, or forces, that one-sided conditions leave.
+// Feasible directions under unilateral constraints, for motions and for forces.
 #pragma once
 
 #include "genu/core/types.h"
 
 namespace genu {
 
-/// Whether `motion` (n) has no positive product with any row of `bounds` (k x n, of norm 1 or less): by more than 1e-9
-/// of its norm, which is rounding.
+/// Whether bounds * motion <= 0 (bounds: k x n, rows of norm <= 1; motion: n), up to rounding of 1e-9 |motion|.
 bool within(const MatX& bounds, const VecX& motion);
 
-/// A motion among `motions` (n x m, columns) that leaves bounds and exceeds none, of unit norm where the columns are
-/// orthonormal; of zeros where there is none. With R = bounds * motions, its rows of norm 1, it is -R^T y for the y >=
-/// 1 that makes that least: 0 if R^T y = 0 for some y > 0, which by Stiemke's theorem is the case where no such motion
-/// exists. What is returned has been held to the bounds, and leaves one by more than 1e-6 of its norm.
+/// A feasible direction among `motions` (n x m, columns) that moves away from at least one bound, of unit norm where
+/// the columns are orthonormal. Zeros where there is none. With R = bounds * motions, rows scaled to norm 1, it is -R^T
+/// y for the y >= 1 that minimises |R^T y|. By Stiemke's theorem that minimum is 0 exactly where no such motion exists.
+/// The result has been checked against the bounds and moves away from one by more than 1e-6 of its norm.
 VecX feasible_direction(const MatX& bounds, const MatX& motions);
 
-/// One that leaves all bounds (but those that no motion comes to) by more than 1e-9 of its norm; of zeros where there
-/// is none. The rows of R, of norm 1, have a nearest point to 0 in their convex hull; the motion is opposite to it, and
-/// exists, by Gordan's theorem, unless that point is 0.
+/// A strictly feasible direction: it moves away from every bound (zero rows excepted) by more than 1e-9 of its norm.
+/// Zeros where there is none. It is opposite to the point nearest to 0 in the convex hull of the rows of R (scaled to
+/// norm 1). By Gordan's theorem it exists unless that point is 0.
 VecX interior_direction(const MatX& bounds, const MatX& motions);
 
 }  // namespace genu

@@ -1,4 +1,4 @@
-// The blocks of a 12-wide row or column, of two bodies, that belong to bodies that move.
+// Blocks of a 12-wide row or column (two bodies) that belong to moving bodies.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace genu {
 
-/// Of two bodies, by their indices among those that move.
+/// `bodies`: indices among the moving bodies; negative for fixed ones.
 inline WhichMove which_move(const std::array<int, 2>& bodies) { return {bodies[0] >= 0, bodies[1] >= 0}; }
 
-/// add(from, to) for each such block: where it begins in the row of the pair, and in that of all moving bodies.
+/// Calls add(from, to) for each such block: offset in the row of the pair, and in the row of all moving bodies.
 template <typename Add>
 void for_moving(const std::array<int, 2>& bodies, Add add) {
   for (int i = 0; i < 2; ++i)

@@ -48,14 +48,14 @@ double Newton::admissible_fraction(const Correction& correction, const NewtonOpt
   return 1 / excess;
 }
 
-/// Of the step that the Jacobian at hand would take from there.
+/// Norm of the simplified Newton correction: the step from there with the factored Jacobian.
 double Newton::simplified_norm() {
   step_.solve(*there_, simplified_);
   simplified_at_hand_ = true;
   return step_.norm(simplified_, target_);
 }
 
-/// Evaluates the derivatives where current_ is, if that was not done yet.
+/// Evaluates the derivatives at current_ if they are missing.
 void Newton::complete() {
   if (!here_->derivatives) linearize(*model_, current_, target_, *here_);
 }
@@ -82,9 +82,9 @@ bool Newton::factor(const NewtonOptions& options, NewtonReport& report) {
   return true;
 }
 
-/// One damped step; `residual` is then that where it led.
+/// One damped step. `residual` becomes the residual at its end.
 bool Newton::advance(const NewtonOptions& options, double& residual, NewtonReport& report) {
-  // So near to the solution the next step, or the last, may well do with the Jacobian at hand.
+  // This close to the solution the next step may reuse the factored Jacobian.
   constexpr double kNear = 1e-2;
   const Derivatives wanted = residual <= kNear ? Derivatives::none : Derivatives::all;
   const double full = step_.norm(correction_, target_);
@@ -99,7 +99,7 @@ bool Newton::advance(const NewtonOptions& options, double& residual, NewtonRepor
     if (asked_to_stop(options.cancelled)) return false;
     const double next = step_.residual(*there_, target_);
     if (!std::isfinite(next)) continue;
-    // So small already that only rounding is left to compare, or monotone in the natural level function.
+    // Accept: converged, below the floor where rounding dominates, or monotone in the natural level function.
     if (next <= options.residual_tolerance || (next <= options.residual_floor && next <= residual) ||
         model_->safeguards.lacks(Safeguard::monotonicity) || simplified_norm() <= (1 - damping / 4) * full) {
       std::swap(current_, trial_);
@@ -127,9 +127,9 @@ NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptio
   return report;
 }
 
-/// From current_, with the layers as they are; counts iterations on. The last Jacobian is that at the solution, or one
-/// from which it differs by no more than kTrusted of itself: the residual fell by that in the first step that was taken
-/// with it.
+/// Solves from current_ with the quadrature of the layers fixed; continues the count of iterations. The last Jacobian
+/// is that at the solution, or one whose relative difference from it is at most kTrusted: the first step with it
+/// reduced the residual by that factor.
 void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
   constexpr double kTrusted = 1e-3, kSteep = 1e-2;
   if (asked_to_stop(options.cancelled)) return;
@@ -142,8 +142,8 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
     report.remember(residual, same_again);
     if (!std::isfinite(residual)) return;
     const bool solved = residual <= options.residual_tolerance;
-    // Each step with the same Jacobian lets the residual fall about as much as the first one, but for a factor of 2.
-    // Two of them cost less than one with a Jacobian of its own.
+    // Each step with the same Jacobian reduces the residual about as much as the first one, up to a factor of 2. Two of
+    // them cost less than one with a new Jacobian.
     const double again = 2 * fall;
     same_again = !solved && again <= kSteep && residual * again * again <= options.residual_tolerance;
     const bool trusted = fall <= kTrusted && model_->layers.empty();
@@ -170,7 +170,7 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
       if (residual > options.residual_floor) return;
       break;
     }
-    // Rounding ends the fall: below the floor a step that no longer halves the residual is the last one.
+    // Rounding ends convergence: below the floor, a step that does not halve the residual is the last one.
     if (next > 0.5 * residual && next <= options.residual_floor) {
       report.residual = next;
       ++report.iterations;
@@ -184,12 +184,12 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
   report.outcome = NewtonReport::Outcome::converged;
 }
 
-/// A small residual does not make a small error where the Jacobian is ill-conditioned: beside a ligament of 1e9 N/mm a
-/// load of 1 mN passes for balanced, however soft what carries it. The next correction tells how far it is.
+/// With an ill-conditioned Jacobian a small residual does not imply a small error: beside a ligament of 1e9 N/mm a load
+/// of 1 mN passes for balanced, however soft the part that carries it. The next correction measures the error.
 void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
-  constexpr double kErrorOfTolerance = 1e3, kLeastError = 1e-9;  // scaled: of the unknowns
-  constexpr double kRounding = 1e-15;                            // of a residual: what is left of terms that cancel
-  constexpr double kLeastShare = 0.25;  // of the fall that a step promises: less is noise along a motion that is free
+  constexpr double kErrorOfTolerance = 1e3, kLeastError = 1e-9;  // scaled: error of the unknowns
+  constexpr double kRounding = 1e-15;                            // of a residual: rounding of terms that cancel
+  constexpr double kLeastShare = 0.25;  // of the predicted decrease; less is noise along a free motion
   const double error = std::max(kLeastError, kErrorOfTolerance * options.residual_tolerance);
   if (model_->safeguards.lacks(Safeguard::polish)) return;
   for (; report.iterations < options.max_iterations; ++report.iterations) {

@@ -1,4 +1,4 @@
-// Damped Newton on manifolds for one pose with its contacts given.
+// Damped Newton's method on manifolds for one pose with a given active set.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 namespace genu {
 
 struct NewtonOptions {
-  /// Scaled residual (see NewtonStep::residual) at which a pose is solved. Quadratic convergence passes it by far; when
-  /// rounding stops the fall earlier, a residual below `residual_floor` is still accepted and reported.
+  /// Scaled residual (see NewtonStep::residual) at which a pose is solved. Quadratic convergence ends far below it.
+  /// Where rounding ends convergence earlier, a residual below `residual_floor` is accepted and reported.
   double residual_tolerance = 1e-12;
   double residual_floor = 1e-8;
   int max_iterations = 40;
   double smallest_damping = 1.0 / 1024;
-  double max_translation = 0.15;  ///< cap on one iteration's motion of a body's origin, of the model's size
+  double max_translation = 0.15;  ///< largest translation of a body's origin in one iteration, of the model's size
   double max_rotation = 0.1;      ///< rad
-  double max_slide = 0.2;         ///< cap on one iteration's motion of a contact point, of the model's size
+  double max_slide = 0.2;         ///< largest motion of a contact point in one iteration, of the model's size
   NewtonStep::Route route = NewtonStep::Route::automatic;
-  Cancelled cancelled;  ///< asked in every iteration, and while layers are summed
+  Cancelled cancelled;  ///< asked in every iteration and while layers are summed
 };
 
-/// The same, left off once `cancelled` says so.
+/// The same options, cancelled by `cancelled`.
 inline NewtonOptions stoppable(NewtonOptions options, const Cancelled& cancelled) {
   options.cancelled = cancelled;
   return options;
@@ -36,39 +36,38 @@ struct NewtonReport {
   double rcond = 0;           ///< of the last Jacobian, scaled
   bool full_rank = true;      ///< of the last Jacobian
   bool minimum_norm = false;  ///< the last Jacobian was too ill-conditioned for LU
-  /// The last three residuals, oldest first, and whether the step to each was taken with the Jacobian of the one
-  /// before.
+  /// The last three residuals, oldest first. `simplified`: the step to it used the Jacobian of the iterate before.
   double residual_history[3] = {0, 0, 0};
   bool simplified_history[3] = {false, false, false};
 
-  /// Adds a residual to those remembered.
+  /// Appends a residual to the history.
   void remember(double next, bool simplified);
   bool converged() const { return outcome == Outcome::converged; }
 };
 
 std::string to_string(NewtonReport::Outcome outcome);
 
-/// Newton with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems,
-/// 2004, section 3.3). Keeps its memory between solves.
+/// Newton's method with Deuflhard's affine-invariant monotonicity test (P. Deuflhard, Newton Methods for Nonlinear
+/// Problems, 2004, section 3.3). Keeps its memory between solves.
 class Newton {
  public:
   explicit Newton(const JointModel& model) : model_(&model), step_(model) {}
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;
 
-  /// Solves from `state` in place, again where elastic layers have to be summed more finely (layer_levels.h). On
-  /// failure `state` is left as it was.
+  /// Solves from `state` in place. Repeats the solve where elastic layers need a finer quadrature (layer_levels.h). On
+  /// failure `state` is unchanged.
   NewtonReport solve(State& state, const Target& target, const NewtonOptions& options);
 
-  /// After a converged solve: the linearization at the solution, its derivatives evaluated now if no step needed them.
+  /// After a converged solve: the linearization at the solution. Derivatives are evaluated now if no step needed them.
   const Linearization& linearization();
-  /// What earlier poses have shown of elastic layers.
+  /// What earlier poses have shown of the elastic layers.
   const std::shared_ptr<LayerMemories>& layers() const { return here_->layers; }
 
-  /// After a converged solve: how much of itself the Jacobian that step() has factored may differ from that at the
-  /// solution; 0 where it is that.
+  /// After a converged solve: bound on the relative difference between the Jacobian that step() has factored and the
+  /// one at the solution; 0 where they are the same.
   double jacobian_error() const { return jacobian_error_; }
-  /// Lets step() factor the Jacobian at the solution. False where it cannot be.
+  /// Factors the Jacobian at the solution for step(). False where that fails.
   bool factor_at_solution(NewtonStep::Route route = NewtonStep::Route::automatic);
 
   NewtonStep& step() { return step_; }
@@ -90,7 +89,7 @@ class Newton {
   State current_, trial_;
   Target target_;
   double jacobian_error_ = 0;
-  bool simplified_at_hand_ = false;  ///< simplified_ is the step from here_ with the Jacobian at hand
+  bool simplified_at_hand_ = false;  ///< simplified_ is the step from here_ with the factored Jacobian
 };
 
 }  // namespace genu

@@ -63,7 +63,7 @@ void NewtonStep::assemble_eliminated(const Linearization& at) {
   for (int c = 0; c < contacts_; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const EliminatedContact& contact = eliminated_[k];
-    // `stiffness` of the linearization holds the contact's part with its points held; replace it by the whole.
+    // `stiffness` of the linearization contains the contact's part with fixed surface points. Replace it by the total.
     const Mat12 &whole = contact.stiffness, &held = at.contacts[k].wrench_d_twist;
     const int row = twists_ + constraints_ + c;
     for_moving(bodies_[k], [&](int from, int to) {
@@ -169,7 +169,7 @@ void NewtonStep::solve_and_unpack(Correction& out) {
 double NewtonStep::residual(const Linearization& at, const Target& target) const {
   const double L = model_->scales.length, F = model_->scales.force;
   double worst = 0;
-  // max() loses a NaN in its second place: keep it in the first, so that it reaches the caller.
+  // std::max() drops a NaN in its second argument; the first argument keeps it, so that the caller sees it.
   auto add = [&worst](double value) { worst = std::isnan(value) ? value : std::max(worst, std::abs(value)); };
   for (Eigen::Index i = 0; i < at.wrench.size(); ++i) add(at.wrench[i] / (i % 6 < 3 ? F : F * L));
   for (Eigen::Index m = 0; m < at.constraint.size(); ++m)

@@ -1,7 +1,8 @@
 // The Newton step of a linearization, by two routes to the same numbers.
 //
-//   dense       all 6B + M + 5N unknowns at once: the reference, and the way out of a contact's own singular block
-//   eliminated  each contact's four surface coordinates first (Schur complement), then 6B + M + N: the fast one
+//   dense       all 6B + M + 5N unknowns at once: the reference, and the fallback where a contact's own block is
+//   singular eliminated  the four surface coordinates of each contact first (Schur complement), then 6B + M + N: the
+//   fast route
 // Rows and columns are scaled by the model's characteristic length and force.
 #pragma once
 
@@ -13,11 +14,11 @@
 
 namespace genu {
 
-/// One more unknown, the path's parameter, and one more equation: row . [twist, parameter] = 0. It keeps the Jacobian
-/// regular at limit points (arc-length control).
+/// One more unknown, the parameter of the path, and one more equation: row . [twist, parameter] = 0. The bordered
+/// Jacobian is regular at limit points (arc-length control).
 struct Border {
-  VecX wrench_rate;      ///< 6B: change of the equilibrium residual with the parameter
-  VecX constraint_rate;  ///< M: change of the constraint residual
+  VecX wrench_rate;      ///< 6B: rate of the equilibrium residual with the parameter
+  VecX constraint_rate;  ///< M: rate of the constraint residual
   VecX twist;            ///< 6B: the row
   double parameter = 1;  ///< its last entry
 };
@@ -30,20 +31,20 @@ class NewtonStep {
     solver_.allow_minimum_norm(model.safeguards.has(Safeguard::minimum_norm));
   }
 
-  /// Factors the Jacobian of `at`. False when it is not finite, or when the eliminated route was demanded and a contact
-  /// block is singular.
+  /// Factors the Jacobian of `at`. False where it is not finite, or where `route` is eliminated and a contact block is
+  /// singular.
   bool factor(const Linearization& at, const Target& target, Route route = Route::automatic,
               const Border* border = nullptr);
 
-  /// The step for the residuals of `at`, which may be those of another state than was factored (a simplified Newton
-  /// correction, used to judge a step).
+  /// The step for the residuals of `at`. These may belong to another state than the factored one: the result is then
+  /// the simplified Newton correction of the monotonicity test.
   void solve(const Linearization& at, Correction& out);
 
-  /// The change of the unknowns for given changes of the equilibrium and constraint residuals, contacts kept closed:
-  /// the tangent of the path when these are the rates of loads and targets.
+  /// The change of the unknowns for given rates of the equilibrium and constraint residuals, contacts kept closed. For
+  /// rates of loads and targets this is the tangent of the path.
   void solve_rates(const VecX& wrench_rate, const VecX& constraint_rate, Correction& out);
 
-  /// Factored with a border: the direction of the path, with row . [twist, parameter] = 1.
+  /// After factor() with a border: the tangent of the path, scaled to row . [twist, parameter] = 1.
   void solve_direction(Correction& out);
 
   /// Largest scaled residual: forces / force scale, lengths / length scale, angles in rad, sines.
@@ -54,7 +55,7 @@ class NewtonStep {
 
   Route route() const { return route_; }
   const ScaledSolver& linear() const { return solver_; }
-  /// Contacts with their surface coordinates eliminated; valid after factor() by the eliminated route.
+  /// Contacts with their surface coordinates eliminated. Valid after factor() by the eliminated route.
   const std::vector<EliminatedContact>& eliminated() const { return eliminated_; }
 
  private:

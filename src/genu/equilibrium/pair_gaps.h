@@ -7,9 +7,9 @@
 
 namespace genu {
 
-/// m; of held contacts, else looked for over the whole of both surfaces. `open`: contacts that were held once and are
-/// followed, which are minima; where a pair has come nearer elsewhere since, that place takes the place of the lowest
-/// of them, and of all where it is at a rim.
+/// Smallest gap of each rigid pair, m: of its active contacts, else the minimum over both surfaces. `open`: contacts
+/// that were closed before and are followed. Where a pair has come closer at another place, that place replaces the
+/// lowest of them; at a rim it replaces all.
 std::vector<double> pair_gaps(const State& state, const JointModel& model, ContactField& field,
                               std::vector<OpenContact>& open);
 

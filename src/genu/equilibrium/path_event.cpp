@@ -1,4 +1,4 @@
-// The words of events.
+// Names of events in files and tables.
 #include "genu/equilibrium/path_event.h"
 
 namespace genu {

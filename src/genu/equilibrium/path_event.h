@@ -9,7 +9,7 @@
 
 namespace genu {
 
-/// Something that happened between rows, located on the path.
+/// An event between two rows, located on the path.
 struct PathEvent {
   enum class Kind {
     contact_gained,
@@ -17,33 +17,33 @@ struct PathEvent {
     taut,
     slack,
     transition,  ///< a ligament passes another break of its law
-    held,        ///< a ligament stays at a jump of its law, with a force between those of the two sides
-    jump,        ///< no equilibrium beyond that is near: the force of a ligament drops
+    held,        ///< a ligament stays at a jump of its law; its force is between those of the two sides
+    jump,        ///< no equilibrium is near beyond this: the force of a ligament drops
     stepped_over,
     over_edge,
     overlap,
     flawed_mesh,
-    turns_back,         ///< a limit point that ends the path: no equilibrium lies beyond what is prescribed there
-    limit_point,        ///< the same, passed by arc length
-    bifurcation,        ///< the smallest stiffness passes 0, and another path branches off
-    reaction_turns,     ///< the reaction of what is driven is largest or smallest: a limit point if it were the load
-    stability_changed,  ///< the smallest stiffness changes its sign
-    closed,             ///< the path is back where it started
+    turns_back,         ///< a limit point that ends the path: no equilibrium exists beyond this prescribed value
+    limit_point,        ///< a limit point passed by arc length
+    bifurcation,        ///< the smallest stiffness passes 0 and another path branches off
+    reaction_turns,     ///< the reaction of the driven coordinate has an extremum: a limit point if it were the load
+    stability_changed,  ///< the smallest stiffness changes sign
+    closed,             ///< the path has returned to its start
     snaps,              ///< the equilibrium ends, the next one is a jump away, and the path ends here
-    snapped,            ///< the same, but the path goes on there
+    snapped,            ///< the same, and the path continues there
     flutter,
     stopped
   };
   Kind kind = Kind::stopped;
-  int step = 0;  ///< 0 on the way from the reference pose (or the last step's end) to a step's start
+  int step = 0;  ///< 0: on the way from the reference pose (or the last step's end) to a step's start
   double t = 0;
-  Target target;                              ///< where: prescribed coordinates and load factors
+  Target target;                              ///< prescribed coordinates and load factors there
   std::string what;                           ///< e.g. "medial.2"
   std::vector<JointValues> coordinates = {};  ///< of every joint, where the pose is known
-  int rows_before = 0;                        ///< how many poses had been handed over when it happened
+  int rows_before = 0;                        ///< number of poses handed over before it
 };
 const char* to_string(PathEvent::Kind kind);
-/// What ends a path where findings are final().
+/// The event that ends a path where findings are final().
 PathEvent::Kind end_of(const Findings& findings);
 
 }  // namespace genu

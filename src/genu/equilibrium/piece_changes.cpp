@@ -18,7 +18,7 @@ double length_of(const JointModel& model, const State& state, const LigamentPiec
   return model.ligaments[at(piece.ligament)].path.length(state.poses);
 }
 
-/// How far inside its piece a ligament is, scaled; negative outside.
+/// Distance of a ligament from the ends of its piece, scaled; negative outside.
 double margin(const JointModel& model, const State& state, const LigamentPiece& piece) {
   const auto& breaks = breaks_of(model, piece);
   const auto k = at(piece.piece);
@@ -39,7 +39,7 @@ void hold(const LawBreak& b, int piece, bool from_below, LigamentPiece& out) {
   out.force = from_below ? b.below.force : b.above.force;
 }
 
-/// The break past which a ligament that left its piece has gone.
+/// The break that a ligament off its piece has passed.
 int break_passed(const JointModel& model, const State& state, const LigamentPiece& piece) {
   const auto& breaks = breaks_of(model, piece);
   const int k = piece.piece;

@@ -1,9 +1,9 @@
-// Ligaments that leave the piece of their law they are on: found at a converged pose, changed in the search for one.
+// Changes of the piece of a law that a ligament is on: detected at a converged pose, made in the search for one.
 //
-// While Newton runs every ligament keeps to one piece, continued straight beyond sharp breaks, so that it never sees a
-// kink or a jump. (Breaks where force and stiffness are continuous concern no solve; see law_events.h.) What it finds
-// must then be consistent: each length on its piece, and the force of a ligament held at a jump between those of the
-// two sides (Filippov's set-valued law). It is the search for the contact set once more.
+// During Newton's method every ligament keeps to one piece, extended beyond its sharp breaks, so that the residual is
+// smooth. (Breaks with continuous force and stiffness matter to no solve; see law_events.h.) The result must be
+// consistent: each length lies on its piece, and the force of a ligament held at a jump lies between those of the two
+// sides (Filippov's set-valued law). This is an active-set search over pieces.
 #pragma once
 
 #include <string>
@@ -16,32 +16,32 @@
 
 namespace genu {
 
-/// Adds to `out` the ligaments that are not where their piece is.
+/// Adds to `out` the ligaments that are off their piece.
 void inspect_pieces(const JointModel& model, const State& state, Findings& out);
 
-/// Moves each ligament found to the next state of its law: over a kink or a drop of the force to the other side, at a
-/// rise first to the break itself, and from there to the side whose force is passed; with `hold_drops` so at a drop
-/// too. False where there is none to move.
+/// Moves each ligament found to the next state of its law. Across a change of stiffness or a drop of the force it goes
+/// to the other side. At a rise of the force it goes first to the break, and from there to the side whose force it
+/// exceeds; with `hold_drops` the same holds at a drop. False where there is none to move.
 bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops = false);
 
-/// Whether a ligament is held at a break where its force drops: balanced, but never stable.
+/// Whether a ligament is held at a break where its force drops. Such a pose is balanced and never stable.
 bool holds_a_drop(const JointModel& model, const State& state);
 
-/// The first of the ligaments found whose break is a drop of the force with its length, in words; empty if there is
-/// none. Beyond it, either way, the joint is out of balance by the whole drop and moves on.
+/// Describes the first ligament found whose force drops at a break; empty if there is none. On both sides of it the
+/// joint is out of balance by the whole drop and moves on.
 std::string dropped_force(const JointModel& model, const Findings& findings, const State& state);
 
-/// Puts ligaments that cannot be held, since what is prescribed fixes their length already, on the side their length is
-/// at. False where none is held.
+/// Releases held ligaments whose length the prescribed coordinates already fix, to the side of their length. False
+/// where none is held.
 bool let_go(const JointModel& model, State& state);
 
-/// The break at which some ligament's force jumps and whose length it is nearest to within a hundredth, in words.
+/// Describes the jump of force whose length is nearest to a ligament's, within 1 percent; empty if there is none.
 std::string piece_in_doubt(const JointModel& model, const State& state);
 
-/// The event of a ligament that has passed a break, up or down.
+/// The event of a ligament that passes a break, up or down.
 PathEvent::Kind passed(const LawBreak& b, bool up);
 
-/// What an observer is told of the way from one state to the next.
+/// Events of ligaments from one state to the next.
 std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointModel& model, const State& before,
                                                                   const State& after);
 

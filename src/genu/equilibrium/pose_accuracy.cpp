@@ -10,15 +10,15 @@
 namespace genu {
 namespace {
 
-constexpr double kHardly = 3e-8;   // of the force scale: what presses or pulls by more is not idle at any pose
-constexpr double kNear = 1e-6;     // of the length scale, rad: what is farther from a kink is on its side at any pose
-constexpr double kSolved = 2e-12;  // the same, at every pose: what Newton's method accepts
-constexpr double kTimes = 10;      // the correction that is left, which is an estimate
-constexpr double kUsual = 1e-9;    // residual, scaled: the first two hold up to it, and grow with what is above
+constexpr double kHardly = 3e-8;   // of the force scale: a larger force is never idle
+constexpr double kNear = 1e-6;     // of the length scale, rad: a nonsmooth point farther away is never near
+constexpr double kSolved = 2e-12;  // of the length scale, rad: tolerance of Newton's method, at every pose
+constexpr double kTimes = 10;      // factor on the remaining correction, which is an estimate
+constexpr double kUsual = 1e-9;  // scaled residual up to which kHardly and kNear hold; above it they grow in proportion
 
 double coarser(double residual) { return std::max(1.0, residual / kUsual); }
 
-/// m: what coordinates that far from the origin are rounded to.
+/// m: rounding error of coordinates at the bodies' distance from the origin.
 double rounding_of_coordinates(const JointModel& model) {
   double farthest = 0;
   for (const JointModel::Body& body : model.bodies) farthest = std::max(farthest, body.centre.norm());

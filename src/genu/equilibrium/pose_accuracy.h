@@ -1,5 +1,6 @@
-// How well a solved pose and its forces are known: to what Newton's method would still correct, to what it accepts, and
-// to the rounding of coordinates. No nearer can a force be told from none, a length from a break, two rows from one.
+// How accurately a solved pose and its forces are known: the Newton correction that is left, the tolerance of Newton's
+// method, and the rounding of coordinates. Within these a force cannot be told from zero, a length from a break, or two
+// dependent rows from one.
 #pragma once
 
 #include <vector>
@@ -11,35 +12,35 @@ namespace genu {
 
 class PoseAccuracy {
  public:
-  /// Of the pose that `at` was linearized at.
+  /// For the pose that `at` was linearized at.
   PoseAccuracy(const JointModel& model, const Target& target, const Linearization& at);
 
-  /// N: what pulls or presses with no more may not.
+  /// N: a force up to this may be zero.
   double force() const;
-  /// The same of contact `c`, whose bodies are held as stiffly as they are; where forces can be traded for one another
-  /// each of them is known to nothing.
+  /// The same for contact `c`; includes the stiffness with which its bodies are held. Where forces are statically
+  /// indeterminate it is the widest.
   double of_contact(std::size_t c) const;
-  /// The same of a multiplier that is a force.
+  /// The same for a multiplier that is a force.
   double of_multiplier(Eigen::Index i) const;
 
-  /// What kinks the pose cannot be told from.
+  /// The reach within which the pose cannot be told from a nonsmooth point.
   NonsmoothReach reach() const;
 
-  /// How far the gradients of what is held may be off, in the metric of stability and of rows of norm 1: where surfaces
-  /// are curved by no more than its length, as far as the pose is; never more than the widest reach.
+  /// Error of the gradients of constraints and contacts, in the metric of stability, for rows of norm 1. Where surfaces
+  /// are curved by no more than 1 / length, it is the error of the pose. At most the widest reach.
   double of_rows() const;
 
-  /// N: at no pose solved to this (scaled) residual is more than this none.
+  /// N: an upper bound of force() over all poses solved to this scaled residual.
   static double least_told(const JointModel& model, double residual);
-  /// At no such pose is it wider.
+  /// An upper bound of reach() over all such poses.
   static NonsmoothReach widest_reach(const JointModel& model, double residual);
 
  private:
   double also(double correction, double stiffest) const;
 
   NonsmoothReach widest_;
-  double force_ = 0, length_ = 0, rounding_ = 0;  // length_: m, what Newton's method accepts
-  bool known_ = false;                            // the correction that is left
+  double force_ = 0, length_ = 0, rounding_ = 0;  // length_: m, tolerance of Newton's method
+  bool known_ = false;                            // the remaining correction is known
   VecX twist_, multipliers_, contact_forces_;
   std::vector<double> stiffest_;  // N/m, of the bodies of each contact
   double stiffest_of_all_ = 0;

@@ -1,4 +1,4 @@
-// One solved pose of a path, with everything that is known of it.
+// One solved pose of a path with its report, stability and events.
 #pragma once
 
 #include "genu/equilibrium/active_set.h"
@@ -12,7 +12,7 @@ namespace genu {
 struct PosePoint {
   int step = 0;       ///< from 1
   int increment = 0;  ///< from 0
-  double t = 0;       ///< of its step, 0 to 1
+  double t = 0;       ///< position in its step, 0 to 1
   Target target;
   Balanced pose;
   PoseReport report;

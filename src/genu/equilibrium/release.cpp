@@ -17,7 +17,7 @@ namespace {
 
 using Kind = ReleasedPlane::Kind;
 
-/// N: how far the force of a ligament held at a jump is from the end of what it can be; infinite for others.
+/// N: distance of the force of a ligament held at a jump from the nearer end of the jump; infinite for others.
 double to_end(const JointModel& model, const LigamentPiece& p) {
   if (!p.held) return std::numeric_limits<double>::infinity();
   const LawBreak& b = model.ligaments[at(p.ligament)].law.sharp_breaks()[at(p.piece)];
@@ -29,7 +29,7 @@ void add_rows(const MatX& rows, MatX& out) {
   out.bottomRows(rows.rows()) = rows;
 }
 
-/// Lets a contact go, whose equations stand at `c` in `at_pose`.
+/// Releases the contact whose equations are block `c` of `at_pose`.
 void release_contact(const JointModel& model, const Linearization& at_pose, std::size_t c, Released& out) {
   const std::array<int, 2>& bodies = at_pose.contact_bodies[c];
   VecX closing = VecX::Zero(at_pose.wrench.size());
@@ -44,7 +44,7 @@ void release_contact(const JointModel& model, const Linearization& at_pose, std:
   if (rows.rows() > 0) add_rows(rows, out.conforming);
 }
 
-/// Moves contacts that carry nothing out of `state`.
+/// Removes contacts without force from `state`.
 bool release_contacts(const JointModel& model, const std::vector<ActiveContact>& touching, const Target& target,
                       const PoseAccuracy& accuracy, State& state, Released& out) {
   State closed = state;
@@ -63,7 +63,7 @@ bool release_contacts(const JointModel& model, const std::vector<ActiveContact>&
   return state.contacts.size() < closed.contacts.size();
 }
 
-/// Ligaments held at a jump whose force has come to an end of what it can be: they can go on from there.
+/// Releases ligaments held at a jump whose force has reached one of its ends.
 bool release_held(const JointModel& model, const Target& target, const PoseAccuracy& accuracy, State& state,
                   Released& out) {
   auto row = static_cast<Eigen::Index>(constraint_count(model, target));
@@ -82,7 +82,7 @@ bool release_held(const JointModel& model, const Target& target, const PoseAccur
   return any;
 }
 
-/// Layers begin to press as softly as a toe to pull; conforming ones are looked at where a motion is known.
+/// Layers begin to press quadratically, as a toe begins to pull. Conforming ones are examined once a motion is known.
 bool release_layers(const JointModel& model, const State& state, double force, Released& out) {
   bool any = false;
   LayerWrench pressed;
@@ -104,7 +104,7 @@ bool release_layers(const JointModel& model, const State& state, double force, R
   return any;
 }
 
-/// Takes out of the stiffness what jumps where the pose cannot be told from the kink.
+/// Removes from the stiffness the laws at nonsmooth points that the pose cannot be told from.
 bool release_nonsmooth_points(const JointModel& model, const State& state, const Target& target,
                               const PoseAccuracy& accuracy, Released& out) {
   const VecX unit = stability_metric(out.at.wrench.size());

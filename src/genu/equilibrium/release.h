@@ -1,4 +1,4 @@
-// A pose without what holds nothing at it, or one way only: what is idle let go, what jumps taken out.
+// The linearization of a pose without its unilateral parts: contacts without force, and laws at a nonsmooth point.
 #pragma once
 
 #include <vector>
@@ -7,34 +7,35 @@
 
 namespace genu {
 
-/// A plane through the pose among twists (6B). Closed: none may go beyond it. Else the stiffness gains slope * wrench *
-/// gradient^T, another slope beyond it. A drop: beyond it a force falls, and what goes there goes on.
+/// A plane through the pose in the space of twists (6B). closed: no motion may cross it. Else the stiffness gains slope
+/// * wrench * gradient^T, with different slopes on the two sides. drop: a force falls beyond it, and a motion that
+/// crosses it continues.
 struct ReleasedPlane {
   enum class Kind { kink, closed, drop };
-  VecX gradient;                ///< how fast a twist goes beyond it
-  VecX wrench = {};             ///< of a kink
-  double below = 0, above = 0;  ///< of a kink, slopes
+  VecX gradient;                ///< rate at which a twist crosses it
+  VecX wrench = {};             ///< of a change of stiffness
+  double below = 0, above = 0;  ///< slopes of a change of stiffness
   Kind kind = Kind::kink;
 };
 
 struct Released {
-  bool any = false;  ///< whether there is anything of that
-  Linearization at;  ///< without it
+  bool any = false;  ///< whether anything was released
+  Linearization at;  ///< without the released parts
   std::vector<ReleasedPlane> planes;
-  /// k x 6B: what idle contacts along a line or an area let no motion do while they are closed: how far one must open
-  /// for it their gap alone does not say.
+  /// k x 6B: rows that contacts without force along a line or an area also block while closed. Their gap alone does not
+  /// state how far one must open to free them.
   MatX conforming;
-  std::vector<int> idle_layers;  ///< that carry nothing, or hardly: touching or wide open
-  double cancelled = 0;          ///< J: the size of what was taken out of the stiffness, in the metric of stability
+  std::vector<int> idle_layers;  ///< layers with no or hardly any load: touching, or far apart
+  double cancelled = 0;          ///< J: size of the terms removed from the stiffness, in the metric of stability
 };
 
-/// Whether there may be anything of that, told without the equations. `layer_loads` (N): of this pose or one beside it;
-/// `residual`: to what the pose is solved, scaled.
+/// Whether anything may be released; needs no equations. `layer_loads` (N): of this pose or of one beside it.
+/// `residual`: of the pose, scaled.
 bool may_release(const JointModel& model, const State& state, const Target& target,
                  const std::vector<double>& layer_loads, double residual);
 
-/// `touching`: contacts that are closed and carry nothing, besides those of `state`. How well the pose is
-/// known (pose_accuracy.h) says what is told from none, or from a kink.
+/// `touching`: contacts at gap 0 without force, besides those of `state`. The accuracy of the pose (pose_accuracy.h)
+/// decides which forces count as zero and which points as nonsmooth.
 void release(const JointModel& model, const State& state, const std::vector<ActiveContact>& touching,
              const Target& target, Released& out);
 

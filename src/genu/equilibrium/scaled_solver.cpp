@@ -14,7 +14,7 @@ bool ScaledSolver::factor(const MatX& matrix) {
   if (surely_regular_) return true;
   if (!matrix.allFinite()) return false;
   lu_.compute(matrix);
-  // A pivot that is exactly zero makes rcond() meaningless.
+  // A pivot of exactly zero makes rcond() meaningless.
   const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
   rcond_ = smallest > 0 ? lu_.rcond() : 0;
   if (rcond_ > kTrustLu || !minimum_norm_allowed_) return true;

@@ -1,6 +1,6 @@
-// A linear solve that says what it is worth: LU where the matrix is well conditioned, else the complete orthogonal
-// decomposition, whose minimum-norm step converges on parallel planes, line contact and spheres in sockets, where plain
-// LU gives NaN.
+// A linear solver that reports its accuracy: LU where the matrix is well conditioned, else the complete orthogonal
+// decomposition. The minimum-norm step of the latter converges on parallel planes, line contact and spheres in sockets,
+// where plain LU gives NaN.
 #pragma once
 
 #include <Eigen/LU>
@@ -13,23 +13,23 @@ namespace genu {
 
 class ScaledSolver {
  public:
-  /// Below this reciprocal condition (matrix in scaled units) LU gives way to the complete orthogonal decomposition.
-  /// Two contacts a tenth of a millimetre apart on a real knee reach 1e-12 and LU still solves them to rounding, where
-  /// the truncated decomposition leaves a gap of 0.05 nm standing; parallel planes are at 1e-17.
+  /// Below this reciprocal condition (matrix in scaled units) the complete orthogonal decomposition replaces LU. Two
+  /// contacts 0.1 mm apart on a real knee reach 1e-12: LU still solves them to rounding, while the truncated
+  /// decomposition leaves a gap of 0.05 mm. Parallel planes are at 1e-17.
   static constexpr double kTrustLu = 1e-15;
-  /// Above this nobody asks how large it is.
+  /// Above this rcond() may be a lower bound.
   static constexpr double kSurelyRegular = 1e-12;
-  /// Pivots below this fraction of the largest count as zero there. 1e-6 or more is known to stall Newton.
+  /// Pivots below this fraction of the largest count as zero there. With 1e-6 or more Newton's method stalls.
   static constexpr double kRankThreshold = 1e-10;
 
-  /// Without: LU alone, however bad the condition.
+  /// False: LU only, whatever the condition.
   void allow_minimum_norm(bool allowed) { minimum_norm_allowed_ = allowed; }
 
-  /// Factors a square matrix. False when it holds anything that is not finite.
+  /// Factors a square matrix. False when an entry is not finite.
   bool factor(const MatX& matrix);
   void solve(const VecX& rhs, VecX& x) const;
 
-  /// Reciprocal condition; where it is surely above kSurelyRegular, a lower bound of it.
+  /// Reciprocal condition. Where it is surely above kSurelyRegular, a lower bound of it.
   double rcond() const { return rcond_; }
   Eigen::Index rank() const { return rank_; }
   bool full_rank() const { return !minimum_norm_ || rank_ == cod_.cols(); }

@@ -11,8 +11,8 @@
 namespace genu {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a trade, whose norm is 1: what takes part by less takes none
-constexpr std::size_t kMost = 60;   // touching places looked at, those with the smallest gap
+constexpr double kRounding = 1e-9;  // of a self-stress of norm 1: smaller entries do not take part
+constexpr std::size_t kMost = 60;   // touching places examined, those with the smallest gap
 
 std::vector<Candidate> nearest(std::vector<Candidate> touching) {
   std::stable_sort(touching.begin(), touching.end(),
@@ -21,10 +21,10 @@ std::vector<Candidate> nearest(std::vector<Candidate> touching) {
   return touching;
 }
 
-/// What a force may do in a trade that has come to an end of what it can be.
+/// How a force may change in a self-stress, when it is at an end of its range.
 enum class May { anything, grow, fall };
 
-/// The rows of `trades` that are no less, or no more, as bounds.
+/// Rows of `self_stresses` that may not decrease, or not increase, as bounds.
 class Bounds {
  public:
   explicit Bounds(const MatX& self_stresses) : self_stresses_(self_stresses), rows_(0, self_stresses.cols()) {}
@@ -47,7 +47,7 @@ May of_held(const JointModel& model, const LigamentPiece& p, double no_force) {
   return p.force <= low + no_force ? May::grow : p.force >= high - no_force ? May::fall : May::anything;
 }
 
-/// Contacts without force may not pull, ligaments held at a jump have no force beyond its ends.
+/// Contacts without force may not pull. Ligaments held at an end of a jump may not leave it.
 MatX bounds_of(const JointModel& model, const Target& target, const MatX& self_stresses, const State& state) {
   const double no_force = ContactInspector::kForceTolerance * model.scales.force;
   Bounds out(self_stresses);
@@ -59,7 +59,7 @@ MatX bounds_of(const JointModel& model, const Target& target, const MatX& self_s
   return out.rows();
 }
 
-/// Whether there may be a ligament at a jump of its force, told without the equations.
+/// Whether a ligament may be at a jump of its force; needs no equations.
 bool may_jump(const JointModel& model, const State& state, const Target& target, double residual) {
   const auto jumps_up = [](const LawBreak& b) { return b.force_jump() > 0; };
   const bool some = std::any_of(model.ligaments.begin(), model.ligaments.end(), [&](const auto& l) {
@@ -71,15 +71,15 @@ bool may_jump(const JointModel& model, const State& state, const Target& target,
   return std::any_of(kinks.begin(), kinks.end(), [](const NonsmoothPoint& k) { return k.jump > 0; });
 }
 
-/// The motions that what is prescribed, or held by joints, leaves, in the metric of stability.
+/// The motions that prescribed and held coordinates leave, in the metric of stability.
 MatX left_by_constraints(const Linearization& at, Eigen::Index constraints) {
   MatX rows = at.gradient.topRows(constraints) * stability_metric(at.wrench.size()).asDiagonal();
   rows.rowwise().normalize();
   return null_space(rows, kDependentRow);
 }
 
-/// Ligaments at a length where their force jumps up, as held there: any force between could balance too. Where the
-/// length is a prescribed one the force is what the law says there, on the side that the path comes from.
+/// Ligaments at a length where their force jumps up become held there: any force between could balance too. Where the
+/// length is prescribed, the law determines the force, on the side that the path comes from.
 void hold_at_jumps(const JointModel& model, const Target& target, const Linearization& at_pose,
                    const PoseAccuracy& accuracy, State& state) {
   const MatX left = left_by_constraints(at_pose, static_cast<Eigen::Index>(constraint_count(model, target)));
@@ -96,7 +96,7 @@ void hold_at_jumps(const JointModel& model, const Target& target, const Lineariz
   }
 }
 
-/// The rows of `trades` that can take part in one, where what `bounds` says holds.
+/// The rows of `self_stresses` that can take part in one that satisfies `bounds`.
 std::vector<int> possible(const MatX& self_stresses, const MatX& bounds) {
   if (self_stresses.cols() == 0) return {};
   MatX ways = null_space(bounds, kDependentRow);

@@ -13,7 +13,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool Sensitivity::factor(const PosePoint& point) {
   if (!point.solved() || !point.undetermined.none()) return false;
-  if (held_count(point.pose.state) > 0) return false;  // a ligament at a jump of its law
+  if (held_count(point.pose.state) > 0) return false;  // a ligament held at a jump of its law
   point_ = &point;
   linearize(*model_, state(), point.target, here_);
   if (!step_.factor(here_, point.target) || !step_.linear().full_rank()) return false;
@@ -109,7 +109,8 @@ ContactMotion Sensitivity::closed(std::size_t index) const {
           contact.geometry.b.T * ds.tail<2>() + change.b.w * contact.geometry.b.n};
 }
 
-/// The nearest points of two surfaces apart obey the closure and tangency equations of a contact; its gap is free.
+/// The nearest points of two separated surfaces satisfy the closure and tangency equations of a contact; the gap is
+/// free.
 ContactMotion Sensitivity::open(std::size_t index) const {
   const OpenContact& contact = point_->pose.open[index];
   const auto& pair = model_->pairs[at(contact.pair)];

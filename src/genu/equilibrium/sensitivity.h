@@ -1,6 +1,6 @@
-// How a solved pose answers to a parameter: R(x, p) = 0 gives dx/dp = -J^-1 dR/dp, one back-substitution with the
-// Jacobian that Newton's method used. The contacts that carry load stay closed and those that are open stay open, so a
-// derivative at the very pose where one opens or closes is one-sided.
+// Sensitivity of a solved pose to a parameter: R(x, p) = 0 gives dx/dp = -J^-1 dR/dp, one back-substitution with
+// Newton's Jacobian. The active set is fixed: where a contact opens or closes at the pose itself, the derivative is
+// one-sided.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace genu {
 
-/// Per SI unit of the parameter, everything in SI. What has no derivative is NaN.
+/// Per SI unit of the parameter, in SI. NaN where there is no derivative.
 struct LigamentMotion {
   double length, strain, force;
 };
@@ -26,22 +26,21 @@ class Sensitivity {
   /// Both must outlive this.
   Sensitivity(const PlacedScene& scene, const JointModel& model) : scene_(&scene), model_(&model), step_(model) {}
 
-  /// Factors the Jacobian at a pose, which is kept by reference. False where a derivative does not exist: the pose is
-  /// not solved, or not determined (a motion costs no force, a force can be traded for another), or a ligament stays at
-  /// a jump of its law.
+  /// Factors the Jacobian at a pose, which is kept by reference. False where no derivative exists: the pose is not
+  /// solved, it or its forces are not determined, or a ligament is held at a jump of its law.
   bool factor(const PosePoint& point);
 
-  /// The motion of the pose with a parameter; what follows is about the last one.
+  /// The derivative of the pose. All functions below refer to the last parameter given here.
   void differentiate(const Parameter& parameter);
 
   const Correction& motion() const { return motion_; }
   double coordinate(const CoordinateRef& c) const;
   double quantity(const QuantityRef& q) const;
-  /// Of the multiplier of what is prescribed; NaN where this pose does not prescribe it.
+  /// Of a multiplier (reaction); NaN where this pose does not prescribe the quantity.
   double reaction(const QuantityRef& q) const;
   /// Of joint_reaction().
   Vec6 held_reaction(int joint) const;
-  /// Of grood_suntay() of a joint that describes it; empty where there is no floating axis.
+  /// Of grood_suntay() of a joint with these coordinates. Empty where the floating axis does not exist.
   std::optional<KneeMotion> clinical(int joint) const;
   LigamentMotion ligament(int index) const;
   /// Of State::contacts[index] and Balanced::open[index].

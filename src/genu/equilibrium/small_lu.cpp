@@ -7,11 +7,11 @@
 namespace genu {
 namespace {
 
-/// Number of rows: known when the program is compiled, which lets the loops over a column be written out, or 0.
+/// Number of rows where the compiler knows it, so that loops over a column are unrolled; else 0.
 template <int kRows>
 using Rows = std::integral_constant<int, kRows>;
 
-/// A body with one to five constraints and contacts, and all others.
+/// Sizes of one body with one to five constraints and contacts; all others share one version.
 template <typename Work>
 auto with_rows(int n, const Work& work) {
   switch (n) {
@@ -52,9 +52,9 @@ void solve_in_place(int rows, const double* columns, const double* inverse, doub
   if constexpr (kRows > 0) std::copy_n(local, kRows, out);
 }
 
-/// For P A = L U: the largest row sum of |U^-1| |L^-1| is at most that of the inverses of the triangles with the signs
-/// of all entries off the diagonal turned to minus, which one solve finds (Higham, Accuracy and Stability of Numerical
-/// Algorithms, 2002, section 8.3).
+/// For P A = L U: the infinity norm of |U^-1| |L^-1| is at most that of the inverses of the comparison matrices
+/// (off-diagonal entries made negative), which one solve gives (Higham, Accuracy and Stability of Numerical Algorithms,
+/// 2002, section 8.3).
 template <int kRows>
 double largest_row_sum(int rows, const double* columns, const double* inverse, double* memory) {
   const int n = kRows > 0 ? kRows : rows;
@@ -75,10 +75,10 @@ double largest_row_sum(int rows, const double* columns, const double* inverse, d
     largest = std::max(largest, b[j]);
     sum += b[j];
   }
-  return std::isfinite(sum) ? largest : sum;  // max() loses a NaN
+  return std::isfinite(sum) ? largest : sum;  // std::max() drops a NaN
 }
 
-/// What is below a pivot, divided by it, is subtracted `factor` times from the column `to`; rows above are left.
+/// Subtracts `factor` times the scaled entries below a pivot from column `to`. Rows above the pivot do not change.
 template <int kRows>
 void subtract_below(int rows, int pivot, const double* below, double* to) {
   const double factor = to[pivot];

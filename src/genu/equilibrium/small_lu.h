@@ -1,5 +1,5 @@
-// LU with partial pivoting for matrices as small as those of a Newton step, where a blocked one spends its time on
-// being general. It says how regular the matrix surely is, at the cost of one more solve.
+// LU with partial pivoting for matrices of the size of a Newton step, where a blocked LU is slower. Also gives a lower
+// bound of the reciprocal condition for the cost of one more solve.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace genu {
 
 class SmallLu {
  public:
-  /// Factors a square matrix; returns what its reciprocal condition (in row sums) is at least, 0 where nothing is
+  /// Factors a square matrix. Returns a lower bound of its reciprocal condition (infinity norm), or 0 where none is
   /// known.
   double factor(const MatX& matrix);
 

@@ -10,12 +10,12 @@
 namespace genu {
 namespace {
 
-// An eigenvalue below this fraction of the largest is rounding: the motion costs nothing.
+// Of the largest eigenvalue: a smaller one is rounding, and the motion has no cost.
 constexpr double kNeutral = 1e-10;
-// Where every free motion costs nothing, all eigenvalues are what rounding leaves of the terms that cancel.
+// Where every free motion has no cost, all eigenvalues are rounding of terms that cancel.
 constexpr double kCancelled = 1e-13;
 
-/// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
+/// J: size of the terms that a contact adds to the tangent stiffness. For a ball on a plane they cancel.
 double size_of_terms(const ContactBlock& block, const EliminatedContact& contact, WhichMove moves) {
   const Vec6 unit = stability_metric(6);
   double squares = 0;
@@ -29,9 +29,9 @@ double size_of_terms(const ContactBlock& block, const EliminatedContact& contact
   return std::sqrt(squares);
 }
 
-/// Tangent stiffness and the gradients of everything held, in the metric: constraints, gaps, and behind those what
-/// conforming surfaces hold besides. Returns what the stiffness is known to, J: rounding of its terms, and the forces
-/// that do not balance, which make it unsymmetric by as much.
+/// Tangent stiffness and gradients of constraints, of gaps, and of what conforming surfaces hold besides, in the
+/// metric. Returns the accuracy of the stiffness, J: rounding of its terms, and forces out of balance, which make it
+/// unsymmetric by the same amount.
 double tangent(const Linearization& at, double length_scale, double cancelled, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
@@ -71,18 +71,18 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
   return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
 }
 
-/// Of the first `count` rows of `held`; the others take part unseen.
+/// Rows: the first `count` rows of `held`. The others take part and are not returned.
 MatX self_stresses_of(const MatX& held, Eigen::Index count, double dependent) {
   MatX out = kernel(held.transpose(), dependent);
   out.colwise().normalize();
   return out.topRows(count);
 }
 
-/// The smallest eigenvalue where the length of a motion is measured about the bodies' own origins, far from where
-/// things are: K y = lambda M y on the free motions. The metric M spans so many decades that rounding would hide the
-/// small eigenvalues of M^-1 K, but not the large ones of K^-1 M; the small ones of that are rounding in turn, and left
-/// out. Signs are those of K, wherever the origins are: where no eigenvalue that is left has the sign of `nearby`, the
-/// smallest about the origins of the poses, that one is returned.
+/// The smallest eigenvalue with motions measured about the bodies' own origins, which may be far away: K y = lambda M y
+/// on the free motions. M spans so many decades that rounding would hide the small eigenvalues of M^-1 K, but not the
+/// large ones of K^-1 M. The small ones of K^-1 M are rounding and are omitted. The choice of origins does not change
+/// the signs. Where no remaining eigenvalue has the sign of `nearby` (the smallest about the origins of the poses),
+/// `nearby` is returned.
 double smallest_about_own_origins(const Linearization& at, const MatX& basis, const MatX& stiffness, double nearby) {
   const MatX k = basis.transpose() * stiffness * basis, motions = about_own_origins(at, basis);
   const MatX product = full_pivot_solution(k, motions.transpose() * motions);
@@ -95,18 +95,18 @@ double smallest_about_own_origins(const Linearization& at, const MatX& basis, co
   return (smallest < 0) == (nearby < 0) ? smallest : nearby;
 }
 
-/// The motions that cost nothing, a column each; none is hidden by another that costs less than nothing.
+/// The motions at no cost, one column each, also where others have a negative cost.
 MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis) {
   MatX out(basis.rows(), 0);
   for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
     if (std::abs(eigen.values[i]) > nothing) continue;
     out.conservativeResize(Eigen::NoChange, out.cols() + 1);
-    // Rounding may make a pair of two motions: its real part is one of them, its imaginary part the other.
+    // Rounding may turn two real eigenvectors into a complex pair: its real and imaginary parts are the two.
     const Eigen::VectorXcd vector = eigen.vectors.col(i);
     const bool second = eigen.values[i].imag() < 0;
     out.rightCols<1>() = (basis * (second ? VecX(vector.imag()) : VecX(vector.real()))).normalized();
   }
-  return out.cols() == basis.cols() ? basis : out;  // everything: no eigenvector says it better
+  return out.cols() == basis.cols() ? basis : out;  // all motions: the basis itself is more accurate than eigenvectors
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   eigen.values.real().minCoeff(&first);
   const std::complex<double> value = eigen.values[first];
   const double largest = eigen.values.cwiseAbs().maxCoeff();
-  constexpr double kReal = 1e-9;  // of the largest: an imaginary part below is rounding
+  constexpr double kReal = 1e-9;  // of the largest eigenvalue: a smaller imaginary part is rounding
   const double real = std::max(kReal * largest, known_to);
   out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
   out.smallest =

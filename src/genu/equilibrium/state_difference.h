@@ -1,4 +1,4 @@
-// Two states of one joint beside each other: how far apart they are, and what has changed on the way.
+// Differences between two states of one joint: distance and events.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace genu {
 /// Characteristic lengths plus rad, summed over the bodies.
 double distance(const JointModel& model, const State& a, const State& b);
 
-/// Of the body that moves most in each: m and rad.
+/// Largest translation (m) and rotation (rad) of any body.
 std::pair<double, double> largest_motion(const State& from, const State& to);
 
-/// Contacts gained and lost ("medial.2") and what has become of ligaments at sharp breaks: what an observer is told.
+/// Contacts gained and lost ("medial.2"), and ligaments that passed sharp breaks: the events for an observer.
 std::vector<std::pair<PathEvent::Kind, std::string>> changes(const JointModel& model, const State& before,
                                                              const State& after);
 

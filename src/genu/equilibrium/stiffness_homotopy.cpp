@@ -9,19 +9,19 @@
 namespace genu {
 namespace {
 
-// The first stage in force / length^3 (characteristic): for a knee about 10 MPa cartilage, 6 mm thick. Each stage is
-// that much stiffer, until the overlap left is a small part of the characteristic length.
+// Modulus of the first stage in force / length^3 (characteristic): for a knee about 10 MPa cartilage, 6 mm thick. Each
+// stage is stiffer by a fixed factor, until the overlap is a small part of the characteristic length.
 constexpr double kFirstModulus = 1.3e3;
 constexpr double kStiffer = 4.5;
 constexpr int kStages = 6;
 constexpr double kLittleOverlap = 1e-3;
 constexpr int kMostStageSteps = 80;          // of each stage
 constexpr double kBalancedResidual = 1e-5;   // scaled residual: a seed, not a result
-constexpr double kNearEnoughResidual = 0.1;  // the same where samples that come and go let no step reduce it further
-constexpr double kMaxTranslation = 0.06;     // of the model's size, an iteration
-constexpr double kMaxRotation = 0.05;        // rad an iteration
+constexpr double kNearEnoughResidual = 0.1;  // the same where changing samples allow no further reduction
+constexpr double kMaxTranslation = 0.06;     // of the model's size, per iteration
+constexpr double kMaxRotation = 0.05;        // rad per iteration
 
-/// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
+/// One stage: Levenberg-Marquardt steps on the scaled residual; slack ligaments may make damping necessary.
 class Stage {
  public:
   Stage(const JointModel& model, ContactField& field, const Target& target, double modulus, const Cancelled& cancelled)
@@ -47,7 +47,7 @@ class Stage {
       const double touching = deepest_;
       evaluate(trial_, there_);
       const double next = step_.residual(there_, target_);
-      // A body that nothing holds falls under a constant load: its residual stays what it is until it lands.
+      // A body that nothing holds falls under a constant load: its residual is constant until it lands.
       constexpr double kSame = 1 + 1e-9;
       const bool falling = touching == 0 && deepest_ == 0 && next <= kSame * merit;
       if (std::isfinite(next) && (next < merit || falling)) {
@@ -72,7 +72,7 @@ class Stage {
     deepest_ = field_.add_foundation(state, modulus_, out);
   }
 
-  /// Holds back each free motion as a spring of `damping` times the characteristic stiffness would.
+  /// Adds a spring of `damping` times the characteristic stiffness to each free motion.
   void add_damping(double damping) {
     const double L = model_.scales.length, F = model_.scales.force;
     for (Eigen::Index i = 0; i < damped_.stiffness.rows(); ++i)
@@ -113,8 +113,7 @@ SeedReport stiffen(const JointModel& model, const Target& target, State& state, 
   double modulus = stiffer * kFirstModulus * model.scales.force / (L * L * L);
   for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
     State next = state;
-    // A foundation that stiff rests on a few samples only and may not settle: what balanced before it is a seed as
-    // well.
+    // A foundation this stiff rests on a few samples only and may not converge. The previous stage is a seed as well.
     if (!stage(modulus, next, report)) break;
     state = std::move(next);
     report.balanced = true;

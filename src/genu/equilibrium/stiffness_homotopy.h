@@ -1,6 +1,6 @@
-// A balanced pose of the same joint with its surfaces lying on an elastic foundation, stiffened until it is nearly
-// rigid. It can be solved from almost anywhere (overlapping, apart, another contact set) and tells rigid contact where
-// to begin.
+// Homotopy in contact stiffness: an equilibrium with the surfaces on an elastic foundation, which is stiffened until it
+// is nearly rigid. It can be solved from almost anywhere (overlapping, apart, another active set) and gives rigid
+// contact its start.
 #pragma once
 
 #include <functional>
@@ -14,20 +14,20 @@ namespace genu {
 struct SeedReport {
   bool balanced = false;
   int iterations = 0;
-  double deepest = 0;  ///< overlap that is left, m
+  double deepest = 0;  ///< remaining overlap, m
 };
 
-/// Moves `state` (poses and multipliers; its contacts are emptied) to the compliant equilibrium for `target`. The first
-/// foundation is `stiffer` times the usual one: what is soft for the forces at hand lets a body through a thin sheet.
-/// Not balanced where it is `cancelled`.
+/// Moves `state` (poses and multipliers; its contacts are removed) to the compliant equilibrium for `target`.
+/// `stiffer`: factor on the modulus of the first foundation. A foundation too soft for the forces lets a body pass
+/// through a thin sheet. Not balanced where it is `cancelled`.
 SeedReport stiffness_homotopy(const JointModel& model, ContactField& field, const Target& target, State& state,
                               double stiffer = 1, const Cancelled& cancelled = {});
 
-/// Balances a state on a foundation of `modulus` (Pa per m of overlap); false where that fails. Updates its part of the
-/// report.
+/// Balances a state on a foundation of `modulus` (Pa per m of overlap) and updates its part of the report. False where
+/// that fails.
 using SeedStage = std::function<bool(double modulus, State& state, SeedReport& report)>;
 
-/// The stages of a seed, each on a stiffer foundation, until little overlap is left or one of them fails.
+/// Runs stages on stiffer and stiffer foundations until the overlap is small or one of them fails.
 SeedReport stiffen(const JointModel& model, const Target& target, State& state, const SeedStage& stage,
                    double stiffer = 1);
 

@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-/// How much each coordinate changes along `mode`, which is in the metric of Stability: the same metric here.
+/// Change of each coordinate along `mode`, which is in the metric of Stability.
 std::vector<std::pair<CoordinateRef, double>> changes_along(const JointModel& model, const State& state,
                                                             const VecX& mode) {
   std::vector<std::pair<CoordinateRef, double>> out;

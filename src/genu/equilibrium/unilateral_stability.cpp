@@ -19,7 +19,7 @@ using Kind = ReleasedPlane::Kind;
 
 constexpr const char* kPressesAtOnce = "surfaces of a layer that nothing presses conform: it would press at once";
 
-/// The least cost among the motions of `basis` (6B x d, in the metric of stability).
+/// Minimum cost among the motions of `basis` (6B x d, in the metric of stability).
 struct Among {
   MatX basis;
   UnilateralStiffness at;
@@ -37,7 +37,7 @@ Among among(const FreeStiffness& free, MatX basis, const std::vector<ReleasedPla
   const VecX unit = stability_metric(out.basis.rows());
   for (const ReleasedPlane& plane : planes) {
     const VecX gradient = unit.cwiseProduct(plane.gradient), row = out.basis.transpose() * gradient;
-    if (!(row.norm() > kDependentRow * gradient.norm())) continue;  // nothing moves across
+    if (!(row.norm() > kDependentRow * gradient.norm())) continue;  // no motion crosses it
     out.drops = out.drops || plane.kind == Kind::drop;
     out.closed = out.closed || plane.kind == Kind::closed;
     if (plane.kind == Kind::drop) continue;
@@ -63,7 +63,7 @@ Verdict verdict_of(const LeastCost& least) {
   return least.free.cols() > 0 || (least.any && least.cost == 0) ? Verdict::neutral : Verdict::stable;
 }
 
-/// The same motions, but orthonormal where lengths of motions are measured about the bodies' own origins.
+/// The same motions, orthonormal with lengths measured about the bodies' own origins.
 MatX in_own_metric(const Linearization& at, const MatX& basis) {
   const MatX motions = about_own_origins(at, basis);
   const MatX lengths = motions.transpose() * motions;
@@ -72,7 +72,7 @@ MatX in_own_metric(const Linearization& at, const MatX& basis) {
                   eigen.values.cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse().asDiagonal());
 }
 
-/// The smallest eigenvalue, in the metric about the bodies' own origins; NaN where that cannot be resolved.
+/// The smallest eigenvalue in the metric about the bodies' own origins; NaN where rounding hides it.
 double smallest(const Released& released, const FreeStiffness& free, const Among& found) {
   if (!found.least.any) return std::numeric_limits<double>::infinity();
   if (released.at.own_origins.size() == 0) return found.least.cost;
@@ -84,21 +84,21 @@ double smallest(const Released& released, const FreeStiffness& free, const Among
   return told ? own.least.cost : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Layers that nothing presses, and whether a motion would meet a force from them at once.
+/// Layers without load, and whether a motion would meet a force of theirs at once.
 class IdleLayers {
  public:
   IdleLayers(const JointModel& model, const State& state, std::vector<int> layers)
       : model_(model), state_(state), layers_(std::move(layers)) {}
 
-  /// Whether some layer begins to press in proportion to how far one goes along `motion` (in the metric): surfaces that
-  /// conform do, others begin more softly.
+  /// Whether the load of some layer grows in proportion to the distance along `motion` (in the metric). Conforming
+  /// surfaces do this; others begin quadratically.
   bool bar(const VecX& motion) {
     constexpr double kFar = 1e-6;  // of the length scale
     const double length = kFar * model_.scales.length / Stability::kMetricLength;
     for (const int k : layers_) {
       const double near = load_after(k, length * motion);
       if (!(near > 0)) continue;
-      constexpr double kTimes = 100, kProportional = 3;  // where it grows with its square: 10'000 times
+      constexpr double kTimes = 100, kProportional = 3;  // where it grows quadratically: 10'000 times
       if (load_after(k, kTimes * length * motion) < kProportional * kTimes * near) return true;
     }
     return false;
@@ -126,7 +126,7 @@ class IdleLayers {
   std::vector<int> layers_;
 };
 
-/// x . K(x) x on the sides that x is on; infinite beyond a closed plane.
+/// x . K(x) x on the sides that x takes; infinite beyond a closed plane.
 double cost_of(const UnilateralStiffness& at, const VecX& x) {
   double out = x.dot(at.stiffness * x);
   for (const Side& s : at.sides) {
@@ -137,7 +137,7 @@ double cost_of(const UnilateralStiffness& at, const VecX& x) {
   return out;
 }
 
-/// Whether idle layers bar a motion, that way and, where it costs the same, the other.
+/// Whether idle layers block a motion, and also its reverse where that costs the same.
 bool barred(IdleLayers& layers, const Among& found, const VecX& x) {
   if (!layers.bar(found.motion(x))) return false;
   const double forth = cost_of(found.at, x), back = cost_of(found.at, -x);
@@ -151,8 +151,8 @@ bool barred(IdleLayers& layers, const Among& found) {
   return false;
 }
 
-/// Whether idle contacts along lines and areas matter: where all that they might bar is barred, does something else
-/// come out?
+/// Whether the extent of idle contacts along lines and areas matters: does the result change if they block everything
+/// they might block?
 bool depends_on_extent(const Released& released, const FreeStiffness& free, const Among& found) {
   if (released.conforming.rows() == 0) return false;
   const VecX unit = stability_metric(free.basis.rows());
@@ -188,7 +188,7 @@ void take(const JointModel& model, const State& state, const Released& released,
     out.mode = out.neutral.col(0);
   else if (least.any)
     out.mode = found.motion(least.motion);
-  if (found.drops) {  // infinitely stiff downward
+  if (found.drops) {  // stiffness is minus infinity: the force drops
     out.verdict = Verdict::unstable;
     out.smallest = -std::numeric_limits<double>::infinity();
   }
@@ -197,7 +197,7 @@ void take(const JointModel& model, const State& state, const Released& released,
   out.smallest = 0;
 }
 
-/// Where there is nothing one-sided but layers that touch: their tangent stiffness there is none.
+/// Where nothing else is unilateral: layers that touch, whose tangent stiffness is zero there.
 void look_at_layers(const JointModel& model, const State& state, const std::vector<int>& idle, Stability& stability) {
   if (idle.empty() || stability.free_motions == 0) return;
   IdleLayers layers(model, state, idle);

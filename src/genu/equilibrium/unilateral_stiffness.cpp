@@ -11,18 +11,18 @@ namespace genu {
 namespace {
 
 constexpr int kMostCases = 20000;
-constexpr double kParallel = 1e-12;  // rows that differ by less are one
+constexpr double kParallel = 1e-12;  // rows that differ by less are equal
 constexpr double kSymmetric = 1e-12;
-constexpr double kInside = 1e-9;  // of a motion's norm: what leaves a bound by less is on it
+constexpr double kInside = 1e-9;  // of a motion's norm: closer to a bound counts as on it
 
 MatX symmetric_part(const MatX& K) { return (K + K.transpose()) / 2; }
 
 bool along(const VecX& v, const VecX& row) { return (v - v.dot(row) * row).norm() <= kSymmetric * v.norm(); }
 
-/// Whether both of its stiffnesses are symmetric.
+/// Whether the stiffness is symmetric on both sides.
 bool symmetric(const Side& side) { return along(side.below, side.row) && along(side.above, side.row); }
 
-/// Planes that are the same one, from the same side or from the other, are one.
+/// Merges coincident planes, with equal or opposite normals.
 std::vector<Side> merged(const std::vector<Side>& sides) {
   std::vector<Side> out;
   for (const Side& side : sides) {
@@ -50,7 +50,7 @@ struct Eigenspace {
   MatX motions;
 };
 
-/// By value; eigenvalues nearer than `known_to` are one.
+/// In ascending order. Eigenvalues closer than `known_to` are merged.
 std::vector<Eigenspace> eigenspaces(const MatX& K, double known_to) {
   std::vector<Eigenspace> out;
   const auto add = [&](double value, bool complex, const VecX& motion) {
@@ -87,7 +87,7 @@ class Search {
  public:
   explicit Search(UnilateralStiffness at) : at_(std::move(at)) {
     at_.sides = merged(at_.sides);
-    // Unsymmetric ones first: nothing is known of what they cost before they are decided.
+    // Unsymmetric sides first: their cost has no bound before they are decided.
     std::stable_partition(at_.sides.begin(), at_.sides.end(), [](const Side& s) { return !symmetric(s); });
     double stiffest = at_.stiffness.norm();
     for (const Side& s : at_.sides) stiffest += std::max(s.below.norm(), s.above.norm());
@@ -104,9 +104,9 @@ class Search {
   }
 
  private:
-  enum class Is { undecided, below, above };  ///< of a closed one `above` means that motions stay in it
+  enum class Is { undecided, below, above };  ///< of a closed plane, `above`: motions lie in it
 
-  /// The stiffness with all sides as decided, the others on their softer one, and what bounds the motions.
+  /// The stiffness with decided sides, undecided ones on their softer side, and the bounds on motions.
   struct Case {
     MatX stiffness, within, bounds;
   };
@@ -133,13 +133,13 @@ class Search {
     return out;
   }
 
-  /// How far a motion is on the stiffer side, times how much stiffer it is; how far beyond a closed plane.
+  /// Distance of a motion into the stiffer side, times the difference in stiffness; distance beyond a closed plane.
   static double wrong(const Side& side, const VecX& motion) {
     const double past = side.row.dot(motion);
     return std::max(0.0, side.closed ? past : past * (side.above - side.below).dot(side.row));
   }
 
-  /// The side to decide next: the first unsymmetric one, else where `motion` is most wrong, else any. The number
+  /// The side to decide next: the first unsymmetric one, else the one that `motion` violates most, else any. The number
   /// of sides where all are decided.
   std::size_t next(const std::vector<Is>& is, const VecX& motion) const {
     std::size_t out = is.size(), any = is.size();
@@ -166,14 +166,14 @@ class Search {
     const Case here = case_of(is);
     const MatX basis = null_space(here.within, kParallel);
     if (basis.cols() == 0) return;
-    // A motion that is known to be on these sides saves the search for one. Where none is inside, others have them all.
+    // A motion known to lie on these sides saves a search. A combination without interior is covered by its neighbours.
     VecX inside = known;
     const bool known_inside = inside.size() > 0 && here.within.rows() == 0 &&
                               (here.bounds.rows() == 0 || (here.bounds * inside).maxCoeff() < -kInside);
     if (!known_inside) inside = interior_direction(here.bounds, basis);
     if (inside.isZero(0)) return;
     const MatX K = basis.transpose() * here.stiffness * basis;
-    const bool bounded = symmetric_;  // else a complex pair may be where nothing costs little
+    const bool bounded = symmetric_;  // else a complex pair may occur where no cost is low
     VecX softest = inside;
     if (bounded) {
       const auto eigen = symmetric_eigen(symmetric_part(K));
@@ -186,7 +186,7 @@ class Search {
       return;
     }
     if (symmetric_ && take_softest(is, here.bounds, softest, softest.dot(here.stiffness * softest))) return;
-    // First the side that the softest motion is on.
+    // First the side that the softest motion takes.
     const bool above_first = at_.sides[i].row.dot(softest) > 0;
     for (const bool above : {above_first, !above_first}) {
       is[i] = above ? Is::above : Is::below;
@@ -195,8 +195,8 @@ class Search {
     }
   }
 
-  /// Whether the softest motion is where all that is undecided is soft: no other on these sides costs less, and none
-  /// costs nothing.
+  /// Whether the softest motion lies on the softer side of everything undecided: then no other motion on these sides
+  /// costs less, and none has zero cost.
   bool take_softest(const std::vector<Is>& is, const MatX& bounds, const VecX& softest, double cost) {
     if (cost <= nothing_) return false;
     for (const double sign : {1.0, -1.0}) {
@@ -219,7 +219,7 @@ class Search {
     out_.motion = motion;
   }
 
-  /// All sides are decided.
+  /// For a combination with all sides decided.
   void take(const Case& here, const MatX& basis, const MatX& K) {
     const double nothing = std::max(at_.nothing * K.norm(), at_.known_to);
     for (const Eigenspace& space : eigenspaces(K, nothing)) {

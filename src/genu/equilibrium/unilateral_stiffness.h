@@ -1,5 +1,5 @@
-// The least that a motion costs where the stiffness is one on one side of some planes through the pose and another
-// beyond them, and motions may not go beyond others.
+// Minimum cost of a motion for a piecewise linear stiffness: it changes across some planes through the pose, and
+// motions may not cross others.
 #pragma once
 
 #include <cstddef>
@@ -12,38 +12,37 @@ namespace genu {
 /// A plane row . x = 0 among d motions.
 struct Side {
   VecX row;             ///< d, unit norm
-  VecX below, above;    ///< d, J: the stiffness gains below * row^T where row . x < 0, above * row^T beyond
-  bool closed = false;  ///< no motion goes beyond, nothing is gained
+  VecX below, above;    ///< d, J: the stiffness gains below * row^T where row . x < 0, above * row^T where row . x > 0
+  bool closed = false;  ///< no motion may cross it; adds no stiffness
 };
 
 struct UnilateralStiffness {
-  MatX stiffness;  ///< d x d, J: an orthonormal basis of the motions that are free without the closed sides
+  MatX stiffness;  ///< d x d, J: on an orthonormal basis of the motions that are free without the closed planes
   std::vector<Side> sides;
   double known_to = 0;     ///< J: eigenvalues below it are rounding
-  double nothing = 1e-10;  ///< of the largest eigenvalue: those below it too
+  double nothing = 1e-10;  ///< fraction of the largest eigenvalue below which one is rounding too
 };
 
-/// One motion that is as stiff as itself: K x = cost x on the side of every plane that it is on; or one within a closed
-/// plane, in which that holds.
+/// The softest eigenmotion: K x = cost x on the sides that x takes, or within closed planes that x lies in.
 struct LeastCost {
-  bool told = true;           ///< false: there are more cases than are looked at
-  bool any = false;           ///< false: nothing can move
-  double cost = 0;            ///< J: the least other than nothing; a real part
-  bool oscillates = false;    ///< the least is that of a complex pair
-  bool complex_pair = false;  ///< there is one somewhere
+  bool told = true;           ///< false: too many cases
+  bool any = false;           ///< false: no motion is possible
+  double cost = 0;            ///< J: the least real part that is not zero
+  bool oscillates = false;    ///< it belongs to a complex pair
+  bool complex_pair = false;  ///< some eigenvalue is complex
   VecX motion;                ///< d, unit norm
-  MatX free;                  ///< d x k: motions that cost nothing, each at least one way, whatever costs less
-  int cases = 0;              ///< combinations of sides that were looked at
+  MatX free;      ///< d x k: motions at no cost, each feasible at least one way, even where others cost less
+  int cases = 0;  ///< number of combinations of sides examined
 };
 
-/// What each side does is decided one after the other (branch and bound): a combination is given up where no motion
-/// is on those sides, or where it would cost more than one that is known even if the undecided were as soft as on
-/// their softer side. Symmetric stiffness: `cost` is the least of x . K(x) x. Otherwise the lowest of all motions that
-/// are as stiff as themselves: one with a negative cost grows.
+/// Branch and bound over the sides. A combination is dropped where no motion lies on those sides, or where its lower
+/// bound, with undecided sides as soft as their softer side, exceeds a cost already found. Symmetric stiffness: `cost`
+/// is the minimum of x . K(x) x. Otherwise it is the lowest eigenvalue over all sides; with a negative one the motion
+/// grows.
 LeastCost least_cost(UnilateralStiffness at);
 
-/// A motion among `motions` (columns, orthonormal) that no bound forbids, this way or the other: bounds * x <= 0. One
-/// of them where that is so, else a sum; none (size 0) where all but 0 are forbidden.
+/// A feasible motion among `motions` (columns, orthonormal), with either sign: bounds * x <= 0. One column if that is
+/// feasible, else a combination. Size 0 where only 0 is feasible.
 VecX allowed(const MatX& bounds, const MatX& motions);
 
 }  // namespace genu

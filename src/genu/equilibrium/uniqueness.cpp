@@ -9,10 +9,10 @@
 namespace genu {
 namespace {
 
-/// Whether the Jacobian at the pose is as singular as rounding and the pose's own residual allow to tell. Where a
-/// motion along a curve costs no force, forces that are not yet quite balanced stiffen it by as much as they are; where
-/// it costs x^p with p > 1, the Jacobian there is far larger than the residual: x^(p - 1). The last one that Newton's
-/// method has factored may be that of the step before.
+/// Whether the Jacobian at the pose is singular within rounding and the pose's residual. Where a motion along a curve
+/// has no cost, forces out of balance add a stiffness of their own size. Where the cost is x^p with p > 1, the Jacobian
+/// x^(p - 1) is far larger than the residual. The Jacobian is factored here because Newton's last one may be that of
+/// the step before.
 bool singular_at(const JointModel& model, const State& state, const Target& target) {
   constexpr double kSingular = 1e-13;  // reciprocal condition
   constexpr double kOfResidual = 100;
@@ -23,7 +23,7 @@ bool singular_at(const JointModel& model, const State& state, const Target& targ
   return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
 }
 
-/// assess_unilateral_stability(), with all that touches and is not held.
+/// assess_unilateral_stability() with all places that touch without an active contact.
 void look_at_what_touches(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target,
                           const std::vector<double>& layer_loads, Stability& stability) {
   Balanced closed = pose;

@@ -1,16 +1,16 @@
-// A pose that is one of many, or forces that are, are no answer: said, not sold as one.
+// Detects non-unique poses and statically indeterminate forces.
 #pragma once
 
 #include "genu/equilibrium/pose_point.h"
 
 namespace genu {
 
-/// Looks at a solved pose and its stability; where it or its forces are not determined, PoseStatus::undetermined, why,
-/// and what (PosePoint::undetermined). False then. Nothing is looked at without Safeguard::uniqueness. `solver` is
-/// where it has solved that pose, or one beside it.
+/// Examines a solved pose and its stability. Where the pose or its forces are not unique: false, with
+/// PoseStatus::undetermined, the reason, and PosePoint::undetermined. Without Safeguard::uniqueness it returns true at
+/// once. `solver` has solved that pose or one beside it.
 bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point);
 
-/// Of a solved pose, what holds one way only looked at the other way too.
+/// Stability of a solved pose, unilateral parts included.
 Stability stability_of(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target);
 
 }  // namespace genu

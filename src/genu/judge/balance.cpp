@@ -10,9 +10,9 @@ namespace genu::judge {
 namespace {
 
 constexpr double kBalance = 1e-9;    // of the forces at work
-constexpr double kRounding = 3e-12;  // of forces times far levers
+constexpr double kRounding = 3e-12;  // of forces times long lever arms
 
-/// What acts on the bodies that a joint carries, about its child's origin, in the world.
+/// Forces on the bodies carried by a joint, about its child's origin, in the world.
 struct Sum {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   double forces = 0, moments = 0, levers = 0;  ///< sums of sizes: N, N m, N m
@@ -27,12 +27,12 @@ struct Sum {
   }
 };
 
-/// One equation: what acts along a coordinate, with its reaction, is nothing.
+/// One equation: the force along a coordinate plus its reaction is zero.
 struct Equation {
   std::string name;
   bool rotation = false;
   int joint = 0;
-  Vec3 origin, v, w;  ///< of the motion that it is the work of
+  Vec3 origin, v, w;  ///< of the motion along the coordinate
   std::vector<bool> carried;
   double value = 0, tolerance = 0;
 };
@@ -65,7 +65,7 @@ class Balance {
     return sum;
   }
 
-  /// N m or N: of loads on the coordinate itself, springs and dampers of joints, and what holds it.
+  /// N m or N: loads on the coordinate itself, springs and dampers of joints, and reactions.
   double along(const CoordinateRef& c, double& size) const {
     double sum = reaction(c);
     size += std::abs(sum);
@@ -92,7 +92,7 @@ class Balance {
     return sum;
   }
 
-  /// Where hardly any force is at work.
+  /// Where almost no force acts.
   double least_force() const { return pose_.subject->least_force + pose_.slack * pose_.subject->force_scale; }
   double force_tolerance(const Sum& s) const {
     return (kBalance + pose_.slack) * s.forces + more_force_ + least_force() + pose_.rounding * pose_.subject->springs;
@@ -120,7 +120,7 @@ class Balance {
     if (joint.type != JointDef::Type::free) add_held(j, origin, carried, sum);
   }
 
-  /// A joint's own force and moment against all the rest: six equations, in the parent's axes.
+  /// A joint's own force and moment against the sum of the others: six equations, in the parent's axes.
   void add_held(int j, const Vec3& origin, const std::vector<bool>& carried, const Sum& sum) {
     const JointDef& joint = pose_.scene().joints[at(j)];
     const Mat3& R = pose_.poses[at(joint.parent)].R;
@@ -154,16 +154,17 @@ class Balance {
     return on * along.dot(force_on_a);
   }
 
-  /// Directions of loose contact forces, as little off the facets' normals as brings all equations within their
-  /// tolerances (Tikhonov, by the discrepancy). Then: do they lie within the cones?
+  /// Turns the directions of loose contact forces away from the facets' normals as little as necessary to satisfy all
+  /// equations within tolerance (Tikhonov regularisation, discrepancy principle). Then checks that they lie within the
+  /// cones.
   void turn_loose() {
     const std::size_t n = forces_.loose.size();
     if (n == 0) return;
     const auto rows = static_cast<Eigen::Index>(equations_.size()), unknowns = static_cast<Eigen::Index>(2 * n);
     std::vector<Vec3> direction(n);
-    std::vector<double> length(n);  // of what is made a unit vector of: derivatives need it, as two nearly parallel
-                                    // forces can turn by much against each other before a sum tells
-    std::vector<std::array<Vec3, 3>> frame;  // the facets' normal, and across it what one unit turns by: a cone's width
+    std::vector<double> length(n);  // of the vectors to be normalised, for exact derivatives: two nearly parallel
+                                    // forces can turn far against each other before a sum shows it
+    std::vector<std::array<Vec3, 3>> frame;  // the facets' normal, and two axes across it, one cone width per unit
     for (const LooseForce& f : forces_.loose) {
       const Vec3 middle = (f.normal_b - f.normal_a).normalized(), one = middle.unitOrthogonal();
       const double most = std::max(std::min(f.turn_a, f.turn_b), 1e-6);
@@ -187,7 +188,7 @@ class Balance {
     leave();
     MatX J = MatX::Zero(rows + unknowns, unknowns);
     VecX right(rows + unknowns);
-    constexpr double kStiffest = 1e6, kSoftest = 1e-4;  // from one that hardly turns to one that turns freely
+    constexpr double kStiffest = 1e6, kSoftest = 1e-4;  // from almost fixed to free directions
     const auto balanced = [&] { return left.cwiseAbs().maxCoeff() <= 0.5; };
     const auto turn = [&](double hold) {
       for (std::size_t c = 0; c < n; ++c)
@@ -206,8 +207,8 @@ class Balance {
     };
     for (double hold = kStiffest; hold > kSoftest && !balanced(); hold /= 4)
       for (int round = 0; round < 3; ++round) turn(hold);
-    // The forces of two contacts can turn together about their sum: on the wrong side of where their moment is largest
-    // all ways lead away from balance. So it is tried from elsewhere in the cones.
+    // The forces of two contacts can turn together about their sum. Beyond the point where their moment is largest,
+    // every direction leads away from balance, so other starts within the cones are tried.
     constexpr int kRounds = 30;
     for (Eigen::Index k = 0; k < 2 * unknowns && !balanced(); ++k) {
       const VecX before = x;
@@ -229,7 +230,7 @@ class Balance {
       const auto angle = [&](const Vec3& normal) {
         return to::kDegree * std::atan2(direction[c].cross(normal).norm(), direction[c].dot(normal));
       };
-      constexpr double kLeastCone = 1e-6;  // deg: the cone of facets in one plane is a line
+      constexpr double kLeastCone = 1e-6;  // deg: the cone of coplanar facets is a line
       for (const auto& [normal, cone] : {std::pair(Vec3(f.normal_b), f.turn_b), std::pair(Vec3(-f.normal_a), f.turn_a)})
         pose_.out->expect("directions of contact forces", "deg", angle(normal), to::kDegree * cone + kLeastCone,
                           f.name);

@@ -9,20 +9,20 @@
 namespace genu::judge {
 namespace {
 
-/// m, rad: what a mesh says of the smooth surface near a point.
+/// m, rad: what a mesh implies about the smooth surface near a point.
 struct Seen {
   Vec3 normal = Vec3::UnitZ();  ///< world, outward
   double turn = 0, distance = 0;
 };
 
-/// A contact as the table has it: one of a pair's, or the pair's only one.
+/// A contact in the table: one of several of a pair, or the only one.
 struct Written {
   std::string name;
   double force = 0, gap = 0;
   Vec3 a, b;  ///< m, in the bodies
 
   bool there() const { return a.allFinite() && b.allFinite() && std::isfinite(gap); }
-  /// Some of its point's numbers are there, and others are not.
+  /// Whether only a part of its point's numbers is present.
   bool torn() const { return !there() && (a.array().isFinite().any() || b.array().isFinite().any()); }
 };
 
@@ -44,7 +44,7 @@ class Contacts {
     if (single && total.there()) all.push_back(total);
     if (total.torn()) pose_.out->expect("contact points", "mm", std::nan(""), 0, total.name + " has empty cells");
     for (const Written& c : all) judge(c);
-    if (!single && total.there() && total.force == 0) judge(total);  // open: where the surfaces are nearest
+    if (!single && total.there() && total.force == 0) judge(total);  // open: the nearest points of the surfaces
     judge_total(total, all);
     for (const RegionDef& region : pair.regions) judge_region(region, all);
   }
@@ -68,14 +68,14 @@ class Contacts {
     if (!empty) pose_.out->expect("contact points", "mm", std::nan(""), 0, c.name + " has empty cells");
   }
 
-  /// The surface at a written point; says how far off it the point lies.
+  /// The surface at a written point; checks the distance of the point from it.
   Seen look(const Written& c, bool second, bool closed) {
     const int k = second ? pair_->surface_b : pair_->surface_a;
     const SurfaceDef& def = scene_.surfaces[at(k)];
     const Side& side = pose_.subject->sides[at(k)];
     const Vec3& p = second ? c.b : c.a;
     const Mat3& R = pose_.poses[at(def.body)].R;
-    // An open contact is the end of a search that needs to be no better than gaps are told.
+    // An open contact ends a search that is only as accurate as gaps are.
     const double sure = pose_.length_tolerance() + (closed ? 0 : 1e-8);
     const std::string name = c.name + " on " + def.name;
     Seen seen;
@@ -118,7 +118,7 @@ class Contacts {
                         to::kMillimetre * (1e-9 + sure), c.name);
     }
     const double apart = std::atan2(a.normal.cross(-b.normal).norm(), a.normal.dot(-b.normal));
-    // A contact of two rounded points turns by its rounding over the radii; 1e-7 rad stands for the sharpest of them.
+    // A contact of two rounded points turns by their rounding over the radii; 1e-7 rad covers the smallest radius.
     const double straight = closed ? 1e-7 + 10 * pose_.slack : 1e-4;
     pose_.out->expect("normals oppose", "deg", to::kDegree * apart, to::kDegree * (straight + a.turn + b.turn), c.name);
     if (closed) add_force(c, 0.5 * (at_a + at_b), a, b);

@@ -11,10 +11,10 @@ namespace genu::judge {
 
 using Points = std::vector<std::pair<double, double>>;
 
-/// At x. Beyond the ends it goes on straight; a table without negative values never becomes negative.
+/// The value at x. Linear beyond the ends; a table without negative values never becomes negative.
 double curve_at(const Points& points, double x);
 
-/// A scale or course (docs/scene-reference.md, Loads) at x: s, or the value of the coordinate that it goes over.
+/// A scale or course (docs/scene-reference.md, Loads) at x: s, or the value of its coordinate.
 double scale_at(const ScaleDef& scale, double x);
 
 }  // namespace genu::judge

@@ -10,7 +10,7 @@
 namespace genu::judge {
 namespace {
 
-/// The point of a triangle nearest to x, and where it is: -1 inside, k on the edge from corner k, 3 + k at corner k.
+/// The point of a triangle nearest to x, and its feature: -1 inside, k on the edge from corner k, 3 + k at corner k.
 struct OnTriangle {
   Vec3 p;
   int feature = -1;
@@ -82,7 +82,7 @@ void Facets::index() {
         for (int k = -reach; k <= reach; ++k) near_cells_.insert({cell[0] + i, cell[1] + j, cell[2] + k});
 }
 
-/// Normals that tell inside from outside at edges and corners (Baerentzen and Aanaes 2005): sums weighted by angle.
+/// Normals at edges and corners that separate inside from outside (Baerentzen and Aanaes 2005): angle-weighted sums.
 void Facets::find_normals() {
   vertex_normals_.assign(vertices_.size(), Vec3::Zero());
   edge_normals_.resize(triangles_.size());
@@ -135,7 +135,7 @@ void Facets::each_near(const Vec3& low, const Vec3& high, Visit visit) const {
 std::optional<Facets::Nearest> Facets::nearest(const Vec3& x, double reach) const {
   Nearest best;
   int feature = -1;
-  // Rings of cells, until what is found is nearer than what has not been seen.
+  // Rings of cells, until the nearest found is closer than any cell not visited.
   for (double r = std::min(cell_, reach);; r = std::min(2 * r, reach)) {
     double least = std::numeric_limits<double>::infinity();
     each_near(x.array() - r, x.array() + r, [&](int t) {
@@ -197,7 +197,7 @@ Facets::Lean Facets::lean(const Vec3& x, double radius) const {
   const Vec3 facing = area(nearest_one->triangle);
   Vec3 sum = Vec3::Zero();
   for (const int t : near)
-    if (area(t).dot(facing) > 0) sum += area(t);  // the other face of something thin is none of it
+    if (area(t).dot(facing) > 0) sum += area(t);  // skips the other face of a thin body
   if (!(sum.norm() > 0)) return lean;
   lean.normal = sum.normalized();
   for (const int t : near) {
@@ -205,8 +205,8 @@ Facets::Lean Facets::lean(const Vec3& x, double radius) const {
     if (n.dot(facing) <= 0) continue;
     lean.turn = std::max(lean.turn, std::acos(std::clamp(n.dot(lean.normal), -1.0, 1.0)));
   }
-  // Between two vertices an edge e apart whose facets turn by a, an arc stands out by e a / 8. A fit passes beside
-  // vertices by their noise s, which makes facets lean by about 2 s / e, and the worst of some thirty by 5 s / e.
+  // Between two vertices at distance e whose facets differ by the angle a, an arc bulges by e a / 8. A fit misses
+  // vertices by their noise s, which turns facets by about 2 s / e, and the worst of about thirty by 5 s / e.
   lean.distance = edge_ * std::tan(std::min(lean.turn, 1.0));
   return lean;
 }

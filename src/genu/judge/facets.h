@@ -1,5 +1,5 @@
-// The raw triangles of a mesh, in its body's frame: the nearest one to a point, rays, and how far a smooth surface
-// through their vertices may lie and lean away from them.
+// The raw triangles of a mesh in its body's frame: nearest triangle, rays, and bounds on distance and angle of a smooth
+// surface through their vertices.
 #pragma once
 
 #include <array>
@@ -18,30 +18,29 @@ class Facets {
   /// `mesh`: in the frame of its file (m).
   Facets(const Mesh& mesh, const SurfaceDef& def);
 
-  static constexpr double kReach = 2;  ///< edges: how deep overlap is looked for
-  static constexpr double kNear =
-      3;  ///< edges: facets this near say how a smooth surface leans: the least that fits reach
+  static constexpr double kReach = 2;  ///< edges: range of the search for overlap
+  static constexpr double kNear = 3;   ///< edges: range of facets that give the orientation; the least fit radius
 
-  /// Whether x is surely farther from all triangles than kReach edges.
+  /// Whether x is certainly farther than kReach edges from all triangles.
   bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }
 
   struct Nearest {
     double distance = 0;  ///< m, negative inside
     Vec3 p = Vec3::Zero();
     int triangle = -1;
-    bool at_border = false;  ///< beside the sheet: what is inside and outside cannot be told
+    bool at_border = false;  ///< beside the sheet: inside and outside are undefined
   };
   /// Within `reach` (m); empty where there is none.
   std::optional<Nearest> nearest(const Vec3& x, double reach) const;
 
-  /// The first triangle that a ray leaves (its outward normal along the ray), within `length`: distance (m).
+  /// The first triangle that a ray leaves (outward normal along the ray) within `length`: distance (m).
   struct Hit {
     double distance = 0;
     int triangle = -1;
   };
   std::optional<Hit> leaving(const Vec3& origin, const Vec3& direction, double length) const;
 
-  /// Of a smooth surface near x: the mean normal of the triangles there, and what it may be off.
+  /// The orientation of a smooth surface near x: mean normal of the triangles there, and its error bounds.
   struct Lean {
     Vec3 normal = Vec3::UnitZ();
     double turn = 0;      ///< rad: the largest angle between that and any triangle's
@@ -75,10 +74,10 @@ class Facets {
   std::vector<std::array<Vec3, 3>> edge_normals_;  // of the edge from corner k to the next
   std::vector<std::array<bool, 3>> border_edge_;
   std::vector<bool> border_vertex_;
-  std::vector<std::pair<Vec3, double>> balls_;  // round each triangle
+  std::vector<std::pair<Vec3, double>> balls_;  // around each triangle
   double edge_ = 0, cell_ = 1;
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;
-  std::unordered_set<Cell, Hash> near_cells_;  // all within kReach edges of a triangle
+  std::unordered_set<Cell, Hash> near_cells_;  // all cells within kReach edges of a triangle
 };
 
 }  // namespace genu::judge

@@ -5,7 +5,7 @@
 namespace genu::judge {
 namespace {
 
-/// How bad a value is: over 1 it fails.
+/// Value relative to its tolerance: over 1 it fails.
 double badness(double worst, double tolerance) {
   if (!std::isfinite(worst)) return std::numeric_limits<double>::infinity();
   if (worst == 0) return 0;

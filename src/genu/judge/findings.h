@@ -1,4 +1,4 @@
-// What a check found: for each kind of check its worst value, where that is, and how many poses fail it.
+// Results of checks: for each kind of check its worst value, the place, and the number of poses that fail.
 #pragma once
 
 #include <cmath>
@@ -17,27 +17,27 @@ struct Finding {
   std::string unit;                ///< of worst and tolerance
   std::size_t judged = 0;          ///< numbers compared
   std::size_t poses = 0;           ///< in which
-  double worst = 0;                ///< the value farthest beyond, or nearest to, its tolerance
-  double tolerance = 0;            ///< the one that stood against it
+  double worst = 0;                ///< the value farthest beyond its tolerance, or nearest to it
+  double tolerance = 0;            ///< the tolerance of that value
   std::string where;               ///< of the worst
   std::set<std::size_t> rejected;  ///< rows, from 0
 
   bool good() const { return rejected.empty(); }
 };
 
-/// Findings of one row or of many. Kinds stand in the order of their first appearance.
+/// Findings of one row or of many, in the order of first appearance.
 class Findings {
  public:
   Findings() = default;
   explicit Findings(std::size_t row) : row_(row) {}
 
-  /// `error` >= 0 must be at most `tolerance`; one that is not finite fails. `object`: whose number it is.
+  /// `error` >= 0 must be at most `tolerance`; NaN and infinity fail. `object`: what the number belongs to.
   void expect(const std::string& check, const std::string& unit, double error, double tolerance,
               const std::string& object);
-  /// What cannot be judged, once however often it is said.
+  /// Notes something that cannot be judged; repeated notes count once.
   void skip(const std::string& what) { skipped_.insert(what); }
 
-  /// Adds those of another row; `place` names a row: "row 3".
+  /// Adds the findings of another row; `place` names it: "row 3".
   void merge(const Findings& other);
 
   const std::vector<Finding>& all() const { return all_; }

@@ -1,5 +1,5 @@
-// Overlap by brute force: samples of one surface against the other's own formula or triangles, both ways round, and
-// from the lowest samples downhill over the sampled surface.
+// Overlap by brute force: samples of one surface against the other's own formula or triangles, both ways, then descent
+// from the lowest samples over the sampled surface.
 #include <algorithm>
 #include <cmath>
 
@@ -9,15 +9,15 @@
 namespace genu::judge {
 namespace {
 
-constexpr std::size_t kDescents = 5;  // lowest samples that are followed
+constexpr std::size_t kDescents = 5;  // number of lowest samples that are followed
 
-/// m, of a point of one surface over the other; not known where that has no inside or outside.
+/// m, of a point of one surface over the other; unknown where the other has no inside and outside.
 struct Gap {
   double gap = std::numeric_limits<double>::infinity();
-  double sure = 0;  ///< m: what facets leave open: half of what either may be off, both are rarely at their worst
+  double sure = 0;  ///< m: uncertainty by facets: half of both error bounds, which are rarely reached together
   Vec3 p = Vec3::Zero();
   double spacing = 0;   ///< m: of the samples
-  bool at_rim = false;  ///< of closed forms: an end of one is nearest, where the normals need not oppose
+  bool at_rim = false;  ///< of closed forms: nearest at an end of one, where the normals need not be opposite
 };
 
 class Gaps {
@@ -42,7 +42,7 @@ class Gaps {
                         to::kMillimetre * (pose_.length_tolerance() + 1e-9 + least.sure),
                         name + ", " + scene_.surfaces[at(from)].name + " in " + scene_.surfaces[at(to)].name);
       if (std::isfinite(written) && sampled.shape && other.shape) {
-        // Nothing lies deeper below the lowest sample than from one sample to the next.
+        // The surface is at most one spacing deeper than the lowest sample.
         if (!least.at_rim && !scene_.surfaces[at(from)].patch && !scene_.surfaces[at(to)].patch)
           pose_.out->expect("smallest gap is not too small", "mm",
                             to::kMillimetre * std::max(0.0, least.gap - least.spacing - written),
@@ -56,7 +56,7 @@ class Gaps {
   }
 
  private:
-  /// From the frame that the first one's samples are in to the one that the second asks in.
+  /// From the frame of the first surface's samples to the frame of the second surface.
   Pose in_other(int from, int to) const {
     const SurfaceDef &a = scene_.surfaces[at(from)], &b = scene_.surfaces[at(to)];
     const bool mesh_a = a.shape == SurfaceDef::Shape::mesh, mesh_b = b.shape == SurfaceDef::Shape::mesh;
@@ -81,7 +81,7 @@ class Gaps {
     return out;
   }
 
-  /// What a low sample says when it is looked at closely: the nearest point must be on the patch.
+  /// A closer look at a low sample: the nearest point must be on the patch.
   Gap closely(const Side& other, const Vec3& x) const {
     Gap gap = over(other, x);
     gap.p = x;
@@ -96,7 +96,7 @@ class Gaps {
     return gap;
   }
 
-  /// Whether a closed form ends beside its point p.
+  /// Whether a closed form ends close to its point p.
   bool ends_beside(const Shape& shape, const Vec3& p) const {
     constexpr double kBeside = 1e-5;  // of the size
     const Vec3 n = shape.normal(p), one = n.unitOrthogonal(), two = n.cross(one);
@@ -108,15 +108,15 @@ class Gaps {
     return false;
   }
 
-  /// Whether the normals do not oppose at p, or one of the two ends beside it.
+  /// Whether the normals are not opposite at p, or one of the two surfaces ends close to it.
   bool at_rim(const Shape& sampled, const Shape& other, const Pose& X, const Vec3& p) const {
-    constexpr double kOpposed = 1e-6;  // 1 - cosine: they are within 0.1 deg
+    constexpr double kOpposed = 1e-6;  // 1 - cosine: within 0.1 deg
     if (1 + (X.R * sampled.normal(p)).dot(other.normal(X * p)) > kOpposed || ends_beside(sampled, p)) return true;
     const auto foot = other.nearest(X * p);
     return !foot || ends_beside(other, *foot);
   }
 
-  /// Downhill over the sampled closed form, in steps that halve.
+  /// Descent over the sampled closed form, with halved steps.
   Gap descend(const Shape& sampled, const Side& other, const Pose& X, Vec3 p, double step) const {
     double best = over(other, X * p).gap;
     while (step > 1e-8) {
@@ -158,7 +158,7 @@ class Gaps {
     std::vector<Vec3> taken;
     double worst = -std::numeric_limits<double>::infinity();
     for (const auto& [gap, p] : low) {
-      const bool lowest = taken.empty() && sampled.shape && other.shape;  // followed wherever it is: for the gap
+      const bool lowest = taken.empty() && sampled.shape && other.shape;  // always followed, for the gap
       if (taken.size() >= kDescents || (gap > 2 * spacing && !lowest)) break;
       const auto beside = [&, at_p = p](const Vec3& q) { return (q - at_p).norm() < 4 * spacing; };
       if (sampled.shape && std::any_of(taken.begin(), taken.end(), beside)) continue;
@@ -166,7 +166,7 @@ class Gaps {
       if (!std::isfinite(found.gap)) continue;
       taken.push_back(p);
       const double own = sampled.shape ? 0 : 0.5 * sampled.facets->lean(p, Facets::kNear * spacing).distance;
-      // The one that is farthest beyond what its facets leave open.
+      // The one with the largest excess over its facets' uncertainty.
       if (const double beyond = -found.gap - found.sure - own; beyond > worst) {
         worst = beyond;
         least = found;
@@ -177,8 +177,8 @@ class Gaps {
     return least;
   }
 
-  static constexpr double kWritten = 1e-8;  // m: what certified gaps may be below 0 by
-  static constexpr double kRim = 1e-3;      // of the size: samples pass over a rim by less than their spacing
+  static constexpr double kWritten = 1e-8;  // m: certified gaps may be this far below 0
+  static constexpr double kRim = 1e-3;      // of the size: samples cross a rim by less than their spacing
   const PoseCase& pose_;
   const Scene& scene_;
 };

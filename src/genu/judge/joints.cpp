@@ -7,7 +7,7 @@
 namespace genu::judge {
 namespace {
 
-/// Right-handed turn by `angle` about a unit axis, as a matrix, by Rodrigues' formula in its plain form.
+/// Right-handed rotation by `angle` about a unit axis: Rodrigues' formula.
 Mat3 turn(const Vec3& axis, double angle) {
   const Mat3 k = skew(axis);
   return Mat3::Identity() + std::sin(angle) * k + (1 - std::cos(angle)) * (k * k);
@@ -22,7 +22,7 @@ Pose pose_in_parent(const JointDef& joint, const std::array<double, 6>& q) {
 
 /// Weights of the central difference of order 8: f' = sum w_k (f(x + k h) - f(x - k h)) / h.
 constexpr std::array kWeights = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-constexpr double kTurn = 0.02;  // rad: errs by (0.02)^8 / 630, far below rounding
+constexpr double kTurn = 0.02;  // rad: error 0.02^8 / 630, far below rounding
 
 }  // namespace
 
@@ -58,7 +58,7 @@ std::vector<Pose> poses_at(const Scene& scene, const Coordinates& q) {
   std::vector<Pose> poses(scene.bodies.size());
   std::vector<bool> known;
   for (const BodyDef& body : scene.bodies) known.push_back(body.fixed);
-  // Joints may stand in any order; each round places at least one more body.
+  // Joints may be in any order; each round places at least one more body.
   for (std::size_t round = 0; round < scene.joints.size(); ++round)
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
       const JointDef& joint = scene.joints[j];

@@ -1,6 +1,6 @@
-// Where bodies stand when their joints' coordinates are given, by the definitions of docs/scene-reference.md alone:
+// Poses of bodies from joint coordinates, by the definitions of docs/scene-reference.md only:
 //   X_parent_child = [R1 R2 R3, x],   X_world_child = X_world_parent X_parent_child
-// and how a coordinate moves its child, by differences of these poses.
+// and the motion of a child per coordinate, from differences of these poses.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ std::string column_of(const Scene& scene, const QuantityRef& q);
 /// SI per unit of such a column.
 double column_unit(const QuantityRef& q);
 
-/// The coordinates in a row; those a joint holds are as the scene has them. NaN where a cell is empty.
+/// The coordinates of a row; those held by a joint are taken from the scene. NaN for an empty cell.
 Coordinates coordinates_in(const Scene& scene, const Row& row);
 Coordinates reference_coordinates(const Scene& scene);
 
@@ -27,16 +27,16 @@ double value_of(const Scene& scene, const Coordinates& q, const QuantityRef& qua
 /// Poses of all bodies in the world.
 std::vector<Pose> poses_at(const Scene& scene, const Coordinates& q);
 
-/// How a body moves: velocity of its origin and rate of turn, in the world's axes.
+/// Motion of a body: velocity of its origin and angular velocity, in the world's axes.
 struct Motion {
   Vec3 v = Vec3::Zero(), w = Vec3::Zero();
 };
 
-/// Motion of a joint's child for one unit (rad, m) of its coordinate `index`, everything else held. Central differences
-/// of order 8: they err by rounding alone, some 1e-12.
+/// Motion of a joint's child per unit (rad, m) of its coordinate `index`, all others fixed. Central differences of
+/// order 8: only rounding errors, about 1e-12.
 Motion motion_of(const Scene& scene, const Coordinates& q, const std::vector<Pose>& poses, int joint, int index);
 
-/// Bodies that a joint carries: its child and all that hang on it.
+/// Bodies carried by a joint: its child and everything attached to it.
 std::vector<bool> carried_by(const Scene& scene, int joint);
 
 }  // namespace genu::judge

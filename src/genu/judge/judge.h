@@ -1,6 +1,5 @@
-// The independent judge of results: it takes a scene and the table that a run wrote, works out by itself what the table
-// says, and accepts or rejects each pose called ok. It shares no code with the solver: docs/judge.md says what is
-// judged how, and to which tolerance.
+// The independent judge of results: recomputes the table of a run from the scene, and accepts or rejects each pose
+// called ok. It shares no code with the solver. docs/judge.md lists checks and tolerances.
 #pragma once
 
 #include <optional>
@@ -15,26 +14,26 @@
 namespace genu::judge {
 
 struct Options {
-  int samples = 120;      ///< along each side of a closed form that is looked over for overlap and pressure
-  std::size_t every = 1;  ///< overlap and pressure are judged in every so many rows, and in the first and last
+  int samples = 120;      ///< along each side of a closed form, for overlap and pressure
+  std::size_t every = 1;  ///< overlap and pressure are judged in every n-th row, and in the first and last
 };
 
 struct Judgement {
   Findings findings;
-  std::size_t rows = 0, judged = 0;                         ///< of the table; called ok
+  std::size_t rows = 0, judged = 0;                         ///< in the table; of these called ok
   std::vector<std::pair<std::size_t, std::string>> not_ok;  ///< rows (from 0) with another status: not judged
-  std::vector<std::string> not_judged;                      ///< what is not, and why
+  std::vector<std::string> not_judged;                      ///< checks left out, with reasons
 
   std::size_t rejected() const;
   bool accepted() const { return rejected() == 0; }
 };
 
-/// Judges the text of a results.csv; `scene` is what the reader made of the scene's file. Empty, with the reasons in
-/// `out`, where the table has no such columns or rows, or a mesh cannot be read.
+/// Judges the text of a results.csv. `scene`: as the reader returns it. Empty, with the reasons in `out`, where columns
+/// or rows are missing, or a mesh cannot be read.
 std::optional<Judgement> judge_results(const Scene& scene, const std::string& csv, const std::string& csv_name,
                                        const Options& options, Diagnostics& out);
 
-/// A line for each check, what is not judged, and the verdict.
+/// A line for each check, the checks left out, and the verdict.
 std::string to_text(const Judgement& judgement);
 std::string to_json(const Judgement& judgement);
 /// check, numbers, poses, worst, tolerance, unit, where, rejected

@@ -12,12 +12,12 @@ namespace {
 /// A layer's resultant on the second surface's body, about its origin, in its axes.
 struct Resultant {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  Vec3 centre = Vec3::Zero();  ///< mean of the places by load; while it is summed, times the load
+  Vec3 centre = Vec3::Zero();  ///< mean of the places, weighted by load; during summation, times the load
   double area = 0, most = 0, load = 0, depth = 0;
-  double points = 0, outside = 0;  ///< samples in contact, in the region and beside it
-  double side = 0;                 ///< m: the longest one of what a sample in contact stands for
-  double lean = 0;                 ///< the largest 1 - cosine of the angle between the normals of both surfaces
-  Vec3 deepest = Vec3::Zero();     ///< where the depth is
+  double points = 0, outside = 0;  ///< samples in contact, within the region and outside
+  double side = 0;                 ///< m: longest side of the area that a sample in contact represents
+  double lean = 0;                 ///< largest 1 - cosine of the angle between the normals of both surfaces
+  Vec3 deepest = Vec3::Zero();     ///< place of the largest depth
 
   void add(const Vec3& x, const Vec3& on_b, double pressure, double area_of, double depth_there) {
     if (depth_there > depth) deepest = x;
@@ -30,10 +30,10 @@ struct Resultant {
     depth = std::max(depth, depth_there);
     ++points;
   }
-  /// How many square samples would be as fine as the coarsest ones are along their longer side.
+  /// Equivalent number of square samples as fine as the coarsest ones along their longer side.
   double fineness() const { return side > 0 ? std::min(points, area / (side * side)) : points; }
   Vec3 mean() const { return load > 0 ? Vec3(centre / load) : Vec3::Zero(); }
-  /// With a share of another one.
+  /// Adds another one with weight `share`.
   void join(const Resultant& o, double share) {
     force += share * o.force;
     moment += share * o.moment;
@@ -108,7 +108,7 @@ class Layers {
     forces_.forces.push_back({body(false), X.p, -force, -moment});
   }
 
-  /// Along minus a surface's normal to the other one: the overlap's depth there, 0 where there is none.
+  /// Depth of overlap along the inward normal of a surface to the other; 0 without overlap.
   double depth_of(const Side& other, const Vec3& x, const Vec3& n, double most) const {
     if (other.facets) {
       const auto hit = other.facets->leaving(x, -n, most);
@@ -116,7 +116,7 @@ class Layers {
     }
     const Shape& shape = *other.shape;
     if (shape.value(x) >= 0) return 0;
-    // The first zero along the ray: marched, then halved.
+    // The first zero along the ray: by marching, then bisection.
     double low = 0, high = 0;
     for (const double step = most / 64; high < most && shape.value(x - high * n) < 0; high += step) low = high;
     if (shape.value(x - high * n) < 0) return 0;
@@ -127,7 +127,7 @@ class Layers {
     return shape.in_patch(x - high * n) && high <= most ? high : 0;
   }
 
-  /// What one surface casts, with `fine` x as many samples along an edge, `raised` that far outward (m).
+  /// The integral cast by one surface, with `fine` times as many samples along an edge, moved `raised` (m) outward.
   Resultant cast(int from, int to, int fine, double raised = 0) const {
     const SurfaceDef &a = scene_.surfaces[at(from)], &b = scene_.surfaces[at(to)];
     const Side &casting = pose_.subject->sides[at(from)], &other = pose_.subject->sides[at(to)];
@@ -183,19 +183,19 @@ class Layers {
     return side.facets || side.shape->bounded();
   }
 
-  using Ways = std::vector<std::pair<int, int>>;  // surfaces: which one casts, onto which
+  using Ways = std::vector<std::pair<int, int>>;  // surfaces: from, to
 
   struct Sums {
     Resultant coarse, middle, fine;
-    /// How far apart they are: what samples at the border of contact make.
+    /// Difference between two integrals: the error by samples at the border of contact.
     template <typename Difference>
     double spread(Difference difference) const {
       return std::max({difference(coarse, middle), difference(middle, fine), difference(coarse, fine)});
     }
   };
 
-  /// Sums of what `ways` cast, in equal shares: as finely as it takes for kEnough samples in contact, and up to twice
-  /// as finely.
+  /// Integrals cast by `ways`, with equal weights: refined until kEnough samples are in contact, at most by a factor of
+  /// two beyond.
   Sums sums(const Ways& ways) const {
     constexpr double kEnough = 1000;
     constexpr int kFinest = 4;
@@ -218,8 +218,8 @@ class Layers {
     return out;
   }
 
-  /// How far the smooth surfaces of meshes may lie from their triangles, m, both together, where contact is deepest, or
-  /// where it would be first: half of the bounds, as for overlap.
+  /// m, both together: largest distance of the smooth surfaces of meshes from their triangles where contact is deepest,
+  /// or where it would begin; half of the bounds, as for overlap.
   double beside_facets(const Ways& ways, const Resultant& sum) const {
     constexpr double kNearly = 0.25;  // edges
     double edge = 0, out = 0;
@@ -237,14 +237,14 @@ class Layers {
     return out;
   }
 
-  /// The judge's own sums, and what they may be off: by their samples, told from twice as many; by one surface that
-  /// stands for both; and by facets that stand for a smooth surface.
+  /// The judge's own integrals with error bounds: by sampling, from twice as many samples; by using one surface for
+  /// both; and by facets in place of a smooth surface.
   void compare(const Resultant& written, const std::string& name) {
     const int a = layer_->pair.surface_a, b = layer_->pair.surface_b;
     const bool triangles = layer_->quadrature == LayerDef::Quadrature::triangles;
     const bool mesh_a = pose_.subject->sides[at(a)].facets != nullptr,
                mesh_b = pose_.subject->sides[at(b)].facets != nullptr;
-    const bool same = triangles && mesh_a && mesh_b;  // the very sum of the documents
+    const bool same = triangles && mesh_a && mesh_b;  // exactly the sum of the documentation
     Ways ways;
     Sums sum;
     double unilateral_stiffness = 0;
@@ -268,12 +268,12 @@ class Layers {
     const double asked = layer_->tolerance * std::max(1.0, least / std::max(fine.load, kLeastShare * least));
     const double share = same ? 1e-7 : (smooth_mesh || triangles ? kFacets : 1e-3) + asked;
     const double n = fine.fineness();
-    // A region's border through the contact: a row of samples, the solver's or the judge's, lies on either side.
+    // A region's border through the contact: a row of samples, the solver's or the judge's, may lie on either side.
     const double cut =
         n > 0 && fine.outside > 0 && !same ? 2 / std::sqrt(std::max(1.0, std::min(n, written.points))) : 0;
     const double sampled = same || !(n > 0) ? 0 : kSamples / n + cut;
-    const double border = same || !(n > 0) ? 0 : 2 / std::sqrt(n);  // half a row of samples all around
-    // What few samples may miss of a contact: as if it were that much deeper.
+    const double border = same || !(n > 0) ? 0 : 2 / std::sqrt(n);  // half a row of samples around the border
+    // Contact missed between few samples, as an increase in depth.
     const double missed = same ? 0 : kMissed * layer_->thickness / (100 + n);
     const double beside = smooth_mesh ? beside_facets(ways, fine) : 0;
     const Resultant more = beside + missed > 0 ? raised(ways, beside + missed) : fine;
@@ -303,12 +303,12 @@ class Layers {
     pose_.out->expect("largest pressures", "MPa", 1e-6 * std::abs(written.most - fine.most), 1e-6 * most_off, name);
   }
 
-  /// Columns that follow from the others, and those that only the very same sum has.
+  /// Columns that follow from others, and those that only an identical sum has.
   void judge_rest(const std::string& name, const Resultant& written, const Resultant& own, bool same, double off,
                   double most_off, double centre_off) {
     pose_.out->expect("layer sums fit together", "N", std::abs(pose_.row(name + ".force_N") - written.force.norm()),
                       1e-9 * (1 + written.force.norm()), name);
-    // The pressure that the largest depth has is the largest one.
+    // The largest pressure is that of the largest depth.
     const double depth = units::kMillimetre * pose_.row(name + ".max_depth_mm");
     pose_.out->expect("largest depths", "MPa", 1e-6 * std::abs(pressure_of(*layer_, depth) - written.most),
                       1e-6 * (1e-9 * written.most + 1e-6 + (same ? 0 : most_off)), name);
@@ -335,10 +335,10 @@ class Layers {
     expect_centre(name + "." + scene_.surfaces[at(layer_->pair.surface_a)].name, X_ab * centre);
   }
 
-  static constexpr double kSamples = 3;  // sums of n samples may be off by this / n: those at the border of contact
+  static constexpr double kSamples = 3;  // sums of n samples may be off by this / n, at the border of contact
   static constexpr double kMissed = 0.1;
-  static constexpr double kLeastShare = 0.01;  // of the force scale: below it `tolerance` is that of the force there
-  static constexpr double kFacets = 0.05;      // of facets for a smooth surface: docs/scene-reference.md, Cartilage
+  static constexpr double kLeastShare = 0.01;  // of the force scale: below it `tolerance` is relative to that force
+  static constexpr double kFacets = 0.05;  // error of facets for a smooth surface: docs/scene-reference.md, Cartilage
   const PoseCase& pose_;
   const Scene& scene_;
   PoseForces& forces_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kReach = 4;
 
-constexpr double kResolved = 1e-3;  // of what they tell: what differences may leave open to judge by them
+constexpr double kResolved = 1e-3;  // relative: differences with a larger error are not used
 
 }  // namespace
 
@@ -117,8 +117,8 @@ bool MotionRows::smooth(std::size_t k, std::size_t reach, double& interval) cons
   return true;
 }
 
-/// Of order 6 from rows k - 3 ... k + 3. It differs from the one of order 4 by what that one is off; what swings from
-/// row to row neither can see, and the sixth difference tells.
+/// Of order 6 from rows k - 3 ... k + 3. Its difference from order 4 bounds the error of order 4. Neither detects an
+/// oscillation from row to row; the sixth difference does.
 template <typename Value, typename Get>
 Value MotionRows::slope_at(std::size_t k, double h, Get get, double& error) const {
   error = 0;
@@ -148,7 +148,7 @@ void MotionRows::check_courses(const PoseCase& pose, const At& here) const {
   }
 }
 
-/// Rates are the slopes of the coordinates, to what the rows resolve.
+/// Rates must be the slopes of the coordinates, as far as the rows resolve them.
 void MotionRows::check_rates(std::size_t k, const PoseCase& pose, Findings& out) const {
   double h = 0;
   if (!smooth(k, kReach, h))
@@ -177,8 +177,8 @@ void MotionRows::check_rates(std::size_t k, const PoseCase& pose, Findings& out)
     }
 }
 
-/// What differences of the coordinates miss of the rates. Swings quicker than the rows look slow there, and nothing in
-/// the rates alone tells; an acceleration misses about 2 pi / h times as much.
+/// Error of the rates estimated from differences of the coordinates. An oscillation faster than the rows looks slow
+/// there, and the rates alone do not show it; accelerations miss about 2 pi / h times as much.
 std::vector<Motion> MotionRows::missed(std::size_t k, double h) const {
   Coordinates missed = at_[k].rates;
   for (std::size_t j = 0; j < missed.size(); ++j)
@@ -191,14 +191,14 @@ std::vector<Motion> MotionRows::missed(std::size_t k, double h) const {
   return velocities(at_[k].q, missed, poses_at(subject_.scene, at_[k].q));
 }
 
-/// Adds -d(momentum)/dt of each body. False where the rows are too far apart to tell it.
+/// Adds -d(momentum)/dt of each body. False where the rows are too far apart for it.
 bool MotionRows::add_inertia(std::size_t k, PoseForces& forces, double& unsure_force, double& unsure_moment) const {
   double h = 0;
   if (!smooth(k, kReach, h)) return false;
   const Scene& scene = subject_.scene;
   double size = 0;
   for (const Force& f : forces.forces) size += f.force.norm();
-  // Rates are known to about the motion's tolerance, of themselves and of a size a second.
+  // Rates are known to about the motion's tolerance, relative and in sizes per second.
   const std::vector<Motion> hidden = missed(k, h);
   const double noise = 10 * scene.dynamics->tolerance / h;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

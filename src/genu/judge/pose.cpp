@@ -9,9 +9,9 @@
 namespace genu::judge {
 namespace {
 
-constexpr double kSame = 1e-12;      // of numbers that follow from one another by a formula alone
-constexpr double kMostSlack = 1e-8;  // what a run calls solved at worst (docs/scene-reference.md, Solver)
-constexpr double kNorms = 30;        // its residual is in scales of its own
+constexpr double kSame = 1e-12;      // of numbers that follow from each other by a formula
+constexpr double kMostSlack = 1e-8;  // largest residual of a solved pose (docs/scene-reference.md, Solver)
+constexpr double kNorms = 30;        // its residual uses scales of its own
 
 const StepDef* step_of(const Scene& scene, const Row& row) {
   const double step = row("step");
@@ -19,7 +19,7 @@ const StepDef* step_of(const Scene& scene, const Row& row) {
   return &scene.steps[static_cast<std::size_t>(step) - 1];
 }
 
-/// How far into its step a row is.
+/// The position of a row in its step.
 double part_of(const StepDef& step, const Row& row) { return row("increment") / step.increments; }
 
 double factor_of(const PoseCase& pose, int load) {
@@ -59,7 +59,7 @@ void check_row(const PoseCase& pose) {
   const double step = pose.row("step"), increment = pose.row("increment");
   const auto steps = static_cast<double>(std::max<std::size_t>(1, scene.steps.size()));
   const StepDef* def = step_of(scene, pose.row);
-  const bool by_arc = def != nullptr && def->arc_length;  // turns back, beyond its start too
+  const bool by_arc = def != nullptr && def->arc_length;  // may go backward, also beyond its start
   const double last = def != nullptr ? def->increments : std::numeric_limits<double>::infinity();
   const bool whole = std::floor(step) == step && std::floor(increment) == increment;
   const bool named = step >= 1 && step <= steps && whole && (by_arc || (increment >= 0 && increment <= last));
@@ -137,7 +137,7 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
       tension.low = pushes ? tension.low + damper : std::max(0.0, tension.low + damper);
       tension.high = pushes ? tension.high + damper : std::max(0.0, tension.high + damper);
       if (!slack) unsure += 1e-9 * std::abs(damper);
-      if (!pushes && std::abs(length - law.slack_length()) < sure) {  // on the verge: either side
+      if (!pushes && std::abs(length - law.slack_length()) < sure) {  // about to become taut: either side
         tension.low = std::min(tension.low, 0.0);
         tension.high = std::max(tension.high, std::max(0.0, def.damping * rate));
       }
@@ -147,7 +147,7 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
     }
     const double off = std::max({0.0, tension.low - force, force - tension.high});
     pose.out->expect("ligament forces", "N", std::isfinite(force) ? off : force, unsure + 1e-12, def.name);
-    // The pull along the path as it stands in the table: balance is judged of what is written.
+    // Tension along the path from the table: balance is judged with the written numbers.
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
       if (bodies[k] == bodies[k + 1] || !((path[k + 1] - path[k]).norm() > 0)) continue;
       const Vec3 pull = force * (path[k + 1] - path[k]).normalized();

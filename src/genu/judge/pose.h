@@ -1,4 +1,4 @@
-// One pose that is judged: where the bodies are, what is prescribed, and the forces that act, all from the row.
+// A judged pose: poses of the bodies, prescribed values, and forces, all from its row.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct LooseForce {
   Vec3 point = Vec3::Zero();
   double size = 0;                ///< N
   Vec3 normal_a, normal_b;        ///< outward, world: means of the facets near
-  double turn_a = 0, turn_b = 0;  ///< rad: what these may be off
+  double turn_a = 0, turn_b = 0;  ///< rad: error bounds of these
   std::string name;
 };
 
@@ -42,33 +42,33 @@ struct PoseCase {
   Row row;
   Coordinates q;
   std::vector<Pose> poses;
-  double rounding = 0;  ///< m: of places, from the digits of the table
-  double slack = 0;     ///< relative: what the solver was allowed to leave, on top of the judge's own
+  double rounding = 0;  ///< m: rounding of places, from the digits of the table
+  double slack = 0;     ///< relative: tolerance of the solver, added to the judge's own
   Findings* out = nullptr;
 
   const Scene& scene() const { return subject->scene; }
   double length_tolerance() const { return 1e-9 * subject->size + rounding + slack * subject->size; }
 };
 
-/// The case of a row. Empty coordinates are said in `out`; then false.
+/// The case of a row. False where coordinates are empty, with a note in `out`.
 bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase& pose);
 
-/// Step and increment name a row of the scene, after the row before; the residual is one that a run calls solved.
+/// Step and increment must be those after the row before; the residual must be that of a solved pose.
 void check_row(const PoseCase& pose);
-/// What the scene's step asks of a row: prescribed coordinates and load factors against the columns.
+/// Prescribed coordinates and load factors of the scene's step against the columns.
 void check_prescribed(const PoseCase& pose);
-/// Lengths, strains and tensions; adds the pulls that stand in the table.
+/// Lengths, strains and tensions; adds the tensions of the table.
 void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces);
 /// Scales and factors; adds the loads and weights.
 void add_loads(const PoseCase& pose, PoseForces& forces);
-/// Written contact points of rigid pairs: on both surfaces, in one place, pressing; adds their forces.
+/// Contact points of rigid pairs: on both surfaces, at one place, in compression; adds their forces.
 void check_contacts(const PoseCase& pose, PoseForces& forces);
 /// No overlap anywhere, by samples of each surface against the other.
 void check_gaps(const PoseCase& pose);
-/// Force, moment, area and largest pressure of layers against the judge's own sums; adds the written force.
+/// Force, moment, area and largest pressure of layers against the judge's own integrals; adds the written force.
 void check_layers(const PoseCase& pose, bool sum, PoseForces& forces);
-/// Sums of forces and moments, as work on each coordinate; reactions of what is prescribed and of joints.
-/// `more`: N, N m that the sums may be off besides (inertia told from differences).
+/// Sums of forces and moments as work on each coordinate, with reactions of prescribed coordinates and of joints.
+/// `more`: N, N m, further tolerance (inertia from differences).
 void check_balance(const PoseCase& pose, PoseForces& forces, double more_force = 0, double more_moment = 0);
 
 }  // namespace genu::judge

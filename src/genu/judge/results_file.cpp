@@ -11,7 +11,7 @@ namespace genu::judge {
 namespace {
 
 constexpr double kEmpty = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostErrors = 20;  // a file of garbage has one in every cell
+constexpr std::size_t kMostErrors = 20;  // a garbage file has one in every cell
 
 std::vector<std::string_view> split(std::string_view text, char by) {
   std::vector<std::string_view> parts;
@@ -23,24 +23,24 @@ std::vector<std::string_view> split(std::string_view text, char by) {
   }
 }
 
-/// Of a cell: words are read as nothing where words are meant.
+/// The number in a cell; in columns of words, none.
 std::optional<double> number_in(std::string_view cell) {
   if (cell.empty()) return kEmpty;
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  // What is too small for a double is 0 to any tolerance here; what is too large is no result.
+  // A number too small for a double is 0 to any tolerance here; one too large is no result.
   if (error == std::errc() && end == cell.data() + cell.size() && std::isfinite(value)) return value;
   return std::nullopt;
 }
 
-/// What a row can say of itself.
+/// Whether `word` is a value of column `status`.
 bool is_status(std::string_view word) {
   constexpr std::string_view kWords[] = {"ok",      "no_equilibrium",  "over_edge",    "overlap",
                                          "chatter", "overconstrained", "undetermined", "flawed_mesh"};
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
-/// As other programs save a text: with a mark before it, and two characters at the end of a line.
+/// Removes the byte-order mark and carriage returns that other programs add.
 std::string as_written(std::string_view text) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   std::string out(text.substr(text.starts_with(kMark) ? kMark.size() : 0));

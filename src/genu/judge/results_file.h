@@ -1,4 +1,4 @@
-// results.csv as it was written: names of columns, and a number, a word or nothing in each cell.
+// A results.csv as written: names of columns, and a number, a word or nothing in each cell.
 #pragma once
 
 #include <atomic>
@@ -16,8 +16,9 @@ namespace genu::judge {
 
 class ResultsFile {
  public:
-  /// Reads the text of a results.csv. Empty, with each mistake at its line and column in `out`, where a row is cut off
-  /// or too long, a name stands twice, or a cell holds no finite number (columns `status` and `stability` hold words).
+  /// Reads the text of a results.csv. Empty, with each mistake at its line and column in `out`, where a row is too
+  /// short or too long, a name occurs twice, or a cell holds no finite number (columns `status` and `stability` hold
+  /// words).
   static std::optional<ResultsFile> parse(std::string_view bytes, const std::string& file, Diagnostics& out);
 
   std::size_t rows() const { return numbers_.size(); }
@@ -26,7 +27,7 @@ class ResultsFile {
   /// NaN where the cell is empty or the column is missing.
   double number(std::size_t row, const std::string& column) const;
   const std::string& status(std::size_t row) const { return status_[row]; }
-  /// Columns that no check has asked for.
+  /// Columns that no check has used.
   std::vector<std::string> unread() const;
 
  private:
@@ -34,7 +35,7 @@ class ResultsFile {
   std::unordered_map<std::string, std::size_t> index_;
   std::vector<std::vector<double>> numbers_;
   std::vector<std::string> status_;
-  std::shared_ptr<std::atomic<bool>[]> read_;  // of each column; rows are judged on many threads
+  std::shared_ptr<std::atomic<bool>[]> read_;  // of each column; rows are judged by many threads
 };
 
 /// One row, as the checks read it.

@@ -28,7 +28,7 @@ void warn(const std::string& file, std::string rule, Diagnostics& out) {
 
 bool is_count(const json& value) { return value.is_number_unsigned(); }
 
-/// What every run writes, of the kind that it writes it; the key that is none, or nothing.
+/// The first key of summary.json with a missing or wrong value, of those that every run writes; else empty.
 std::string wrong_key(const json& summary, bool given) {
   if (!summary.value("partial", json()).is_boolean()) return "partial";
   const json files = summary.value("files", json()), results = summary.value("results", json());
@@ -44,7 +44,7 @@ std::string wrong_key(const json& summary, bool given) {
   return counts.is_object() && is_count(counts.value("solved", json())) ? "" : counted;
 }
 
-/// Whether the table is still the one that the run wrote.
+/// Warns where the table is not the one that the run wrote.
 void compare_table(const json& written, const std::string& path, const std::string& text, Diagnostics& out) {
   if (checksum(text).fnv1a64 == written["fnv1a64"].get<std::string>()) return;
   const auto rows = written["rows"].get<std::size_t>();
@@ -56,14 +56,14 @@ void compare_table(const json& written, const std::string& path, const std::stri
     warn(path, "is not, byte for byte, what the run wrote: it has changed since", out);
 }
 
-/// A scene of the caller's choice that is not what the run read.
+/// Warns where the caller's scene is not the one that the run read.
 void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
   const auto now = file_checksum(scene);
   if (now && !summary["files"].empty() && summary["files"].front()["fnv1a64"].get<std::string>() != now->fnv1a64)
     warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
 }
 
-/// Files that the run read and that have changed since.
+/// Warns of files that have changed since the run read them.
 void compare_files(const json& summary, const std::string& path_of_summary, Diagnostics& out) {
   if (summary["files"].empty()) warn(path_of_summary, "does not say which files the run has read", out);
   for (const json& file : summary["files"]) {

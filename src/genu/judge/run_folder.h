@@ -1,4 +1,4 @@
-// The folder that a run wrote: its table, and which scene it is of.
+// The output folder of a run: its table and its scene.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,13 @@ namespace genu::judge {
 struct RunFolder {
   std::string scene;                     ///< path of the scene file
   std::string results;                   ///< text of results.csv
-  std::optional<std::size_t> ok_rows{};  ///< of which so many are called ok, as summary.json says
+  std::optional<std::size_t> ok_rows{};  ///< number of rows called ok in summary.json
 };
 
-/// Reads results.csv and summary.json of `folder`. `scene`: of the caller's choice where it is not empty. A warning for
-/// each file that has other bytes than the run read, as the summary tells, for a table with other bytes than it
-/// wrote, and where it was stopped; an error where the summary is none, a file is missing, the table has more or fewer
-/// rows, or, but with `given_too`, the results are of poses that were given and
-/// not solved.
+/// Reads results.csv and summary.json of `folder`. `scene`: replaces the recorded scene unless empty. Warns of each
+/// file whose bytes differ from those that the run read or wrote, and of an interrupted run. Error where the summary is
+/// invalid, a file is missing, the table has more or fewer rows, or (unless `given_too`) the results are of given poses
+/// that were not solved.
 std::optional<RunFolder> read_run_folder(const std::string& folder, const std::string& scene, Diagnostics& out,
                                          bool given_too = false);
 

@@ -17,7 +17,7 @@ struct Height {
 
 /// sum c u^i v^j, term by term, from the powers of u and v.
 Height height(const std::vector<SurfaceDef::Term>& terms, double u, double v) {
-  constexpr std::size_t kPowers = 21;  // exponents go to 20
+  constexpr std::size_t kPowers = 21;  // exponents up to 20
   std::array<double, kPowers> pu{1}, pv{1};
   for (std::size_t k = 1; k < kPowers; ++k) pu[k] = u * pu[k - 1], pv[k] = v * pv[k - 1];
   Height out;
@@ -34,7 +34,7 @@ double angle_near(double theta, double centre) {
   return theta - 2 * kPi * std::ceil((theta - centre) / (2 * kPi) - 0.5);
 }
 
-/// Of the two parameters, in the order u, v.
+/// Range of the two parameters u, v.
 struct Range {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
 };
@@ -127,7 +127,7 @@ std::optional<Vec3> Shape::nearest(const Vec3& p) const {
   auto foot = onto(p);
   const Form form = def_->shape;
   if (form != Form::ellipsoid && form != Form::polynomial && form != Form::cylindrical_polynomial) return foot;
-  // In steps along the surface toward where p is seen along the normal; half of them, as curvature may overshoot.
+  // Steps along the surface toward the foot of p; half steps, because curvature may overshoot.
   for (int i = 0; foot && i < 60; ++i) {
     const Vec3 n = normal(*foot), off = p - *foot, along = off - n.dot(off) * n;
     if (along.norm() < 1e-12) break;
@@ -209,7 +209,7 @@ std::vector<Sample> Shape::samples(int n) const {
       const double u = r.u0 + (i + 0.5) * du, v = r.v0 + (j + 0.5) * dv;
       const Vec3 p = point(u, v);
       if (!in_patch(p)) continue;
-      // The area of the cell by the sides through its middle.
+      // Area of the cell from its midlines.
       const Vec3 along_u = point(u + du / 2, v) - point(u - du / 2, v);
       const Vec3 along_v = point(u, v + dv / 2) - point(u, v - dv / 2);
       samples.push_back({p, normal(p), along_u.cross(along_v).norm(), std::max(along_u.norm(), along_v.norm())});

@@ -1,5 +1,5 @@
-// Closed forms of surfaces as the judge knows them: a function that is 0 on the surface, positive outside and has a
-// gradient there; samples; and the patch. All in the shape's own frame (m).
+// Closed forms of surfaces, independent of the solver's: a function that is 0 on the surface, positive outside and has
+// a gradient there; samples; and the patch. All in the shape's own frame (m).
 #pragma once
 
 #include <optional>
@@ -9,34 +9,34 @@
 
 namespace genu::judge {
 
-/// A piece of a surface round a point of it.
+/// A piece of a surface around one of its points.
 struct Sample {
   Vec3 p = Vec3::Zero(), n = Vec3::Zero();  ///< m; outward unit normal
-  double area = 0;                          ///< m^2: what it stands for
-  double side = 0;                          ///< m: the longest one of that
+  double area = 0;                          ///< m^2: area that it represents
+  double side = 0;                          ///< m: longest side of that
 };
 
 class Shape {
  public:
-  /// Of any surface but a mesh.
+  /// Any surface except a mesh.
   explicit Shape(const SurfaceDef& def) : def_(&def) {}
 
   double value(const Vec3& p) const;
   Vec3 gradient(const Vec3& p) const;
   Vec3 normal(const Vec3& p) const { return gradient(p).normalized(); }
 
-  /// The point of the surface nearest to p, looked for from p. Empty where the search does not settle.
+  /// The point of the surface nearest to p, from a search that starts at p. Empty where it does not converge.
   std::optional<Vec3> nearest(const Vec3& p) const;
   /// A point of the surface near p: down the gradient.
   std::optional<Vec3> onto(Vec3 p) const;
   /// Whether a point of the surface lies in its patch.
   bool in_patch(const Vec3& p) const;
-  /// m: how far outside its patch, along the axes; 0 in it.
+  /// m: distance from the patch, along the axes; 0 inside.
   double beyond_patch(const Vec3& p) const;
 
-  /// Whether it has ends, by its form or by its patch.
+  /// Whether it is bounded, by its form or by its patch.
   bool bounded() const;
-  /// About n x n samples over the patch, fine enough to be summed. Only of a bounded shape.
+  /// About n x n samples over the patch, fine enough for integration. For a bounded shape only.
   std::vector<Sample> samples(int n) const;
 
  private:

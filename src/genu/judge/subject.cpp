@@ -8,9 +8,9 @@
 namespace genu::judge {
 namespace {
 
-constexpr double kLeastShare = 1e-12;  // of a stiffness: a strain that rounding makes
+constexpr double kLeastShare = 1e-12;  // of a stiffness: strain by rounding
 
-/// The largest distance between points that the scene names on its bodies and the mean of those on the same body.
+/// Largest distance of points named on bodies from the mean of those on the same body.
 double size_of(const Scene& scene, const std::vector<Side>& sides) {
   std::map<int, std::vector<Vec3>> points;
   for (const Side& side : sides) {
@@ -51,7 +51,7 @@ bool read_meshes(const Scene& scene, std::vector<Side>& sides, Diagnostics& out)
   return good;
 }
 
-/// N: as if moments acted at the distance `size` (m); without its course.
+/// N: moments divided by `size` (m); without the scale.
 double largest_force(const LoadDef& load, double size) {
   switch (load.kind) {
     case LoadDef::Kind::wrench:
@@ -113,7 +113,7 @@ Mass mass_of(const Mesh& mesh, const Pose& placement, double density) {
 
 std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Diagnostics& out) {
   auto made = std::make_shared<Subject>();
-  made->scene = scene;  // what follows points into this one
+  made->scene = scene;  // the pointers below refer to this copy
   const Scene& s = made->scene;
   bool good = read_meshes(s, made->sides, out);
   const std::vector<Pose> reference = poses_at(s, reference_coordinates(s));

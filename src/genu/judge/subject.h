@@ -1,4 +1,4 @@
-// What is judged: a scene with its meshes read and its ligaments' slack lengths worked out, once for all poses.
+// The subject of a judgement: a scene with its meshes and its ligaments' slack lengths, computed once for all poses.
 #pragma once
 
 #include <map>
@@ -31,23 +31,23 @@ struct Mass {
 struct Subject {
   Scene scene;
   std::vector<Side> sides;                   ///< of Scene::surfaces
-  std::vector<std::vector<Sample>> samples;  ///< of Scene::surfaces: closed forms that have ends
-  int sampled = 0;                           ///< about so many along each side
+  std::vector<std::vector<Sample>> samples;  ///< of Scene::surfaces: bounded closed forms
+  int sampled = 0;                           ///< samples along each side, about
   std::vector<TensionLaw> laws;
   std::vector<Mass> masses;  ///< of Scene::bodies
   double size = 0;           ///< m: of the scene, for tolerances: the largest distance of its points from their mean
-  /// N: the largest load or weight, or what 1 % of strain costs in the stiffest ligament: what residuals refer to where
-  /// next to no force is at work
+  /// N: the largest load or weight, or the force at 1 % strain of the stiffest ligament. Residuals refer to it where
+  /// almost no force acts.
   double force_scale = 0;
-  double springs = 0;      ///< N/m: of all ligaments, what the last digit of a place makes of their forces
-  double least_force = 0;  ///< N: what rounding of lengths leaves in ligaments that are about to pull
+  double springs = 0;      ///< N/m: of all ligaments, converts the last digit of a place into a force
+  double least_force = 0;  ///< N: rounding of lengths in ligaments about to become taut
 };
 
-/// Opens the meshes that the scene names. `samples`: along each side of a closed form. Empty, with the reasons in
-/// `out`, where a mesh cannot be read.
+/// Reads the meshes of the scene. `samples`: along each side of a closed form. Empty, with the reasons in `out`, where
+/// a mesh cannot be read.
 std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Diagnostics& out);
 
-/// Mass, centre and inertia of a closed mesh full of a material, from tetrahedra between its triangles and a point.
+/// Mass, centre and inertia of a closed mesh of uniform density, from tetrahedra between its triangles and a point.
 Mass mass_of(const Mesh& mesh, const Pose& placement, double density);
 
 }  // namespace genu::judge

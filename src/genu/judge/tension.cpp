@@ -35,10 +35,10 @@ double TensionLaw::force(double length, double slack) const {
   if (d.law == "abdel-rahman")
     return e <= e_t ? d.number("toe_stiffness") * stretch * stretch : k * (length - (1 + e_t / 2) * slack);
   if (d.law == "exponential") return d.number("force_scale") * std::expm1(d.number("exponent") * e);
-  return std::numeric_limits<double>::quiet_NaN();  // a law that the judge does not know
+  return std::numeric_limits<double>::quiet_NaN();  // an unknown law
 }
 
-/// The slack length with which the law rises past a force for the first time at a length: looked for along the strain.
+/// The slack length with which the law first exceeds a force at a length, searched along the strain.
 double TensionLaw::slack_for(double asked, double length) const {
   if (def_->law == "spring") {
     const double slack = length - asked / def_->number("stiffness");

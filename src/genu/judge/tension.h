@@ -7,23 +7,23 @@
 
 namespace genu::judge {
 
-/// Smallest and largest tension (N) at a length: two numbers only where the law jumps.
+/// Smallest and largest tension (N) at a length; they differ only where the law jumps.
 struct Tension {
   double low = 0, high = 0;
 };
 
 class TensionLaw {
  public:
-  /// `reference_length` (m): that at the reference pose.
+  /// `reference_length` (m): the length in the reference pose.
   TensionLaw(const LigamentDef& def, double reference_length);
 
   double slack_length() const { return slack_; }  ///< m
   double strain(double length) const { return (length - slack_) / slack_; }
-  /// At a length (m) that is known to `rounding` (m).
+  /// At a length (m) known to `rounding` (m).
   Tension at(double length, double rounding) const;
-  /// N: at no more than the slack length and below (a table may pull there too).
+  /// N: largest force up to the slack length (a table may pull there).
   double force_when_slack() const { return force(0.5 * slack_, slack_); }
-  /// N/m: how much a wrong length matters, at most, near this one.
+  /// N/m: upper bound of the change of force per change of length, near this length.
   double stiffness(double length) const;
 
  private:
@@ -33,7 +33,7 @@ class TensionLaw {
   double slack_ = 0;
 };
 
-/// The points a ligament runs over, in the world.
+/// The points of a ligament's path, in the world.
 std::vector<Vec3> path_of(const LigamentDef& ligament, const std::vector<Pose>& poses);
 double length_of(const std::vector<Vec3>& path);
 /// The body at each of them.

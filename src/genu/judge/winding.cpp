@@ -41,7 +41,7 @@ void align_winding(const std::vector<Vec3>& vertices, std::vector<std::array<int
     const auto& c = triangles[at(t)];
     return (vertices[at(c[1])] - vertices[at(c[0])]).cross(vertices[at(c[2])] - vertices[at(c[0])]).norm();
   };
-  std::vector<int> turned(triangles.size(), -1);  // not seen, as it was, turned
+  std::vector<int> turned(triangles.size(), -1);  // not visited, unchanged, turned
   for (int first = 0; first < static_cast<int>(triangles.size()); ++first) {
     if (turned[at(first)] >= 0) continue;
     std::vector<int> piece = {first};

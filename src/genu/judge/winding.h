@@ -1,4 +1,4 @@
-// Meshes come with patches wound inside out: the judge turns them by its own lights.
+// Meshes may have patches with inverted winding: the judge corrects them with its own method.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace genu::judge {
 
-/// Turns triangles so that those with a common edge are wound alike, each connected piece the way most of its area was.
-/// Edges of one triangle, or of more than two, connect nothing.
+/// Turns triangles so that neighbours across an edge have the same winding, and each connected piece that of most of
+/// its area. Edges of one triangle, or of more than two, connect nothing.
 void align_winding(const std::vector<Vec3>& vertices, std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace genu::judge

@@ -1,6 +1,6 @@
-// Readers of mesh file formats, one .cpp each: from the bytes of a file to what it holds: coordinates in its own unit, vertices as
-// often as it repeats them, polygons cut into fans. What is wrong with a file comes back as text, with the line where
-// there are lines; the empty text is success, and a mesh without triangles is none of their business.
+// Readers of mesh file formats, one .cpp each: from the bytes of a file to what it holds: coordinates in its own unit,
+// vertices as often as it repeats them, polygons cut into fans. What is wrong with a file comes back as text, with the
+// line where there are lines; the empty text is success, and a mesh without triangles is none of their business.
 #pragma once
 
 #include <cmath>

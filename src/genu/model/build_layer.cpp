@@ -11,7 +11,7 @@ namespace genu {
 namespace {
 
 constexpr double kEdge = 0.01, kSmoothEdge = 0.02;  // of the smaller surface
-constexpr double kLayerReach = 3;  // of the larger one, or of the characteristic length: what is used of endless shapes
+constexpr double kLayerReach = 3;  // of the larger one, or of the characteristic length: of unbounded shapes
 
 /// Triangles of one of the two surfaces, in its body.
 class Facets {

@@ -1,4 +1,4 @@
-// From what a scene says about an elastic layer to the sums that a solver asks for.
+// Builds the elastic layers of a model from their definitions in the scene.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@ struct BuiltBefore {
   const JointModel* model = nullptr;
 };
 
-/// Gives model.layers[k] its layer, whose surfaces it has. Meshes are cut into the triangles they have; shapes with a
-/// formula into triangles whose edges are 1/100 of the smaller of both surfaces, or 1/50 where the sum is over smooth
-/// surfaces. False, with the reason in `out`, where a thickness is to be measured and there is no bone; where bone is
-/// missing or stands out in places, a warning in `out` says where.
+/// Builds model.layers[k] from its two surfaces. Meshes keep their own triangles. Shapes with a formula are
+/// triangulated with edges of 1/100 of the smaller surface, or 1/50 where smooth surfaces are integrated. False, with
+/// the reason in `out`, where a thickness is to be measured and there is no bone. A warning in `out` names the places
+/// where bone is missing or protrudes.
 bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out);
 
 /// Takes the layer from `before` where it would be built the same: the definition, the surfaces, and where closed forms

@@ -8,7 +8,7 @@
 namespace genu {
 namespace {
 
-/// Where a load pulls on a body.
+/// Attachment points of a load on a body.
 void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
   const bool toward = load.kind == Load::Kind::toward;
   if (load.body_a == body && (toward || !load.force.isZero())) ends.push_back(load.p_A);
@@ -33,7 +33,7 @@ JointModel::Scales choose_scales(const JointModel& model) {
     for (const auto* loads : {&model.loads, &model.weights})
       for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
     for (const auto& held : model.held) {
-      if (held.coordinate.index != 3) continue;  // once a joint
+      if (held.coordinate.index != 3) continue;  // once per joint
       const auto& joint = model.joints[at(held.coordinate.joint)];
       const Vec3 own = own_origin(model, static_cast<int>(body));
       const JointValues& q = joint.reference;
@@ -54,7 +54,7 @@ JointModel::Scales choose_scales(const JointModel& model) {
   };
   grow(model.pairs);
   grow(model.layers);
-  // What pulls may pull all at one place: then the surfaces say how large the joint is.
+  // All attachments may coincide; the surfaces then give the size of the joint.
   constexpr double kLeastShare = 0.01;
   scales.length = std::max(scales.length, kLeastShare * scales.size);
 

@@ -1,4 +1,4 @@
-// From a scene and its surfaces to the model that is solved.
+// Builds the model of a joint from its scene and surfaces.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@
 
 namespace genu {
 
-/// Builds the model of a scene; `surfaces` holds one surface for each of Scene::surfaces, `bones` the bone under each
-/// whose thickness is measured (null for others; may be empty where there is none). What the scene's laws cannot be is
-/// added to `out`, and the result is empty; so are warnings on thicknesses. The elastic layers of `before` are shared
-/// where they would come out the same.
+/// Builds the model of a scene. `surfaces`: one for each of Scene::surfaces. `bones`: the bone under each surface whose
+/// thickness is measured (null for others; may be empty where none is). `before`: its elastic layers are shared where
+/// they would come out the same. Empty result, with errors in `out`, where a law of the scene is impossible. Warnings
+/// on thicknesses go to `out` too.
 std::optional<JointModel> build_model(const PlacedScene& scene,
                                       const std::vector<std::shared_ptr<const Surface>>& surfaces, Diagnostics& out,
                                       const Bones& bones = {}, const BuiltBefore& before = {});
 
-/// Adds a ligament, for instance with a law of the caller's own (LigamentLaw::custom), and adjusts the scales. Bodies
-/// are indices into JointModel::bodies. Only before a State is made of the model.
+/// Adds a ligament, for instance with a custom law (LigamentLaw::custom), and updates the scales. Bodies are indices
+/// into JointModel::bodies. Call it before any State of the model exists.
 void add_ligament(JointModel& model, JointModel::Ligament ligament);
 
 }  // namespace genu

@@ -6,8 +6,8 @@ namespace genu {
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kShortest = 1e-14;  // of the length scale: a step below this no longer moves the points
-constexpr double kShort = 1e-9;      // of the length scale: steps below this that grow again are rounding
+constexpr double kShortest = 1e-14;  // of the length scale: a smaller step does not move the points
+constexpr double kShort = 1e-9;      // of the length scale: below this, steps that grow are rounding
 
 }  // namespace
 

@@ -9,11 +9,12 @@
 namespace genu {
 namespace {
 
-/// Unbounded shapes are sampled within this many characteristic lengths of where the joint is.
+/// In characteristic lengths: unbounded shapes are sampled within this distance of the joint.
 constexpr double kSamplingReach = 10;
 
-/// How far (m) what is missing may stand out of the points that stand for it: they lie on chords, and what bends about
-/// as a condyle does stands out of a chord by this. 0 where the smooth surface reaches across: contact is found there.
+/// m: how far missing surface may protrude from the points that represent it. They lie on chords; a surface with the
+/// curvature of a condyle bulges out of a chord by this much. 0 where the smooth surface spans the gap: contact is
+/// found there.
 double stands_out(const DoubtfulPlace& place) {
   constexpr double kRadius = 25e-3;  // m
   Vec3 low = place.points[0], high = low;
@@ -22,8 +23,8 @@ double stands_out(const DoubtfulPlace& place) {
   return half < place.reach ? 0 : half * half / (2 * kRadius);
 }
 
-/// Whether the contact at `feet`, each with its `size`, or the surface `other` itself, comes upon a doubtful place.
-/// X_OS: the place's body in the frame of the other.
+/// Whether the contact at `feet`, each with its `size`, or the surface `other` itself, reaches a doubtful place. X_OS:
+/// pose of the place's body in the frame of the other.
 bool leans_on(const DoubtfulPlace& place, const std::vector<Vec3>& feet, const std::vector<double>& size,
               const Surface& other, const Pose& X_OS) {
   for (const Vec3& p : place.points)
@@ -98,7 +99,7 @@ std::optional<ContactField::BuriedLayer> ContactField::buried(const State& state
     const Pose X_ab = state.poses[at(l.body_a)].inverse() * state.poses[at(l.body_b)];
     layers_->buried.resize(model_->layers.size());
     if (l.layer->buried() == nullptr || l.layer->buried()->deepest(X_ab, layers_->buried[at(layer)]) == 0) continue;
-    // Behind the back of an open sheet is not inside of it: the search for rigid contacts can tell.
+    // The back of an open sheet is not its inside; the search for rigid contacts makes that distinction.
     auto& pair = layer_pairs_[at(layer)];
     if (!pair) pair.emplace(proximity_of(l));
     ProximityScan scan;

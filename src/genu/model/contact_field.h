@@ -1,4 +1,4 @@
-// All surface pairs of a model at once: where they are near, overlap, or run over an edge.
+// Contact detection for all surface pairs of a model: where they are close, overlap, or cross an edge.
 #pragma once
 
 #include <string>
@@ -16,80 +16,81 @@ struct Candidate {
 };
 
 struct Survey {
-  std::vector<Candidate> minima;     ///< below the window, pair by pair, by gap
-  std::vector<Candidate> edges;      ///< the gap falls across the edge of a patch
-  std::vector<double> smallest_gap;  ///< of each pair, m: samples and minima; +infinity when clear beyond the window
+  std::vector<Candidate> minima;  ///< below the window, pair by pair, by gap
+  std::vector<Candidate> edges;   ///< the gap decreases across the edge of a patch
+  std::vector<double>
+      smallest_gap;  ///< of each pair, m: over samples and minima; +infinity when clear beyond the window
 };
 
-/// m: how far apart surfaces are looked at; finer where one is small.
+/// m: spacing of the samples on surfaces; finer where a surface is small.
 double sample_spacing(const JointModel& model);
 
 class ContactField {
  public:
   explicit ContactField(const JointModel& model);
 
-  /// The same field, as if nothing had been looked at yet. What `prepared` has prepared of pairs of the same surfaces is
-  /// shared with it where it would come out the same: only numbers differ between the models.
+  /// The same field, as if nothing had been looked at yet. What `prepared` has prepared of pairs of the same surfaces
+  /// is shared with it where it would come out the same: only numbers differ between the models.
   ContactField(const JointModel& model, const ContactField& prepared);
 
-  /// Points that stand for a surface are about this far apart (m): 1/30 of the characteristic length, 1/60 of the
-  /// smallest surface. Every length in the search for contacts is a fraction of it.
+  /// m: spacing of the samples that represent a surface: 1/30 of the characteristic length, or 1/60 of the smallest
+  /// surface. All lengths in the search for contacts are fractions of it.
   double spacing() const { return spacing_; }
 
-  /// Candidates are looked for below this gap (m); open contacts beyond it are not followed.
+  /// m: candidates are searched below this gap; open contacts with a larger one are not followed.
   double window() const { return 0.2 * spacing_; }
 
-  /// As if nothing had been looked at yet: what comes out later depends on no earlier state, to the last bit.
+  /// Discards all memory, so that later results do not depend on earlier states, to the last bit.
   void forget();
 
-  /// Looks at the whole of every pair.
+  /// Searches every pair completely.
   void survey(const State& state, Survey& out);
 
-  /// The local minimum that continues `contact` at this state, if it still exists.
+  /// The local minimum that continues `contact` at this state, if it exists.
   std::optional<Descent> follow(const State& state, int pair, const ContactGeometry& contact) const;
 
-  /// Further minima hidden next to a contact between the samples.
+  /// Further minima next to a contact, hidden between the samples.
   void probe_around(const State& state, int pair, const ContactGeometry& contact, double radius, double steep,
                     std::vector<LocalMinimum>& out) const;
 
   double edge_distance(int pair, const ContactGeometry& contact) const;
 
-  /// The first doubtful place of a surface that a contact or a layer's pressure at `state` leans on, or where the other
-  /// surface comes near to what is missing; null where there is none. `also`: places that are touched beside those
+  /// The first doubtful place of a surface that a contact or a layer's pressure at `state` touches, or where the other
+  /// surface comes close to missing surface; null where there is none. `also`: further places to check besides those
   /// contacts.
   const DoubtfulPlace* doubtful(const State& state, const std::vector<Candidate>& also = {});
   bool any_doubtful() const { return any_doubtful_; }
 
-  /// A layer whose surfaces overlap deeper (m) than its rays look, where it carries nothing: the first there is.
+  /// A layer without load whose surfaces overlap deeper (m) than its rays reach: the first one.
   struct BuriedLayer {
     int layer = 0;
     double depth = 0;  ///< m
   };
   std::optional<BuriedLayer> buried(const State& state);
 
-  /// Smallest gap of a pair wherever it is (m), looked for in growing windows. For results, not for the solver.
+  /// m: smallest gap of a pair anywhere, searched in growing windows. For results, not for the solver.
   double smallest_gap(const State& state, int pair);
 
-  /// Where that gap is: the local minimum that lies lowest; empty where an edge is nearer, or nothing near.
+  /// The lowest local minimum of the gap. Empty where an edge is closer or nothing is near.
   std::optional<LocalMinimum> nearest(const State& state, int pair);
 
-  /// Whether no sample of a pair has a gap below this (m), overlapping ones included: cheap.
+  /// Whether no sample of a pair has a gap below this (m), overlapping samples included. Cheap.
   bool is_clear(const State& state, int pair, double gap);
 
-  /// How far (m) a point of one surface of a pair moves at most in the frame of the other.
+  /// m: largest displacement of a point of one surface of a pair in the frame of the other.
   double motion(const State& from, const State& to, int pair) const;
 
-  /// How far (m) the samples of a pair overlap, 0 where none does: coarse, but cheap however deep it is.
+  /// m: deepest overlap of the samples of a pair, 0 where none overlaps. Coarse, and cheap at any depth.
   double overlap(const State& state, int pair);
 
-  /// Wrench and stiffness of an elastic foundation of `modulus` (Pa per m of overlap) under every overlapping sample,
-  /// added to `out`; returns the deepest overlap (m, positive). A seed for cold starts, not a cartilage model.
+  /// Adds to `out` the wrench and stiffness of an elastic foundation of `modulus` (Pa per m of overlap) under every
+  /// overlapping sample. Returns the deepest overlap (m, positive). For seeds of cold starts; no cartilage model.
   double add_foundation(const State& state, double modulus, Linearization& out);
 
  private:
   ContactField(const JointModel& model, const ContactField* prepared);
 
-  /// Where two surfaces touch, in the frames of their bodies, and how far (m) each of these points stands for more.
+  /// Points of contact of two surfaces, in the frames of their bodies, with the extent (m) that each represents.
   struct Feet {
     std::vector<Vec3> on_a, on_b;
     std::vector<double> size;
@@ -109,7 +110,7 @@ class ContactField {
   bool any_doubtful_ = false;
   std::vector<Proximity> pairs_;
   std::shared_ptr<LayerMemories> layers_;
-  std::vector<std::optional<Proximity>> layer_pairs_;  // made when one is asked
+  std::vector<std::optional<Proximity>> layer_pairs_;  // made on demand
   ProximityScan scan_;
   std::vector<NearSample> near_;
 };

@@ -3,18 +3,19 @@
 namespace genu {
 namespace {
 
-/// Turns the tangent basis of `to` into that of `from` carried along: a surface's own choice of basis may switch
-/// between two neighbouring points, and a residual seen in two bases cannot be compared.
+/// Rotates the tangent basis of `to` to the parallel transport of that of `from`. A surface's own choice of basis may
+/// switch between neighbouring points, and residuals in two bases cannot be compared.
 void carry_basis(const SurfacePoint& from, SurfacePoint& to) {
   if (to.T == from.T) return;
-  // The shortest turn from one normal to the other: parallel transport along a geodesic but for the cube of its length.
+  // The shortest rotation from one normal to the other: parallel transport along a geodesic, with an error of third
+  // order in its length.
   Mat32 carried;
   const double both = 1 + from.n.dot(to.n);
   if (!(both > 0)) return;
   carried.col(0) = from.T.col(0) - to.n.dot(from.T.col(0)) / both * (from.n + to.n);
   carried.col(1) = to.n.cross(carried.col(0));
   const Mat2 turn = to.T.transpose() * carried;
-  if (!turn.allFinite()) return;  // half a turn of the normal at once: keep the surface's own
+  if (!turn.allFinite()) return;  // the normal has reversed: keep the surface's own basis
   to.S = turn.transpose() * to.S * turn;
   to.T = carried;
 }

@@ -16,18 +16,18 @@ struct Correction {
   double parameter = 0;       ///< of the path's parameter, where that is an unknown (arc-length control)
 
   void resize(int moving_bodies, int constraints, int contacts);
-  /// Whether both change the same unknowns.
+  /// Whether both have the same unknowns.
   bool matches(const Correction& other) const;
-  /// Adds `factor` times one that matches.
+  /// Adds `factor` times a correction that matches.
   void add(double factor, const Correction& other);
   void scale(double factor);
 };
 
 /// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`
-/// unspecified, where a contact point would leave what is known of its surface.
+/// unspecified, where a contact point would leave the known part of its surface.
 bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction, State& out);
 
-/// Updates the coordinates of every joint from the poses, each continuous from its last value.
+/// Updates the coordinates of every joint from the poses, continuous with their last values.
 void update_coordinates(const JointModel& model, State& state);
 
 }  // namespace genu

@@ -1,9 +1,9 @@
-// What each effect of a scene costs: how often it was evaluated, and about how long that took.
+// Counts the evaluations of each effect of a scene and estimates their time.
 //
-// An effect is a kind of term in the equations: ligaments, loads, contact and so on. A scene pays only for those it
-// names, and this is where that is counted. The time of quick terms is of every sixteenth call and scaled: looking at
-// the clock each time would cost as much as they do. The first call, which may find nothing in the caches, and terms
-// that are slow are timed each time and never scaled.
+// An effect is a kind of term in the equations: ligaments, loads, contact and so on. Only effects that a scene names
+// are evaluated, and this meter shows it. Quick terms are timed on every sixteenth call and scaled, because reading the
+// clock would cost as much as they do. The first call, with cold caches, and slow terms are always timed and never
+// scaled.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 namespace genu {
 
 enum class Effect {
-  prescribed,     ///< coordinates that are prescribed, or driven over time
-  held,           ///< coordinates that joints hold
+  prescribed,     ///< prescribed coordinates, or driven ones in motion
+  held,           ///< coordinates held by joints
   joint_springs,  ///< stiffness and limits of joints
   ligaments,
   loads,
   weights,
   rigid_contacts,  ///< the equations of a contact
-  contact_search,  ///< surveys of all pairs for contacts
+  contact_search,  ///< searches of all pairs for contacts
   layers,          ///< elastic layers, with their tangents
   inertia,         ///< of moving bodies, in motion
   damping,         ///< of joints and ligaments, in motion
@@ -30,7 +30,7 @@ inline constexpr std::size_t kEffects = 11;
 
 class EffectMeter {
  public:
-  /// Does `work`, which evaluates `count` things of a kind.
+  /// Runs `work`, which evaluates `count` terms.
   template <typename Work>
   void measure(Effect effect, std::size_t count, const Work& work) {
     Tally& tally = tallies_[static_cast<std::size_t>(effect)];
@@ -48,7 +48,7 @@ class EffectMeter {
 
   std::int64_t evaluations(Effect effect) const { return tallies_[static_cast<std::size_t>(effect)].evaluations; }
 
-  /// Of the calls that were timed, and about that of the others.
+  /// Measured calls, plus an estimate for the others.
   double seconds(Effect effect) const {
     const Tally& tally = tallies_[static_cast<std::size_t>(effect)];
     if (tally.timed == 0) return tally.seconds;
@@ -58,16 +58,16 @@ class EffectMeter {
 
  private:
   static constexpr std::int64_t kEvery = 16;
-  static constexpr double kSlow = 10e-6;  // s a call, beside which a look at the clock is nothing
+  static constexpr double kSlow = 10e-6;  // s per call, beside which reading the clock costs nothing
   struct Tally {
-    std::int64_t evaluations = 0, sampled = 0, timed = 0;  // timed: of those that are sampled
+    std::int64_t evaluations = 0, sampled = 0, timed = 0;  // timed: number of sampled calls
     double seconds = 0, sampled_seconds = 0;
     bool begun = false;
   };
   std::array<Tally, kEffects> tallies_;
 };
 
-/// Does `work` where there is something to evaluate, and counts it where there is a meter.
+/// Runs `work` if there is anything to evaluate, and counts it if there is a meter.
 template <typename Work>
 void evaluate_effect(EffectMeter* meter, Effect effect, std::size_t count, const Work& work) {
   if (count == 0) return;

@@ -6,9 +6,9 @@
 namespace genu {
 namespace {
 
-constexpr double kNoAxis = 1e-12;  // rad: below, rounding alone decides the floating axis
+constexpr double kNoAxis = 1e-12;  // rad: below, rounding decides the floating axis
 
-/// Of atan2(sine, cosine).
+/// Rate of atan2(sine, cosine).
 double angle_rate(double sine, double cosine, double sine_rate, double cosine_rate) {
   return (cosine * sine_rate - sine * cosine_rate) / (sine * sine + cosine * cosine);
 }
@@ -52,7 +52,7 @@ std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Po
   const Vec3 way = (X_W_tibia.p - X_W_femur.p) + (origin_T - origin_F);
   const Vec3 way_rate =
       (twists.segment<3>(6) - twists.segment<3>(0)) + (turn_T.cross(origin_T) - turn_F.cross(origin_F));
-  // Of e2 . v for a v that turns with a bone.
+  // Rate of e2 . v for a v that turns with a bone.
   const auto along_e2 = [&](const Vec3& v, const Vec3& turn) { return e2_rate.dot(v) + e2.dot(turn.cross(v)); };
   const double side = axes.right ? 1 : -1;
   KneeMotion out;

@@ -3,9 +3,9 @@
 //   e1  the femur's flexion axis, anterior x proximal of the femur: to the right of the body
 //   e3  the tibia's long axis, its proximal direction
 //   e2  the floating axis e3 x e1 / |e3 x e1|: anterior
-// Angles turn about these three axes, translations are the projections on them of the way from the femur's to the
-// tibia's origin. With signs by the side, right and left knees that mirror each other have the same six numbers. They
-// describe; the coordinates that are prescribed and loaded are the joint's own.
+// Angles are rotations about these axes; translations are components along them of the vector from the femur's to the
+// tibia's origin. Signs depend on the side, so that mirrored right and left knees have the same six numbers. These
+// numbers are output only: prescribed and loaded coordinates are the joint's own.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,11 @@ struct KneeMotion {
   double distraction = 0;        ///< m: of the tibia's origin against e3, away from the femur
 };
 
-/// For the poses of the two bones' bodies. Empty where the flexion axis lies along the tibia (90 deg of adduction) and
-/// there is no floating axis.
+/// For the poses of the two bones' bodies. Empty where the flexion axis is parallel to the tibia (90 deg of adduction)
+/// and the floating axis is undefined.
 std::optional<KneeMotion> grood_suntay(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia);
 
-/// Its derivative where the two bodies move with `twists`: [twist of the femur's, twist of the tibia's], about the
-/// origins of the poses.
+/// Its rate for the twists [twist of the femur; twist of the tibia], about the origins of the poses.
 std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia,
                                             const Vec12& twists);
 

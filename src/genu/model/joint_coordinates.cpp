@@ -45,18 +45,18 @@ Vec3 JointCoordinates::angles(const Mat3& R, const Vec3& near, double branch) co
   const Vec3 g = R * a_[2];
   const double g1 = g.dot(a_[0]), g2 = branch * g.dot(a_[1]), g3 = branch * g.dot(a12_);
   const double cos_beta = std::sqrt(g2 * g2 + g3 * g3);
-  constexpr double kUndecided = 1e-14;  // below, q0 is rounding noise; replacing it turns R by less than pi * this
+  constexpr double kUndecided = 1e-14;  // below, q0 is rounding; replacing it changes R by less than pi * this
   const bool undecided = cos_beta < kUndecided;
 
   Vec3 q;
   q[0] = undecided ? near[0] : unwind(std::atan2(-g2, g3), near[0]);
   q[1] = unwind(std::atan2(g1, branch * cos_beta) - offset_, near[1]);
-  // R3 a2 = R2^T R1^T (R a2): seen from a2 and a3 x a2, the angle that is left.
+  // R3 a2 = R2^T R1^T (R a2): its components along a2 and a3 x a2 give the remaining angle.
   const double s0 = undecided ? std::sin(q[0]) : -g2 / cos_beta, c0 = undecided ? std::cos(q[0]) : g3 / cos_beta;
   const Vec3 v = R * a_[1];
   const double v1 = v.dot(a_[0]), v2 = v.dot(a_[1]), v3 = v.dot(a12_);
   q[2] = unwind(std::atan2(g1 * (c0 * v3 - s0 * v2) - branch * cos_beta * v1, c0 * v2 + s0 * v3), near[2]);
-  if (undecided) {  // only q0 + sign q2 is known: share what is missing to it
+  if (undecided) {  // only q0 + sign q2 is known: divide the difference equally
     const double half = (q[2] - near[2]) / 2;
     q[2] -= half;
     q[0] += g1 > 0 ? half : -half;
@@ -67,7 +67,7 @@ Vec3 JointCoordinates::angles(const Mat3& R, const Vec3& near, double branch) co
 JointValues JointCoordinates::coordinates(const Pose& X_PC, const JointValues& near) const {
   const Vec3 wanted(near[0], near[1], near[2]);
   Vec3 q = angles(X_PC.R, wanted, 1);
-  // The first angles of both solutions are half a turn apart: one within a quarter is the nearer one.
+  // The first angles of the two solutions differ by half a turn: one within a quarter turn is the nearer one.
   constexpr double kQuarter = std::numbers::pi / 2;
   if (const double apart = (q - wanted).squaredNorm(); !(apart < kQuarter * kQuarter))
     if (const Vec3 other = angles(X_PC.R, wanted, -1); (other - wanted).squaredNorm() < apart) q = other;

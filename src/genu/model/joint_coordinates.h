@@ -24,24 +24,24 @@ class JointPoint {
   using Gradient = Eigen::Matrix<double, 1, 12>;
   using Hessian = Eigen::Matrix<double, 12, 12>;
 
-  /// |sine| of the angle between the first and the last axis, 0 at the gimbal pose, 1 farthest from it. The gradients
+  /// |sine| of the angle between the first and the last axis: 0 at the gimbal pose, 1 farthest from it. The gradients
   /// of the first and last angle grow like its inverse, their derivatives like its inverse square.
   double gimbal_sine() const { return gimbal_sine_; }
 
-  /// At the gimbal pose first and last angle are not defined one by one. The gradients are then the rows of the
-  /// pseudo-inverse (each takes half of the common turn) and the second derivatives of the angles are set to 0.
+  /// At the gimbal pose the first and last angle are not defined separately. The gradients are then rows of the
+  /// pseudo-inverse (each takes half of the common rotation), and the second derivatives of the angles are set to 0.
   bool at_gimbal() const { return gimbal_sine_ < kGimbalSine; }
 
   const JointValues& values() const { return values_; }
 
-  /// d q_i / d [twist of P; twist of C], i in 0..5. It is also the wrench on P and C of a unit generalised force on
-  /// q_i: [force, moment about the body's origin] each, world axes.
+  /// d q_i / d [twist of P; twist of C], i in 0..5. Also the wrench on P and C of a unit generalised force on q_i:
+  /// [force, moment about the body's origin] each, world axes.
   Gradient gradient(int i) const;
 
   /// d gradient(i)^T / d [twist of P; twist of C]. Not symmetric: rotations do not commute.
   Hessian hessian(int i) const;
 
-  static constexpr double kGimbalSine = 1e-12;  ///< below, rounding alone decides the direction of the gradients
+  static constexpr double kGimbalSine = 1e-12;  ///< below, rounding decides the direction of the gradients
 
  private:
   friend class JointCoordinates;
@@ -51,23 +51,23 @@ class JointPoint {
   Hessian rotation_hessian(int i) const;
 
   JointValues values_{};
-  Vec3 arm_ = Vec3::Zero();     ///< from the origin that the child's twist means to the one of its translations, m
+  Vec3 arm_ = Vec3::Zero();     ///< from the reference point of the child's twist to the origin of its translations, m
   Mat3 axes_ = Mat3::Zero();    ///< columns b1, b2, b3
-  Mat3 rows_ = Mat3::Zero();    ///< columns: the gradients of the angles to w_C - w_P, transposed
+  Mat3 rows_ = Mat3::Zero();    ///< columns: gradients of the angles to w_C - w_P
   Mat3 parent_ = Mat3::Zero();  ///< R_WP
-  /// From the origin that the parent's twist means to the child's that its translations are of, world axes, m.
+  /// From the reference point of the parent's twist to the child's origin of translations, world axes, m.
   Vec3 offset_ = Vec3::Zero();
   double gimbal_sine_ = 1;
 };
 
 class JointCoordinates {
  public:
-  /// Poses and twists are of frames whose origins stand at `parent_centre` and `child_centre` (m) in the bodies; the
-  /// translations are those of the child's own origin from the parent's own (see centre_bodies.h).
+  /// Poses and twists refer to frames with origins at `parent_centre` and `child_centre` (m) in the bodies.
+  /// Translations are those of the child's own origin from the parent's own (see centre_bodies.h).
   explicit JointCoordinates(const JointDef& joint, Vec3 parent_centre = Vec3::Zero(), Vec3 child_centre = Vec3::Zero());
 
-  /// Whether three axes make coordinates: unit vectors, each perpendicular to the one before it. The first and last may
-  /// be perpendicular (Cardan), parallel (proper Euler) or anything between. What follows holds for these alone.
+  /// Whether three axes define coordinates: unit vectors, each perpendicular to the one before. The first and last may
+  /// be perpendicular (Cardan), parallel (proper Euler) or anything between. All functions below require this.
   static bool is_valid(const std::array<JointDef::Rotation, 3>& rotations);
 
   /// X_PC = { R1 R23, t + R child_centre - parent_centre }, in parts: R1(q0), and R23 = R2(q1) R3(q2).
@@ -82,14 +82,14 @@ class JointCoordinates {
   /// X_PC for the coordinates.
   Pose pose_from(const JointValues& values) const;
 
-  /// The coordinates of X_PC. Of the two triples of angles (and their multiples of 2 pi) that give the same rotation it
-  /// is the one nearest to the angles of `near` (least sum of squares); at the gimbal pose, of all that give it.
+  /// The coordinates of X_PC. Two triples of angles (and their multiples of 2 pi) give the same rotation; returns the
+  /// one nearest to the angles of `near` (least squares). At the gimbal pose it is the nearest of all solutions.
   JointValues coordinates(const Pose& X_PC, const JointValues& near) const;
 
   /// Values (chosen by `near` as in coordinates()) and derivatives, for poses in the world.
   JointPoint evaluate(const Pose& X_WP, const Pose& X_WC, const JointValues& near) const;
 
-  /// The same where the `values` are known to be those of the poses.
+  /// The same for known `values` of these poses.
   JointPoint derivatives(const Pose& X_WP, const Pose& X_WC, const JointValues& values) const;
 
  private:

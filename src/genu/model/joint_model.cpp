@@ -21,7 +21,7 @@ std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vec
   std::vector<Pose> poses(model.bodies.size());
   std::vector<bool> placed(model.bodies.size());
   for (std::size_t i = 0; i < model.bodies.size(); ++i) placed[i] = model.bodies[i].moving < 0;
-  // Parents before children; the scene has no cycles, so every sweep places at least one body.
+  // Parents before children. The scene has no cycles, so every sweep places at least one body.
   for (std::size_t sweep = 0; sweep < model.joints.size(); ++sweep) {
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
       const auto& joint = model.joints[j];

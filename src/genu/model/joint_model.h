@@ -1,4 +1,4 @@
-// A joint ready to be solved: bodies, coordinates, ligaments, loads and surface pairs by index, nothing to look up.
+// A joint ready to be solved: bodies, coordinates, ligaments, loads and surface pairs, all resolved to indices.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,7 @@ struct JointModel {
   struct Body {
     std::string name;
     int moving = -1;  ///< index among the moving bodies, -1 for a fixed one
-    /// m, in the body as the file has it: where the origin of its pose and of all points on it stands
+    /// m, in the body's frame of the file: origin of its pose and of all points on it
     Vec3 centre = Vec3::Zero();
   };
   struct Joint {
@@ -43,12 +43,12 @@ struct JointModel {
     CoordinateRef coordinate;
     double value;  ///< rad or m
   };
-  /// A coordinate, or combination of some, whose course over time is given, in motion.
+  /// A coordinate, or linear combination, with a given course over time (in motion).
   struct Drive {
     QuantityRef quantity;
     LoadScale course;  ///< rad or m over s
   };
-  /// The moment -damping * rate of the angle, in motion.
+  /// The moment -damping * rate on the angle, in motion.
   struct JointDamper {
     int joint;
     double damping;  ///< N m s / rad
@@ -64,25 +64,26 @@ struct JointModel {
     int body_a, body_b;
     std::shared_ptr<const Surface> a, b;
   };
-  /// Two bodies that press elastic layers against each other. Its index is that of Scene::layers.
+  /// Two bodies that press elastic layers against each other. The index is that of Scene::layers.
   struct Layer {
     std::string name;
     int body_a, body_b;
     std::shared_ptr<const Surface> a, b;
     std::shared_ptr<const ElasticLayer> layer;
     double damping = 0;    ///< c, s/m, in motion (LayerMotion)
-    double tolerance = 0;  ///< relative error of the force that is asked for; 0: the sum is what it is
+    double tolerance = 0;  ///< requested relative error of the force; 0: the quadrature is not refined
     int most_level = 0;
     double thinnest = 0, thickest = 0;  ///< m: of both layers together
-    double search_depth = 0;            ///< m: how far rays look
+    double search_depth = 0;            ///< m: reach of the rays
   };
-  /// One characteristic length and force: every residual and unknown is measured in them, so that forces, moments and
-  /// lengths never meet in one norm unscaled.
+  /// Characteristic length and force of the model. Every residual and unknown is scaled by them, so that forces,
+  /// moments and lengths can share one norm.
   struct Scales {
-    /// m: root mean square distance of what pulls at a body (ligaments, joints) from its mean; at least 0.01 of `size`
+    /// m: root mean square distance of force attachments (ligaments, joints) from their mean; at least 0.01 of `size`
     double length = 0.01;
-    double size = 0.01;  ///< m: how far things may move at once: length, or half of the largest surface if that is more
-    /// N: the largest load or weight, or what 1 % of strain (0.01 rad) costs in the stiffest ligament (joint)
+    double size = 0.01;  ///< m: limit of motions in one step: length, or half of the largest surface if that is more
+    /// N: the largest load or weight, or the force (moment / length) at 1 % strain (0.01 rad) of the stiffest ligament
+    /// (joint)
     double force = 1;
   };
 
@@ -91,23 +92,23 @@ struct JointModel {
   std::vector<Joint> joints;
   std::vector<Held> held;                  ///< joint by joint
   std::vector<JointSpring> joint_springs;  ///< of joints with a stiffness or limits
-  std::vector<JointDamper> joint_dampers;  ///< this, drives and inertias: in a scene with dynamics alone
+  std::vector<JointDamper> joint_dampers;  ///< these, drives and inertias: only in a scene with dynamics
   std::vector<Drive> drives;
   std::vector<Inertia> inertias;  ///< of each moving body
   std::vector<CombinationDef> combinations;
   std::vector<Ligament> ligaments;
   std::vector<Load> loads;
-  std::vector<Load> weights;  ///< of the moving bodies that have a mass, in a scene with gravity; no step scales them
-  std::vector<Pair> pairs;    ///< rigid contacts: the index is that of Scene::contacts
+  std::vector<Load> weights;  ///< of moving bodies with mass, in a scene with gravity; not scaled by steps
+  std::vector<Pair> pairs;    ///< rigid contacts; the index is that of Scene::contacts
   std::vector<Layer> layers;
   std::vector<Pose> reference_poses;  ///< of every body in the world
   Scales scales;
-  /// Counts what is evaluated, where a run asks for it; shared by copies of the model, not by threads.
+  /// Counts evaluations if a run asks for it. Shared by copies of the model, not by threads.
   std::shared_ptr<EffectMeter> meter;
-  Safeguards safeguards;  ///< all of them, but in tests of what each is good for
+  Safeguards safeguards;  ///< all of them, except in tests of single ones
 };
 
-/// Calls add(coordinate, factor) for each term of what is prescribed.
+/// Calls add(coordinate, factor) for each term of a prescribed quantity.
 template <typename Add>
 void for_terms(const JointModel& model, const QuantityRef& quantity, Add add) {
   if (quantity.combination < 0) {
@@ -118,11 +119,11 @@ void for_terms(const JointModel& model, const QuantityRef& quantity, Add add) {
     add(term.coordinate, term.factor);
 }
 
-/// Where the joint is, in the world (m): the mean of all ligament ends in the reference pose; the origin without
+/// Location of the joint in the world (m): mean of all ligament ends in the reference pose; the origin without
 /// ligaments.
 Vec3 joint_centre(const JointModel& model);
 
-/// The value (rad or m) of what can be prescribed, for the coordinates of every joint.
+/// The value (rad or m) of a prescribable quantity, for the coordinates of every joint.
 double quantity_value(const JointModel& model, const std::vector<JointValues>& coordinates,
                       const QuantityRef& quantity);
 
@@ -131,7 +132,7 @@ inline Vec3 own_origin(const JointModel& model, int body) {
   return -model.bodies[static_cast<std::size_t>(body)].centre;
 }
 
-/// The pose of every body in the world for the coordinates of every joint; fixed bodies stand at the origin.
+/// The pose of every body in the world for the coordinates of every joint; fixed bodies are at the origin.
 std::vector<Pose> poses_from_coordinates(const JointModel& model, const std::vector<JointValues>& coordinates);
 
 }  // namespace genu

@@ -1,4 +1,4 @@
-// The pieces between the breaks of a law, the law continued beyond them, and laws of the caller's own.
+// Pieces between the breaks of a law, their continuation beyond the breaks, and custom laws.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,15 +10,15 @@
 namespace genu {
 namespace {
 
-constexpr double kStatedTolerance = 1e-9;  // of 1 N + the force: less is rounding of the law's numbers
+constexpr double kStatedTolerance = 1e-9;  // of 1 N + the force: a smaller difference is rounding of the law's numbers
 
-/// What is wrong with the breaks a law states; empty if nothing is.
+/// The error in the breaks that a law states; empty if there is none.
 std::string fault(const ForceLaw& law, const std::vector<LawBreak>& breaks) {
   double last = 0;
   for (const LawBreak& b : breaks) {
     if (!(b.length > last) || !std::isfinite(b.length)) return "breaks must be finite, > 0 and increase";
     last = b.length;
-    // One rounding beside the break the law must be what the break says, to first order.
+    // One rounding error beside the break, the law must agree with the stated break to first order.
     const double after = std::nextafter(b.length, std::numeric_limits<double>::infinity());
     for (const bool above : {false, true}) {
       const LawBreak::Side& side = above ? b.above : b.below;

@@ -1,13 +1,13 @@
-// How finely elastic layers are summed: as the error at a solved pose asks for.
+// Refines the quadrature of elastic layers as the error at a solved pose requires.
 #pragma once
 
 #include "genu/model/linearization.h"
 
 namespace genu {
 
-/// Raises the level of each layer whose estimated error is above its tolerance at the state that `here` is of; never
-/// lowers one. True where any was: the pose is then to be solved again. A layer that carries less than 1/100 of the
-/// model's force scale is held to the error that would be allowed there.
+/// Raises the level of each layer whose estimated error exceeds its tolerance at the state of `here`; never lowers one.
+/// True where any level rose: the pose must then be solved again. For a layer with less than 1/100 of the model's force
+/// scale, the tolerance is taken of that force.
 bool raise_layer_levels(const JointModel& model, const Linearization& here, State& state);
 
 }  // namespace genu

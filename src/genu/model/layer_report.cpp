@@ -7,7 +7,7 @@
 namespace genu {
 namespace {
 
-/// What is summed before it is divided: by area, or by force.
+/// Sums before division by area or force.
 class Sum {
  public:
   void add(const LayerPoint& point, double share, const Vec3& x, const Vec3& n_on_b) {

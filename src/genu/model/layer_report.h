@@ -1,4 +1,4 @@
-// What an elastic layer carries at a pose, summed over all of it and over each region.
+// Resultants of an elastic layer at a pose, over the whole layer and over each region.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace genu {
 
-/// Vectors in the frame of the second surface's body, its origin as in the file.
+/// Vectors in the frame of the second surface's body, with its origin of the file.
 struct LayerTotals {
   Vec3 force = Vec3::Zero();     ///< N, on that body: the resultant of p n dA
   Vec3 moment = Vec3::Zero();    ///< N m, about its origin
   double area = 0;               ///< m^2 in contact
   double max_pressure = 0;       ///< Pa
-  double mean_pressure = 0;      ///< Pa: of p over the area
+  double mean_pressure = 0;      ///< Pa: mean of p over the area
   double max_depth = 0;          ///< m
-  double most_used = 0;          ///< depth over thickness
-  Vec3 centre = Vec3::Zero();    ///< m: centre of pressure, the mean of the points weighted by p dA; 0 without any
+  double most_used = 0;          ///< maximum of depth / thickness
+  Vec3 centre = Vec3::Zero();    ///< m: centre of pressure, mean of the points weighted by p dA; 0 without contact
   Vec3 centre_a = Vec3::Zero();  ///< the same in the frame of the first surface's body
-  int points = 0;                ///< how many triangles or nodes stand for it
+  int points = 0;                ///< number of triangles or nodes in contact
   bool touches() const { return points > 0; }
 };
 
@@ -28,8 +28,8 @@ struct LayerReport {
   std::vector<LayerTotals> regions;
 };
 
-/// Of layer k of the model; `regions` are conditions in the frame of the second surface's body. With a `twist` (6 for
-/// each moving body) what it is damped by is included.
+/// For layer k of the model. `regions`: conditions in the frame of the second surface's body. With a `twist` (6 for
+/// each moving body) damping is included.
 LayerReport report_layer(const JointModel& model, const std::vector<RegionDef>& regions, const State& state, int layer,
                          ElasticLayer::Memory& memory, const VecX* twist = nullptr);
 

@@ -6,7 +6,7 @@ namespace genu {
 
 namespace {
 
-/// Lever arms and the pull t on A, kept for the stiffness.
+/// Lever arms and the pull t on A, needed for the stiffness.
 struct PullLine {
   Vec3 r_A, r_B;  ///< from the bodies' origins to the ends, world axes, m
   Vec3 d;         ///< from the end on A to the end on B, m
@@ -43,7 +43,7 @@ bool pull(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const 
   return true;
 }
 
-/// Adds factor [r]x, number by number.
+/// Adds factor [r]x, entry by entry.
 template <typename Block>
 void add_cross(double factor, const Vec3& r, Block block) {
   block(0, 1) -= factor * r.z(), block(1, 0) += factor * r.z();
@@ -51,9 +51,9 @@ void add_cross(double factor, const Vec3& r, Block block) {
   block(1, 2) -= factor * r.x(), block(2, 1) += factor * r.x();
 }
 
-/// The derivative of the wrenches where dt/dd = across 1 + extra u u^T, block by block: J_row^T (dt/dd) J_column, with
-/// J^T u = [u; r x u] and [a]x [b]x = b a^T - (a . b) 1. Number by number: what is stored by ones and read by pairs
-/// makes the processor wait.
+/// The derivative of the wrenches for dt/dd = across 1 + extra u u^T, block by block: J_row^T (dt/dd) J_column, with
+/// J^T u = [u; r x u] and [a]x [b]x = b a^T - (a . b) 1. Scalar code: entries written singly and read in pairs stall
+/// the processor.
 void set_stiffness(const PullLine& line, const Vec3& u, double across, double extra, WhichMove moves,
                    TwoBodyWrench& out) {
   const Vec3 r[2] = {line.r_A, line.r_B}, g[2] = {r[0].cross(u), r[1].cross(u)};
@@ -72,7 +72,7 @@ void set_stiffness(const PullLine& line, const Vec3& u, double across, double ex
       add_cross(-c, r[j], block.topRightCorner<3, 3>());
       add_cross(c, r[i], block.bottomLeftCorner<3, 3>());
     }
-  // The lever arms turn with their bodies: (w x r) x t = [t]x [r]x w.
+  // The lever arms rotate with their bodies: (w x r) x t = [t]x [r]x w.
   for (int i = 0; i < 2; ++i) {
     if (!moves[i]) continue;
     const double sign = i == 0 ? 1 : -1, along = r[i].dot(line.t);
@@ -82,7 +82,7 @@ void set_stiffness(const PullLine& line, const Vec3& u, double across, double ex
   }
 }
 
-/// Along the line the law's stiffness, across it the tension's.
+/// Stiffness of the law along the line, of the tension across it.
 void set_stiffness(const LigamentLaw& law, const PullLine& line, WhichMove moves, TwoBodyWrench& out) {
   const Vec3 u = out.length > 0 ? Vec3(line.d / out.length) : Vec3::Zero();
   if (law.slack_length() == 0) return set_stiffness(line, u, line.stiffness, 0, moves, out);

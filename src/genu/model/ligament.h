@@ -27,18 +27,18 @@ struct TwoBodyWrench {
   double energy = 0;                ///< J
 };
 
-/// The straight line between a point of A and one of B under a given tension: a ligament's only line, or one of the
-/// lines of its path, which share one tension.
+/// The straight line between a point of A and one of B under a given tension: the only line of a ligament, or one of
+/// its path, whose lines share one tension.
 struct TautLine {
   Vec3 p_A = Vec3::Zero();  ///< m, in body A
   Vec3 p_B = Vec3::Zero();  ///< m, in body B
 
-  /// Wrenches and their stiffness for a tension (N) that changes by `along` N for a metre of this line's length; fills
-  /// length and force too. 0 where the ends meet: the line has no direction there.
+  /// Wrenches and their stiffness for a tension (N) with rate `along` (N per m of this line's length); sets length and
+  /// force too. 0 where the ends meet, because the direction is undefined there.
   void evaluate(const Pose& X_WA, const Pose& X_WB, double tension, double along, TwoBodyWrench& out,
                 WhichMove moves = {}) const;
 
-  /// The same without the stiffness, which is left as it was.
+  /// The same without the stiffness, which does not change.
   void evaluate_wrench(const Pose& X_WA, const Pose& X_WB, double tension, TwoBodyWrench& out,
                        WhichMove moves = {}) const;
 
@@ -46,16 +46,15 @@ struct TautLine {
   double length(const Pose& X_WA, const Pose& X_WB) const { return (X_WB * p_B - X_WA * p_A).norm(); }
 };
 
-/// A law along one straight line: wrenches, stiffness and what the results show, for the poses of A and B in the world
-/// (either may be fixed: pass its pose and ignore its part). Returns false where the ligament is slack: everything but
-/// length and strain is then 0. Where the ends meet and the law still has a force, its direction is undefined: wrench
-/// and stiffness are 0 there, except for a spring of slack length 0, which is smooth. With a `piece` the law keeps to
-/// that piece. The wrench on a body that does not `move`, and what it would add to the stiffness, are left as they
-/// were.
+/// A law along one straight line: wrenches, stiffness and output values, for the poses of A and B in the world (for a
+/// fixed body pass its pose and ignore its part). False where the ligament is slack: then all but length and strain is
+/// 0. Where the ends meet under a force, the direction is undefined, and wrench and stiffness are 0, except for a
+/// spring of slack length 0, which is smooth. With a `piece` the law stays on that piece. The wrench on a body that
+/// does not `move`, and its part of the stiffness, do not change.
 bool evaluate_straight(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
                        TwoBodyWrench& out, int piece = LigamentLaw::kByLength, WhichMove moves = {});
 
-/// The same without the stiffness, which is left as it was.
+/// The same without the stiffness, which does not change.
 bool evaluate_straight_wrench(const LigamentLaw& law, const TautLine& taut, const Pose& X_WA, const Pose& X_WB,
                               TwoBodyWrench& out, int piece = LigamentLaw::kByLength, WhichMove moves = {});
 

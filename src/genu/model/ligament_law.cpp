@@ -15,7 +15,8 @@ namespace {
 
 using Rest = LigamentDef::Rest;
 
-/// A law that jumps skips some forces: only what the law gives back counts, to the rounding of the length.
+/// A law with jumps skips some forces: a length counts only if the law returns the force there, to rounding of the
+/// length.
 bool has_force(const LigamentLaw& law, double length, double force) {
   const LawValue v = law.evaluate(length);
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * length * v.stiffness;
@@ -23,7 +24,7 @@ bool has_force(const LigamentLaw& law, double length, double force) {
   return std::abs(v.force - force) <= kRelativeTolerance * std::abs(force) + rounding;
 }
 
-/// What is wrong with the numbers of a law; empty if nothing is.
+/// The error in the numbers of a law; empty if there is none.
 std::string fault(const LawKind& kind, const LawValues& values, double rest_value) {
   for (std::size_t k = 0; k < kind.numbers.size(); ++k)
     if (const std::string wrong = kind.numbers[k].fault(values.numbers[k]); !wrong.empty()) return wrong;

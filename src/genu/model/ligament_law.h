@@ -1,8 +1,8 @@
-// The law of one ligament: a force-length law (law/force_law.h) with its slack length, cut into pieces at its sharp
+// The law of one ligament: a force-length law (law/force_law.h) with its slack length, divided into pieces at its sharp
 // breaks.
 //
-// Beyond a sharp break a piece continues straight with the force and stiffness it has there. A solver keeps to one
-// piece while it iterates. At the other breaks a law can be solved as it is.
+// Beyond a sharp break a piece continues linearly, with the force and stiffness at its end. A solver stays on one piece
+// during its iterations. Smooth breaks need no special treatment.
 #pragma once
 
 #include <memory>
@@ -17,38 +17,39 @@ namespace genu {
 
 class LigamentLaw {
  public:
-  /// As a piece: whichever the length lies in.
+  /// As `piece`: the piece that contains the length.
   static constexpr int kByLength = -1;
 
-  /// A law of the caller's own. Empty where its breaks are not finite, positive and increasing, or differ from what it
-  /// evaluates to just beside them; then `why` says what is wrong.
+  /// A custom law. Empty where its breaks are not finite, positive and increasing, or differ from its values just
+  /// beside them; `why` then gives the reason.
   static std::optional<LigamentLaw> custom(std::shared_ptr<const ForceLaw> law, std::string& why);
 
   /// Length in m, >= 0.
   LawValue evaluate(double length) const;
 
-  /// The same on one piece (0 for lengths up to the first sharp break), which beyond its ends goes on straight.
+  /// The same on one piece (0: lengths up to the first sharp break), continued linearly beyond its ends.
   LawValue evaluate(double length, int piece) const;
 
-  /// Derivatives by the law's numbers and its slack length; where the law is slack those of the force are 0.
+  /// Derivatives with respect to the law's numbers and its slack length. Where the law is slack those of the force are
+  /// 0.
   LawRates rates(double length) const;
 
   /// All breaks, by increasing length.
   const std::vector<LawBreak>& breaks() const { return breaks_; }
 
-  /// Those at which force or stiffness jumps: where pieces meet.
+  /// Breaks where force or stiffness jumps: boundaries of pieces.
   const std::vector<LawBreak>& sharp_breaks() const { return sharp_breaks_; }
 
   /// Whether the force is 0 on the whole of a piece.
   bool is_slack(int piece) const;
 
-  /// The piece a length lies in: a sharp break belongs to the shorter side.
+  /// The piece that contains a length; a sharp break belongs to the shorter side.
   int piece_at(double length) const;
 
-  /// (L - L0) / L0; NaN for a law without a slack length and for a spring of slack length 0, which have no strain.
+  /// (L - L0) / L0; NaN for a law without a slack length and for a spring of slack length 0.
   double strain(double length) const;
 
-  /// L0, m; NaN for a law that has none.
+  /// L0, m; NaN for a law without one.
   double slack_length() const { return slack_length_; }
 
   /// Up to this length (m) force, stiffness and energy are exactly 0; negative for a law that is never slack.
@@ -67,10 +68,10 @@ class LigamentLaw {
   std::vector<bool> slack_pieces_;
 };
 
-/// The law that `def` describes; `reference_length` (m) is its length in the reference pose, which reference_strain and
-/// reference_force mean. A force reached at several strains means the smallest; the force 0 means a ligament about to
-/// become taut. Empty where no such law exists (a parameter out of range, a force the law cannot have); then `why` says
-/// what is wrong, without the ligament's name.
+/// The law of `def`. `reference_length` (m): its length in the reference pose, to which reference_strain and
+/// reference_force refer. If several strains have that force, the smallest is taken; force 0 means a ligament about to
+/// become taut. Empty where no such law exists (a parameter out of range, an impossible force); `why` then gives the
+/// reason, without the ligament's name.
 std::optional<LigamentLaw> make_law(const LigamentDef& def, double reference_length, std::string& why);
 
 }  // namespace genu

@@ -7,7 +7,7 @@ namespace {
 
 using Point = LigamentPath::Point;
 
-/// f(moving body, what a tension exerts on it) for every end of every line whose length can change.
+/// Calls f(moving body, wrench of unit tension) for every end of every line with variable length.
 template <typename F>
 void for_each_pull(const LigamentPath& path, const std::vector<Pose>& poses, double tension, const F& f) {
   TwoBodyWrench pull;

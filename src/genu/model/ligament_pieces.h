@@ -1,4 +1,4 @@
-// Ligaments as a state has them: what is shown of them, and the pieces of their laws they are on.
+// Ligaments of a state: output values, and the pieces of their laws.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace genu {
 
-/// What the results show of a ligament.
+/// Output values of a ligament.
 struct LigamentShown {
   double length = 0;  ///< m
   double strain = 0;  ///< NaN where the law has none
@@ -15,19 +15,19 @@ struct LigamentShown {
 };
 LigamentShown show_ligament(const JointModel& model, const State& state, int ligament);
 
-/// Whether the law of a ligament has a break at which its force jumps.
+/// Whether a ligament's law has a break with a jump of force.
 bool jumps(const LigamentLaw& law);
 
-/// Puts every ligament whose law has sharp breaks on the piece its length lies in; nothing is held.
+/// Puts every ligament whose law has sharp breaks on the piece of its length; none is held.
 void reset_pieces(const JointModel& model, State& state);
 
-/// Lets the laws without jumps follow their lengths while a pose is searched from far.
+/// Lets laws without jumps follow their lengths during a search from far.
 void follow_lengths(const JointModel& model, State& state);
 
-/// Ends follow_lengths(): every such ligament keeps to the piece it is on now. Returns whether there were any.
+/// Ends follow_lengths(): every such ligament stays on its current piece. True if there were any.
 bool fix_pieces(const JointModel& model, State& state);
 
-/// "AAC at 21.2 mm, 6.3 N below and 9.1 N above": a sharp break in words.
+/// "AAC at 21.2 mm, 6.3 N below and 9.1 N above": describes a sharp break.
 std::string describe_break(const JointModel& model, int ligament, int law_break);
 
 }  // namespace genu

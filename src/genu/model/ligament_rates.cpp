@@ -8,12 +8,12 @@ namespace {
 using Rest = LigamentDef::Rest;
 using Kind = Parameter::Kind;
 
-/// What a parameter changes first, per SI unit: a number of the law, what sets the slack length, a point.
+/// The direct effect of a parameter, per SI unit: on a number of the law, on the slack length, on a point.
 struct Direct {
-  int number = -1;  ///< of the law's table
+  int number = -1;  ///< index in the law's table
   double rest = 0;
-  int point = -1;  ///< of the points from end to end
-  int axis = 0;    ///< of its body
+  int point = -1;  ///< index of the points from end to end
+  int axis = 0;    ///< axis in its body
 };
 
 Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
@@ -43,7 +43,7 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
   return d;
 }
 
-/// One straight line of a ligament: from a to b, in the world, and how its ends move.
+/// One straight line of a ligament from a to b, in the world, and the velocities of its ends.
 struct MovingLine {
   int body_a, body_b;
   Vec3 r_A, r_B;      ///< from the bodies' origins to the ends
@@ -96,7 +96,7 @@ double by_number(const LawRates& r, const Direct& d) { return d.number < 0 ? 0 :
 double slack_from_force(const LigamentAt& at, const Direct& d, double length, double length_rate) {
   const LawRates r = at.made.law.rates(length);
   const double by_length = r.slack_length_by_length * length_rate;
-  const double missing = d.rest - by_number(r, d);  // force to be made up for by the slack length
+  const double missing = d.rest - by_number(r, d);  // change of force that the slack length must compensate
   if (missing == 0) return by_length;
   if (r.force_by_slack_length == 0) return std::numeric_limits<double>::quiet_NaN();
   return by_length + missing / r.force_by_slack_length;

@@ -15,7 +15,7 @@ TwoBodyScatter scatter_on(const JointModel& model, int body_a, int body_b) {
   return {moving_index(model, body_a), moving_index(model, body_b)};
 }
 
-/// A joint of a state whose coordinates are those of its poses.
+/// A joint of a state whose coordinates match its poses.
 JointPoint point_of(const JointModel& model, const State& state, int index) {
   const auto& joint = model.joints[at(index)];
   return joint.coordinates.derivatives(state.poses[at(joint.parent)], state.poses[at(joint.child)],
@@ -40,7 +40,7 @@ void add_path(const JointModel::Ligament& l, const State& state, const LawValue&
   l.path.linearize(state.poses, tension, out.length_gradient, out.wrench, out.derivatives ? &out.stiffness : nullptr);
 }
 
-/// The multiplier is the tension: what shortens the ligament gives the constraint's gradient.
+/// The multiplier is the tension, so the gradient of the constraint is that of shortening.
 void add_held_ligament(const JointModel::Ligament& l, const State& state, const LigamentPiece& piece, Eigen::Index row,
                        Linearization& out) {
   add_path(l, state, {piece.force, 0, 0}, out);
@@ -75,7 +75,7 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
   if (!out.derivatives) return;
   scatter.add_stiffness(factor * scale.factor * unit.stiffness, out.stiffness);
   if (scale.slope == 0 || !load.scale || !load.scale->coordinate()) return;
-  // The pose changes the factor too: wrench times d factor / d q times grad q.
+  // The pose changes the factor too: wrench times d factor / dq times grad q.
   const CoordinateRef& q = *load.scale->coordinate();
   const JointPoint::Gradient gradient = point_of(model, state, q.joint).gradient(q.index);
   const auto& joint = model.joints[at(q.joint)];
@@ -92,7 +92,7 @@ void add_weights(const JointModel& model, const State& state, const Target& targ
   for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
 }
 
-/// Adds `factor` times a coordinate to constraint `row`, and the wrench of its share of the multiplier.
+/// Adds `factor` times a coordinate to constraint `row`, and the wrench of its part of the multiplier.
 void add_coordinate(const JointModel& model, const State& state, const JointPoint& point, const CoordinateRef& c,
                     double factor, Eigen::Index row, Linearization& out) {
   const auto& joint = model.joints[at(c.joint)];
@@ -195,8 +195,8 @@ void add_layers(const JointModel& model, const State& state, const VecX* twist, 
   out.wrench += out.layer_wrench;
 }
 
-/// All that needs no unknown of its own: ligaments (those held at a jump from row `first_held` on), loads, weights,
-/// joint springs, elastic layers.
+/// Terms without unknowns of their own: ligaments (held ones from row `first_held` on), loads, weights, joint springs,
+/// elastic layers.
 void add_forces(const JointModel& model, const State& state, const Target& target, Eigen::Index first_held,
                 const VecX* twist, Linearization& out) {
   out.layer_loads.resize(model.layers.size());
@@ -227,7 +227,7 @@ void stop_layers_when(const Cancelled& cancelled, Linearization& out) { memories
 
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out,
                Derivatives wanted) {
-  out.derivatives = wanted == Derivatives::all || !model.layers.empty();  // layers give both at once
+  out.derivatives = wanted == Derivatives::all || !model.layers.empty();  // layers compute both together
   const int n = 6 * model.moving_count;
   const auto held_from = static_cast<Eigen::Index>(constraint_count(model, target));
   const Eigen::Index m = held_from + held_count(state);
@@ -313,7 +313,7 @@ Vec6 joint_reaction(const JointModel& model, const State& state, int joint) {
   for (std::size_t i = 0; i < model.held.size(); ++i)
     if (model.held[i].coordinate.joint == joint)
       wrench += state.multipliers[first + i] * point.gradient(model.held[i].coordinate.index).tail<6>().transpose();
-  // About the child's own origin.
+  // Moment about the child's own origin.
   const Vec3 arm = state.poses[at(model.joints[at(joint)].child)].R * own_origin(model, model.joints[at(joint)].child);
   wrench.tail<3>() -= arm.cross(Vec3(wrench.head<3>()));
   const Mat3 to_parent = state.poses[at(model.joints[at(joint)].parent)].R.transpose();

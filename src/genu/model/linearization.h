@@ -20,67 +20,67 @@ namespace genu {
 
 struct LayerMemories;
 
-/// Everything in SI and unscaled, so that each block can be read and checked by itself.
+/// In SI and unscaled, so that each block can be checked separately.
 struct Linearization {
-  VecX wrench;      ///< 6B: total wrench on each moving body, 0 at equilibrium
-  MatX stiffness;   ///< 6B x 6B: its derivative to the twists with contact points and forces held
-  MatX gradient;    ///< (M + H) x 6B: derivative of the constraints: prescribed, held by joints, held ligaments
+  VecX wrench;     ///< 6B: total wrench on each moving body, 0 at equilibrium
+  MatX stiffness;  ///< 6B x 6B: its derivative to the twists at fixed contact points and forces
+  MatX
+      gradient;  ///< (M + H) x 6B: gradients of prescribed quantities, of coordinates held by joints, of held ligaments
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
   std::vector<ContactBlock> contacts;
-  /// Of each elastic layer, what earlier poses have shown: linearizations that are used in turn share it.
+  /// What earlier poses have shown of each elastic layer. Linearizations used in turn share it.
   std::shared_ptr<LayerMemories> layers;
-  std::vector<double> layer_loads;   ///< N, of each elastic layer: sum of p dA
-  std::vector<double> layer_errors;  ///< N, and its error, estimated
-  double layer_damped = 0;           ///< W: what elastic layers take, in motion
-  VecX layer_wrench;                 ///< 6B: what of `wrench` elastic layers exert; empty without any
-  VecX length_gradient;              ///< 6B: of the last ligament that is not straight (kept here for its memory)
-  TwoBodyWrench pull;                ///< of the last straight ligament (kept here for its memory)
+  std::vector<double> layer_loads;                 ///< N, of each elastic layer: sum of p dA
+  std::vector<double> layer_errors;                ///< N, estimated error of it
+  double layer_damped = 0;                         ///< W: power dissipated by elastic layers, in motion
+  VecX layer_wrench;                               ///< 6B: part of `wrench` from elastic layers; empty without any
+  VecX length_gradient;                            ///< 6B: of the last ligament that is not straight (reused memory)
+  TwoBodyWrench pull;                              ///< of the last straight ligament (reused memory)
   std::vector<std::array<int, 2>> contact_bodies;  ///< moving index of a and b of each contact, -1 where fixed
-  bool derivatives = true;                         ///< false: those of an earlier state, or none
-  /// 3B: from the origin that each moving body's twist means to the body's own in the file, world axes, m; empty where
-  /// they are the same for every body
+  bool derivatives = true;                         ///< false: derivatives are missing or belong to an earlier state
+  /// 3B: from the reference point of each moving body's twist to the body's own origin in the file, world axes, m;
+  /// empty where they coincide for every body
   VecX own_origins;
 };
 
 /// Values and derivatives of a joint's coordinates at `state`.
 JointPoint joint_point(const JointModel& model, const State& state, int joint);
 
-/// A load at the factor 1, scales not included.
+/// A load with factor 1, without scales.
 LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load);
 
 enum class Derivatives { all, none };
 
-/// Evaluates residual and derivatives at `state`, whose coordinates are those of its poses (update_coordinates());
-/// `out` keeps its memory from call to call. With Derivatives::none the residuals alone, at a fraction of the cost:
-/// `stiffness` and those of `contacts` are then not to be used.
+/// Evaluates residual and derivatives at `state`, whose coordinates must be those of its poses (update_coordinates()).
+/// `out` keeps its memory from call to call. Derivatives::none: residuals only, at a fraction of the cost; `stiffness`
+/// and the derivatives of `contacts` are then invalid.
 void linearize(const JointModel& model, const State& state, const Target& target, Linearization& out,
                Derivatives wanted = Derivatives::all);
 
-/// Lets linearize() leave off while it sums elastic layers, once `cancelled` says so: the wrench is then not finite.
+/// Makes linearize() stop the quadrature of elastic layers once `cancelled` is true; the wrench is then not finite.
 void stop_layers_when(const Cancelled& cancelled, Linearization& out);
 
-/// Without constraints and rigid contacts: `wrench` and `stiffness` of all that has no unknowns of its own. With a
-/// `twist` (6B) elastic layers are damped; the stiffness knows nothing of that.
+/// Without constraints and rigid contacts: `wrench` and `stiffness` of all terms without unknowns of their own. With a
+/// `twist` (6B) elastic layers are damped; the stiffness does not include damping.
 void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out,
                       const VecX* twist = nullptr);
 
-/// The constraints alone: `gradient` and `constraint` of `out`; wrench and stiffness hold what their multipliers exert.
+/// Constraints only: `gradient` and `constraint` of `out`; wrench and stiffness contain the effect of the multipliers.
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
-/// What a load's scale is at a state and a time (s); 1 for a load without a scale.
+/// The scale of a load at a state and a time (s); 1 without a scale.
 LoadScale::Value load_scale(const Load& load, const State& state, double time);
 
-/// How fast the wrench on each moving body (6B) changes with the path's parameter while the bodies stand still: by the
-/// factors of the steps and by scales over time. `rate` is the derivative of `target`.
+/// Rate of the wrench on each moving body (6B) with the path's parameter at fixed poses, from step factors and scales
+/// over time. `rate`: derivative of `target`.
 VecX load_rate(const JointModel& model, const State& state, const Target& target, const Target& rate);
 
-/// The same of the constraints' residuals, of which the model has `count`: what is prescribed changes, what a held
-/// ligament's length has to be does not.
+/// Rate of the residuals of `count` constraints. Prescribed values change; the length of a held ligament is constant.
 VecX constraint_rate(const Target& rate, Eigen::Index count);
 
-/// What a revolute or fixed joint exerts on its child to hold its coordinates: [force, moment about the child's origin]
-/// in the parent's axes (N, N m). The multipliers must be those of a solved state. The moment along a revolute axis
-/// (stiffness, prescribed angle) is not part of it.
+/// The reaction of a revolute or fixed joint on its child: [force, moment about the child's origin] in the parent's
+/// axes (N, N m). The multipliers must be those of a solved state. The moment about a revolute axis (stiffness,
+/// prescribed angle) is not included.
 Vec6 joint_reaction(const JointModel& model, const State& state, int joint);
 
 }  // namespace genu

@@ -9,7 +9,7 @@ LoadWrench dead_wrench(const Load& load, const Pose& X_WA) {
   const Vec3 r = X_WA.R * load.p_A;
   LoadWrench out;
   out.wrench.head<6>() << load.force, load.moment + r.cross(load.force);
-  out.stiffness.block<3, 3>(3, 3) = skew(load.force) * skew(r);  // the lever arm turns: (w x r) x f
+  out.stiffness.block<3, 3>(3, 3) = skew(load.force) * skew(r);  // the lever arm rotates: (w x r) x f
   return out;
 }
 
@@ -17,13 +17,13 @@ LoadWrench follower_wrench(const Load& load, const Pose& X_WA) {
   const Vec3 force = X_WA.R * load.force, moment = X_WA.R * (load.moment + load.p_A.cross(load.force));
   LoadWrench out;
   out.wrench.head<6>() << force, moment;
-  out.stiffness.block<3, 3>(0, 3) = -skew(force);  // the whole wrench turns: w x
+  out.stiffness.block<3, 3>(0, 3) = -skew(force);  // the whole wrench rotates: w x
   out.stiffness.block<3, 3>(3, 3) = -skew(moment);
   return out;
 }
 
 LoadWrench toward_wrench(const Load& load, const Pose& X_WA, const Pose& X_WB) {
-  constexpr double kCoincident = 1e-9;  // m, as the scene's check
+  constexpr double kCoincident = 1e-9;  // m, as in the check of the scene
   const Vec3 r_A = X_WA.R * load.p_A, r_B = X_WB.R * load.p_B;
   const Vec3 d = (X_WB.p - X_WA.p) + (r_B - r_A);
   const double length = d.norm();
@@ -35,7 +35,7 @@ LoadWrench toward_wrench(const Load& load, const Pose& X_WA, const Pose& X_WB) {
   const Mat3 turning = load.value / length * (Mat3::Identity() - u * u.transpose());
   out.wrench = -d_twist.transpose() * t;
   out.stiffness = -d_twist.transpose() * (turning * d_twist);
-  out.stiffness.block<3, 3>(3, 3) += skew(t) * skew(r_A);  // the lever arms turn
+  out.stiffness.block<3, 3>(3, 3) += skew(t) * skew(r_A);  // the lever arms rotate
   out.stiffness.block<3, 3>(9, 9) -= skew(t) * skew(r_B);
   return out;
 }

@@ -17,8 +17,8 @@
 
 namespace genu {
 
-/// [force, moment about the body's origin] on A and on B in world axes (N, N m), and its derivative to their twists.
-/// Where there is no B its parts are 0.
+/// [force, moment about the body's origin] on A and on B in world axes (N, N m), with derivatives to their twists. Zero
+/// for B where there is none.
 struct LoadWrench {
   Vec12 wrench = Vec12::Zero();
   Mat12 stiffness = Mat12::Zero();  ///< d wrench / d [twist of A; twist of B]; in general unsymmetric
@@ -34,22 +34,22 @@ struct Load {
   Vec3 p_B = Vec3::Zero();     ///< m, in B: toward
   Vec3 force = Vec3::Zero();   ///< N, dead: in the world, follower: in A
   Vec3 moment = Vec3::Zero();  ///< N m, as the force
-  double value = 0;            ///< toward: N; coordinate: N m on an angle, N on a translation
+  double value = 0;            ///< toward: N; coordinate: N m for an angle, N for a translation
   CoordinateRef coordinate;    ///< coordinate
   std::optional<LoadScale> scale;
 
-  /// The load at the factor 1 of all kinds but `coordinate`, for the poses of A and B in the world (B is ignored where
-  /// there is none). Two points less than 1e-9 m apart have no direction: the force toward is 0 there.
+  /// Any load with factor 1 except `coordinate`, for the poses of A and B in the world (B is ignored where there is
+  /// none). A force toward a point less than 1e-9 m away is 0: its direction is undefined.
   LoadWrench between(const Pose& X_WA, const Pose& X_WB) const;
 
-  /// A load on a coordinate at the factor 1.
+  /// A load on a coordinate, with factor 1.
   LoadWrench on_coordinate(const JointPoint& joint) const;
 
-  /// How large a force it can be, N; moments count over the arm `length` (m). Scales included, step factors not.
+  /// N: largest magnitude; moments are divided by `length` (m). Includes scales, not step factors.
   double largest_force(double length) const;
 };
 
-/// The load that `def` describes; empty where its scale is none, then `why` says what is wrong.
+/// The load of `def`. Empty where its scale is invalid; `why` then gives the reason.
 std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
 
 /// Mass times gravity at the centre of mass of a body of a scene with gravity.

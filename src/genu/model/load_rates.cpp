@@ -5,7 +5,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-/// A load is linear in its force, moment and magnitude: the load of a unit is the derivative.
+/// A load is linear in its force, moment and magnitude: its derivative is the unit load.
 Vec12 unit_wrench(Load load, const Parameter& parameter, const Pose& X_WA, const Pose& X_WB) {
   load.force.setZero();
   load.moment.setZero();
@@ -15,7 +15,7 @@ Vec12 unit_wrench(Load load, const Parameter& parameter, const Pose& X_WA, const
   return load.between(X_WA, X_WB).wrench;
 }
 
-/// The force toward a point where one of the two ends moves.
+/// Rate of the force toward a point with a moving end.
 Vec12 moved_end(const Load& load, const Vec3& end_A, const Vec3& end_B, const Pose& X_WA, const Pose& X_WB) {
   const Vec3 r_A = X_WA.R * load.p_A, r_B = X_WB.R * load.p_B;
   const Vec3 line = (X_WB.p - X_WA.p) + (r_B - r_A), line_rate = end_B - end_A;

@@ -1,4 +1,4 @@
-// How loads change with the numbers that describe them, at bodies held still.
+// Sensitivity of loads to their own parameters at fixed poses.
 #pragma once
 
 #include "genu/model/load.h"
@@ -6,8 +6,8 @@
 
 namespace genu {
 
-/// The change of a load's wrench at the factor 1 (as Load::between has it) per SI unit of one of its own parameters;
-/// for every kind but a load on a coordinate.
+/// Derivative of a load's wrench with factor 1 (as in Load::between) per SI unit of one of its own parameters. For all
+/// kinds except loads on a coordinate.
 Vec12 load_wrench_rate(const Load& load, const Parameter& parameter, const Pose& X_WA, const Pose& X_WB);
 
 }  // namespace genu

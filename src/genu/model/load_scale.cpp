@@ -69,7 +69,7 @@ LoadScale::Value LoadScale::sine(double x) const {
           -amplitude_ * w * w * std::sin(phase)};
 }
 
-/// The polynomial of fifth degree whose speed and acceleration are 0 at both ends.
+/// The quintic polynomial with zero speed and acceleration at both ends.
 LoadScale::Value LoadScale::step(double x) const {
   if (x < start_) return {from_, 0, 0};
   if (x >= start_ + rise_) return {to_, 0, 0};

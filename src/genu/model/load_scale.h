@@ -1,5 +1,5 @@
-// A course over time or over a joint coordinate: what multiplies a load besides its factor in a step, or what a
-// coordinate that is driven follows. A curve through points, a sine, or a smooth step.
+// A function of time or of a joint coordinate: multiplies a load in addition to its step factor, or gives the course of
+// a driven coordinate. A curve through points, a sine, or a smooth step.
 #pragma once
 
 #include <numbers>
@@ -20,15 +20,15 @@ class LoadScale {
     double curvature = 0;  ///< d2 factor / d x2
   };
 
-  /// Empty where the table is none; then `why` says what is wrong with it.
+  /// Empty where the definition is invalid; `why` then gives the reason.
   static std::optional<LoadScale> make(const ScaleDef& def, std::string& why);
 
-  /// The coordinate (rad, m) it depends on; empty: the time (s).
+  /// The coordinate (rad, m) that it depends on; empty: the time (s).
   const std::optional<CoordinateRef>& coordinate() const { return coordinate_; }
 
-  /// A table is the monotone curve through its points (MonotoneTable) and keeps its end values beyond them. The curve
-  /// may have a kink at its ends, where the slope is the outer one, 0; so has a sine at its start. A step without a
-  /// rise has its second value from its start on.
+  /// A table is the monotone curve through its points (MonotoneTable), constant beyond its ends. Its slope may jump at
+  /// the ends, where the outer slope 0 is returned; likewise at the start of a sine. A step of zero duration has its
+  /// second value from its start on.
   Value evaluate(double x) const;
 
   /// Times (s) where the factor or a derivative may jump; empty for a scale over a coordinate.
@@ -36,7 +36,7 @@ class LoadScale {
 
   /// Where the slope jumps: the ends of a table over a coordinate (rad, m); none for other scales.
   struct NonsmoothPoint {
-    double x = 0, below = 0, above = 0;  ///< and its slopes on both sides
+    double x = 0, below = 0, above = 0;  ///< slopes on both sides
   };
   std::vector<NonsmoothPoint> nonsmooth_points_over_coordinate() const;
 
@@ -55,7 +55,7 @@ class LoadScale {
   std::optional<CoordinateRef> coordinate_;
   std::optional<MonotoneTable> table_;
   double first_ = 0, last_ = 0;  ///< x of the table's ends
-  std::vector<double> knots_;    ///< x of its points, the sine's start, or where the step begins and ends
+  std::vector<double> knots_;    ///< x of its points, the sine's start, or the step's start and end
   double offset_ = 0, amplitude_ = 0, angular_frequency_ = 0, start_ = 0;
   double from_ = 0, to_ = 1, rise_ = 0;
   double largest_ = 0;

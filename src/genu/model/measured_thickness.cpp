@@ -23,7 +23,7 @@ void say(const PlacedScene& scene, const SurfaceDef& surface, Diagnostic::Severi
   if (std::none_of(out.items().begin(), out.items().end(), same)) out.add(std::move(d));
 }
 
-/// In the body as the file has it.
+/// In the body's frame of the file.
 std::string place(const PlacedScene& scene, const SurfaceDef& surface, const Vec3& x) {
   const Vec3 p = to::kMillimetre * (x + scene.origins[static_cast<std::size_t>(surface.body)]);
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", p[0], p[1], p[2]);

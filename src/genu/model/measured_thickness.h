@@ -1,4 +1,4 @@
-// The thickness that a scene wants measured on a surface, and what is to be said about it.
+// The thickness measured on a surface, with warnings.
 #pragma once
 
 #include "genu/contact/bone_thickness.h"
@@ -6,9 +6,9 @@
 
 namespace genu {
 
-/// `field` becomes the thickness measured on the triangles `mesh` of a surface, and stays null where the scene measures
-/// none. False, with an error in `out`, where there is no bone under it; warnings on places without bone, and on those
-/// where bone stands out or cartilage is thinner than the scene lets it be, each once for a surface.
+/// Sets `field` to the thickness measured on the triangles `mesh` of a surface; null where the scene measures none.
+/// False, with an error in `out`, where there is no bone under it. Warns once per surface of places without bone, of
+/// protruding bone, and of cartilage thinner than the scene allows.
 bool thickness_on(const PlacedScene& scene, const Bones& bones, int surface, const Mesh& mesh,
                   std::shared_ptr<const ThicknessField>& field, Diagnostics& out);
 

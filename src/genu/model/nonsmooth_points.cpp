@@ -35,13 +35,13 @@ class Finder {
     for (const Load& weight : model_.weights) add_scale(weight, 1);
   }
 
-  /// m, rad: how far a motion along `gradient` may still go.
+  /// m, rad: possible remaining motion along `gradient`.
   double reach(double unit, const VecX& gradient) const {
     const double moved = reach_.twist.size() > 0 ? std::abs(reach_.twist.dot(gradient)) : 0;
     return reach_.least * unit + reach_.length + moved;
   }
 
-  /// Of several that the pose is so near to, the stiffness below the first and above the last.
+  /// Several points within reach become one: the stiffness below the first and above the last.
   void meet(double below, double above, std::optional<NonsmoothPoint>& kink) {
     met_ = true;
     if (!kink) kink = NonsmoothPoint{.gradient = {}, .wrench = {}, .below = below};
@@ -61,7 +61,7 @@ class Finder {
     const LawValue pull = law.evaluate(length, by_length ? LigamentLaw::kByLength : on);
     std::optional<NonsmoothPoint> kink;
     VecX gradient;
-    int sharp = 0;  // breaks before this one at which pieces meet
+    int sharp = 0;  // sharp breaks before this one
     for (const LawBreak& b : law.breaks()) {
       const int pieces = b.sharp() ? sharp++ : sharp;
       const double past = length - b.length, force = std::abs(pull.force);

@@ -53,8 +53,8 @@ void add_spring_rate(const JointModel& model, const State& state, const Paramete
   add_wrench(model, joint.parent, joint.child, -point.values()[0] * point.gradient(0).transpose(), out);
 }
 
-void add_contact_rates(const PlacedScene& scene, const JointModel& model, const State& state, const Parameter& parameter,
-                       Linearization& out) {
+void add_contact_rates(const PlacedScene& scene, const JointModel& model, const State& state,
+                       const Parameter& parameter, Linearization& out) {
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
     const ActiveContact& contact = state.contacts[c];
     const PairChange change = pair_change(scene, parameter, contact.pair, contact.geometry);

@@ -179,7 +179,8 @@ class Parameters {
     }
   }
 
-  /// A ligament and a surface may have the same name: then their parameters' names begin with what they are.
+  /// A ligament and a surface may have the same name: a prefix with the kind of object then distinguishes their
+  /// parameters.
   void tell_apart() {
     std::map<std::string, int> count;
     for (const Parameter& p : out_) ++count[p.name];

@@ -1,5 +1,5 @@
-// The numbers of a scene that can be varied, and by how much each is varied when parameters of different kinds are
-// ranked beside one another.
+// The numbers of a scene that can be varied, with a standard change for each, so that parameters of different kinds can
+// be ranked.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace genu {
 
-/// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "AAC.via.1.x" (of the first via point),
-/// "condyle.radii.z", "plateau.terms.2.0" (of x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the
-/// prescribed value). Where two have the same name, "ligament.", "surface.", "load.", "body." or "joint." stands before
-/// it.
+/// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "AAC.via.1.x" (first via point),
+/// "condyle.radii.z", "plateau.terms.2.0" (x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the
+/// prescribed value). Where two names are equal, the prefix "ligament.", "surface.", "load.", "body." or "joint."
+/// distinguishes them.
 struct Parameter {
   enum class Kind {
     // of a ligament
@@ -54,14 +54,14 @@ struct Parameter {
   int object = -1;       ///< index of the ligament, surface, load, body or joint
   int component = 0;     ///< 0 x, 1 y, 2 z; index of the number or term
   QuantityRef quantity;  ///< prescribed
-  std::string unit;      ///< as results have it, whatever the scene's units are: mm, deg, N, Nm, 1 ...
+  std::string unit;      ///< unit in results: mm, deg, N, Nm, 1 ..., whatever the scene's units are
   double si = 1;         ///< SI per unit
   /// The standard change (SI): 1 % of a stiffness, slack length, mass or load factor; 1 mm of any other length; 0.01 of
-  /// a strain; 1 N; 0.01 N m; 1 deg; of a polynomial's term what moves the surface by 1 mm at 10 mm from its origin
-  /// (and theta = 1 rad).
+  /// a strain; 1 N; 0.01 N m; 1 deg. For a term of a polynomial: the change that moves the surface by 1 mm at 10 mm
+  /// from its origin (and theta = 1 rad).
   double change = 0;
   std::string change_text;  ///< "1 %", "1 mm", ...
-  bool positive = false;    ///< a stiffness, damping, mass, ...: > 0, and `change` is a share of it
+  bool positive = false;    ///< a stiffness, damping, mass, ...: > 0, with a relative `change`
 
   bool of_ligament() const { return kind <= Kind::via_point; }
   bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }
@@ -69,8 +69,8 @@ struct Parameter {
   bool of_load() const { return kind >= Kind::force && kind <= Kind::factor; }
 };
 
-/// All of a scene, ligament by ligament, surface by surface, load by load, then weights, joints and what is prescribed.
-/// What a scene does not say has none: no slack length where a reference strain is given.
+/// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, prescribed values. Numbers that the
+/// scene does not give are omitted, such as a slack length where a reference strain is given.
 std::vector<Parameter> parameters_of(const SceneTables& scene);
 
 }  // namespace genu

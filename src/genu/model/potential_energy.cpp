@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-/// Of a load that has a potential, at the factor 1: J up to a constant.
+/// Potential of a load that has one, with factor 1: J up to a constant.
 double potential(const Load& load, const std::vector<Pose>& poses, double coordinate) {
   switch (load.kind) {
     case Load::Kind::dead:
@@ -52,7 +52,7 @@ std::optional<double> potential_energy(const JointModel& model, const State& sta
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
     const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
-    const bool over_coordinate = load.scale && load.scale->coordinate();  // 0 here perhaps, but not beside
+    const bool over_coordinate = load.scale && load.scale->coordinate();  // the factor may be 0 here, but not nearby
     if (target.load_factors[i] == 0 || (factor == 0 && !over_coordinate)) continue;
     if (!has_potential(load)) return std::nullopt;
     energy += factor * since_reference(model, state, load);

@@ -1,4 +1,4 @@
-// What a pose is: where the bodies are, which contacts carry load, and the forces that hold it.
+// The state of a pose: positions of the bodies, active contacts, and forces.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace genu {
 
-/// A contact that is held closed: one of the N in 6B + M + 5N.
+/// An active (closed) contact: one of the N in 6B + M + 5N.
 struct ActiveContact {
   int pair = 0;    ///< index into JointModel::pairs
   int number = 0;  ///< of the pair, from 1, by first appearance in the run
@@ -21,27 +21,26 @@ struct ActiveContact {
 struct LigamentPiece {
   int ligament = 0;  ///< index into JointModel::ligaments
   int piece = 0;     ///< 0 up to the first sharp break
-  /// Where the force jumps up, between the pieces `piece` and `piece` + 1: the ligament keeps the break's length and
-  /// has any force between the two sides' (one more constraint, whose multiplier is `force`).
+  /// At an upward jump of force, between the pieces `piece` and `piece` + 1: the ligament keeps the break's length,
+  /// with any force between the two sides' (one more constraint, whose multiplier is `force`).
   bool held = false;
-  bool by_length = false;  ///< the law is evaluated as it is, whichever piece the length lies in
+  bool by_length = false;  ///< the law is evaluated on whichever piece contains the length
   double force = 0;        ///< N, of a held one
 };
 
 struct State {
   std::vector<Pose> poses;               ///< X_W of every body
   std::vector<JointValues> coordinates;  ///< of every joint, continuous along the path
-  std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of all that is
-                                         ///< prescribed, then of all that joints hold
+  std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of prescribed
+                                         ///< quantities, then of coordinates held by joints
   std::vector<ActiveContact> contacts;
   std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
-  std::vector<int> layer_levels;      ///< how finely each elastic layer is summed (LayerQuadrature); empty: all at 0
+  std::vector<int> layer_levels;      ///< refinement level of each elastic layer (LayerQuadrature); empty: all 0
 
   int layer_level(std::size_t layer) const { return layer < layer_levels.size() ? layer_levels[layer] : 0; }
 };
 
-/// What is asked of a pose: prescribed coordinates (or combinations of some), load factors and time at one point of the
-/// path.
+/// Prescribed coordinates (or linear combinations), load factors and time at one point of the path.
 struct Target {
   struct Prescribed {
     QuantityRef coordinate;
@@ -49,7 +48,7 @@ struct Target {
   };
   std::vector<Prescribed> prescribed;
   std::vector<double> load_factors;  ///< one for each load
-  double time = 0;                   ///< s: only loads scaled over time see it
+  double time = 0;                   ///< s: used by loads scaled over time only
 };
 
 /// The state with every joint at its reference coordinates, nothing in contact, no forces.
@@ -58,30 +57,30 @@ State reference_state(const JointModel& model);
 /// The same at the coordinates where the search for equilibrium starts.
 State start_state(const JointModel& model);
 
-/// Whether a state can be one of the model, by what it counts and names.
+/// Whether the sizes and indices of a state fit the model.
 bool fits_model(const JointModel& model, const State& state);
 
-/// The constraints beside those of constraint_count(): ligaments held at a break.
+/// H: ligaments held at a break, which are constraints besides those of constraint_count().
 int held_count(const State& state);
 
-/// Whether a contact of that name carries load in a state.
+/// Whether a contact with that pair and number is active in a state.
 inline bool contains(const State& state, const ActiveContact& contact) {
   return std::any_of(state.contacts.begin(), state.contacts.end(),
                      [&](const ActiveContact& c) { return c.pair == contact.pair && c.number == contact.number; });
 }
 
-/// Whether the same contacts carry load in two states.
+/// Whether two states have the same active set.
 inline bool same_contacts(const State& a, const State& b) {
   return a.contacts.size() == b.contacts.size() &&
          std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ActiveContact& c) { return contains(b, c); });
 }
 
-/// M: what is prescribed and what joints hold.
+/// M: prescribed quantities and coordinates held by joints.
 inline std::size_t constraint_count(const JointModel& model, const Target& target) {
   return target.prescribed.size() + model.held.size();
 }
 
-/// Whether constraint m is an angle. Those after constraint_count() are lengths of ligaments held at a break.
+/// Whether constraint m is an angle. Constraints after constraint_count() are lengths of held ligaments.
 inline bool is_rotation(const JointModel& model, const Target& target, std::size_t m) {
   const std::size_t prescribed = target.prescribed.size();
   if (m >= constraint_count(model, target)) return false;
@@ -89,8 +88,8 @@ inline bool is_rotation(const JointModel& model, const Target& target, std::size
                         : model.held[m - prescribed].coordinate.index < 3;
 }
 
-/// Gives `state` a multiplier for each constraint of `target`; what joints hold keeps its own where the number of
-/// prescribed coordinates changes.
+/// Gives `state` a multiplier for each constraint of `target`. Coordinates held by joints keep theirs where the number
+/// of prescribed coordinates changes.
 inline void fit_multipliers(const JointModel& model, const Target& target, State& state) {
   const std::size_t prescribed = target.prescribed.size(), held = model.held.size();
   if (state.multipliers.size() < held) state.multipliers.assign(held, 0.0);

@@ -79,7 +79,7 @@ StepPlan approach_to(const StepPlan& step, const JointModel& model, const State&
 }
 
 double reaction_noise(const JointModel& model, const StepPlan& plan, int driven) {
-  constexpr double kSolved = 1e-8;  // the scaled residual of a pose that is accepted
+  constexpr double kSolved = 1e-8;  // scaled residual of an accepted pose
   double noise = kSolved;
   for (const auto& layer : model.layers)
     noise = std::max(noise, layer.tolerance > 0 ? layer.tolerance : LayerDef().tolerance);

@@ -22,34 +22,34 @@ struct StepPlan {
   std::vector<Factor> factors;  ///< one for each load
   int increments = 1;
   double start_time = 0, end_time = 1;  ///< s
-  bool arc_length = false;              ///< t may turn back on the way from 0 to 1
+  bool arc_length = false;              ///< t may decrease on the way from 0 to 1
 
-  /// What is asked at t.
+  /// The target at t.
   Target target(double t) const;
-  /// Its derivative to t.
+  /// The derivative of the target to t.
   Target rate() const;
   /// The largest change of a prescribed angle over the step, rad; 0 without one.
   double angle_range() const;
-  /// Neither a prescribed coordinate nor a load changes; time may.
+  /// Whether prescribed coordinates and loads are constant; time may change.
   bool varies_nothing() const;
-  /// The prescribed coordinate that varies, if it is the only thing that does; -1 otherwise.
+  /// The prescribed coordinate that varies, if nothing else does; else -1.
   int only_driven() const;
 };
 
-/// The path of a scene. Loads that a step does not name keep the factor 1; each step begins at the time the one before
-/// it ends, the first at 0.
+/// The path of a scene. Loads that a step does not name have factor 1. Each step begins at the end time of the one
+/// before, the first at 0.
 std::vector<StepPlan> plan_steps(const SceneTables& scene);
 
-/// The walk from where a joint is, `state` under loads of `factors`, to where `step` begins; the time stands still.
+/// The transition from `state` under loads of `factors` to the start of `step`; time is constant.
 StepPlan approach_to(const StepPlan& step, const JointModel& model, const State& state,
                      const std::vector<double>& factors);
 
-/// What solving leaves of a reaction of the driven coordinate that is 0, and summing layers: their tolerance times the
-/// model's force scale, and its length scale for a moment. N or N m.
+/// Numerical noise of the driven coordinate's reaction: tolerance of the solver and of the layers' quadrature times the
+/// model's force scale, and times its length scale for a moment. N or N m.
 double reaction_noise(const JointModel& model, const StepPlan& plan, int driven);
 
-/// "largest 0.57 Nm": the reaction of the driven coordinate where it turns; `rate` has the sign it takes beyond. Empty
-/// where the reaction is no more than noise.
+/// "largest 0.57 Nm": the extremum of the driven coordinate's reaction. `rate`: its sign beyond. Empty where the
+/// reaction is within noise.
 std::string reaction_words(const JointModel& model, const StepPlan& plan, int driven, double rate, const State& state);
 
 }  // namespace genu

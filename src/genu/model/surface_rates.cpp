@@ -15,7 +15,7 @@ struct VelocityField {
 
 double power(double x, int n) { return n < 0 ? 0 : std::pow(x, n); }
 
-/// Away from the axis z, as fast as `size`, which changes by `gradient`.
+/// Radial velocity `size` away from the axis z, where `size` has the gradient `gradient`.
 VelocityField radial_field(const Vec3& x, double size, const Vec3& gradient) {
   const double rho = std::hypot(x.x(), x.y());
   const Vec3 e(x.x() / rho, x.y() / rho, 0), t(-e.y(), e.x(), 0);
@@ -40,7 +40,7 @@ VelocityField cylindrical_term(const Vec3& x, const SurfaceDef::Term& term) {
   return radial_field(x, ti * zj, gradient);
 }
 
-/// Of the points of a shape, in its own frame, per unit of a number that shapes it.
+/// Velocity of the points of a shape, in its own frame, per unit of one of its parameters.
 VelocityField shape_field(const SurfaceDef& def, const Parameter& parameter, const Vec3& x) {
   VelocityField out;
   const int k = parameter.component;
@@ -68,7 +68,7 @@ SurfaceChange surface_change(const SurfaceDef& def, const Parameter& parameter, 
     case Kind::offset:
       return {1, Vec2::Zero()};
     case Kind::radius:
-    case Kind::minor_radius:  // the outward side of a socket is the hollow one
+    case Kind::minor_radius:  // the outward side of a socket is the concave one
       return {def.inside ? -1.0 : 1.0, Vec2::Zero()};
     case Kind::origin:
       return change_of_field(point, Vec3::Unit(parameter.component), Mat3::Zero());

@@ -1,4 +1,4 @@
-// How a surface changes with the numbers that describe it.
+// Sensitivity of a surface to its own parameters.
 #pragma once
 
 #include "genu/contact/surface_change.h"

@@ -1,4 +1,4 @@
-// Adds what acts between two bodies to the wrench and stiffness of the moving ones among them.
+// Adds the wrench and stiffness between two bodies to those of the moving bodies.
 #pragma once
 
 #include "genu/core/types.h"

@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-/// Every moving body is the child of one joint: as many coordinates as equations.
+/// Every moving body is the child of one joint, so there are as many coordinates as equations.
 std::optional<std::vector<JointValues>> on_coordinates(const JointModel& model, const State& state,
                                                        const VecX& missing) {
   MatX gradients = MatX::Zero(missing.size(), 6 * static_cast<Eigen::Index>(model.joints.size()));

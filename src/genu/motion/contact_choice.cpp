@@ -7,9 +7,9 @@
 namespace genu {
 namespace {
 
-constexpr double kImpulseRounding = 1e-9;  // of impulses, rates and accelerations
+constexpr double kImpulseRounding = 1e-9;  // relative, of impulses, rates and accelerations
 
-/// Calls attempt(chosen) for sets of `count` things, as bits, the largest sets first, until one does.
+/// Calls attempt(chosen) for subsets of `count` items, as bits, the largest first, until one succeeds.
 template <typename Attempt>
 bool try_sets(std::size_t count, Attempt attempt) {
   const unsigned most = 1U << count;
@@ -34,8 +34,8 @@ double total_mass(const JointModel& model) {
   return mass;
 }
 
-/// Closes those of `all` that are left open and come back before they are open by more than `touching`: a rattle below
-/// what gaps are resolved to is none.
+/// Closes open contacts of `all` that would return before they are open by more than `touching`: a rattle below the
+/// resolution of gaps does not count.
 void end_rattle(EquationsOfMotion& equations, const std::vector<ActiveContact>& all, double touching,
                 MotionPoint& point) {
   MotionPoint flying = point;
@@ -70,7 +70,7 @@ bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, double
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (has(chosen, i)) continue;
       const auto opening = equations.opening(trial, all[i]);
-      if (!opening) continue;  // its minimum of the gap is gone
+      if (!opening) continue;  // its minimum of the gap no longer exists
       const double none = kImpulseRounding * (opening->rate_scale + model.scales.length);
       if (opening->rate < -none) return false;
       if (opening->rate <= none) trial.state.contacts.push_back(all[i]);
@@ -83,7 +83,7 @@ bool settle_speeds(const JointModel& model, EquationsOfMotion& equations, double
 
 bool settle_forces(const JointModel& model, EquationsOfMotion& equations, MotionPoint& point, int leaves) {
   const std::vector<ActiveContact> all = point.state.contacts;
-  const double usual = model.scales.force / total_mass(model);  // m/s^2: at rest accelerations are rounding of these
+  const double usual = model.scales.force / total_mass(model);  // m/s^2: unit of the rounding of accelerations at rest
   return try_sets(all.size(), [&](unsigned chosen) {
     if (leaves >= 0 && has(chosen, at(leaves))) return false;
     MotionPoint trial = point;

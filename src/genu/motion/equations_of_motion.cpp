@@ -14,13 +14,12 @@
 namespace genu {
 namespace {
 
-constexpr double kOnConstraints = 1e-14;  // scaled residual: positions of some lengths' size round to this
+constexpr double kOnConstraints = 1e-14;  // scaled residual: rounding of positions of a few lengths
 constexpr double kLargestResidual = 1e-11;
 constexpr int kMostProjections = 8;
-constexpr double kDependentConstraints =
-    1e-13;                                // reciprocal condition of J J^T: below, constraints say one thing twice
-constexpr double kPlaceRounding = 1e-15;  // of a position: less is not asked for, however small the scale of length
-constexpr double kSecond = 1;             // s: speeds below length / kSecond are small
+constexpr double kDependentConstraints = 1e-13;  // reciprocal condition of J J^T: below, constraints are dependent
+constexpr double kPlaceRounding = 1e-15;         // of a position: limit of accuracy for any length scale
+constexpr double kSecond = 1;                    // s: speeds below length / kSecond are small
 
 Eigen::Quaterniond quaternion(OdeSystem::Values y, Eigen::Index from) {
   return {y[from], y[from + 1], y[from + 2], y[from + 3]};
@@ -117,7 +116,7 @@ double EquationsOfMotion::residual() const {
   return row_scale_.size() == 0 ? 0 : row_scale_.cwiseProduct(violation_).cwiseAbs().maxCoeff();
 }
 
-/// The smallest twist, in the metric of lengths and angles, that changes the scaled constraints by `rows`.
+/// The minimum-norm twist, in the metric of lengths and angles, that changes the scaled constraints by `rows`.
 VecX EquationsOfMotion::metric_step(const VecX& rows) const {
   return metric_.cwiseProduct(J_.transpose() * gram_.solve(rows));
 }
@@ -149,7 +148,7 @@ bool EquationsOfMotion::project(MotionPoint& point) {
   return point.residual <= kLargestResidual;
 }
 
-/// How fast each constraint is asked to change.
+/// The required rate of each constraint.
 VecX EquationsOfMotion::asked_rates() const {
   VecX rates = VecX::Zero(row_scale_.size());
   rates.head(drive_rate_.size()) = drive_rate_;
@@ -184,7 +183,7 @@ void EquationsOfMotion::set_masses(const MotionPoint& point) {
   }
 }
 
-/// All forces on the bodies but those of constraints, the apparent ones included.
+/// All forces on the bodies except constraint forces, with inertial forces.
 void EquationsOfMotion::add_forces(const MotionPoint& point) {
   const State& state = point.state;
   linearize_forces(model_, state, target_, forces_, &point.twist);
@@ -200,7 +199,7 @@ void EquationsOfMotion::add_forces(const MotionPoint& point) {
           gyroscopic_wrench(model_.inertias[at(k)], state.poses[i].R, point.twist.segment<3>(6 * k + 3));
 }
 
-/// How the constraints would accelerate, asked less what turning does: c'' - J' v.
+/// The required acceleration of each constraint: c'' - J' v.
 VecX EquationsOfMotion::asked_accelerations(const MotionPoint& point) const {
   VecX out(row_scale_.size());
   const VecX centripetal = centripetal_rates(model_, point.state, target_, point.twist);
@@ -288,7 +287,7 @@ bool EquationsOfMotion::massless(const MotionPoint& point) {
   return !system_.fullPivLu().isInvertible();
 }
 
-/// The poses and twists that y means, and what it has summed up.
+/// The poses, twists and accumulated energies in y.
 bool EquationsOfMotion::unpack(double t, OdeSystem::Values y, MotionPoint& out) {
   const int bodies = model_.moving_count;
   if (!y.allFinite()) return false;

@@ -1,19 +1,19 @@
 // The equations of motion of a joint as y' = f(t, y).
 //
 //   M a + b = W + J^T mu,   J a = c'' - J' v
-// with W all forces of the quasi-static system (linearize) and dampers, J the gradient of the constraints, mu what they
-// cost, M and b of inertia.h. Constraints are what is prescribed (its course c over time), what joints hold, and the
-// gap of each contact that is closed (mu is its force). y holds the pose of each moving body (position, quaternion),
-// then its twist, then what loads and drives have done, what dampers and impacts have taken, and in a scene with
-// elastic layers what these have done (J).
 //
-// f is evaluated at the state on the constraints nearest to y, P(y): f = f(P(y)). Nothing pulls y back and nothing
-// drives it away, so an error of y across the constraints stays as small as the steps made it (their tolerance), adds
-// no stiffness, and what is read from y, P(y), is on the constraints to rounding. The same P normalises quaternions,
-// which have no singular orientation.
+// W: all forces of the quasi-static system (linearize) and dampers; J: gradient of the constraints; mu: their forces; M
+// and b as in inertia.h. Constraints are prescribed coordinates (course c over time), coordinates held by joints, and
+// the gaps of closed contacts (mu is the contact force). y holds the pose of each moving body (position, quaternion),
+// then its twist, then the work of loads and drives, the energy dissipated by dampers and impacts, and the work of
+// elastic layers if there are any (J).
 //
-// Where hinges are all that holds the bodies, y holds their angles and rates instead (hinged_motion.h), and the system
-// above is solved only for what is written down.
+// f is evaluated at the state on the constraints nearest to y, P(y): f = f(P(y)). This adds no stiffness and neither
+// attracts nor repels y. An error across the constraints stays as small as the integration error, and the output P(y)
+// satisfies the constraints to rounding. P also normalises the quaternions, which have no singular orientation.
+//
+// If hinges alone hold the bodies, y holds their angles and rates instead (hinged_motion.h), and the system above is
+// solved for output only.
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@
 
 namespace genu {
 
-/// A moment of a motion.
+/// The state of a motion at one time.
 struct MotionPoint {
   double time = 0;  ///< s
   State state;      ///< its multipliers and contact forces are those of the motion
@@ -36,30 +36,30 @@ struct MotionPoint {
   VecX acceleration;
   std::vector<DamperMode> modes;  ///< of every ligament
   double load_work = 0;           ///< J, done by loads and drives since the start
-  double dissipated = 0;          ///< J, taken by dampers and impacts since the start
+  double dissipated = 0;          ///< J, dissipated by dampers and impacts since the start
   double layer_work = 0;          ///< J, done by elastic layers since the start
-  std::vector<double> pair_gap;   ///< m, of each rigid pair, where a row is written
-  double residual = 0;            ///< of the constraints, lengths over the scale of length, and angles (rad)
-  double drift = 0;               ///< how far y lay from the constraints, the same
+  std::vector<double> pair_gap;   ///< m, of each rigid pair, at output rows
+  double residual = 0;            ///< of the constraints: lengths over the length scale, and angles (rad)
+  double drift = 0;               ///< distance of y from the constraints, in the same unit
 };
 
 class EquationsOfMotion {
  public:
-  /// `tolerance`: error of one step, of the scale of length, in rad, and of speeds (plus a scale of 1/s).
+  /// `tolerance`: error of one step, in length scales, rad, and for speeds per second.
   EquationsOfMotion(const JointModel& model, double tolerance);
 
   Eigen::Index size() const { return hinged_ ? hinged_->size() : 13 * model_.moving_count + energies_; }
 
-  /// y at a point. Velocities that the constraints forbid are taken out later, by P.
+  /// y at a point. P later removes velocities that violate the constraints.
   VecX pack(const MotionPoint& point) const;
 
-  /// The point P(y), its accelerations and multipliers included; false where there is none near.
+  /// The point P(y) with accelerations and multipliers. False where there is none near y.
   bool read(double t, OdeSystem::Values y, MotionPoint& out);
 
-  /// The poses, coordinates and twists that y means; more of it where that is not cheaper.
+  /// The poses, coordinates and twists of y; the full point where that costs no more.
   bool see(double t, OdeSystem::Values y, MotionPoint& out);
 
-  /// Completes a point that see() has given: accelerations and multipliers.
+  /// Completes a point from see() with accelerations and multipliers.
   bool finish(MotionPoint& point) { return !hinged_ || complete(point); }
 
   /// f; false where it cannot be evaluated.
@@ -67,44 +67,44 @@ class EquationsOfMotion {
 
   void weights(OdeSystem::Values y, Eigen::Ref<VecX> out) const;
 
-  /// From here on: coordinates and contacts are continued from those of `point`, and the same contacts are closed.
+  /// Continues coordinates and contacts from those of `point`, with the same contacts closed.
   void continue_from(const MotionPoint& point) { near_ = point.state; }
 
-  /// Until the next stop: loads and drives are seen as they are between these times, also at both ends, where they may
+  /// Until the next stop: loads and drives take their values between these times, also at both ends, where they may
   /// jump.
   void set_span(double from, double to);
 
-  /// What is prescribed at a time (s).
+  /// The prescribed values at a time (s).
   Target target_at(double t);
 
-  /// Completes a point of which time, poses, twist and contacts are known: moves it onto its constraints, and sets its
-  /// accelerations, multipliers and contact forces. False where there is none near.
+  /// Completes a point with known time, poses, twist and contacts: moves it onto its constraints and sets its
+  /// accelerations, multipliers and contact forces. False where no such point is near.
   bool complete(MotionPoint& point);
 
-  /// Of a completed point: how fast the gap of a contact that is not closed, but touches, changes and how fast that
-  /// does (m/s, m/s^2). Empty where the contact has no single point.
+  /// For a completed point: first and second derivative of the gap of a touching contact that is not closed (m/s,
+  /// m/s^2). Empty where the contact has no unique point.
   struct Opening {
     double rate = 0, acceleration = 0;
-    double rate_scale = 0, acceleration_scale = 0;  ///< what rounding of each is measured in
+    double rate_scale = 0, acceleration_scale = 0;  ///< units of their rounding error
   };
   std::optional<Opening> opening(const MotionPoint& point, ActiveContact contact) const;
 
-  /// Speeds after an inelastic impact in which all contacts of `point` stay closed and drives keep their rates.
-  /// `impulses`: N s or N m s of each constraint, the contacts' last. What is lost is added to `dissipated`.
+  /// Velocities after an inelastic impact in which all contacts of `point` stay closed and drives keep their rates.
+  /// `impulses`: N s or N m s of each constraint, contacts last. Adds the lost energy to `dissipated`.
   bool strike(MotionPoint& point, VecX& impulses);
 
-  /// The pieces of ligaments' laws and modes of their dampers, fixed while steps are taken.
+  /// The pieces of ligaments' laws and the modes of their dampers, constant within a step.
   State& pieces() { return near_; }
   std::vector<DamperMode>& modes() { return modes_; }
 
-  /// Leaves off summing elastic layers once `cancelled` says so: nothing can be evaluated from then on.
+  /// Stops the quadrature of elastic layers once `cancelled` is true: later evaluations fail.
   void stop_when(const Cancelled& cancelled) { stop_layers_when(cancelled, forces_); }
 
-  /// Sums elastic layers more finely from here on where their error at the point evaluated last, `point`, asks for it
-  /// (layer_levels.h). True where any is.
+  /// Refines elastic layers from here on where their error at the point evaluated last, `point`, requires it
+  /// (layer_levels.h). True where any is refined.
   bool raise_layers(MotionPoint& point);
 
-  /// Whether the mass that constraints leave to move is none in some direction.
+  /// Whether the mass matrix on the free motions is singular.
   bool massless(const MotionPoint& point);
 
  private:
@@ -125,21 +125,21 @@ class EquationsOfMotion {
   const JointModel& model_;
   double tolerance_;
   Eigen::Index energies_;
-  std::unique_ptr<HingedMotion> hinged_;  ///< where hinges are all that holds the bodies
+  std::unique_ptr<HingedMotion> hinged_;  ///< if hinges alone hold the bodies
   State near_;
   std::vector<DamperMode> modes_;
   Target target_;
-  VecX drive_rate_, drive_acceleration_;  ///< of what is prescribed
+  VecX drive_rate_, drive_acceleration_;  ///< of prescribed coordinates
   double from_, to_;                      ///< s: between stops
   Linearization constraints_, forces_;
   std::vector<ClosedContact> closed_;
   VecX metric_, row_scale_, violation_, wrench_;
   MatX gradient_, J_, system_;  ///< J_: gradient_ scaled
-  double mass_ = 1;             ///< kg m^2 or kg, by which system_ is scaled
+  double mass_ = 1;             ///< kg m^2 or kg, scale of system_
   std::size_t damper_count_ = 0;
   Eigen::LLT<MatX> gram_;
   MotionPoint point_;
-  double dampers_ = 0, layers_ = 0;  ///< W, taken and done
+  double dampers_ = 0, layers_ = 0;  ///< W, power of dissipation and of elastic layers
 };
 
 }  // namespace genu

@@ -3,7 +3,7 @@
 namespace genu {
 namespace {
 
-/// How many coordinates of a joint are held, and whether its first angle is.
+/// Number of held coordinates of a joint, and whether its first angle is held.
 struct Holding {
   int count = 0;
   bool angle = false;
@@ -75,7 +75,7 @@ void HingeTree::place(const Link& link, const VecX& angles, const VecX& rates, S
   const Vec3 own(values[3], values[4], values[5]);
   Pose& X_C = state.poses[at(link.child)];
   X_C = X_P * Pose{R_PC, own + R_PC * joint.child_centre() - joint.parent_centre()};
-  // The child's own origin stands still in the parent, and the child turns about it.
+  // The child's own origin is fixed in the parent, and the child rotates about it.
   const Vec3 axis = X_P.R * joint.first_axis(), hinge = X_P * Vec3(own - joint.parent_centre());
   if (link.hinge >= 0) {
     hinges_[at(link.hinge)].axis = axis;
@@ -99,7 +99,7 @@ void HingeTree::place(const VecX& angles, const VecX& rates, State& state, VecX&
   }
 }
 
-/// What one body adds to mass and force.
+/// Adds the mass and force of one body.
 void HingeTree::add(const Link& link, const Pose& X, const Vec6& wrench) {
   const Inertia& inertia = model_.inertias[at(model_.bodies[at(link.child)].moving)];
   const Rates& rates = bodies_[at(link.child)];
@@ -115,7 +115,7 @@ void HingeTree::add(const Link& link, const Pose& X, const Vec6& wrench) {
     moved_[n] = hinge.axis.cross(centre - hinge.point);
     turned_[n] = about * hinge.axis;
     force_[j] += moved_[n].dot(force) + hinge.axis.dot(moment);
-    for (std::size_t l = 0; l <= n; ++l)  // hinges are numbered from the ground: the lower triangle
+    for (std::size_t l = 0; l <= n; ++l)  // hinges are numbered from the ground: lower triangle
       mass_(j, link.hinges[l]) += inertia.mass * moved_[n].dot(moved_[l]) + hinge.axis.dot(turned_[l]);
   }
 }

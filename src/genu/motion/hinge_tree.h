@@ -1,13 +1,14 @@
-// Bodies that hang on each other and on fixed ones by hinges alone: their motion in the angles q of these hinges, the
-// smallest state it has.
+// Bodies connected to each other and to fixed ones by hinges only: motion in the hinge angles q, the smallest state.
 //
-// Hinge j turns every body k beyond it about its axis a_j (unit, world), by which that body's centre of mass c_k moves
-// at a_j x (c_k - h_j) per unit of q_j', h_j a point of the axis. Projected on these motions (Kane) Newton's and
+// Hinge j rotates every body k beyond it about its axis a_j (unit, world): the body's centre of mass c_k moves at a_j x
+// (c_k - h_j) per unit of q_j', h_j a point of the axis. Projected on these motions (Kane's method), Newton's and
 // Euler's laws have no constraints and no multipliers:
+//
 //   M_ij = sum_k m v_ki . v_kj + a_i . I a_j,
 //   M q'' = sum_k v_k . (f - m c''_0) + a . (t - I w'_0 - w x I w) + moments about the hinges,
-// with v_kj = a_j x (c_k - h_j), f and t the force and the moment about c_k, and c''_0, w'_0 the accelerations for
-// q'' = 0.
+//
+// with v_kj = a_j x (c_k - h_j), f and t the force and the moment about c_k, and c''_0, w'_0 the accelerations for q''
+// = 0.
 #pragma once
 
 #include <vector>
@@ -39,8 +40,8 @@ class HingeTree {
   /// and their rates (rad/s). Poses of fixed bodies are read.
   void place(const VecX& angles, const VecX& rates, State& state, VecX& twist);
 
-  /// The accelerations (rad/s^2) that wrenches on the moving bodies (6 each: N, N m about their origins, world axes)
-  /// and moments about the hinges (N m) give in the state that place() has set last. False where the mass is none.
+  /// The accelerations (rad/s^2) for wrenches on the moving bodies (6 each: N, N m about their origins, world axes) and
+  /// moments about the hinges (N m), in the state that place() has set last. False where the mass matrix is singular.
   bool accelerate(const State& state, const VecX& wrench, const VecX& moments, VecX& accelerations);
 
  private:
@@ -51,12 +52,12 @@ class HingeTree {
   };
   struct Link {
     int joint, parent, child;
-    int hinge;                ///< -1: the joint is fixed
+    int hinge;                ///< -1: fixed joint
     std::vector<int> hinges;  ///< that move the child
     Mat3 held;                ///< rotation after the hinge's
     JointValues values;       ///< of all coordinates; the hinge's angle changes
   };
-  /// What a body's motion is for the rates alone.
+  /// The part of a body's motion that is linear in the rates.
   struct Rates {
     Vec3 w = Vec3::Zero();                    ///< rad/s
     Vec3 v = Vec3::Zero(), a = Vec3::Zero();  ///< m/s and m/s^2 of the pose's origin

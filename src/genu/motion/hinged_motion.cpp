@@ -27,7 +27,7 @@ void HingedMotion::place(OdeSystem::Values y, State& state, VecX& twist) {
   tree_.place(angles_, rates_, state, twist);
 }
 
-/// Springs and loads about the hinges. Returns what the loads do, W.
+/// Springs and loads about the hinges. Returns the power of the loads, W.
 double HingedMotion::add_hinge_moments(const State& state, const Target& target) {
   EffectMeter* meter = model_.meter.get();
   evaluate_effect(meter, Effect::joint_springs, model_.joint_springs.size(), [&] {

@@ -1,5 +1,5 @@
-// The equations of motion of bodies on hinges alone, in the angles of these: y = [angles; rates; work of loads;
-// dissipated], with no constraint to keep and none to solve for (model/hinge_tree.h).
+// The equations of motion of bodies connected by hinges only, in the hinge angles: y = [angles; rates; work of loads;
+// dissipated energy]. There are no constraints (hinge_tree.h).
 #pragma once
 
 #include "genu/motion/hinge_tree.h"
@@ -10,7 +10,7 @@ namespace genu {
 
 class HingedMotion {
  public:
-  /// Whether that is all there is: a tree of hinges without contacts, layers and prescribed coordinates.
+  /// Whether the model has this form: a tree of hinges without contacts, layers and prescribed coordinates.
   static bool fits(const JointModel& model) {
     return HingeTree::describes(model) && model.drives.empty() && model.pairs.empty() && model.layers.empty();
   }
@@ -22,14 +22,15 @@ class HingedMotion {
   /// Angles and rates of a state on the hinges, into the first 2 count() numbers of y.
   void pack(const State& state, const VecX& twist, Eigen::Ref<VecX> y) const;
 
-  /// The poses, coordinates and twists that y means.
+  /// The poses, coordinates and twists of y.
   void place(OdeSystem::Values y, State& state, VecX& twist);
 
   /// y', at the state that place() has set last.
   bool rate(const State& state, const VecX& twist, const Target& target, const std::vector<DamperMode>& modes,
             Eigen::Ref<VecX> out);
 
-  /// 1 / (error allowed in each number in a step), for angles and rates; `second` is what rates are small in (s).
+  /// 1 / (allowed error of each number in one step), for angles and rates; `second` (s): rates are measured in rad per
+  /// it.
   void weights(OdeSystem::Values y, double tolerance, double second, Eigen::Ref<VecX> out) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace genu {
 namespace {
 
-constexpr double kOfDepth = 0.1;  // of how deep a layer's rays look: how far bodies may move between two looks
+constexpr double kOfDepth = 0.1;  // of the rays' reach: motion allowed between two searches
 constexpr int kMostCuts = 60;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// When an elastic layer begins to carry during a motion.
+// Onset of contact in an elastic layer during a motion.
 #pragma once
 
 #include <functional>
@@ -15,15 +15,15 @@ class LayerOnset {
 
   using PointAt = std::function<bool(double time, MotionPoint& out)>;
 
-  /// Where a layer that carries nothing at `from` begins to, in the step to `to`: there the motion has to begin anew,
-  /// for a long step of free flight may end beyond it. Empty where none does. `at` gives the points between.
+  /// The point in the step from `from` to `to` where an idle layer begins to carry load. The motion must restart there,
+  /// because a long step of free flight may end beyond it. Empty where none does. `at` gives points between.
   std::optional<MotionPoint> first(const MotionPoint& from, const MotionPoint& to, const PointAt& at) const;
 
  private:
   bool presses(int layer, const MotionPoint& point) const;
 
   const JointModel& model_;
-  std::vector<MotionWatch> watches_;  ///< one a layer
+  std::vector<MotionWatch> watches_;  ///< one per layer
 };
 
 }  // namespace genu

@@ -16,17 +16,17 @@
 namespace genu {
 namespace {
 
-constexpr int kMostSwitches = 1000;  // without time going on by more than kStill of the duration
+constexpr int kMostSwitches = 1000;  // while time advances by less than kStill of the duration
 constexpr double kStill = 1e-9;
-constexpr long kLookAtStiffness = 500;   // steps: 2 evaluations each, and one look costs some 30
+constexpr long kLookAtStiffness = 500;   // steps: 2 evaluations each; one test costs about 30
 constexpr long kLookAtHeadway = 1000;    // steps, of which each costs 2 us to 100 ms
-constexpr double kLeastHeadway = 1e-9;   // of the duration in so many: less, and 10^12 steps lie ahead
-constexpr double kStabilityBound = 0.6;  // step times decay: Adams of orders 4 to 8 are stable to 0.5 ... 1
-constexpr double kTimeRounding = 1e-12;  // of the output interval: a row this near the end is the end
-constexpr double kJustAfter = std::numeric_limits<double>::min();  // s: time 0, past a kink there
-constexpr double kLargestDrift = 1e-6;  // from the constraints: beyond, the integration begins anew on them
+constexpr double kLeastHeadway = 1e-9;   // of the duration in that many steps: at less, 10^12 steps remain
+constexpr double kStabilityBound = 0.6;  // step times decay rate: Adams of orders 4 to 8 is stable to 0.5 ... 1
+constexpr double kTimeRounding = 1e-12;  // of the output interval: a row this close to the end is the end
+constexpr double kJustAfter = std::numeric_limits<double>::min();  // s: time 0, just past a nonsmooth point there
+constexpr double kLargestDrift = 1e-6;  // from the constraints: beyond it the integration restarts on them
 
-/// The twists for rates of all coordinates: each moving body is the child of one joint, so there are as many.
+/// The twists for rates of all coordinates. Each moving body is the child of one joint, so the numbers agree.
 VecX start_twist(const JointModel& model, const State& state, const MotionPlan& plan) {
   const auto n = static_cast<Eigen::Index>(6 * model.joints.size());
   MatX gradients = MatX::Zero(n, 6 * model.moving_count);
@@ -48,7 +48,7 @@ VecX start_twist(const JointModel& model, const State& state, const MotionPlan& 
   return gradients.fullPivLu().solve(rates);
 }
 
-/// The joints' start, but for what is prescribed at time 0.
+/// The joints' start, with values prescribed at time 0.
 State start_of(const JointModel& model) {
   State state = start_state(model);
   std::vector<JointValues> values = state.coordinates;
@@ -61,7 +61,7 @@ State start_of(const JointModel& model) {
   return state;
 }
 
-/// What changes with time by itself.
+/// All functions of time.
 std::vector<const LoadScale*> courses_of(const JointModel& model) {
   std::vector<const LoadScale*> courses;
   for (const Load& load : model.loads)
@@ -70,7 +70,7 @@ std::vector<const LoadScale*> courses_of(const JointModel& model) {
   return courses;
 }
 
-/// Where something in time has a kink, between 0 and the end; then the end.
+/// Nonsmooth points in time between 0 and the end, then the end.
 std::vector<double> stops_of(const JointModel& model, double duration) {
   std::vector<double> stops;
   for (const LoadScale* course : courses_of(model))
@@ -82,7 +82,7 @@ std::vector<double> stops_of(const JointModel& model, double duration) {
   return stops;
 }
 
-/// A sine that starts from rest must not be stepped over.
+/// The integrator must not step over a sine that starts from rest.
 double largest_step(const JointModel& model, double duration) {
   double step = duration;
   for (const LoadScale* course : courses_of(model))
@@ -125,7 +125,7 @@ class Motion {
     return std::max(MotionPlan::kStepShare * plan.tolerance, MotionPlan::kLeastStepTolerance);
   }
 
-  /// Poses, speeds and contacts at time 0. Why there are none; else empty.
+  /// Poses, speeds and contacts at time 0. Returns the reason for a failure; else empty.
   std::string no_start() {
     std::string why;
     if (plan_.from_equilibrium && !contacts_->balance(now_, why)) return why;
@@ -157,7 +157,7 @@ class Motion {
     return s;
   }
 
-  /// Starts the integration at a point that is on the constraints.
+  /// Starts the integration at a point on the constraints.
   bool begin_at(double t, const VecX& y) {
     if (!equations_.read(t, y, now_) || !integrator_.start(t, equations_.pack(now_), largest_step_, method_)) {
       result_.why = fmt::format("the equations of motion cannot be evaluated at {:.9g} s", t);
@@ -181,7 +181,7 @@ class Motion {
     result_.complete = true;
   }
 
-  /// Loads and drives may jump here, and speeds and contacts with them.
+  /// Loads and drives may jump here, and velocities and contacts with them.
   bool pass_stop() {
     VecX impulses;
     if (contacts_) {
@@ -196,7 +196,7 @@ class Motion {
     return begin_at(now_.time, equations_.pack(now_));
   }
 
-  /// Ligaments and dampers where speeds have jumped.
+  /// Ligaments and dampers after a jump of velocities.
   void settle_pieces() {
     switches_.settle(now_, equations_.pieces(), equations_.modes());
     now_.state.pieces = equations_.pieces().pieces;
@@ -213,7 +213,7 @@ class Motion {
     return equations_.see(t, between_, out);
   }
 
-  /// Whether contacts change in the last step; then the motion has begun anew there, unless it ends (`why`).
+  /// Handles a change of contacts in the last step. True: the motion has restarted there, or ends (`why`).
   bool contacts_change(const MotionPoint& before) {
     const auto at_time = [this](double t, MotionPoint& out) { return point_at(t, out); };
     const MotionContacts::Change change = contacts_->first_change(before, now_, at_time);
@@ -233,7 +233,7 @@ class Motion {
     return true;
   }
 
-  /// Whether an elastic layer begins to carry in the last step; then the motion has begun anew there.
+  /// Whether an elastic layer begins to carry load in the last step; the motion has then restarted there.
   bool layer_met(const MotionPoint& before) {
     const auto at_time = [this](double t, MotionPoint& out) { return point_at(t, out); };
     const auto met = onset_.first(before, now_, at_time);
@@ -245,7 +245,7 @@ class Motion {
     return true;
   }
 
-  /// Counts what happens at one moment; true where it does not end, which is then the reason to stop.
+  /// Counts events at one moment. True where they do not end, which then stops the motion.
   bool still_switching(const char* what) {
     if (now_.time > last_switch_ + kStill * plan_.duration) {
       last_switch_ = now_.time;
@@ -256,7 +256,7 @@ class Motion {
     return true;
   }
 
-  /// Whether steps have become so short that the end is out of reach.
+  /// Whether steps are too short to reach the end.
   bool creeps() {
     if (model_.safeguards.lacks(Safeguard::headway)) return false;
     if (++taken_ % kLookAtHeadway != 0) return false;
@@ -272,7 +272,7 @@ class Motion {
 
   /// False where the motion ends.
   bool step(double stop, bool& reached) {
-    if (now_.time >= stop) {  // something has happened at that very moment
+    if (now_.time >= stop) {  // an event happened at that very time
       reached = true;
       return true;
     }
@@ -292,7 +292,7 @@ class Motion {
     const bool finer = equations_.raise_layers(now_);
     if (taken != OdeIntegrator::Step::root && !tried_ &&
         switches_.astray(now_, equations_.pieces(), equations_.modes())) {
-      tried_ = true;  // it began at a break and moved off to the other side: again from there
+      tried_ = true;  // it began at a break and moved to the other side: restart from there
       const MotionPoint beyond = now_;
       switches_.settle(beyond, equations_.pieces(), equations_.modes());
       now_ = before_;
@@ -310,7 +310,7 @@ class Motion {
     return true;
   }
 
-  /// Whether Adams' steps have become so short that only stability can ask for it; then BDF goes on.
+  /// Whether Adams' steps are limited by stability; then BDF takes over.
   bool found_stiff() {
     if (model_.safeguards.lacks(Safeguard::stiffness)) return false;
     if (method_ == OdeMethod::bdf || ++steps_ % kLookAtStiffness != 0) return false;
@@ -326,7 +326,7 @@ class Motion {
     return begin_at(now_.time, equations_.pack(now_));
   }
 
-  /// All rows up to the present.
+  /// Writes all rows up to the present.
   bool write_rows() {
     for (; written_ < outputs_.size() && outputs_[written_] <= now_.time; ++written_) {
       const double t = outputs_[written_];

@@ -1,6 +1,6 @@
-// The motion of a joint over time: the equations of motion integrated from rest, or from given speeds, with a stop at
-// every kink of a load or drive in time, and at every moment when a ligament becomes slack or taut, its law changes
-// formula, a joint meets its limit, or a contact closes or opens.
+// Motion of a joint over time: integrates the equations of motion from rest or from given speeds. It stops at every
+// nonsmooth point of a load or drive in time, and at every event: a ligament becomes slack or taut or its law changes
+// formula, a joint reaches its limit, a contact closes or opens.
 #pragma once
 
 #include <functional>
@@ -17,23 +17,23 @@ namespace genu {
 struct MotionPlan {
   double duration = 0;         ///< s
   double output_interval = 0;  ///< s
-  /// The error that is aimed at: of lengths over the scale of length, in rad, and of speeds over the scale of length a
-  /// second, in rad/s or of themselves, whichever is more. Steps are held to kStepShare of it.
+  /// Target error: of lengths over the length scale, in rad, and of speeds over the length scale per second, in rad/s,
+  /// or relative, whichever is larger. Steps get kStepShare of it.
   double tolerance = 0;
   std::vector<std::pair<CoordinateRef, double>> start_rates;  ///< rad/s, m/s; others are 0
-  bool from_equilibrium = false;  ///< from where it balances at time 0, not from the joints' start
+  bool from_equilibrium = false;  ///< from the equilibrium at time 0 instead of the joints' start
 
   static constexpr double kStepShare = 1e-3;
-  static constexpr double kLeastStepTolerance = 1e-14;  ///< rounding alone is not far below
+  static constexpr double kLeastStepTolerance = 1e-14;  ///< steps cannot be much more accurate than rounding
 };
 
 struct MotionResult {
   bool complete = false;
-  std::string why;  ///< where it is not
+  std::string why;  ///< reason for a failure
   OdeCounts counts;
-  std::optional<double> stiff_from;  ///< s: where BDF took over from Adams
-  double worst_residual = 0;         ///< of the constraints in all points handed over: MotionPoint::residual
-  double worst_drift = 0;            ///< of the integrated numbers from the constraints, after any step
+  std::optional<double> stiff_from;  ///< s: time of the change from Adams to BDF
+  double worst_residual = 0;         ///< of the constraints over all output points: MotionPoint::residual
+  double worst_drift = 0;            ///< largest distance of y from the constraints after any step
 };
 
 struct MotionObserver {
@@ -42,7 +42,7 @@ struct MotionObserver {
   Cancelled cancelled;
 };
 
-/// Times at which a motion is written down: multiples of the interval, and the duration.
+/// Output times: multiples of the interval, and the duration.
 std::vector<double> output_times(const MotionPlan& plan);
 
 /// From the joints' start coordinates. The model must have the inertias of its bodies.

@@ -12,18 +12,18 @@
 namespace genu {
 namespace {
 
-constexpr int kMostAtOnce = 10;        // contacts among which sets are tried: 2^10 solves of a small system
-constexpr double kStepErrors = 10;     // gaps below so many errors of a step are none
-constexpr double kTouching = 1e-9;     // of the length scale: what touches at the start
-constexpr double kOverlapping = 1e-6;  // of the length scale: what overlaps at the start
-constexpr double kOfClearance = 0.9;   // of the gap between them, the same
-constexpr double kExplained = 1e-6;    // of the length scale: samples overlap by no more than minima do
+constexpr int kMostAtOnce = 10;        // contacts whose subsets are tried: 2^10 solves of a small system
+constexpr double kStepErrors = 10;     // smaller gaps, in errors of a step, count as zero
+constexpr double kTouching = 1e-9;     // of the length scale: gap that touches at the start
+constexpr double kOverlapping = 1e-6;  // of the length scale: overlap allowed at the start
+constexpr double kOfClearance = 0.9;   // of the gap between them, allowed motion
+constexpr double kExplained = 1e-6;    // of the length scale: samples may overlap by this more than minima
 constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
-constexpr double kSteepAcross = 1.2e-2;  // of the same: in a valley others lie along its bottom
-constexpr double kHasTwins = 1.2e-2;     // of the same: below, another contact may be born beside one at any step
-constexpr double kBeside[] = {0.3, 0.8, 1.6, 3};  // of the spacing: where others are born beside a contact
+constexpr double kSteepAcross = 1.2e-2;           // of the same: in a valley further minima lie along its bottom
+constexpr double kHasTwins = 1.2e-2;              // of the same: below, a new contact may appear beside one in any step
+constexpr double kBeside[] = {0.3, 0.8, 1.6, 3};  // of the spacing: distances of the search beside a contact
 constexpr double kOfTwins = 1e-3;                 // of `touching_`
-constexpr double kLate = 2;  // of `touching_`: an overlap by more was seen too late to tell when it began
+constexpr double kLate = 2;  // of `touching_`: after a larger overlap the time of closing is unknown
 constexpr int kMostHalvings = 60;
 
 PathEvent event_of(PathEvent::Kind kind, const MotionPoint& point, std::string what) {
@@ -36,7 +36,7 @@ PathEvent event_of(PathEvent::Kind kind, const MotionPoint& point, std::string w
   return event;
 }
 
-/// The gap at a minimum of it that is followed to `point`, m, and how fast it opens, m/s; not numbers where it is lost.
+/// The gap (m) at a minimum followed to `point`, and its rate (m/s); NaN where the minimum is lost.
 struct Opening {
   double gap = std::nan(""), rate = std::nan("");
 };
@@ -48,7 +48,7 @@ Opening opening_of(const JointModel& model, const Candidate& minimum, const Moti
   return {closed.gap, closed.gradient.dot(twist_at(model, contact, point.twist))};
 }
 
-/// Where `value`, positive at `from` and negative at `to`, passes 0; `to` where that cannot be told.
+/// The zero of `value`, positive at `from` and negative at `to`; `to` where it cannot be located.
 MotionPoint locate(const MotionPoint& from, const MotionPoint& to, const MotionContacts::PointAt& point_at,
                    const std::function<double(const MotionPoint&)>& value, double tolerance) {
   const double first = value(from), last = value(to);
@@ -148,8 +148,8 @@ bool MotionContacts::begin(MotionPoint& point, std::string& why) {
   return settle(point, -1, none, why);
 }
 
-/// Whether nothing can touch and open again between two points without a look at the second showing where: what is
-/// open moves no farther than a survey sees, or than it is known to be clear.
+/// Whether the two points are close enough that a search at the second shows every contact: open gaps change by less
+/// than the search window, or than the known clearance.
 bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
   for (int k = 0; k < static_cast<int>(model_.pairs.size()); ++k) {
     const double way = watches_[at(k)].way(from, to);
@@ -162,7 +162,7 @@ bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
   return true;
 }
 
-/// Whether nothing that was open at the last look can have closed since, and nothing pulls: no look is needed.
+/// Whether no gap that was open at the last search can have closed since, and no contact pulls: no search is needed.
 bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to) {
   bool clear = model_.layers.empty();
   for (const ActiveContact& c : to.state.contacts)
@@ -176,7 +176,7 @@ bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to)
                                [&](const ActiveContact& c) { return born_beside(to.state, c); });
 }
 
-/// Whether surfaces overlap beside a contact that hardly bends away, or whether it may be about to split itself.
+/// Whether surfaces overlap beside a contact with small relative curvature, or such a contact may be about to split.
 bool MotionContacts::born_beside(const State& state, const ActiveContact& contact) {
   const double spacing = field_.spacing();
   if (bends_away(model_, state, contact, kHasTwins / spacing)) return false;
@@ -190,8 +190,8 @@ bool MotionContacts::born_beside(const State& state, const ActiveContact& contac
   });
 }
 
-/// m: what a minimum of the gap may overlap by without being told. Beside a contact that hardly bends away it is next
-/// to nothing: that contact may be about to vanish, and this is then what carries its load.
+/// m: overlap at a minimum of the gap that is not reported. Beside a contact with small relative curvature it is almost
+/// zero: that contact may be about to vanish, and this minimum then takes over its load.
 double MotionContacts::allowed_overlap(const State& state, const Candidate& candidate) const {
   const bool twin = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
     return c.pair == candidate.pair && !bends_away(model_, state, c, kHasTwins / field_.spacing());
@@ -199,7 +199,7 @@ double MotionContacts::allowed_overlap(const State& state, const Candidate& cand
   return twin ? kOfTwins * touching_ : touching_;
 }
 
-/// A survey that finds nothing which the inspector would have to judge; it tells how far everything is from closing.
+/// A search without findings for the inspector; it updates all clearances.
 bool MotionContacts::looks_well(const MotionPoint& point) {
   field_.survey(point.state, survey_);
   std::vector<double> explained(watches_.size(), 0.0);
@@ -219,7 +219,7 @@ bool MotionContacts::looks_well(const MotionPoint& point) {
     if (c.force < 0 || field_.edge_distance(c.pair, c.geometry) < 0) return false;
     const double least = least_curvature(model_, point.state, c), beside = kBeside[3] * field_.spacing();
     if (least < kMayConform / field_.spacing()) return false;
-    // Farther away than is looked at beside a contact the gap is about this.
+    // At the end of the range searched beside a contact, the gap is about this large.
     watches_[at(c.pair)].clearance = std::min(watches_[at(c.pair)].clearance, 0.5 * least * beside * beside);
     for (std::size_t j = 0; j < i; ++j)
       if (point.state.contacts[j].pair == c.pair &&
@@ -256,8 +256,8 @@ MotionContacts::Change MotionContacts::first_change(const MotionPoint& from, con
   return {};
 }
 
-/// Where a gap that the last survey saw, that shrinks at `from` and grows at `to`, is least: the earliest at which
-/// surfaces overlap there.
+/// The minimum in time of a gap that decreases at `from` and increases at `to`: the earliest point where surfaces
+/// overlap.
 std::optional<MotionPoint> MotionContacts::overlap_between(const MotionPoint& from, const MotionPoint& to,
                                                            const PointAt& point_at) {
   std::optional<MotionPoint> found;
@@ -275,15 +275,16 @@ std::optional<MotionPoint> MotionContacts::overlap_between(const MotionPoint& fr
   return found;
 }
 
-/// Whether the moment of a change is known, and not only that it has happened by then: a minimum of the gap may have
-/// been born beside a contact since the last look, and have closed.
+/// Whether the time of a change is known, and not only that it has happened: a minimum of the gap may have appeared
+/// beside a contact since the last search and have closed.
 bool MotionContacts::is_located(const Change& change) const {
   if (change.kind == Change::Kind::ends) return false;
   return std::all_of(change.candidates.begin(), change.candidates.end(),
                      [&](const Candidate& c) { return opening_of(model_, c, change.point).gap > -kLate * touching_; });
 }
 
-/// The change that a look at `to` shows; where that was too late to tell its moment, looks between tell it.
+/// The change found by a search at `to`. If its time cannot be located from there, searches between `from` and `to`
+/// locate it.
 MotionContacts::Change MotionContacts::first_seen(const MotionPoint& from, const MotionPoint& to,
                                                   const PointAt& point_at) {
   Change change = look(from, to, point_at);
@@ -310,14 +311,14 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
   for (const Candidate& c : findings.overlapping) {
     if (c.minimum.gap > -allowed_overlap(to.state, c)) continue;
     const auto gap = [&](const MotionPoint& p) { return opening_of(model_, c, p).gap; };
-    const double shift = gap(from) > 0 ? 0 : touching_;  // one that has just opened may have shrunk by a rounding
+    const double shift = gap(from) > 0 ? 0 : touching_;  // a contact just opened may have a negative gap by rounding
     const auto value = [&](const MotionPoint& p) { return gap(p) + shift; };
     const bool located = model_.safeguards.has(Safeguard::landing);
     Change closes{Change::Kind::closes, 0, {c}, located ? locate(from, to, point_at, value, 1e-3 * touching_) : to, {}};
-    if (!is_located(closes)) return closes;  // before anything else, as far as is known
+    if (!is_located(closes)) return closes;  // earlier than any other known change
     consider(std::move(closes));
   }
-  // What closes at the same moment closes together.
+  // Contacts that close at the same time close together.
   for (const Candidate& c : findings.overlapping)
     if (first.kind == Change::Kind::closes && opening_of(model_, c, first.point).gap < touching_)
       first.candidates.push_back(c);
@@ -380,7 +381,7 @@ bool MotionContacts::settle(MotionPoint& point, int leaves, std::vector<PathEven
   return true;
 }
 
-/// Events for what has opened, which is followed from here on.
+/// Events for opened contacts, which are followed from here on.
 void MotionContacts::note(const std::vector<ActiveContact>& before, const MotionPoint& point,
                           std::vector<PathEvent>& events) {
   for (const ActiveContact& c : before) {

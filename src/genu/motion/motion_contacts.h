@@ -1,10 +1,9 @@
-// Rigid contacts of a motion: when they close and open, and what an impact does.
+// Rigid contacts in motion: opening, closing and impacts.
 //
-// Between events the contacts that are closed are constraints of the equations of motion. A contact opens where its
-// force becomes negative. One closes where a gap that is open becomes 0: an inelastic impact, after which no gap
-// shrinks. Which contacts are closed then, first for speeds (impulses) and then for accelerations (forces), is the
-// complementarity problem of one-sided constraints: each is closed with a force that presses, or opens
-// (contact_choice.h).
+// Between events, closed contacts are constraints of the equations of motion. A contact opens where its force becomes
+// negative. One closes where an open gap becomes 0: an inelastic impact, after which no gap decreases. The active set
+// after it, first for velocities (impulses) and then for accelerations (forces), solves a complementarity problem: each
+// contact is closed with a compressive force, or opens (contact_choice.h).
 #pragma once
 
 #include <functional>
@@ -24,28 +23,28 @@ class MotionContacts {
   /// `tolerance`: error of a step, of the scale of length.
   MotionContacts(const JointModel& model, EquationsOfMotion& equations, double tolerance, const Cancelled& cancelled);
 
-  /// The pose at which the scene balances at time 0 in the place of the joints' start; false with `why` where none is
-  /// found.
+  /// Replaces the joints' start by the equilibrium at time 0. False with `why` where none is found.
   bool balance(MotionPoint& point, std::string& why);
 
   /// Contacts at the start: those that touch. False with `why` where bodies overlap.
   bool begin(MotionPoint& point, std::string& why);
 
-  /// Something that changes the contacts, or forbids to go on.
+  /// A change of the contacts, or the end of the motion.
   struct Change {
     enum class Kind { none, opens, closes, merges, splits, ends };
     Kind kind = Kind::none;
     int contact = 0;                    ///< opens, merges, splits: index into State::contacts
-    std::vector<Candidate> candidates;  ///< closes: one; splits: what takes its place
-    MotionPoint point;                  ///< where, with the contacts from before
+    std::vector<Candidate> candidates;  ///< closes: one; splits: its replacements
+    MotionPoint point;                  ///< where, with the contacts before the change
     std::string why;                    ///< ends
   };
   using PointAt = std::function<bool(double time, MotionPoint& out)>;
 
-  /// The first change after `from` and up to `to`, points of one step; `at` gives those between.
+  /// The first change after `from` and up to `to`, both of one step; `at` gives points between.
   Change first_change(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
 
-  /// Applies it: contacts, speeds and forces of `point` are those after it. False with `why` where none are possible.
+  /// Applies a change: contacts, velocities and forces of `point` become those after it. False with `why` where none
+  /// are possible.
   bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
   /// m: the smallest gap of each pair.
@@ -54,7 +53,7 @@ class MotionContacts {
     return pair_gaps(point.state, model_, field_, none);
   }
 
-  /// Lets the speeds and contacts of `point` become possible: after a stop, where drives and loads may jump.
+  /// Makes the velocities and contacts of `point` feasible: after a stop, where drives and loads may jump.
   bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
  private:
@@ -78,8 +77,8 @@ class MotionContacts {
   Balanced book_;
   Survey survey_;
   std::vector<LocalMinimum> beside_;
-  std::vector<MotionWatch> watches_;  ///< one a pair
-  double touching_;                   ///< m: gaps below this are none
+  std::vector<MotionWatch> watches_;  ///< one per pair
+  double touching_;                   ///< m: a smaller gap counts as zero
 };
 
 }  // namespace genu

@@ -10,9 +10,9 @@
 namespace genu {
 namespace {
 
-constexpr double kAstray = 1e-11;  // of the scales of length and force: rounding and the root's place are far below
+constexpr double kAstray = 1e-11;  // of the length and force scales: rounding and root finding are far more accurate
 
-constexpr double kShift = 1e-12;  // of the same, and in rad: by which a root is passed before it counts
+constexpr double kShift = 1e-12;  // of the same, and in rad: distance past a root before it counts
 
 LigamentPiece* piece_of(State& state, int ligament) {
   const auto found = std::find_if(state.pieces.begin(), state.pieces.end(),
@@ -49,7 +49,7 @@ void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMo
   for (std::size_t k = 0; k < sides_.size(); ++k) out[k] += kShift * sides_[k];
 }
 
-/// By their values, or where these are next to 0 by the speeds.
+/// By their values, or by their rates where the values are close to 0.
 void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<DamperMode>& modes) {
   std::vector<double> now(sides_.size());
   unshifted(point, modes, now.data());
@@ -88,7 +88,7 @@ void MotionSwitches::unshifted(const MotionPoint& point, const std::vector<Dampe
 void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes) {
   State state = point.state;
   reset_pieces(model_, state);
-  for (const Watch& w : watches_) {  // at a break it is the speed that tells the side
+  for (const Watch& w : watches_) {  // at a break the speed decides the side
     const auto& l = model_.ligaments[at(w.ligament)];
     LigamentPiece* piece = piece_of(state, w.ligament);
     if (w.law_break < 0 || piece == nullptr) continue;

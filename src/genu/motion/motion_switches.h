@@ -1,5 +1,4 @@
-// When the laws of ligaments and their dampers, and the springs of joints at their limits, go over into another formula
-// during a motion.
+// Events in motion where laws of ligaments, their dampers, or the springs of joints at limits change their formula.
 #pragma once
 
 #include <vector>
@@ -13,27 +12,27 @@ class MotionSwitches {
  public:
   explicit MotionSwitches(const JointModel& model);
 
-  /// How many functions of time change their sign where something switches.
+  /// Number of event functions.
   int count() const { return static_cast<int>(watches_.size() + limits_.size()); }
 
-  /// Those functions: lengths over the scale of length, tensions over the scale of force, rad; shifted by a hair toward
-  /// the side they are on, so that what has just passed 0 does not pass it again by a rounding.
+  /// The event functions: lengths over the length scale, tensions over the force scale, rad. They are shifted slightly
+  /// toward their current side, so that rounding does not trigger an event twice.
   void values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const;
 
-  /// Puts every ligament where its length and speed belong, and every function on its side.
+  /// Sets every ligament to the piece and mode of its length and speed, and every function to its side.
   void settle(const MotionPoint& point, State& pieces, std::vector<DamperMode>& modes);
 
-  /// Switches what changed its sign (+1, -1, else 0: OdeIntegrator::roots) and names it.
+  /// Switches the functions that changed sign (+1, -1, else 0: OdeIntegrator::roots) and returns the events.
   std::vector<PathEvent> switch_over(const std::vector<int>& roots, const MotionPoint& point, State& pieces,
                                      std::vector<DamperMode>& modes);
 
-  /// Whether a ligament lies, by more than rounding, where its piece or its mode does not belong.
+  /// Whether a ligament is off its piece or mode by more than rounding.
   bool astray(const MotionPoint& point, const State& pieces, const std::vector<DamperMode>& modes) const;
 
  private:
   struct Watch {
     int ligament;
-    int law_break;  ///< of LigamentLaw::breaks(); -1: the tension of law and damper together
+    int law_break;  ///< index in LigamentLaw::breaks(); -1: the tension of law and damper
   };
   struct Limit {
     int joint;

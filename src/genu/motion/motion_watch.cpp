@@ -7,10 +7,10 @@ namespace genu {
 namespace {
 
 constexpr double kOfLength = 0.1;    // of the length scale, and
-constexpr double kOfSurface = 0.05;  // of the smaller surface's size: how far bodies that touch may move unwatched
-constexpr double kUnbounded = 10;    // of the length scale: how far a surface without bounds is thought to reach
+constexpr double kOfSurface = 0.05;  // of the smaller surface's size: motion of touching bodies between searches
+constexpr double kUnbounded = 10;    // of the length scale: assumed extent of an unbounded surface
 
-/// m: how far the points of a surface lie from its body's origin, at most.
+/// m: largest distance of a surface's points from its body's origin.
 double reach_of(const Surface& surface, double edge) {
   double reach = 0;
   for (const Vec3& v : surface.triangles(edge, Vec3::Zero(), 0).vertices) reach = std::max(reach, v.norm());
@@ -29,7 +29,7 @@ MotionWatch::MotionWatch(const JointModel& model, int body_a, int body_b, const 
   unwatched = std::min(kOfLength * length, kOfSurface * smaller);
 }
 
-/// m/s: of any point of the surface, at most.
+/// m/s: upper bound for any point of the surface.
 double MotionWatch::speed(const MotionPoint& point) const {
   const auto twist = [&](int body) {
     const int moving = model_->bodies[at(body)].moving;

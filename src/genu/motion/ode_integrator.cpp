@@ -14,12 +14,12 @@
 namespace genu {
 namespace {
 
-constexpr long kMostSteps = 100'000'000;  // CVODE's own limit between two returns: one step each here
+constexpr long kMostSteps = 100'000'000;  // CVODE's limit between two returns: here one step
 
-constexpr double kStall = 1e-14;  // of the time: shorter steps are none
+constexpr double kStall = 1e-14;  // of the time: shorter steps do not advance
 constexpr int kMostStalled = 100;
-constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or of the number: to see stiffness, not to solve
-constexpr double kDamped = 0.1;       // of |lambda|: a root that decays as fast as this is damped
+constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or relative: for the test of stiffness, not for solving
+constexpr double kDamped = 0.1;       // of |lambda|: an eigenvalue with at least this decay rate counts as damped
 
 Eigen::Map<VecX> view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))}; }
 
@@ -71,9 +71,9 @@ struct OdeIntegrator::Impl {
   VecX now;
   double time = 0;
   std::vector<int> roots;
-  OdeCounts before;  ///< of what was started earlier
+  OdeCounts before;  ///< of earlier integrations
   std::string failure;
-  int stalled = 0;  ///< steps in a row without time going on
+  int stalled = 0;  ///< successive steps without advance of time
 
   static int rate(realtype t, N_Vector y, N_Vector out, void* self) {
     return static_cast<Impl*>(self)->system.rate(t, view(y), view(out)) ? 0 : 1;

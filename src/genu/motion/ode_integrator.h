@@ -1,4 +1,4 @@
-// y' = f(t, y), step by step with adaptive order and size, stops and roots: CVODE of SUNDIALS, seen by one .cpp alone.
+// y' = f(t, y) with adaptive order and step size, stops and roots: CVODE of SUNDIALS, used in one .cpp only.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct OdeSystem {
   int roots = 0;
   /// f; false where it cannot be evaluated (a smaller step is tried)
   std::function<bool(double t, Values y, Eigen::Ref<VecX> rate)> rate;
-  /// 1 / (error that is allowed in each number in one step)
+  /// 1 / (allowed error of each number in one step)
   std::function<void(Values y, Eigen::Ref<VecX> weights)> weights;
   /// `roots` functions whose changes of sign end a step; smooth while one is taken
   std::function<bool(double t, Values y, double* values)> root_values;
@@ -26,8 +26,8 @@ struct OdeCounts {
   long steps = 0, evaluations = 0, jacobians = 0, starts = 0, error_test_failures = 0;
 };
 
-/// Adams-Moulton, orders 1 to 12: accurate, but steps stay below about 1 / |lambda| of the fastest decay. BDF, orders 1
-/// to 5: no such bound.
+/// Adams-Moulton, orders 1 to 12: accurate, but stability limits steps to about 1 / |lambda| of the fastest decay. BDF,
+/// orders 1 to 5: no such limit.
 enum class OdeMethod { adams, bdf };
 
 class OdeIntegrator {
@@ -39,10 +39,10 @@ class OdeIntegrator {
   OdeIntegrator(const OdeIntegrator&) = delete;
   OdeIntegrator& operator=(const OdeIntegrator&) = delete;
 
-  /// Begins anew at (t, y), without a past. Steps are at most `largest_step` (s).
+  /// Restarts at (t, y) without history. Steps are at most `largest_step` (s).
   bool start(double t, const VecX& y, double largest_step, OdeMethod method);
 
-  /// One step, of a size of its own choice, not beyond `stop`. f is not evaluated beyond `stop`.
+  /// One step of adaptive size, not beyond `stop`. f is not evaluated beyond `stop`.
   Step step(double stop);
 
   double time() const;    ///< s, after the last step: the root's, where it found one
@@ -50,17 +50,17 @@ class OdeIntegrator {
 
   double last_step() const;  ///< s
 
-  /// |lambda| (1/s) of the fastest eigenvalue of df/dy that is damped; 0 where none is.
+  /// |lambda| (1/s) of the fastest decaying eigenvalue of df/dy; 0 where none decays.
   double fastest_decay() const;
 
-  /// y at a time of the last step, to its accuracy.
+  /// y at a time within the last step, to its accuracy.
   void interpolate(double t, VecX& y) const;
 
   /// After Step::root: for each function +1 where it became positive, -1 where negative, else 0.
   const std::vector<int>& roots() const;
 
   OdeCounts counts() const;
-  const std::string& failure() const;  ///< in words, after Step::failed
+  const std::string& failure() const;  ///< after Step::failed
 
  private:
   struct Impl;

@@ -6,7 +6,7 @@
 namespace genu {
 namespace {
 
-/// A point of a body: where it is from the body's origin, and how fast it moves (world axes).
+/// A point of a body: its arm from the body's origin, and its velocity (world axes).
 struct BodyPoint {
   int moving;
   Vec3 arm, place, velocity;
@@ -46,7 +46,7 @@ MovingLine line_between(const State& state, const VecX& twist, const LigamentPat
 
 /// `tension` pulls the ends together.
 void add_pull_along(const MovingLine& line, double tension, VecX& wrench) {
-  if (tension == 0 || line.a.moving == line.b.moving) return;  // in one body it cancels
+  if (tension == 0 || line.a.moving == line.b.moving) return;  // within one body it cancels
   add_force(line.a, tension * line.direction, wrench);
   add_force(line.b, -tension * line.direction, wrench);
 }

@@ -1,4 +1,4 @@
-// The forces of a state in motion alone, without their derivatives: what a motion that is stepped explicitly needs.
+// Forces of a state in motion without derivatives, for explicit time steps.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace genu {
 
-/// Adds what ligaments and their dampers (in these modes) exert on the moving bodies to `wrench` (6 each: N, N m about
-/// their origins, world axes). Returns what the dampers take, W.
+/// Adds the wrenches of ligaments and their dampers (in these modes) on the moving bodies to `wrench` (6 each: N, N m
+/// about their origins, world axes). Returns the power dissipated by dampers, W.
 double add_ligament_wrenches(const JointModel& model, const State& state, const std::vector<DamperMode>& modes,
                              const VecX& twist, VecX& wrench);
 
-/// Adds loads on bodies, those on coordinates left out. Returns what they do, W.
+/// Adds loads on bodies, without those on coordinates. Returns their power, W.
 double add_load_wrenches(const JointModel& model, const State& state, const Target& target, const VecX& twist,
                          VecX& wrench);
 

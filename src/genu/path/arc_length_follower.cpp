@@ -10,9 +10,10 @@
 namespace genu {
 namespace {
 
-constexpr double kFirstArc = 0.01, kLongestArc = 0.1, kShortestArc = 1e-9;  // of a substep, in arc length
-constexpr double kSharpest = 0.95;     // cosine of the angle between the directions at a substep's ends
-constexpr double kFarthestBack = -10;  // of t: a path that runs away is not followed for ever
+constexpr double kFirstArc = 0.01, kLongestArc = 0.1,
+                 kShortestArc = 1e-9;  // first, longest and shortest continuation step, in arc length
+constexpr double kSharpest = 0.95;     // least cosine of the angle between the tangents at the ends of a step
+constexpr double kFarthestBack = -10;  // of t: the path is not followed beyond
 constexpr int kMostSubsteps = 100000;
 
 }  // namespace
@@ -36,7 +37,7 @@ bool ArcLengthFollower::begin(const StepPlan& plan, const Balanced& pose, double
 Stability ArcLengthFollower::assess(const State& state) const {
   Stability out = assess_stability(newton_.linearization(), solver_.model().scales.length);
   if (!holds_a_drop(solver_.model(), state)) return out;
-  // Its stiffness is that of a drop, infinite downward, and not that of something held.
+  // The stiffness at a drop of force is minus infinity, unlike that of a ligament held at a rise.
   out.smallest = -std::numeric_limits<double>::infinity();
   out.verdict = Stability::Verdict::unstable;
   return out;
@@ -133,11 +134,11 @@ bool ArcLengthFollower::pass_change(double arc, Point violated) {
   constexpr int kChanges = 6;
   Point changed = violated;
   for (int i = 0; i < kChanges; ++i) {
-    // The set that led here leads back the way the path came, and not on.
+    // The active set that led here leads back along the path and not on.
     if (!change(changed) || same_set(here_.at.pose.state, changed.at.pose.state)) break;
     if (leave(changed)) return true;
   }
-  // Several changes at one place: the search that begins steps finds the set that belongs beyond it.
+  // Several changes at one place: settle(), which also begins steps, finds the set beyond it.
   constexpr double kNear = 1e-5;
   const PoseReport report = solver_.settle(violated.at.pose, plan_.target(violated.at.t));
   iterations_ += report.iterations;
@@ -150,7 +151,7 @@ bool ArcLengthFollower::pass_change(double arc, Point violated) {
 }
 
 bool ArcLengthFollower::change(Point& point) {
-  // A force that drops is followed down the drop, held at its length while t turns back.
+  // A force that drops is followed down the drop, with the ligament held at its length while t decreases.
   constexpr bool kHoldDrops = true;
   return change_pieces(solver_.model(), point.findings, point.at.pose.state, kHoldDrops) ||
          solver_.change(point.at.pose, plan_.target(point.at.t), point.findings);
@@ -158,9 +159,9 @@ bool ArcLengthFollower::change(Point& point) {
 
 bool ArcLengthFollower::leave(Point& changed) {
   changed.findings = {};
-  // The new set balances here too, its new force or gap being zero. Of its two directions one opens what was released
-  // and presses what was gained, whether t grows that way or not. Very near, both may do within the tolerances: the
-  // one on which everything is farther from a change is right.
+  // The new set balances here too, because its new force or gap is zero. Along one of its two directions the released
+  // contact opens and the gained one presses; t may grow or decrease there. Very close to the change both directions
+  // may satisfy the tolerances: then the one with the larger margin is right.
   if (!newton_.direction(plan_, changed.at.pose.state, changed.at.t, here_.at.direction, changed.at.direction))
     return false;
   changed.stability = assess(changed.at.pose.state);
@@ -227,7 +228,7 @@ std::optional<ArcLengthFollower::Point> ArcLengthFollower::limit_ahead(const Ste
 
 std::optional<ArcLengthFollower::Point> ArcLengthFollower::turn_at_a_change(const StepPlan& plan, const Balanced& pose,
                                                                             const PoseReport& report, double t) {
-  constexpr int kMost = 30;  // substeps
+  constexpr int kMost = 30;  // continuation steps
   std::optional<Point> out;
   int looks = 0;
   const Cancelled cancelled = outputs_.cancelled;

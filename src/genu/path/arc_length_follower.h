@@ -1,4 +1,4 @@
-// Walks a step by arc length: the step's parameter t is an unknown, so that the path is followed round limit points.
+// Pseudo-arclength continuation of a step: the step's parameter t is an unknown, so the path passes limit points.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ class ArcLengthFollower {
     ArcPoint at;
     PoseReport report;
     Findings findings;
-    Stability stability;   ///< with what t commands held
-    bool directed = true;  ///< false at a singular point, where more than one path leads on
+    Stability stability;   ///< at prescribed t
+    bool directed = true;  ///< false at a singular point, where the path branches
     bool valid() const { return report.status == PoseStatus::ok && findings.none(); }
   };
   struct Outputs {
@@ -27,7 +27,7 @@ class ArcLengthFollower {
   };
   enum class End { reached, closed, ran_away, stuck, cancelled };
 
-  /// `law_events` are shared with the other followers of a path.
+  /// `law_events` are shared by all followers of a path.
   ArcLengthFollower(ActiveSetSolver& solver, const PathOptions& options, LawEvents& law_events, Outputs outputs)
       : solver_(solver),
         options_(options),
@@ -35,15 +35,15 @@ class ArcLengthFollower {
         law_events_(law_events),
         outputs_(std::move(outputs)) {}
 
-  /// From a pose solved at `t` until t = 1. The path may leave that interval at 0 and come back.
+  /// From a pose solved at `t` until t = 1. The path may leave the interval at 0 and return.
   End follow(const StepPlan& plan, const Balanced& pose, const PoseReport& report, double t = 0);
 
   /// The limit point at which t stops growing, if the path from a solved pose at `t` leads to one without a change of
-  /// contacts. Walks at most `reach` of arc length.
+  /// the active set. Follows at most `reach` of arc length.
   std::optional<Point> limit_ahead(const StepPlan& plan, const Balanced& pose, double t, double reach);
 
-  /// Where contacts change at hand and the path goes on backward, as where one lets go without which the joint is
-  /// unstable: a limit point with a kink. Tells nothing of the way.
+  /// The limit point at a change of the active set at this pose beyond which t decreases, as where a contact opens
+  /// without which the joint is unstable: a nonsmooth fold. Reports no events.
   std::optional<Point> turn_at_a_change(const StepPlan& plan, const Balanced& pose, const PoseReport& report, double t);
 
   const Point& here() const { return here_; }
@@ -52,7 +52,7 @@ class ArcLengthFollower {
   int iterations() const { return iterations_; }
 
  private:
-  /// A place within a substep.
+  /// A place within a continuation step.
   struct Feature {
     double arc;
     Point point;
@@ -66,13 +66,13 @@ class ArcLengthFollower {
     double arc;
     Point point;
     double value;  ///< of the measure
-    bool leaps;    ///< the poses on both sides do not meet: not one branch, or none was found between
+    bool leaps;    ///< the poses on both sides do not meet: they lie on two branches, or no pose was found between
   };
 
   bool begin(const StepPlan& plan, const Balanced& pose, double t);
   Point attempt(const Point& from, double arc);
   Point attempt(double arc) { return attempt(here_, arc); }
-  /// The same without a look at its contacts: of a place within a substep whose end is inspected.
+  /// As solve() with findings, for a place within a continuation step whose end is inspected: contacts are not checked.
   Point solve(const Point& from, double arc);
   Stability assess(const State& state) const;
   bool on_the_path(const Point& from, const Point& point, double arc) const;
@@ -83,7 +83,8 @@ class ArcLengthFollower {
   bool leave(Point& changed);
   void depart(const Point& changed, double arc, Point next);
 
-  /// Tells everything on the way to `next` and goes there. False if the way seems to leave the branch: nothing is told.
+  /// Reports all rows and events on the way to `next` and goes there. False, without a report, if the step seems to
+  /// leave the branch.
   bool pass(double arc, Point next);
   void accept(Point next);
   void hand_over(Feature& row);
@@ -112,7 +113,7 @@ class ArcLengthFollower {
   Point start_, here_;
   PoseReport failure_;
   std::optional<End> end_;
-  double last_definite_ = 0;  // the smallest stiffness where it was last more than rounding
+  double last_definite_ = 0;  // the last smallest stiffness above rounding
   int substeps_ = 0, iterations_ = 0;
 };
 

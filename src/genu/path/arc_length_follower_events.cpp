@@ -1,4 +1,4 @@
-// What lies on the way of an ArcLengthFollower: rows and events within a substep.
+// Rows and events within a continuation step of an ArcLengthFollower.
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +10,13 @@ namespace genu {
 namespace {
 
 constexpr const char* kFlutter = "complex pair of stiffness eigenvalues";
-constexpr double kNoProgress = 1e-14;  // of t, where the path runs on at one value
-constexpr double kClosed = 1e-6;       // characteristic lengths, rad: nearer than this the path is back at its start
+constexpr double kNoProgress = 1e-14;  // of t: the path proceeds at constant t
+constexpr double kClosed = 1e-6;       // characteristic lengths, rad: closer than this to its start the path is closed
 
 }  // namespace
 
 bool ArcLengthFollower::turns(const Point& from, const Point& to) {
-  // A joint that is free to slide under one load does so at one t: its direction has a sign by rounding alone.
+  // A joint that can slide freely under one load does so at constant t: the sign of dt/ds is then rounding.
   constexpr double kNone = 1e-12;
   const double before = from.at.direction.parameter, after = to.at.direction.parameter;
   return opposite(before, after) && std::min(std::abs(before), std::abs(after)) > kNone;
@@ -55,9 +55,9 @@ void ArcLengthFollower::hand_over(Feature& row) {
 }
 
 bool ArcLengthFollower::may_hide_turns(double arc, const Point& next) const {
-  // t over the substep as the cubic of its values and rates. Where that all but stands still between two ends that move
-  // on, t may turn back and forth there.
-  constexpr double kShare = 0.1;  // of the slower end
+  // t over the continuation step is interpolated by the cubic of its values and rates. Where that is nearly stationary
+  // between two moving ends, a pair of limit points may be hidden.
+  constexpr double kShare = 0.1;  // of the slower end's rate
   constexpr double kFine = 1e-6;  // of arc length
   if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kFine) return false;
   const double a = here_.at.direction.parameter, b = next.at.direction.parameter;
@@ -85,7 +85,7 @@ bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector
   }
   for (const Feature& row : out) {
     if (!row.is_row || row.increment < plan_.increments || !(row.arc < arc)) continue;
-    // The step ends here: nothing beyond concerns it.
+    // The step ends here; later events do not belong to it.
     const Feature last = row;
     out.clear();
     return find_features(last.arc, last.point, out);
@@ -99,8 +99,8 @@ bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector
 
 bool ArcLengthFollower::add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out) {
   if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
-  constexpr double kSame = 1e-6;  // rounding places a limit point and its vanishing stiffness no nearer than this
-  constexpr double kFine = 1e-6;  // of arc length: no leap is as short as that
+  constexpr double kSame = 1e-6;  // rounding separates a limit point from its zero of the stiffness by up to this
+  constexpr double kFine = 1e-6;  // of arc length: no leap between branches is shorter
   const std::string verdict = to_string(next.stability.verdict);
   if (next.stability.complex_pair && !here_.stability.complex_pair) {
     const Measure complex = [](const Point& p) { return p.stability.complex_pair ? 1.0 : -1.0; };
@@ -117,7 +117,7 @@ bool ArcLengthFollower::add_stability(double arc, const Point& next, double turn
   const Measure smallest = [](const Point& p) { return p.stability.smallest; };
   Found there = locate(smallest, 0, here_, arc, next);
   if (there.leaps && arc > kFine) return false;
-  // Where a load's scale has a kink the stiffness may change its sign without vanishing.
+  // At the end of a load's scale the stiffness may jump and change sign without vanishing.
   constexpr double kVanishing = 1e-3;
   const bool vanishes = std::abs(there.value) <= kVanishing * std::max(std::abs(before), std::abs(after));
   if (std::abs(there.arc - turned) <= kSame)
@@ -142,8 +142,8 @@ void ArcLengthFollower::add_law_events(double arc, const Point& next, std::vecto
 }
 
 void ArcLengthFollower::add_neutral(double arc, const Point& next, std::vector<Feature>& out) {
-  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
-  constexpr double kTurning = 1e-6;  // of the direction in t: a limit point vanishes there too
+  // The sign of a neutral stiffness is rounding. A step may end at a bifurcation; the next step reports it.
+  constexpr double kTurning = 1e-6;  // of dt/ds: the stiffness vanishes at a limit point too
   if (next.stability.verdict == here_.stability.verdict) return;
   const std::string verdict = to_string(next.stability.verdict);
   const bool passes =
@@ -179,7 +179,7 @@ void ArcLengthFollower::add_rows(double low, const Point& from, double high, con
 }
 
 void ArcLengthFollower::add_rows_between(const Point& before, const Point& changed) {
-  // The two ends of the bracket of a change: a row between them belongs to the one set or to the other.
+  // The bracket of the change has two ends; a row within it belongs to one set or the other.
   for (const int k : rows_between(before.at.t, changed.at.t)) {
     const double t = static_cast<double>(k) / plan_.increments;
     Point there = before;
@@ -215,7 +215,7 @@ ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, doubl
   Found best{high, to, after, true};
   Balanced before = from.at.pose, behind = to.at.pose;
   while (bracket.open()) {
-    // Where no pose is found in one place (at a bifurcation Newton has no rank) there is one beside it.
+    // Where no pose is found at one place (at a bifurcation the Jacobian is singular), there is one beside it.
     double middle = bracket.next();
     Point trial = solve(here_, middle);
     for (const double share : {0.5, 0.25, 0.75, 0.4, 0.6}) {
@@ -237,7 +237,7 @@ ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, doubl
 }
 
 bool ArcLengthFollower::settle_on(double t, Point& point) {
-  // On the row's own value to the last digit; but near a limit point two poses share it, and the right one is kept.
+  // Solves at the row's exact value of t. Near a limit point two poses have that value; the one on this side is kept.
   constexpr double kSame = 1e-5;
   Balanced pose = point.at.pose;
   Findings findings;

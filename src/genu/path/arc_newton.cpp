@@ -70,8 +70,8 @@ bool ArcNewton::forward(const StepPlan& plan, const State& state, double t, Corr
 }
 
 bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint& point, NewtonReport& report) {
-  constexpr int kMost = 12;          // a predictor that needs more was too far
-  constexpr double kFarthest = 0.5;  // of a correction, in the metric
+  constexpr int kMost = 12;          // iterations: a prediction that needs more was too far
+  constexpr double kFarthest = 0.5;  // largest correction, in the metric
   double last = kFarthest;
   strayed_ = 0;
   for (report.iterations = 0;; ++report.iterations) {

@@ -1,9 +1,12 @@
-// Newton with the path's parameter as one more unknown: it passes limit points, where the parameter turns back.
+// Newton's method with the parameter of the path as one more unknown: it converges at limit points, where the parameter
+// has an extremum.
 //
-// Arc length is measured in characteristic lengths and rad of the bodies' motion and in the step's own parameter t:
+// Arc length is measured by the motion of the bodies in characteristic lengths and rad, and by the step's parameter t:
+//
 //   ds^2 = sum (|v| / L)^2 + |w|^2 + dt^2
-// The corrector keeps to the plane through the predicted point that is normal, in this metric, to the direction of the
-// path (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977).
+//
+// The corrector stays on the plane through the predicted point normal, in this metric, to the tangent of the path (H.
+// B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977).
 #pragma once
 
 #include "genu/equilibrium/active_set.h"
@@ -11,7 +14,7 @@
 
 namespace genu {
 
-/// A point of a path and the unit direction in which it leads on.
+/// A point of a path and its unit tangent.
 struct ArcPoint {
   Balanced pose;
   double t = 0;
@@ -22,30 +25,30 @@ class ArcNewton {
  public:
   ArcNewton(const JointModel& model, const NewtonOptions& options);
 
-  /// The direction of the path at a solved point, the one that makes an acute angle with `along`. False where there is
-  /// none or more than one.
+  /// The tangent at a solved point, oriented to make an acute angle with `along`. False where it does not exist or is
+  /// not unique.
   bool direction(const StepPlan& plan, const State& state, double t, const Correction& along, Correction& out);
 
-  /// The direction in which t grows; a regular point has one.
+  /// The tangent along which t grows; a regular point has one.
   bool forward(const StepPlan& plan, const State& state, double t, Correction& out);
 
-  /// Solves at distance `arc` ahead of `from` on the plane normal to its direction. `out.direction` is the new one, or
-  /// the old one where directed() says that there is none.
+  /// Solves on the plane normal to the tangent at distance `arc` ahead of `from`. `out.direction` is the new tangent,
+  /// or the old one where directed() is false.
   NewtonReport solve(const StepPlan& plan, const ArcPoint& from, double arc, ArcPoint& out);
 
   /// The opposite direction.
   static void reverse(Correction& direction);
 
-  /// Whether one path leads on from where the last solve ended; false at a bifurcation.
+  /// Whether the tangent at the end of the last solve is unique; false at a bifurcation.
   bool directed() const { return directed_; }
 
-  /// How far the last solve ended from where it was predicted.
+  /// Distance between the predicted point and the end of the last solve.
   double strayed() const { return strayed_; }
 
   /// Inner product of two directions.
   double product(const Correction& a, const Correction& b) const;
 
-  /// The linearization at the state for which a direction was found last.
+  /// The linearization at the state whose tangent was computed last.
   const Linearization& linearization() const { return here_; }
 
  private:

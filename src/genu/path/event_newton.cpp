@@ -7,8 +7,8 @@
 
 namespace genu {
 
-/// Sets correction_ to the step of all unknowns: of the pose, and along the path by as much (`parameter`) as makes the
-/// length right to first order.
+/// Sets correction_ to the step of all unknowns: of the pose, and of the path's parameter (`parameter`) such that the
+/// length is right to first order.
 bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, const State& state, double past) {
   const Target target = plan.target(t), rate = plan.rate();
   if (!step_.factor(here_, target) || !step_.linear().full_rank()) return false;

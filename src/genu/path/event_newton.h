@@ -1,6 +1,6 @@
-// Newton with the path's parameter as one more unknown and the length of a ligament as one more equation: the pose in
-// which the ligament is as long as asked for. An iteration costs what one of the pose alone does, and there are about
-// as many of them as one pose takes; a search along the path solves a pose for each of its guesses.
+// Newton's method with the parameter of the path as one more unknown and the length of a ligament as one more equation:
+// finds the pose at which the ligament has a given length. It takes about as many iterations as one pose, of the same
+// cost. A search along the path would solve one pose per guess.
 #pragma once
 
 #include <memory>
@@ -17,12 +17,12 @@ class EventNewton {
   struct Asked {
     int ligament = 0;
     double length = 0;     ///< m
-    double rounding = 0;   ///< m: that near is there
+    double rounding = 0;   ///< m: a length this close is accepted
     double tolerance = 0;  ///< of t
   };
 
-  /// From a pose near the path and t to the event on it. False where it is not found: both are then of no use.
-  /// `layers`: what is known of elastic layers.
+  /// From a pose near the path at `t` to the event. False where it is not found; state and t are then meaningless.
+  /// `layers`: memory of the elastic layers.
   bool solve(const StepPlan& plan, const Asked& asked, const NewtonOptions& options,
              const std::shared_ptr<LayerMemories>& layers, double& t, State& state);
 

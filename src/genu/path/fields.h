@@ -1,5 +1,5 @@
-// What the data of poses and paths consists of, for an archive that writes it down and reads it again: to the last bit,
-// on the same machine. The archive is any object with operator()(fields ...); cereal's binary ones are used.
+// The fields of poses and paths, for an archive that saves and restores them to the last bit on the same machine. The
+// archive is any object with operator()(fields ...), such as cereal's binary archives.
 #pragma once
 
 #include "genu/path/path_options.h"

@@ -25,7 +25,7 @@ struct Cubic {
   double value(double s) const { return c0 + s * (c1 + s * (c2 + s * c3)); }
   double slope(double s) const { return c1 + s * (2 * c2 + s * 3 * c3); }
 
-  /// Where the slope is 0 strictly between 0 and 1, in order.
+  /// Its extrema strictly between 0 and 1, in order.
   int extrema(std::array<double, 2>& out) const {
     // The roots of 3 c3 s^2 + 2 c2 s + c1 without cancellation.
     const double discriminant = c2 * c2 - 3 * c3 * c1;
@@ -86,8 +86,8 @@ LawEvents::Node LawEvents::node(const Watched& w, const End& end, double u) cons
 }
 
 void LawEvents::follow(Watched& w, const Node& from, const Node& to, const State& end) {
-  // A ligament may pass a break and come back within the substep: look at the extrema on the way. The cubic errs, so
-  // one that comes within a hundredth of its rise to the break counts as well, and the pose there decides.
+  // A ligament may pass a break and return within the step, so extrema are examined. The cubic has an error: an
+  // extremum that comes within a hundredth of its rise to the break is examined too, and the pose there decides.
   constexpr double kNear = 0.01;
   const Cubic cubic(from.past, from.rate, to.past, to.rate);
   std::array<double, 2> extrema{};
@@ -115,7 +115,7 @@ void LawEvents::pass(Watched& w, const Node& from, const Node& to, const State& 
 
 void LawEvents::locate(const Watched& w, const Node& from, const Node& to, Passed& out) {
   const double span = to.u - from.u;
-  // Within rounding of the break at the beginning already, or no way to look between.
+  // Already within rounding of the break at the start, or no solver for poses between.
   out.u = (from.past > 0) == (to.past > 0) ? from.u : to.u;
   if (out.u == from.u || span <= tolerance_) return;
   const bool smooth = std::isfinite(from.rate) && std::isfinite(to.rate);
@@ -144,7 +144,7 @@ void LawEvents::locate(const Watched& w, const Node& from, const Node& to, Passe
   out.u = from.u + s * span;
 }
 
-/// The event between two nodes, from a guess; `out` is left alone where that fails.
+/// The event between two nodes, from a guess. `out` is unchanged where that fails.
 bool LawEvents::solve_event(const Watched& w, const Node& from, const Node& to, double u, Passed& out) {
   if (!solves_->event_at || !solves_->event_at(w.ligament, w.law_break.length, u, between_)) return false;
   if (u < from.u || u > to.u) return false;

@@ -1,10 +1,10 @@
-// Where ligaments pass the breaks of their laws at which force and stiffness are continuous: toe to line, slack to a
-// quadratic rise. Such a break concerns no solve, so the path is walked as if it were not there, and it is located
-// afterwards between the two ends of an accepted substep.
+// Locates the points where ligaments pass breaks of their laws with continuous force and stiffness: toe to line, slack
+// to a quadratic rise. No solve has to know them. Continuation ignores them, and they are located afterwards between
+// the two ends of an accepted step.
 //
-// There the length is the cubic of its values and rates at both ends (rates from the tangents), which errs by the
-// fourth power of the substep. Near the cubic's root Newton's method finds the pose together with its place on the
-// path; where it does not, poses solved between both ends close in on it.
+// There the length is interpolated by the cubic of its values and rates at both ends (rates from the tangents), with an
+// error of fourth order in the step. From the root of the cubic Newton's method finds the pose and its place on the
+// path together (event_newton.h). Where it fails, the root is bracketed by solved poses.
 #pragma once
 
 #include <functional>
@@ -17,24 +17,24 @@ namespace genu {
 
 class LawEvents {
  public:
-  /// One end of a substep: a solved state, and the rate of its twists (6 for each moving body) with respect to the
-  /// substep as a whole; null where it is not known.
+  /// One end of a continuation step: a solved state, and the rate of its twists (6 for each moving body) with respect
+  /// to u; null where it is unknown.
   struct End {
     const State& state;
     const VecX* twist;
   };
   struct Passed {
-    double u;  ///< of the substep, 0 to 1
+    double u;  ///< position in the continuation step, 0 to 1
     PathEvent::Kind kind;
     std::string what;  ///< the ligament
-    State state;       ///< there; the end of the substep for bodies that leap
+    State state;       ///< at u; for a jump of the pose, the state at the end
   };
-  /// Solves the pose at u, 0 < u < 1, of the substep. False where that fails.
+  /// Solves the pose at u, 0 < u < 1. False where that fails.
   using PoseAt = std::function<bool(double u, State& out)>;
-  /// Solves the pose and u together so that a ligament has a length (m), from u as it is given and a pose of its own.
+  /// Solves pose and u together for a given length (m) of a ligament, from the guess u and its own guess of the pose.
   /// False where that fails.
   using EventAt = std::function<bool(int ligament, double length, double& u, State& out)>;
-  /// How to look between both ends; either may be missing.
+  /// Solvers for points between both ends. Either may be missing.
   struct Solves {
     PoseAt pose_at;
     EventAt event_at;
@@ -42,19 +42,19 @@ class LawEvents {
 
   explicit LawEvents(const JointModel& model);
 
-  /// Whether the model has no such break: then the calls below do nothing.
+  /// Whether the model has no such break: the calls below then do nothing.
   bool none() const { return watched_.empty(); }
 
-  /// m: as near to a break is at it.
+  /// m: a length closer to a break is at it.
   double rounding() const { return rounding_; }
 
-  /// All breaks passed over a substep, in path order, each located to `tolerance` in u; without a `pose_at` (bodies
-  /// that leap) at its end. The sides on which the first substep begins are where the ligaments are; later ones begin
-  /// where the last has ended, so that nothing is lost or told twice between two steps. The result is valid until the
+  /// All breaks passed in a continuation step, in path order, each located to `tolerance` in u; at its end without a
+  /// `pose_at` (the pose jumps). The first call takes the current sides of the ligaments; later calls continue from the
+  /// end of the last one, so that no event is lost or reported twice between two steps. The result is valid until the
   /// next call.
   const std::vector<Passed>& over(const End& from, const End& to, double tolerance, const Solves& solves);
 
-  /// The sides on which the ligaments are.
+  /// The sides of their breaks that the ligaments are on.
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(begun_);
@@ -67,8 +67,7 @@ class LawEvents {
     LawBreak law_break;
     bool above = false;
   };
-  /// A point of the substep where a length is known: how far it is past the break (m) and how fast that grows (m per
-  /// u).
+  /// A point of the continuation step with known length: distance past the break (m) and its rate (m per u).
   struct Node {
     double u, past, rate;
   };
@@ -81,7 +80,7 @@ class LawEvents {
   bool solve_event(const Watched& w, const Node& from, const Node& to, double u, Passed& out);
 
   const JointModel* model_;
-  double rounding_;  ///< m: a length this near to a break has not left the side it was on
+  double rounding_;  ///< m: a length this close to a break has not changed sides
   std::vector<Watched> watched_;
   bool begun_ = false;
   std::vector<Passed> passed_;

@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char* kTurnsBack = "the path turns back before this pose";
 
-constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
-constexpr int kRest = 16;     // rows from rest to rest, at least
+constexpr int kApproach = 0;  // step number of events on the way to a step's start
+constexpr int kRest = 16;     // fewest rows between two calls of rest()
 
 PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
   options.newton.cancelled = cancelled;
@@ -45,8 +45,8 @@ class PathRun {
     pose_.last_number.assign(model.pairs.size(), 0);
   }
 
-  /// Goes on where save() was called, in another run of the same program on the same input. Throws SavedElsewhere
-  /// where it was on another.
+  /// Continues from where save() was called, in another run of the same program on the same input. Throws
+  /// SavedElsewhere for another input.
   void restore(const std::string& saved) {
     std::istringstream in(saved);
     cereal::BinaryInputArchive archive(in);
@@ -81,7 +81,7 @@ class PathRun {
                        [&](const OpenContact& c) { return c.pair >= 0 && at(c.pair) < pairs.size(); });
   }
 
-  /// Balances the joint where it stands, then walks to the first values of the step.
+  /// Balances the joint at its current pose, then follows the path to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;
     const StepPlan plan = approach_to(step, solver_.model(), pose_.state, factors_);
@@ -113,8 +113,8 @@ class PathRun {
     return true;
   }
 
-  /// Where contact leans on a flaw of a mesh on the way to the step's start, in a pose that nobody has asked for: tries
-  /// the start itself, from the pose nearest to it.
+  /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start
+  /// itself, from the pose nearest to it.
   bool settle_past_flaw(const StepPlan& step, const PoseReport& failure) {
     if (failure.status != PoseStatus::flawed_mesh) return false;
     Balanced trial = pose_;
@@ -138,7 +138,7 @@ class PathRun {
     continue_path(step);
   }
 
-  /// To the end of a step from behind its row `row_`.
+  /// Follows the rest of a step, after its row `row_`.
   void continue_path(const StepPlan& step) {
     follower_.resume(step);
     while (row_ < step.increments && !stopped_) {
@@ -150,7 +150,7 @@ class PathRun {
     report_ = follower_.report();
   }
 
-  /// The same by arc length: rows wherever t passes k / increments, upward or downward, until t = 1.
+  /// The same by arc length. Rows lie where t passes k / increments, upward or downward, until t = 1.
   void follow_by_arc_length(const StepPlan& step) {
     if (step_ == 1) {
       follower_.begin(step, step_, pose_, report_);
@@ -198,7 +198,7 @@ class PathRun {
   void advance_to(const StepPlan& step, int k) {
     const double t = static_cast<double>(k) / step.increments;
     if (follower_.t() > t) {
-      // Stepped over together with the stretch it lies in.
+      // This row lies in the gap that was stepped over.
       fail(step, k, t, follower_.failure(), "", false);
       return;
     }
@@ -219,14 +219,14 @@ class PathRun {
     hand_over(step, k);
   }
 
-  /// With layers a pose without equilibrium (a ray that runs off an edge makes forces jump) says little about the next
-  /// one, to which the joint can settle from here as well.
+  /// With layers, a pose without equilibrium (forces jump where a ray leaves an edge) says little about the next one:
+  /// the joint may settle there from here.
   bool may_skip(const StepPlan& step, int k) {
     constexpr int kMost = 3;  // in a row
     return follower_.can_snap() && k < step.increments && ++skipped_ <= kMost;
   }
 
-  /// A stretch without solution that may be stepped over, in units of the step's parameter.
+  /// Longest gap without solution that may be stepped over, in units of the step's parameter.
   double window(const StepPlan& step) const {
     const double range = step.angle_range();
     const double increment = 1.0 / step.increments;
@@ -268,8 +268,8 @@ class PathRun {
     return {PathEvent::Kind::turns_back, step_, t, step.target(t), kWhat, state.coordinates};
   }
 
-  /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
-  /// path is all but vertical and yet goes on.
+  /// The limit point: located by arc length if possible, else the last pose. None where the path is nearly vertical and
+  /// continues.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
     constexpr double kReach = 0.5;
     ArcLengthFollower follower(solver_, options_, follower_.law_events(), {});
@@ -328,8 +328,8 @@ class PathRun {
     stopped_ = true;
   }
 
-  /// Between two rows: forgets what it could find out again, so that nothing but what save() writes down decides what
-  /// follows, to the last bit. When that happens is counted in rows and has nothing to do with the time it takes.
+  /// Between two rows: discards what can be computed again, so that the data in save() decide what follows, to the last
+  /// bit. Triggered by the number of rows, never by time.
   void rest() {
     rested_ = rows_;
     forget();
@@ -355,7 +355,7 @@ class PathRun {
   }
 
   void emit(PathEvent event) const {
-    if (asked_to_stop(observer_.cancelled)) return;  // what is not found then may be there
+    if (asked_to_stop(observer_.cancelled)) return;  // a search cancelled here proves nothing
     event.rows_before = rows_;
     if (observer_.event) observer_.event(event);
   }
@@ -370,13 +370,13 @@ class PathRun {
   PoseReport report_;
   PathResult result_;
   int step_ = 0;
-  std::vector<double> factors_;  // of the loads where the path stands
+  std::vector<double> factors_;  // of the loads, at the current pose
   bool approaching_ = false;
   int handed_over_ = 0, rows_ = 0;
-  double where_ = 0;  // of a step by arc length that ended early
-  int skipped_ = 0;   // rows without a pose since the last one that has one
-  int row_ = 0;       // the last one asked for of a step, 0 before the first
-  int rested_ = 0;    // how many rows there were then
+  double where_ = 0;  // t at which a step by arc length ended early
+  int skipped_ = 0;   // rows without a pose since the last row with one
+  int row_ = 0;       // last row requested of a step; 0 before the first
+  int rested_ = 0;    // number of rows at the last rest()
   bool stopped_ = false;
 };
 

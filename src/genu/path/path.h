@@ -1,5 +1,5 @@
-// Pose after pose along the steps of a scene: prediction along the tangent, adaptive increments, contacts gained and
-// lost where it happens, and every pose certified.
+// Path following over the steps of a scene: tangent prediction, adaptive increments, contacts gained and lost at their
+// events, and a certificate for every pose.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace genu {
 
-/// Walks all steps from the reference pose. What was solved has been handed to the observer whatever happens later; a
-/// path that is cancelled ends in the middle of a pose, of which nothing is told. `from`: what PathObserver::rest has
-/// saved; what comes after it then is the same to the last bit as if it had never been interrupted.
+/// Follows all steps from the reference pose. Poses go to the observer as they are solved, so none is lost if a later
+/// one fails. A cancelled path ends within a pose, which is not reported. `from`: bytes saved by PathObserver::rest;
+/// the continuation is the same to the last bit as without an interruption.
 PathResult follow_path(const JointModel& model, ContactField& field, const std::vector<StepPlan>& steps,
                        const PathOptions& options, const PathObserver& observer, const std::string& from = {});
 

@@ -10,7 +10,7 @@ PathCubic::PathCubic(const JointModel& model, const State& from, const Correctio
     if (k < 0) continue;
     const Vec3 turn = log_rotation(to.poses[i].R * from.poses[i].R.transpose());
     way_.twist.segment<6>(6 * k) << to.poses[i].p - from.poses[i].p, turn;
-    // exp(w) turns on at w' + w x w' / 2 + ...: solved for w'.
+    // The rotation continues from exp(w) as w' + w x w' / 2 + ...; solved for w'.
     const Vec3 rate = tangent_to.twist.segment<3>(6 * k + 3);
     end_.twist.segment<3>(6 * k + 3) = rate - 0.5 * turn.cross(rate);
   }

@@ -1,4 +1,4 @@
-// Where a path is between two of its poses, as the cubic through both with their tangents predicts it.
+// Interpolates a path between two poses by the cubic of both poses and their tangents.
 #pragma once
 
 #include "genu/model/correction.h"
@@ -7,13 +7,13 @@ namespace genu {
 
 class PathCubic {
  public:
-  /// `from` and `to` have the same contacts and held ligaments; tangents are changes per unit of the path's parameter,
-  /// which is `span` (> 0) from the one to the other. All must outlive this object.
+  /// `from` and `to` have the same contacts and held ligaments. Tangents are rates per unit of the path's parameter;
+  /// `span` (> 0) is its change from `from` to `to`. All arguments must outlive this object.
   PathCubic(const JointModel& model, const State& from, const Correction& tangent_from, const State& to,
             const Correction& tangent_to, double span);
 
-  /// At `u` from 0 to 1. Errs with the fourth power of the span, the points of contacts on their surfaces with the
-  /// second. False where a contact point would leave its surface.
+  /// The state at `u` from 0 to 1, with an error of fourth order in the span (second order for contact points on their
+  /// surfaces). False where a contact point would leave its surface.
   bool at(double u, State& out);
 
  private:

@@ -12,10 +12,10 @@
 namespace genu {
 namespace {
 
-// Toward a limit point the tangent grows without bound: one step may move the bodies so far and no farther, or the
-// solution found at its end may lie on another branch. Characteristic lengths plus rad.
+// Characteristic lengths plus rad: longest motion in one continuation step. Toward a limit point the tangent grows
+// without bound, and after a longer motion the solution may lie on another branch.
 constexpr double kFarthest = 0.25;
-constexpr double kLongestStep = 0.1;  // of a step: what comes and goes within a substep is not seen
+constexpr double kLongestStep = 0.1;  // of a step: events that cancel within a continuation step are not seen
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void PathFollower::begin(const StepPlan& plan, int step, Balanced pose, PoseRepo
   last_definite_ = 0;
   stepped_over_ = crowd_ = 0;
   crowd_from_ = 0;
-  tangent_.motion.resize(0, 0, 0);  // of what drove the joint until now
+  tangent_.motion.resize(0, 0, 0);  // belongs to the loads of the step before
   prediction_.forget();
   accept(0, std::move(pose), report);
 }
@@ -50,8 +50,8 @@ void PathFollower::compute_tangent(const Linearization& at, const State& state, 
 }
 
 void PathFollower::compute_tangent_of_last(const State& state, double t, Tangent& out) {
-  // Times the Jacobian's own error, of all rates together: a reaction's rate that small has a sign only with the
-  // Jacobian at the solution.
+  // Factor on the relative error of the Jacobian, of all rates together. A smaller rate of the reaction has a reliable
+  // sign only with the Jacobian at the solution.
   constexpr double kDoubt = 30;
   Newton& newton = solver_.newton();
   compute_tangent(newton.linearization(), state, t, out);
@@ -72,7 +72,7 @@ void PathFollower::accept(double t, Balanced pose, const PoseReport& report, boo
   if (stability().complex_pair && (first || !next_.stability.complex_pair))
     emit(PathEvent::Kind::flutter, "complex pair of stiffness eigenvalues");
   if (first) return;
-  // Contacts may have changed here, and rates with them at once.
+  // Contacts may have changed here, and with them the rates.
   if (stability().verdict != next_.stability.verdict)
     emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
   if (!opposite(reaction_rate(next_), reaction_rate(tangent_))) return;
@@ -119,10 +119,10 @@ PathFollower::Attempt PathFollower::attempt(double t) {
 
 bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
   if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
-  // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
-  // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
-  // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
-  // differ by less than this: for a cubic one of the two tests notices then.
+  // Beyond a limit point, on another branch, the bodies soon move as slowly as before it. A step across which the speed
+  // changes by more than kRatio is halved; a very short one is accepted, because a nonsmooth point of a law changes the
+  // speed too. Past two neighbouring limit points both prediction and speed may agree by chance. With this ratio one of
+  // the two tests fails there if the path is a cubic.
   constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
   const double before = path_speed(solver_.model(), tangent_.motion), after = path_speed(solver_.model(), next.motion);
   if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
@@ -131,7 +131,8 @@ bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
 
 bool PathFollower::far_from_predicted(const Attempt& attempt) const {
   if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
-  // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
+  // On one branch the error of the tangent is of second order in the step. A step whose error exceeds half of it is
+  // halved.
   constexpr double kShare = 0.5, kSlack = 1e-5;
   return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
          kShare * distance(solver_.model(), pose_.state, attempt.predicted) + kSlack;
@@ -139,7 +140,7 @@ bool PathFollower::far_from_predicted(const Attempt& attempt) const {
 
 bool PathFollower::jumped(const State& state, double h) const {
   if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
-  // A pose that lies much farther than the tangent leads has left the branch that is followed.
+  // A pose much farther away than the tangent predicts lies on another branch.
   constexpr double kFactor = 4, kSlack = 0.02;
   return distance(solver_.model(), pose_.state, state) >
          std::min(kFactor * h * path_speed(solver_.model(), tangent_.motion), kFarthest) + kSlack;
@@ -189,7 +190,7 @@ bool PathFollower::advance_to(double t_end) {
 }
 
 bool PathFollower::events_without_end() {
-  // Contacts that come and go ever faster lead nowhere, however many of them are followed.
+  // Contacts that change faster and faster do not converge, however many changes are followed.
   constexpr double kShort = 1e-5;  // of a step
   constexpr int kMost = 100;
   if (t_ - crowd_from_ > kShort || t_ < crowd_from_) crowd_from_ = t_, crowd_ = 0;
@@ -204,7 +205,7 @@ bool PathFollower::pass_event(double t, Attempt violated) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
   while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
-    // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
+    // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
         std::isfinite(inside_) && inside_ > 0 &&
@@ -270,7 +271,7 @@ PoseReport PathFollower::settle_beyond(double t, Balanced& next) {
 }
 
 PoseReport PathFollower::fall(double t, const std::string& drop, Balanced& next) {
-  // What is prescribed stands still while the joint moves on, downhill: not to any equilibrium, but to a near one.
+  // Prescribed coordinates are constant while the joint moves downhill, to a near equilibrium and not to any.
   const Balanced edge = next;
   PoseReport report;
   for (const bool seeded : {false, true}) {
@@ -301,13 +302,13 @@ bool PathFollower::balance_at(double t, Balanced& next, PoseReport& report) {
 
 bool PathFollower::step_over(double window) {
   const double from = t_;
-  // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
-  // has to be stepped over again and again is no path.
+  // A gap without solution is plausible only where contacts change; elsewhere its start is a limit point. A path with
+  // too many gaps is given up.
   constexpr int kMost = 30;
   if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
   snap_ = {0, 0};
-  // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
+  // Where a contact splits, its two halves separate a millionth of a degree later: start that close.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     const double t = std::min(1.0, from + fraction * window);
     Balanced next;
@@ -358,8 +359,8 @@ bool PathFollower::snap_beyond(double window) {
 
 bool PathFollower::turning_back() const {
   if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
-  // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance; the path was followed
-  // until that distance was the smallest increment.
+  // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance. The path was followed to
+  // a distance of the smallest increment.
   constexpr double kVanishing = 0.02;
   return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishing * stiffest_seen_;
 }

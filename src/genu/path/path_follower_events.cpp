@@ -1,4 +1,4 @@
-// What happens on the way of a PathFollower, and where: it is told, and changes nothing.
+// Events within a continuation step of a PathFollower. They are reported and change nothing.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -50,7 +50,7 @@ bool PathFollower::find_stability_change(double t, const State& next, std::vecto
   if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;
-  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
+  // The sign of a neutral stiffness is rounding. A step may end at a bifurcation; the next step reports it.
   constexpr auto kNeutral = Stability::Verdict::neutral;
   const bool definite = stability().verdict != kNeutral && next_.stability.verdict != kNeutral;
   if (stability().verdict == kNeutral && next_.stability.verdict != kNeutral && opposite(last_definite_, after)) {
@@ -58,10 +58,10 @@ bool PathFollower::find_stability_change(double t, const State& next, std::vecto
     turns.push_back({t_, PathEvent::Kind::stability_changed, pose_.state, verdict});
   } else if (definite && opposite(before, after)) {
     const Found there = locate([](const Tangent& x) { return x.stability.smallest; }, t, next);
-    // On one branch the two sides meet where the sign changes; if not, the substep has leapt to another one, be it the
-    // other side of a limit point.
+    // On one branch the poses on both sides of the sign change meet. If they do not, the step has leapt to another
+    // branch, possibly beyond a limit point.
     if (there.leaps) return false;
-    // Where a load's scale has a kink the stiffness may change its sign without vanishing.
+    // At the end of a load's scale the stiffness may jump and change sign without vanishing.
     constexpr double kVanishing = 1e-3;
     const bool vanishes = std::abs(there.value) <= kVanishing * std::max(std::abs(before), std::abs(after));
     if (vanishes && !next_.stability.flutter && !stability().flutter)
@@ -76,7 +76,7 @@ bool PathFollower::find_stability_change(double t, const State& next, std::vecto
 bool PathFollower::reaction_may_turn(double t, const State& next) const {
   const double before = reaction_rate(tangent_), after = reaction_rate(next_);
   if (!opposite(before, after)) return false;
-  // A joint that hangs loose has none: the sign of its rate is rounding.
+  // A joint that hangs free has no reaction: the sign of its rate is rounding.
   const double largest =
       std::max(std::abs(pose_.state.multipliers[at(driven_)]), std::abs(next.multipliers[at(driven_)]));
   const double most = largest + (t - t_) * std::max(std::abs(before), std::abs(after));
@@ -112,7 +112,7 @@ std::vector<PathFollower::Turn> PathFollower::law_turns(double t, const State& s
   std::optional<PathCubic> cubic;
   if (!leaps && known(before) && known(after) && held_count(pose_.state) == held_count(state))
     cubic.emplace(solver_.model(), pose_.state, tangent_.motion, state, next_.motion, h);
-  // The next pose asked for is near the last one, which Newton's method has found.
+  // The next requested pose is near the last one, which Newton's method has found.
   constexpr double kNear = 0.1;
   State last;
   double last_u = -1;

@@ -12,8 +12,8 @@ double path_speed(const JointModel& model, const Correction& tangent) {
   return sum;
 }
 
-/// A difference is known as long as it is small beside the one before it, over the span: else there is a kink, or a
-/// limit point is near, and what is behind says nothing of what comes.
+/// A divided difference is known as long as it is small beside the one before it, over the span. Otherwise the path is
+/// nonsmooth or near a limit point, and earlier poses do not predict it.
 void PathPrediction::went_on(double span, const Correction& from, const Correction& to) {
   constexpr double kSmooth = 0.2;
   if (!from.matches(to)) return forget();
@@ -38,8 +38,8 @@ void PathPrediction::went_on(double span, const Correction& from, const Correcti
 
 namespace {
 
-/// Turns about an axis that itself turns do not add up as vectors do: the next term of Magnus's series, for angular
-/// velocities w + t w' in the world from t = 0 to h, as a mean over h. `way`: of all bodies.
+/// Rotations about an axis that turns do not add as vectors. This is the next term of the Magnus series for angular
+/// velocity w + t w' in the world frame from t = 0 to h, as a mean over h. `way`: of all bodies.
 void add_turn_of_axis(double h, const VecX& tangent, const VecX& slope, VecX& way) {
   for (Eigen::Index i = 3; i < tangent.size(); i += 6)
     way.segment<3>(i) += h * h / 12 * slope.segment<3>(i).cross(tangent.segment<3>(i));
@@ -56,7 +56,7 @@ bool PathPrediction::at(const State& state, const Correction& tangent, double h,
     double mean = 0, power = h;
     for (std::size_t i = 1; i <= k + 1; ++i, power *= h) mean += factors[i] * power / static_cast<double>(i + 1);
     way_.add(mean, differences_[k]);
-    // The polynomial's slope at 0 tells how the tangent turns there.
+    // The slope of the polynomial at 0 gives the turning of the tangent there.
     if (k == 0)
       newer_.twist = differences_[k].twist;
     else

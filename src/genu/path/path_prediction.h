@@ -1,7 +1,7 @@
-// Where a path leads next: extrapolated from its tangents at the last poses.
+// Predicts the next pose of a path from the tangents at the last poses.
 //
-// With n tangents the prediction errs by the power n + 1 of the step: of the points of contact too, on surfaces whose
-// retraction is of third order (Surface::retract) up to the fourth.
+// With n tangents the error is of order n + 1 in the step. For contact points, whose retraction is of third order
+// (Surface::retract), it is at most of fourth order.
 #pragma once
 
 #include <array>
@@ -10,22 +10,22 @@
 
 namespace genu {
 
-/// How fast a path moves the bodies: the sum of their speeds, in characteristic lengths and rad per unit of t.
+/// Speed of the bodies along a path: sum of their speeds, in characteristic lengths and rad per unit of t.
 double path_speed(const JointModel& model, const Correction& tangent);
 
 class PathPrediction {
  public:
   explicit PathPrediction(const JointModel& model) : model_(&model) {}
 
-  /// Forgets what is behind: another step, other contacts.
+  /// Forgets the last poses: another step, another active set.
   void forget() { known_ = 0; }
 
-  /// The path has gone on by `span` (> 0) of t, from a pose with tangent `from` to one with tangent `to`: what drove
-  /// and touched it then does so still.
+  /// The path continued by `span` (> 0) of t, from a pose with tangent `from` to one with tangent `to`, with the same
+  /// loads and contacts.
   void went_on(double span, const Correction& from, const Correction& to);
 
-  /// The state `h` of t beyond the last, `state`, with the tangent `tangent`. False, with `out` unspecified, where a
-  /// contact point would leave what is known of its surface.
+  /// The state at distance `h` of t beyond `state`, the last one, with tangent `tangent`. False, with `out`
+  /// unspecified, where a contact point would leave the known part of its surface.
   bool at(const State& state, const Correction& tangent, double h, State& out);
 
   template <typename Archive>
@@ -37,9 +37,9 @@ class PathPrediction {
   static constexpr std::size_t kMost = 3;
 
   const JointModel* model_;
-  std::array<Correction, kMost> differences_;  ///< of the tangent: Newton's divided ones, the first one first
-  std::array<double, kMost> behind_{};         ///< t of the poses before the last, the nearest first, from it (< 0)
-  std::size_t known_ = 0;                      ///< how many of both
+  std::array<Correction, kMost> differences_;  ///< of the tangent: Newton's divided differences, the first one first
+  std::array<double, kMost> behind_{};         ///< t of earlier poses relative to the last (< 0), the nearest first
+  std::size_t known_ = 0;                      ///< number of entries of both
   Correction way_, newer_, older_;
 };
 

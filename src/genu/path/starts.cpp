@@ -10,11 +10,11 @@
 namespace genu {
 namespace {
 
-constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: nearer to the first one tells nothing new
-constexpr double kBeside = 0.02;         // rad or 10 mm: of a descent from a saddle, along its unstable motion
+constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: closer to the first one finds nothing new
+constexpr double kBeside = 0.02;  // rad or 10 mm: displacement of a descent from a saddle along its unstable mode
 constexpr std::size_t kMostSaddles = 100;
 constexpr std::size_t kMostBetween = 10;
-constexpr int kBisections = 8;  // of the way between two stable poses
+constexpr int kBisections = 8;  // bisections of the way between two stable poses
 
 /// The prime after `prime`: the base of the next coordinate.
 int next_prime(int prime) {
@@ -28,8 +28,8 @@ int next_prime(int prime) {
   return prime;
 }
 
-/// The value that a coordinate is prescribed or held at; empty for a free one. A combination leaves its coordinates
-/// free: the solver finds the values that add up.
+/// The value that a coordinate is prescribed or held at; empty for a free one. A prescribed combination leaves its
+/// coordinates free: the solver finds their values.
 std::optional<double> fixed_value(const JointModel& model, const Target& target, const CoordinateRef& c) {
   for (const auto& p : target.prescribed)
     if (p.coordinate == QuantityRef(c)) return p.value;
@@ -67,7 +67,7 @@ class StartsSearcher {
   StartSearch run() {
     for (int k = 1; k <= options_.count && !stopped(); ++k) try_start(k);
     look_between();
-    // What is found beside a saddle may be one itself: the list grows while it is walked.
+    // An equilibrium found beside a saddle may be a saddle itself: the list grows during the loop.
     for (std::size_t i = 0; i < out_.equilibria.size() && i < kMostSaddles && !stopped(); ++i) look_beside(i);
     return std::move(out_);
   }
@@ -93,7 +93,7 @@ class StartsSearcher {
       out_.equilibria[place].starts.push_back(k);
   }
 
-  /// Settles start `k`; where it overlaps deeply or does not settle, from nearer to the first one.
+  /// Settles start `k`. Where it overlaps deeply or does not settle, tries nearer to the first one.
   Settled settle_start(int k, bool downhill) {
     Settled out;
     out.pose.last_number.assign(model_.pairs.size(), 0);
@@ -104,9 +104,8 @@ class StartsSearcher {
       out.pose.state.coordinates = start_coordinates(model_, target_, first_, k, share, options_);
       out.pose.state.poses = poses_from_coordinates(model_, out.pose.state.coordinates);
       if (k > 1 && overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap)) continue;
-      // Bodies that are apart at first would be pulled together by their ligaments before any contact is closed, and
-      // through one another: where surfaces may touch they settle on an elastic foundation first, unless start 1 is
-      // near.
+      // Ligaments would pull separated bodies together, and through each other, before a contact closes. Where surfaces
+      // may touch, an elastic foundation comes first, unless start 1 is near.
       const bool seeded = downhill || (k > 1 && share > kLeastShare && !model_.pairs.empty());
       out.report =
           seeded ? solver_.settle_from_seed(out.pose, target_, downhill) : solver_.settle_cold(out.pose, target_);
@@ -115,7 +114,7 @@ class StartsSearcher {
     return out;
   }
 
-  /// The equilibrium's place in the list; kNone for a pose that is none.
+  /// Index of the equilibrium in the list; kNone where the pose is not one.
   std::size_t add(const Settled& settled, Equilibrium::Found found, int start) {
     if (settled.report.status != PoseStatus::ok) return kNone;
     for (std::size_t i = 0; i < out_.equilibria.size(); ++i)
@@ -131,7 +130,7 @@ class StartsSearcher {
     return out_.equilibria.size() - 1;
   }
 
-  /// Saddles between stable equilibria that were found one after the other.
+  /// Saddles between stable equilibria that are neighbours in the list.
   void look_between() {
     std::vector<std::size_t> stable;
     for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMostBetween; ++i)
@@ -139,8 +138,8 @@ class StartsSearcher {
     for (std::size_t i = 1; i < stable.size() && !stopped(); ++i) look_between(stable[i - 1], stable[i]);
   }
 
-  /// Drives the coordinate that differs most from one to the other: what that costs is 0 at both and at the saddle
-  /// between, where it changes its sign. From near there Newton's method finds the saddle with nothing driven.
+  /// Drives the coordinate that differs most from one pose to the other. Its reaction is 0 at both, and at the saddle
+  /// between them, where it changes sign. From near there Newton's method finds the saddle with the coordinate free.
   void look_between(std::size_t low_end, std::size_t high_end) {
     const auto from = out_.equilibria[low_end].pose.state.coordinates;
     const auto to = out_.equilibria[high_end].pose.state.coordinates;
@@ -195,7 +194,7 @@ class StartsSearcher {
   void look_beside(std::size_t saddle) {
     if (out_.equilibria[saddle].stability.verdict != Stability::Verdict::unstable) return;
     for (const double sign : {1.0, -1.0}) {
-      // The list may move in memory: by its place.
+      // By index: the list may be reallocated.
       const Equilibrium& e = out_.equilibria[saddle];
       const int start = e.first_start;
       Settled beside;
@@ -206,7 +205,7 @@ class StartsSearcher {
     }
   }
 
-  /// The saddle moved along its mode, by `way` in rad or 10 mm; contacts are left open.
+  /// The saddle moved by `way` (rad or 10 mm) along its mode, with contacts open.
   bool displaced(const Equilibrium& saddle, double way, State& out) const {
     State from = saddle.pose.state;
     from.contacts.clear();

@@ -33,7 +33,8 @@ bool unilateral(const std::vector<double>& values) {
 
 class Curves {
  public:
-  Curves(const PlacedScene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses, const ResultTable* bars)
+  Curves(const PlacedScene& scene, const std::vector<StepPlan>& steps, const ResultTable& poses,
+         const ResultTable* bars)
       : scene_(scene), steps_(steps), poses_(poses), bars_(bars) {
     for (const StepPlan& step : steps)
       for (const auto& p : step.prescribed)

@@ -176,7 +176,8 @@ ResultTable pose_table(const PlacedScene& scene, const JointModel& model, const 
   return PoseTable(scene, model, steps, records).take();
 }
 
-ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events) {
+ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps,
+                        const std::vector<PathEvent>& events) {
   ResultTable table;
   for (const char* name : {"step", "t", "time_s", "event", "what"}) table.add_column(name);
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)

@@ -29,6 +29,7 @@ ResultTable pose_table(const PlacedScene& scene, const JointModel& model, const 
                        const std::vector<PoseRecord>& records);
 
 /// One row an event, with the prescribed coordinates and load factors where it happened.
-ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps, const std::vector<PathEvent>& events);
+ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& steps,
+                        const std::vector<PathEvent>& events);
 
 }  // namespace genu

@@ -335,8 +335,8 @@ struct SceneTables {
 /// A scene as read: points on a body are measured from the body's origin in the file.
 struct Scene : SceneTables {};
 
-/// A scene as it is solved: points on a body (surfaces, ends of ligaments, points of loads, centre of mass, regions) are
-/// measured from an origin chosen near them (centre_bodies.h). Neither kind of scene converts to the other.
+/// A scene as it is solved: points on a body (surfaces, ends of ligaments, points of loads, centre of mass, regions)
+/// are measured from an origin chosen near them (centre_bodies.h). Neither kind of scene converts to the other.
 struct PlacedScene : SceneTables {
   std::vector<Vec3> origins;  ///< m, of each body: where that origin is in the body as the file has it
 };

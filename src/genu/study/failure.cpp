@@ -148,7 +148,8 @@ std::optional<Failure> cut_out(const Failure& whole, Names& names, const Prepare
     if (def.shape != SurfaceDef::Shape::mesh) continue;
     const auto users = std::count_if(prepared.scene.surfaces.begin(), prepared.scene.surfaces.end(),
                                      [&](const SurfaceDef& other) { return other.file == def.file; });
-    const std::string bytes = users == 1 ? cut_mesh(def, *prepared.meshes, feet_on(static_cast<int>(i), prepared, found), reach) : "";
+    const std::string bytes =
+        users == 1 ? cut_mesh(def, *prepared.meshes, feet_on(static_cast<int>(i), prepared, found), reach) : "";
     if (bytes.empty()) continue;
     const std::string old = names.name_of(def.file), name = fs::path(old).stem().string() + ".ply";
     for (auto& [known, content] : cut.meshes)
