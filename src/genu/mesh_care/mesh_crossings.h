@@ -1,6 +1,6 @@
 // Self-intersections: where triangles of a mesh run through each other. In floating point, for any set of triangles:
-// quick enough to examine every mesh that is read, and the same in a build without CGAL. CGAL's exact answer is the twin
-// in its test, because it needs a manifold.
+// quick enough to examine every mesh that is read, and the same in a build without CGAL. CGAL's exact answer is the
+// twin in its test, because it needs a manifold.
 #pragma once
 
 #include <utility>
