@@ -22,7 +22,7 @@ class PathFollower {
         event_newton_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose that is solved there.
-  void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
+  void begin(const StepPlan& plan, int step, Balanced pose, const PoseReport& report);
 
   /// Walks to t. False where the path ends before; the pose then stays the last good one, at t().
   bool advance_to(double t);
