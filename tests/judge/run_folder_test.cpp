@@ -25,9 +25,9 @@ class RunFolder : public testing::Test {
 
   std::string summary(const std::string& partial = "false", const std::string& counts = "{ \"solved\": 1 }") const {
     return "{ \"scene_path\": \"" + (folder_ / "scene.toml") + "\", \"partial\": " + partial +
-           ", \"files\": [{ \"path\": \"" + (folder_ / "scene.toml") + "\", \"fnv1a64\": \"" +
-           checksum("format = 1\n").fnv1a64 + "\" }], \"results\": { \"rows\": 2, \"fnv1a64\": \"" +
-           checksum(kTable).fnv1a64 + "\" }, \"poses\": " + counts + " }";
+           ", \"files\": [{ \"path\": \"" + (folder_ / "scene.toml") + "\", \"xxh128\": \"" +
+           checksum("format = 1\n").xxh128 + "\" }], \"results\": { \"rows\": 2, \"xxh128\": \"" +
+           checksum(kTable).xxh128 + "\" }, \"poses\": " + counts + " }";
   }
   /// What is said of it; empty where nothing is.
   std::string said(const std::string& json, const std::string& table = kTable) {
@@ -73,7 +73,7 @@ TEST_F(RunFolder, WithASummaryThatNoRunWrites) {
        std::vector<std::array<std::string, 3>>{{"\"partial\": false", "\"partial\": \"no\"", "partial"},
                                                {"\"partial\": false", "\"partial\": 0", "partial"},
                                                {"\"files\": [", "\"file\": [", "files"},
-                                               {"\"fnv1a64\"", "\"fnv\"", "files"},
+                                               {"\"xxh128\"", "\"xxh\"", "files"},
                                                {"\"rows\": 2", "\"rows\": -2", "results"},
                                                {"\"results\": {", "\"result\": {", "results"},
                                                {"{ \"solved\": 1 }", "{ \"solved\": \"1\" }", "poses"},
@@ -82,6 +82,9 @@ TEST_F(RunFolder, WithASummaryThatNoRunWrites) {
     const std::string text = said(changed(good, what, with));
     EXPECT_TRUE(test::contains(text, "`" + key + "` is missing or not what a run writes")) << with << "\n" << text;
   }
+  const std::string old =
+      said("{ \"genu\": \"0.1.0\", \"results\": { \"bytes\": 9, \"fnv1a64\": \"af63dc4c8601ec8c\" } }");
+  EXPECT_TRUE(test::contains(old, "has checksums of another version of genu, \"0.1.0\"")) << old;
   for (const char* none : {"", "[]", "7", "{", "{}"}) EXPECT_NE(said(none), "") << none;
 }
 

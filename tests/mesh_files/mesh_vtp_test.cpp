@@ -148,6 +148,36 @@ TEST(MeshVtp, EveryTruncationIsRefused) {
   }
 }
 
+TEST(MeshVtp, NamesTheLineAndColumnWhereTheXmlBreaks) {
+  const auto says = [](std::string text, const std::string& what, const std::string& with, const std::string& part) {
+    const std::size_t place = text.find(what);
+    ASSERT_NE(place, std::string::npos) << what;
+    Mesh mesh;
+    const std::string problem = read_vtp_text(text.replace(place, what.size(), with), mesh);
+    EXPECT_NE(problem.find("is no whole XML"), std::string::npos) << problem;
+    EXPECT_NE(problem.find(part), std::string::npos) << problem;
+  };
+  const std::string text = file("", ascii());
+  says(text, "</Polys>", "</Pols>", "(line 10, column");
+  says(text, "<Piece Num", "<Piece =Num", "(line 5, column 8)");
+  // Bytes that are no XML count too: the broken tag is in the third line after them.
+  const std::string appended = "<AppendedData encoding=\"raw\">\n_<\n&\n\n</AppendedData>\n<Odd></Even>\n";
+  says(file("", ascii(), appended), "<Odd>", "<Odd>", "(line 18, column");
+}
+
+/// VTK writes the range of an array into its element, after the numbers.
+TEST(MeshVtp, ElementsInsideAnArrayArePassedOver) {
+  Arrays arrays = ascii();
+  arrays.points = element("Float32", "Points", "ascii",
+                          numbers(kPoints) +
+                              "\n<InformationKey name=\"L2_NORM_RANGE\" length=\"2\">\n<Value "
+                              "index=\"0\">\n0\n</Value></InformationKey>\n");
+  expect_square(file("", arrays), "InformationKey");
+  arrays = ascii();
+  arrays.corners = element("Int64", "connectivity", "ascii", "<!-- two triangles -->" + whole(kCorners));
+  expect_square(file("", arrays), "comment");
+}
+
 TEST(MeshVtp, ArraysOfOtherShapeOrTypeAreNamed) {
   const auto says = [](const Arrays& arrays, const std::string& part) {
     Mesh mesh;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -10,31 +9,6 @@
 
 namespace genu {
 namespace {
-
-TEST(Chart, TicksAreRoundAndCoverTheRange) {
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> exponent(-2, 6), unit(-1, 1);
-  for (int k = 0; k < 2000; ++k) {
-    const double width = std::pow(10, exponent(generator)), low = 10 * width * unit(generator), high = low + width;
-    const auto ticks = round_ticks(low, high, 5);
-    ASSERT_GE(ticks.size(), 3u);
-    ASSERT_LE(ticks.size(), 11u) << low << " " << high;
-    const double step = ticks[1] - ticks[0], mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
-    EXPECT_LT(std::min({std::abs(mantissa - 1), std::abs(mantissa - 2), std::abs(mantissa - 5)}), 1e-6) << step;
-    EXPECT_LE(ticks.front(), low + 1e-6 * step);
-    EXPECT_GE(ticks.back(), high - 1e-6 * step);
-  }
-}
-
-TEST(Chart, AConstantOrNothingStillHasAnAxis) {
-  const double inf = std::numeric_limits<double>::infinity();
-  for (const auto& [low, high] : {std::pair{20.0, 20.0}, {0.0, 0.0}, {inf, -inf}, {-1e9, -1e9}, {20.0, 20.0 + 1e-14}}) {
-    const auto ticks = round_ticks(low, high, 5);
-    EXPECT_GE(ticks.size(), 2u) << low;
-    EXPECT_LT(ticks.size(), 12u) << low;
-    EXPECT_LT(ticks.front(), ticks.back()) << low;
-  }
-}
 
 TEST(Chart, NeverWritesWhatIsNoNumberAndEscapesWords) {
   const double nan = std::nan("");

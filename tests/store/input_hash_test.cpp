@@ -2,20 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/core/file_checksum.h"
 #include "support/temporary_folder.h"
 
 namespace genu {
 namespace {
 
-TEST(InputHash, IsThatOfXxHashOf128Bits) {
-  EXPECT_EQ(content_hash(""), "99aa06d3014798d86001c324468d497f");  // xxhsum -H2 of an empty file
-  EXPECT_NE(content_hash("a"), content_hash("b"));
-}
-
-TEST(InputHash, OfAFileIsThatOfItsContent) {
+TEST(InputHash, OfTheSceneAndItsMeshesInTheirOrder) {
   const test::TemporaryFolder folder;
-  EXPECT_EQ(file_hash(folder.write("a", "knee")), content_hash("knee"));
-  EXPECT_EQ(file_hash(folder / "missing"), "");
+  Scene scene;
+  scene.file = folder.write("scene.toml", "knee");
+  SurfaceDef mesh;
+  mesh.shape = SurfaceDef::Shape::mesh;
+  mesh.file = folder / "missing.stl";
+  scene.surfaces.push_back(mesh);
+  const std::vector<std::pair<std::string, std::string>> expected = {{scene.file, checksum("knee").xxh128},
+                                                                     {mesh.file, ""}};
+  EXPECT_EQ(input_hashes(scene), expected);
 }
 
 TEST(InputHash, OfTheProgramStaysTheSame) {

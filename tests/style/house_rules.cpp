@@ -30,6 +30,7 @@ const std::map<std::string, std::vector<std::string>>& guarded_libraries() {
       {"assimp", {"assimp/"}},
       {"CGAL", {"CGAL/"}},
       {"cereal", {"cereal/"}},
+      {"pugixml", {"pugixml"}},
       {"xxHash", {"xxhash"}},
       {"toml++", {"toml++/", "toml.hpp", "toml.h"}},
       {"SUNDIALS", {"cvode/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/", "sunnonlinsol/"}},

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/mesh_care/mesh_intersections.h"
+#include "genu/mesh_care/mesh_repair.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/mesh_files/mesh_writer.h"
 #include "genu/surface/analytic.h"

@@ -20,13 +20,14 @@ struct RuleAdvice {
 };
 
 /// The first whose piece stands in the rule counts: what is told by the rule's own words, whatever the key.
-constexpr std::array<RuleAdvice, 29> kByRule = {{
+constexpr std::array<RuleAdvice, 30> kByRule = {{
     {"there is no command", "`genu --help` lists the commands, `genu new NAME` writes a scene to begin with"},
     {"which would be lost", "name another folder with --out"},
     {"summary.json counts", "run the scene again: what is left of its results cannot be judged as a whole"},
     {"is the scene that these results are of", "name the scene of these results with --scene, or run it again"},
     {"is no column of the results", "the first line of results.csv names its columns"},
     {"is no results.csv", "name the folder that `genu run` wrote"},
+    {"checksums of another version", "run the scene again with this version"},
     {"is no summary of a run", "name the folder that `genu run` wrote"},
     {"in one frame", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
     {"one unit", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},

@@ -10,17 +10,11 @@
 #include <CLI/Formatter.hpp>
 
 #include "commands.h"
-#include "genu/mesh_care/mesh_intersections.h"
+#include "genu/mesh_care/mesh_crossings.h"
 #include "genu/study/run_scene.h"
 
 namespace genu::cli {
 namespace {
-
-std::string self_intersections(const Surface& surface) {
-  if (!built_with_cgal()) return "not checked (built without CGAL)";
-  const auto count = count_self_intersections(surface.triangles(0, Vec3::Zero(), 0));
-  return count ? fmt::format("{}", *count) : "not checked (not a manifold)";
-}
 
 void describe_surface(const SurfaceNote& note, const Surface& surface) {
   fmt::print("  {}: {}\n", note.name, note.text);
@@ -35,7 +29,7 @@ void describe_surface(const SurfaceNote& note, const Surface& surface) {
   line("non-manifold edges", fmt::format("{}", m.non_manifold_edges));
   line("flipped triangles", fmt::format("{}{}", m.flipped, m.orientable ? "" : " (no winding agrees everywhere)"));
   line("degenerate, slivers", fmt::format("{}, {}", m.degenerate, m.slivers));
-  line("self-intersections", self_intersections(surface));
+  line("self-intersections", fmt::format("{}", crossing_triangles(surface.triangles(0, Vec3::Zero(), 0)).size()));
 }
 
 int check(const std::string& scene) {

@@ -1,47 +1,43 @@
 #include "genu/core/file_checksum.h"
 
-#include <array>
+#include <xxhash.h>
+
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace genu {
 namespace {
 
-class Fnv1a64 {
- public:
-  void add(std::string_view bytes) {
-    constexpr std::uint64_t kPrime = 0x100000001b3;
-    for (const char c : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * kPrime;
-    bytes_ += bytes.size();
-  }
-  FileChecksum checksum() const { return {bytes_, fmt::format("{:016x}", hash_)}; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-  std::uintmax_t bytes_ = 0;
-};
+std::string digits(const XXH128_hash_t& hash) { return fmt::format("{:016x}{:016x}", hash.high64, hash.low64); }
 
 }  // namespace
 
 FileChecksum checksum(std::string_view bytes) {
-  Fnv1a64 sum;
-  sum.add(bytes);
-  return sum.checksum();
+  return {bytes.size(), digits(XXH3_128bits(bytes.data(), bytes.size()))};
 }
 
 std::optional<FileChecksum> file_checksum(const std::string& path) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16;  // bytes read at a time
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
-  Fnv1a64 sum;
-  std::array<char, 1 << 16> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
-    sum.add({block.data(), static_cast<std::size_t>(stream.gcount())});
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  FileChecksum sum;
+  std::vector<char> block(kBlock);
+  while (stream.read(block.data(), kBlock) || stream.gcount() > 0) {
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    XXH3_128bits_update(state.get(), block.data(), count);
+    sum.bytes += count;
+  }
   if (stream.bad()) return std::nullopt;
-  return sum.checksum();
+  sum.xxh128 = digits(XXH3_128bits_digest(state.get()));
+  return sum;
 }
 
 }  // namespace genu

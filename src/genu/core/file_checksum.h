@@ -10,14 +10,14 @@ namespace genu {
 
 struct FileChecksum {
   std::uintmax_t bytes = 0;
-  std::string fnv1a64;  ///< 16 hexadecimal digits
+  std::string xxh128;  ///< 32 hexadecimal digits, as `xxhsum -H2 FILE` prints them
 };
 
-/// FNV-1a with 64 bits (Fowler, Noll and Vo) over a file's bytes: finds changes, not forgeries. Empty where the file
-/// cannot be read.
+/// 128 bits of XXH3 (Collet's xxHash) over a file's bytes: finds changes, not forgeries. Empty where the path is no
+/// regular file or cannot be read.
 std::optional<FileChecksum> file_checksum(const std::string& path);
 
-/// The same of bytes.
+/// The same of bytes in memory.
 FileChecksum checksum(std::string_view bytes);
 
 }  // namespace genu

@@ -24,7 +24,7 @@ std::optional<std::string> text_of_file(const std::string& path, std::string& wh
 }
 
 std::string shell_word(const std::string& word) {
-  const std::string text = !word.empty() && word.front() == '-' ? "./" + word : word;
+  std::string text = !word.empty() && word.front() == '-' ? "./" + word : word;
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_-./+,:@%=").find(c) != std::string::npos;

@@ -104,7 +104,7 @@ bool within(const MatX& bounds, const VecX& motion) {
 }
 
 VecX feasible_direction(const MatX& bounds, const MatX& motions) {
-  const VecX none = VecX::Zero(motions.rows());
+  VecX none = VecX::Zero(motions.rows());
   const MatX rows = unit_rows(bounds * motions);
   if (rows.rows() == 0) return none;
   const VecX sum = rows.transpose() * LeastSum(rows.transpose(), VecX::Zero(rows.cols()), 1).solve();
@@ -114,7 +114,7 @@ VecX feasible_direction(const MatX& bounds, const MatX& motions) {
 }
 
 VecX interior_direction(const MatX& bounds, const MatX& motions) {
-  const VecX none = VecX::Zero(motions.rows());
+  VecX none = VecX::Zero(motions.rows());
   const MatX rows = unit_rows(bounds * motions);
   if (rows.rows() == 0) return motions.cols() > 0 ? VecX(motions.col(0)) : none;
   // Up to a factor, the point of their convex hull that is nearest to 0.

@@ -172,7 +172,8 @@ class Layers {
       for (int i = 0; i < fine; ++i)
         for (int j = 0; j < 2 * (fine - i) - 1; ++j) {
           const double third = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-          const Vec3 p = o + ((i + third) * one + (j / 2 + third) * two) / fine;
+          const int column = j / 2;
+          const Vec3 p = o + ((i + third) * one + (column + third) * two) / fine;
           add(p, area / size, size / (fine * fine), std::sqrt(2 * size) / fine);
         }
     }

@@ -28,15 +28,21 @@ void warn(const std::string& file, std::string rule, Diagnostics& out) {
 
 bool is_count(const json& value) { return value.is_number_unsigned(); }
 
+/// genu 0.1 wrote FNV-1a.
+bool has_old_checksums(const json& summary) {
+  const json results = summary.value("results", json());
+  return results.is_object() && results.contains("fnv1a64");
+}
+
 /// The first key of summary.json with a missing or wrong value, of those that every run writes; else empty.
 std::string wrong_key(const json& summary, bool given) {
   if (!summary.value("partial", json()).is_boolean()) return "partial";
   const json files = summary.value("files", json()), results = summary.value("results", json());
   if (!files.is_array()) return "files";
   for (const json& file : files)
-    if (!file.is_object() || !file.value("path", json()).is_string() || !file.value("fnv1a64", json()).is_string())
+    if (!file.is_object() || !file.value("path", json()).is_string() || !file.value("xxh128", json()).is_string())
       return "files";
-  if (!results.is_object() || !is_count(results.value("rows", json())) || !results.value("fnv1a64", json()).is_string())
+  if (!results.is_object() || !is_count(results.value("rows", json())) || !results.value("xxh128", json()).is_string())
     return "results";
   if (given) return {};
   const char* counted = summary.contains("motion") ? "rows" : "poses";  // a motion counts rows, a path poses
@@ -46,7 +52,7 @@ std::string wrong_key(const json& summary, bool given) {
 
 /// Warns where the table is not the one that the run wrote.
 void compare_table(const json& written, const std::string& path, const std::string& text, Diagnostics& out) {
-  if (checksum(text).fnv1a64 == written["fnv1a64"].get<std::string>()) return;
+  if (checksum(text).xxh128 == written["xxh128"].get<std::string>()) return;
   const auto rows = written["rows"].get<std::size_t>();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   const std::size_t now = lines - std::min<std::size_t>(lines, 1);
@@ -59,7 +65,7 @@ void compare_table(const json& written, const std::string& path, const std::stri
 /// Warns where the caller's scene is not the one that the run read.
 void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
   const auto now = file_checksum(scene);
-  if (now && !summary["files"].empty() && summary["files"].front()["fnv1a64"].get<std::string>() != now->fnv1a64)
+  if (now && !summary["files"].empty() && summary["files"].front()["xxh128"].get<std::string>() != now->xxh128)
     warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
 }
 
@@ -71,7 +77,7 @@ void compare_files(const json& summary, const std::string& path_of_summary, Diag
     const auto now = file_checksum(path);
     if (!now)
       warn(path, "is no longer there: the run read it", out);
-    else if (now->fnv1a64 != file["fnv1a64"].get<std::string>())
+    else if (now->xxh128 != file["xxh128"].get<std::string>())
       warn(path, "has changed since the run: its results are read with what it says now", out);
   }
 }
@@ -87,6 +93,10 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   if (!results || !text) return std::nullopt;
   const json summary = json::parse(*text, nullptr, false);
   if (!summary.is_object()) return out.error(summary_path, "is no summary of a run"), std::nullopt;
+  if (has_old_checksums(summary))
+    return out.error(summary_path, "has checksums of another version of genu, " + summary.value("genu", json()).dump() +
+                                       ", which this one does not know"),
+           std::nullopt;
   const bool given = summary.contains("columns");
   if (given && !given_too)
     return out.error(summary_path, "is of poses that were given: nothing there is called balanced"), std::nullopt;

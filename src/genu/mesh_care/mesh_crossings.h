@@ -1,5 +1,6 @@
-// Where the triangles of a mesh run through each other, in floating point, for any soup of triangles: quick enough to
-// look at every mesh that is read. mesh_intersections.h decides the same exactly, for manifolds and with CGAL.
+// Self-intersections: where triangles of a mesh run through each other. In floating point, for any set of triangles:
+// quick enough to examine every mesh that is read, and the same in a build without CGAL. CGAL's exact answer is the
+// twin in its test, because it needs a manifold.
 #pragma once
 
 #include <utility>

@@ -104,6 +104,8 @@ std::size_t turn_single_piece_outward(Mesh& mesh) {
 
 }  // namespace
 
+bool built_with_cgal() { return true; }
+
 RepairReport repair_mesh(Mesh& mesh) {
   RepairReport report;
   Mesh work = mesh;
@@ -141,6 +143,8 @@ RepairReport repair_mesh(Mesh& mesh) {
 #else  // GENU_WITH_CGAL
 
 namespace genu {
+
+bool built_with_cgal() { return false; }
 
 RepairReport repair_mesh(Mesh&) {
   return {.problem = "cannot be mended: this genu was built without CGAL (GENU_WITH_CGAL=OFF)"};

@@ -17,6 +17,9 @@ struct RepairReport {
   std::size_t new_triangles = 0;  ///< in the filled holes
 };
 
+/// False where genu was built with GENU_WITH_CGAL=OFF: repair_mesh() then changes nothing.
+bool built_with_cgal();
+
 /// Mends `mesh` as read_mesh() gave it. Borders of open sheets and of cut bones stay open. Without CGAL it is left as
 /// it is, and `problem` says so.
 RepairReport repair_mesh(Mesh& mesh);

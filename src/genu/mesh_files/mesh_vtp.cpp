@@ -1,8 +1,11 @@
+// The XML is parsed by pugixml. Appended data follows the "_" in <AppendedData>, raw bytes among them: it is cut out
+// first, because it is no XML.
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <optional>
+
+#include <pugixml.hpp>
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
@@ -10,54 +13,6 @@
 
 namespace genu {
 namespace {
-
-using Attributes = std::map<std::string, std::string>;
-
-struct Tag {
-  std::string name;  ///< "/Piece" where it closes
-  Attributes attributes;
-  std::size_t after = 0;  ///< of the text
-  bool empty = false;     ///< <.../>
-};
-
-/// The next tag from `at`; empty where there is none, or none that ends.
-std::optional<Tag> next_tag(std::string_view text, std::size_t at) {
-  Tag tag;
-  do {
-    at = text.find('<', at);
-    if (at == std::string_view::npos) return std::nullopt;
-    const std::size_t name = ++at;
-    while (at < text.size() && text[at] != '>' && text[at] != ' ' && text[at] != '\n' && text[at] != '\t' &&
-           text[at] != '\r' && (text[at] != '/' || at == name))
-      ++at;
-    tag.name = text.substr(name, at - name);
-  } while (tag.name.starts_with("?") || tag.name.starts_with("!"));
-  while (at < text.size() && text[at] != '>') {
-    if (text[at] == '/') tag.empty = true;
-    const std::size_t equals = text.find_first_of("=>/", at);
-    if (equals == std::string_view::npos) return std::nullopt;
-    if (text[equals] != '=') {
-      at = std::max(equals, at + (text[at] == '/' ? 1 : 0));
-      continue;
-    }
-    std::string_view key = text.substr(at, equals - at);
-    key = key.substr(std::min(key.find_first_not_of(" \t\r\n"), key.size()));
-    key = key.substr(0, key.find_last_not_of(" \t\r\n") + 1);
-    const std::size_t open = text.find_first_of("\"'", equals);
-    const std::size_t close = open == std::string_view::npos ? open : text.find(text[open], open + 1);
-    if (close == std::string_view::npos) return std::nullopt;
-    tag.attributes[std::string(key)] = text.substr(open + 1, close - open - 1);
-    at = close + 1;
-  }
-  if (at >= text.size()) return std::nullopt;
-  tag.after = at + 1;
-  return tag;
-}
-
-std::string value(const Attributes& attributes, const std::string& key, const std::string& otherwise = {}) {
-  const auto it = attributes.find(key);
-  return it == attributes.end() ? otherwise : it->second;
-}
 
 /// The cells of one kind of a piece.
 struct Cells {
@@ -69,26 +24,14 @@ class VtpFile {
   VtpFile(std::string_view text, Mesh& mesh) : text_(text), mesh_(mesh) {}
 
   std::string read() {
-    if (!read_head()) return problem_;
-    std::size_t at = body_;
-    while (problem_.empty()) {
-      const auto tag = next_tag(text_, at);
-      if (!tag) return "is XML that breaks off: it is truncated; copy or export it again";
-      at = tag->after;
-      if (tag->name == "AppendedData" || tag->name == "/VTKFile") return problem_;
-      if (tag->name == "DataArray" && !tag->empty)
-        at = read_array(*tag);
-      else if (tag->name == "DataArray")
-        read_array(*tag);
-      else if (tag->name == "Piece")
-        piece_ = tag->attributes;
-      else if (tag->name == "/Piece")
-        add_piece();
-      else if (tag->name == "Points" || tag->name == "Polys" || tag->name == "Strips")
-        section_ = tag->empty ? "" : tag->name;
-      else if (tag->name == "/" + section_)
-        section_.clear();
-    }
+    if (!looks_like_vtk() || !has_end() || !cut_out_appended() || !parse() || !read_head()) return problem_;
+    for (const pugi::xml_node data : root().children("PolyData"))
+      for (const pugi::xml_node piece : data.children("Piece")) {
+        if (!read_section(piece, "Points") || !read_section(piece, "Polys") || !read_section(piece, "Strips"))
+          return problem_;
+        add_piece(piece);
+        if (!problem_.empty()) return problem_;
+      }
     return problem_;
   }
 
@@ -98,88 +41,127 @@ class VtpFile {
     return false;
   }
 
-  bool read_head() {
-    std::optional<Tag> tag = next_tag(text_, 0);
-    if (!tag || tag->name != "VTKFile") return fail("does not start as a VTK XML file: export it again");
-    if (value(tag->attributes, "type") != "PolyData")
-      return fail("is a VTK file of type " + in_quotes(value(tag->attributes, "type")) +
-                  ", not PolyData: export a surface");
-    const bool little = value(tag->attributes, "byte_order", "LittleEndian") == "LittleEndian";
-    encoding_.swap = little != (std::endian::native == std::endian::little);
-    encoding_.wide_header = value(tag->attributes, "header_type", "UInt32") == "UInt64";
-    const std::string compressor = value(tag->attributes, "compressor");
-    encoding_.compressed = !compressor.empty();
-    if (encoding_.compressed && compressor != "vtkZLibDataCompressor")
-      return fail("is compressed by " + in_quotes(compressor) + "; genu reads zlib and what is not compressed");
-    body_ = tag->after;
-    if (text_.find("</VTKFile", text_.size() < 200 ? 0 : text_.size() - 200) == std::string_view::npos)
-      return fail("has no \"</VTKFile>\" at its end: it is truncated; copy or export it again");
-    const std::size_t appended = text_.find("<AppendedData");
-    if (appended == std::string_view::npos) return true;
-    tag = next_tag(text_, appended);
-    const std::size_t begin = tag ? text_.find('_', tag->after) : std::string_view::npos;
+  pugi::xml_node root() const { return document_.child("VTKFile"); }
+
+  /// Before its XML is parsed: a file of another kind gets no message about XML.
+  bool looks_like_vtk() {
+    return text_.find("<VTKFile") != std::string_view::npos ||
+           fail("does not start as a VTK XML file: export it again");
+  }
+
+  bool has_end() {
+    constexpr std::size_t kNearEnd = 200;  // bytes, of white space and comments after the last tag
+    return text_.find("</VTKFile", text_.size() < kNearEnd ? 0 : text_.size() - kNearEnd) != std::string_view::npos ||
+           fail("has no \"</VTKFile>\" at its end: it is truncated; copy or export it again");
+  }
+
+  bool cut_out_appended() {
+    xml_ = text_;
+    const std::size_t tag = text_.find("<AppendedData");
+    if (tag == std::string_view::npos) return true;
+    const std::size_t after = text_.find('>', tag);
+    const std::size_t begin = after == std::string_view::npos ? after : text_.find('_', after);
     if (begin == std::string_view::npos)
       return fail("has appended data without its \"_\": it is damaged; export it again");
     const std::size_t end = text_.rfind("</AppendedData");
     if (end == std::string_view::npos || end < begin) return fail("has appended data without an end: it is truncated");
-    encoding_.appended_base64 = value(tag->attributes, "encoding", "base64") != "raw";
     encoding_.appended = text_.substr(begin + 1, end - begin - 1);
+    xml_.erase(begin, end - begin);
+    appended_ = {begin, end - begin};
     return true;
   }
 
-  /// Returns where to go on.
-  std::size_t read_array(const Tag& tag) {
+  bool parse() {
+    // UTF-8 or ASCII: converted text would have other offsets.
+    const pugi::xml_parse_result result =
+        document_.load_buffer_inplace(xml_.data(), xml_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (result) return root() || fail("does not start as a VTK XML file: export it again");
+    const std::size_t at = place_of(result.offset);
+    const std::size_t line_begin = at == 0 ? 0 : text_.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+    return fail("is no whole XML: " + std::string(result.description()) + " (line " + std::to_string(line_of(at)) +
+                ", column " + std::to_string(at - line_begin + 1) + "): it is damaged; copy or export it again");
+  }
+
+  /// Into the file, of a place in the XML without the appended data.
+  std::size_t place_of(std::ptrdiff_t offset) const {
+    auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+    if (appended_.size > 0 && at >= appended_.begin) at += appended_.size;
+    return std::min(at, text_.size());
+  }
+
+  std::ptrdiff_t line_of(std::size_t at) const {
+    return 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  }
+
+  bool read_head() {
+    const std::string type = root().attribute("type").as_string();
+    if (type != "PolyData")
+      return fail("is a VTK file of type " + in_quotes(type) + ", not PolyData: export a surface");
+    const bool little = root().attribute("byte_order").as_string("LittleEndian") == std::string_view("LittleEndian");
+    encoding_.swap = little != (std::endian::native == std::endian::little);
+    encoding_.wide_header = root().attribute("header_type").as_string() == std::string_view("UInt64");
+    const std::string compressor = root().attribute("compressor").as_string();
+    encoding_.compressed = !compressor.empty();
+    if (encoding_.compressed && compressor != "vtkZLibDataCompressor")
+      return fail("is compressed by " + in_quotes(compressor) + "; genu reads zlib and what is not compressed");
+    const pugi::xml_attribute appended = root().child("AppendedData").attribute("encoding");
+    encoding_.appended_base64 = appended.as_string("base64") != std::string_view("raw");
+    return true;
+  }
+
+  /// The arrays of <Points>, <Polys> or <Strips>.
+  bool read_section(const pugi::xml_node& piece, const std::string& section) {
+    for (const pugi::xml_node element : piece.children(section.c_str()))
+      for (const pugi::xml_node array : element.children("DataArray"))
+        if (std::vector<double>* out = target(section, array); out != nullptr && !read_array(array, *out)) return false;
+    return true;
+  }
+
+  /// Where the numbers of an array go; null for one that means nothing here.
+  std::vector<double>* target(const std::string& section, const pugi::xml_node& array) {
+    if (section == "Points") return &points_;
+    Cells& cells = section == "Polys" ? polygons_ : strips_;
+    const std::string_view name = array.attribute("Name").as_string();
+    return name == "connectivity" ? &cells.connectivity : name == "offsets" ? &cells.offsets : nullptr;
+  }
+
+  bool read_array(const pugi::xml_node& element, std::vector<double>& out) {
     VtpArray array;
-    array.type = value(tag.attributes, "type");
-    array.format = value(tag.attributes, "format", "ascii");
-    const std::string offset = value(tag.attributes, "offset", "0");
+    array.type = element.attribute("type").as_string();
+    array.format = element.attribute("format").as_string("ascii");
+    array.text = element.child_value();
+    const std::string offset = element.attribute("offset").as_string("0");
     if (!TextWords::number(std::string_view(offset), array.offset))
-      fail("has an array with the offset " + in_quotes(offset));
-    std::size_t end = tag.after;
-    if (!tag.empty) {
-      end = text_.find("</DataArray", tag.after);
-      if (end == std::string_view::npos) fail("has an array without an end: it is truncated; copy or export it again");
-      end = std::min(end, text_.size());
-      array.text = text_.substr(tag.after, end - tag.after);
-    }
-    const std::string name = value(tag.attributes, "Name");
-    std::vector<double>* out = nullptr;
-    Cells& cells = section_ == "Polys" ? polygons_ : strips_;
-    if (section_ == "Points")
-      out = &points_;
-    else if (!section_.empty() && name == "connectivity")
-      out = &cells.connectivity;
-    else if (!section_.empty() && name == "offsets")
-      out = &cells.offsets;
-    if (out == nullptr || !problem_.empty() || !of_components(tag, out == &points_ ? "3" : "1")) return end;
-    if (std::string problem = read_vtp_array(array, encoding_, *out); !problem.empty()) fail(problem + where(tag));
-    return end;
+      return fail("has an array with the offset " + in_quotes(offset) + where(element));
+    if (!of_components(element, &out == &points_ ? "3" : "1")) return false;
+    const std::string problem = read_vtp_array(array, encoding_, out);
+    return problem.empty() || fail(problem + where(element));
   }
 
-  /// " (line 12)", where a tag ends.
-  std::string where(const Tag& tag) const {
-    return " (line " + std::to_string(1 + std::count(text_.begin(), text_.begin() + tag.after, '\n')) + ")";
+  /// " (line 12)".
+  std::string where(const pugi::xml_node& element) const {
+    return " (line " + std::to_string(line_of(place_of(element.offset_debug()))) + ")";
   }
 
-  bool of_components(const Tag& tag, const char* wanted) {
-    const std::string found = value(tag.attributes, "NumberOfComponents", wanted);
+  bool of_components(const pugi::xml_node& element, const char* wanted) {
+    const std::string found = element.attribute("NumberOfComponents").as_string(wanted);
     return found == wanted ||
-           fail("has an array " + in_quotes(value(tag.attributes, "Name")) + " of " + in_quotes(found) +
-                " components, not " + wanted + where(tag) + ": it is damaged; export it again");
+           fail("has an array " + in_quotes(element.attribute("Name").as_string()) + " of " + in_quotes(found) +
+                " components, not " + wanted + where(element) + ": it is damaged; export it again");
   }
 
   /// Does the piece have as many numbers as it says?
-  bool promised(const char* what, std::size_t numbers, std::size_t each) {
-    const std::string count = value(piece_, what, "0");
+  bool promised(const pugi::xml_node& piece, const char* what, std::size_t numbers, std::size_t each) {
+    const std::string count = piece.attribute(what).as_string("0");
     if (numbers % each == 0 && count == std::to_string(numbers / each)) return true;
     return fail("promises " + std::string(what) + " = " + in_quotes(count) + " but holds " +
                 std::to_string(numbers / each) + ": it is damaged; export it again");
   }
 
-  void add_piece() {
-    if (!promised("NumberOfPoints", points_.size(), 3)) return;
-    if (!promised("NumberOfPolys", polygons_.offsets.size(), 1)) return;
-    if (!promised("NumberOfStrips", strips_.offsets.size(), 1)) return;
+  void add_piece(const pugi::xml_node& piece) {
+    if (!promised(piece, "NumberOfPoints", points_.size(), 3)) return;
+    if (!promised(piece, "NumberOfPolys", polygons_.offsets.size(), 1)) return;
+    if (!promised(piece, "NumberOfStrips", strips_.offsets.size(), 1)) return;
     if (mesh_.vertices.size() + points_.size() / 3 > kMostPerMesh)
       fail("has more points than can be counted: reduce the mesh");
     base_ = mesh_.vertices.size();
@@ -222,12 +204,19 @@ class VtpFile {
     mesh_.triangles.push_back(t);
   }
 
+  /// What was cut out of text_ for xml_.
+  struct Gap {
+    std::size_t begin = 0, size = 0;
+  };
+
   std::string_view text_;
   Mesh& mesh_;
+  std::string xml_;  ///< the document points into it
+  Gap appended_;
+  pugi::xml_document document_;
   VtpEncoding encoding_;
-  std::size_t body_ = 0, base_ = 0;
-  std::string section_, problem_;
-  Attributes piece_;
+  std::size_t base_ = 0;
+  std::string problem_;
   std::vector<double> points_;
   Cells polygons_, strips_;
 };

@@ -19,7 +19,7 @@ constexpr double kLongestStep = 0.1;  // of a step: events that cancel within a 
 
 }  // namespace
 
-void PathFollower::begin(const StepPlan& plan, int step, Balanced pose, PoseReport report) {
+void PathFollower::begin(const StepPlan& plan, int step, Balanced pose, const PoseReport& report) {
   plan_ = plan;
   rate_ = plan.rate();
   step_ = step;

@@ -22,7 +22,7 @@ class PathFollower {
         event_newton_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose solved there.
-  void begin(const StepPlan& plan, int step, Balanced pose, PoseReport report);
+  void begin(const StepPlan& plan, int step, Balanced pose, const PoseReport& report);
 
   /// Follows the path to t. False where the path ends before; the pose is then the last valid one, at t().
   bool advance_to(double t);

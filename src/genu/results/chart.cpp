@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/svg_axes.h"
 #include "genu/results/svg_text.h"
 
 namespace genu {
@@ -34,29 +35,6 @@ double panel_width(const Chart& chart) {
   return kLeft + kPlotWidth + std::max(kNames, kLeader + kLetter * static_cast<double>(longest));
 }
 
-std::string text_at(double x, double y, const std::string& text, const char* attributes) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, svg_escaped(text));
-}
-
-std::string line_at(double x1, double y1, double x2, double y2, const char* style) {
-  return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", style, x1, y1, x2, y2);
-}
-
-/// A round number as short as it is exact.
-std::string tick_text(double value, double step) {
-  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  if (decimals > 6 || std::abs(value) >= 1e7) return fmt::format("{:.4g}", value);
-  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * step ? 0.0 : value, decimals);
-}
-
-/// A straight map from values to pixels; ticks are in order.
-struct Axis {
-  std::vector<double> ticks;
-  double low = 0, high = 1, at_low = 0, at_high = 1;
-  double step() const { return ticks.size() > 1 ? ticks[1] - ticks[0] : 1; }
-  double operator()(double value) const { return at_low + (value - low) / (high - low) * (at_high - at_low); }
-};
-
 std::pair<double, double> range(const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double v : values) {
@@ -68,24 +46,12 @@ std::pair<double, double> range(const std::vector<double>& values) {
 }
 
 /// The x axis ends where the data ends; only ticks within are drawn.
-Axis horizontal(const Chart& chart, double left) {
+SvgAxis horizontal(const Chart& chart, double left) {
   const auto [low, high] = range(chart.x);
-  Axis axis;
-  axis.ticks = round_ticks(low, high, 8);
-  axis.low = axis.ticks.front();
-  axis.high = axis.ticks.back();
-  if (high > low) {
-    axis.low = low;
-    axis.high = high;
-    const double slack = 1e-9 * (high - low);
-    std::erase_if(axis.ticks, [&](double t) { return t < axis.low - slack || t > axis.high + slack; });
-  }
-  axis.at_low = left;
-  axis.at_high = left + kPlotWidth;
-  return axis;
+  return linear_axis_within(low, high, 8, {left, left + kPlotWidth});
 }
 
-Axis vertical(const ChartPanel& panel, double top) {
+SvgAxis vertical(const ChartPanel& panel, double top) {
   std::vector<double> all;
   for (const ChartSeries& s : panel.series) {
     all.insert(all.end(), s.y.begin(), s.y.end());
@@ -94,17 +60,11 @@ Axis vertical(const ChartPanel& panel, double top) {
   }
   if (panel.from_zero) all.push_back(0);
   const auto [low, high] = range(all);
-  Axis axis;
-  axis.ticks = round_ticks(low, high, 5);
-  axis.low = axis.ticks.front();
-  axis.high = axis.ticks.back();
-  axis.at_low = top + kPlotHeight;
-  axis.at_high = top;
-  return axis;
+  return linear_axis(low, high, 5, {top + kPlotHeight, top});
 }
 
 /// The line of a series; a value between two gaps becomes a dot. Long series are thinned to what a screen can show.
-std::string draw_series(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y,
+std::string draw_series(const Chart& chart, const ChartSeries& series, const SvgAxis& x, const SvgAxis& y,
                         const char* colour) {
   std::string path, dots;
   const std::size_t n = std::min(chart.x.size(), series.y.size()), stride = 1 + n / kMostPoints;
@@ -129,11 +89,14 @@ std::string draw_series(const Chart& chart, const ChartSeries& series, const Axi
 }
 
 /// The band within which a series may lie, in pieces where it is known without a gap.
-std::string draw_band(const Chart& chart, const ChartSeries& series, const Axis& x, const Axis& y, const char* colour) {
+std::string draw_band(const Chart& chart, const ChartSeries& series, const SvgAxis& x, const SvgAxis& y,
+                      const char* colour) {
   const std::size_t n = std::min({chart.x.size(), series.y.size(), series.bar.size()}), stride = 1 + n / kMostPoints;
-  std::string path, upper, lower;
+  std::string path, upper;
+  std::vector<std::string> lower;
   const auto end_run = [&] {
-    if (!upper.empty()) path += "M" + upper.substr(1) + lower + "Z";
+    if (!upper.empty())
+      path += "M" + upper.substr(1) + fmt::format("{}", fmt::join(lower.rbegin(), lower.rend(), "")) + "Z";
     upper.clear();
     lower.clear();
   };
@@ -142,7 +105,7 @@ std::string draw_band(const Chart& chart, const ChartSeries& series, const Axis&
       end_run();
     } else if (k % stride == 0 || k + 1 == n) {
       upper += fmt::format("L{:.1f} {:.1f}", x(chart.x[k]), y(series.y[k] + series.bar[k]));
-      lower = fmt::format("L{:.1f} {:.1f}", x(chart.x[k]), y(series.y[k] - series.bar[k])) + lower;
+      lower.push_back(fmt::format("L{:.1f} {:.1f}", x(chart.x[k]), y(series.y[k] - series.bar[k])));
     }
   }
   end_run();
@@ -174,7 +137,7 @@ double last_finite(const std::vector<double>& values) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y, double top) {
+std::string draw_lines(const Chart& chart, const ChartPanel& panel, const SvgAxis& x, const SvgAxis& y, double top) {
   std::string out;
   std::vector<double> ends;
   for (const ChartSeries& s : panel.series) {
@@ -190,25 +153,9 @@ std::string draw_lines(const Chart& chart, const ChartPanel& panel, const Axis& 
     out += draw_series(chart, panel.series[k], x, y, colour);
     out += fmt::format("<path fill=\"none\" stroke=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", colour, right + 2,
                        ends[k], right + 11, heights[k]);
-    out += text_at(right + 14, heights[k] + 3.5, panel.series[k].name, fmt::format("fill=\"{}\"", colour).c_str());
+    out += svg_text(right + 14, heights[k] + 3.5, panel.series[k].name, fmt::format("fill=\"{}\"", colour).c_str());
   }
   return out;
-}
-
-std::string draw_axes(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y, double top) {
-  std::string out = text_at(x.at_low, top - 16, panel.title, "class=\"panel\"");
-  const double bottom = top + kPlotHeight;
-  for (const double t : y.ticks) {
-    out += line_at(x.at_low, y(t), x.at_high, y(t), std::abs(t) < 0.5 * y.step() ? "zero" : "grid");
-    out += text_at(x.at_low - 6, y(t) + 3.5, tick_text(t, y.step()), "class=\"tick\" text-anchor=\"end\"");
-  }
-  for (const double t : x.ticks) {
-    out += line_at(x(t), bottom, x(t), bottom + 4, "axis");
-    out += text_at(x(t), bottom + 16, tick_text(t, x.step()), "class=\"tick\" text-anchor=\"middle\"");
-  }
-  out += line_at(x.at_low, bottom, x.at_high, bottom, "axis");
-  return out +
-         text_at(0.5 * (x.at_low + x.at_high), bottom + 31, chart.x_title, "class=\"tick\" text-anchor=\"middle\"");
 }
 
 /// The sign above a panel: up for gained, down for lost, a rhomb for the rest.
@@ -220,7 +167,7 @@ std::string event_sign(ChartEvent::Kind kind, double x, double y) {
                      fmt::format(fmt::runtime(shape), x, y, y + 7));
 }
 
-std::string draw_events(const Chart& chart, const Axis& x, double top) {
+std::string draw_events(const Chart& chart, const SvgAxis& x, double top) {
   std::string out;
   for (const ChartEvent& e : chart.events) {
     if (!std::isfinite(e.from) || !std::isfinite(e.to)) continue;
@@ -231,14 +178,14 @@ std::string draw_events(const Chart& chart, const Axis& x, double top) {
       out += fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
                          from, top, std::max(to - from, 1.5), kPlotHeight);
     } else {
-      out += line_at(from, top, from, top + kPlotHeight, "event") + event_sign(e.kind, from, top - 8);
+      out += svg_line(from, top, from, top + kPlotHeight, "event") + event_sign(e.kind, from, top - 8);
     }
     out += "</g>\n";
   }
   return out;
 }
 
-std::string draw_crossings(const Chart& chart, const ChartPanel& panel, const Axis& x, const Axis& y) {
+std::string draw_crossings(const Chart& chart, const ChartPanel& panel, const SvgAxis& x, const SvgAxis& y) {
   std::string out;
   if (!panel.mark_zero_crossings || panel.series.empty()) return out;
   const std::vector<double>& v = panel.series.front().y;
@@ -246,15 +193,15 @@ std::string draw_crossings(const Chart& chart, const ChartPanel& panel, const Ax
     if (!std::isfinite(v[k - 1]) || !std::isfinite(v[k]) || (v[k - 1] < 0) == (v[k] < 0)) continue;
     const double at = chart.x[k - 1] + v[k - 1] / (v[k - 1] - v[k]) * (chart.x[k] - chart.x[k - 1]);
     out += fmt::format("<circle class=\"crossing\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>\n", x(at), y(0));
-    out += text_at(x(at) + 8, y(0) - 7, fmt::format("0 at {:.4g}", at), "class=\"tick\"");
+    out += svg_text(x(at) + 8, y(0) - 7, fmt::format("0 at {:.4g}", at), "class=\"tick\"");
   }
   return out;
 }
 
 std::string draw_panel(const Chart& chart, const ChartPanel& panel, double left, double top) {
-  const Axis x = horizontal(chart, left), y = vertical(panel, top);
-  return draw_events(chart, x, top) + draw_axes(chart, panel, x, y, top) + draw_lines(chart, panel, x, y, top) +
-         draw_crossings(chart, panel, x, y);
+  const SvgAxis x = horizontal(chart, left), y = vertical(panel, top);
+  return draw_events(chart, x, top) + svg_text(left, top - 16, panel.title, "class=\"panel\"") +
+         draw_axes(x, y, chart.x_title) + draw_lines(chart, panel, x, y, top) + draw_crossings(chart, panel, x, y);
 }
 
 std::string list_events(const Chart& chart, double top) {
@@ -262,60 +209,43 @@ std::string list_events(const Chart& chart, double top) {
   const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
   for (std::size_t k = 0; k < shown; ++k) {
     const ChartEvent& e = chart.events[k];
+    const std::size_t row = k / kChartColumns;
     const double left = kChartMargin + kLeft + (k % kChartColumns) * panel_width(chart),
-                 y = top + kLine * static_cast<double>(k / kChartColumns);
+                 y = top + kLine * static_cast<double>(row);
     if (e.kind == ChartEvent::Kind::window)
       out +=
           fmt::format("<rect class=\"window\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"9\"/>\n", left - 4, y - 8);
     else
       out += event_sign(e.kind, left, y - 7.5);
     const bool more = k + 1 == shown && chart.events.size() > shown;
-    out += text_at(left + 10, y, more ? fmt::format("and {} more: see events.csv", chart.events.size() - k) : e.text,
-                   "class=\"tick\"");
+    out += svg_text(left + 10, y, more ? fmt::format("and {} more: see events.csv", chart.events.size() - k) : e.text,
+                    "class=\"tick\"");
   }
   return out;
 }
 
+/// Of kChartColumns each.
+std::size_t rows_for(std::size_t count) { return (count + kChartColumns - 1) / kChartColumns; }
+
 constexpr const char* kStyle =
-    "text{font:11.5px 'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;fill-opacity:1}"
-    ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}.tick{fill:#444}"
-    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.band{fill-opacity:.16;stroke:none}.grid{stroke:#e6e6e6}."
-    "zero{stroke:#9a9a9a}.axis{stroke:#"
-    "444}"
+    ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}"
+    ".line{fill:none;stroke-width:1.8;stroke-linejoin:round}.band{fill-opacity:.16;stroke:none}"
     ".event{stroke:#777;stroke-dasharray:2 3}.sign{fill:#333}.hollow{fill:#fff;stroke:#333}.window{fill:#ddd}"
     ".crossing{fill:none;stroke:#000;stroke-width:1.5}";
 
 }  // namespace
 
-std::vector<double> round_ticks(double low, double high, int wanted) {
-  if (!std::isfinite(low) || !std::isfinite(high)) low = 0, high = 1;
-  const double middle = 0.5 * (low + high), least = std::max(1e-3, 1e-6 * std::abs(middle));
-  if (high - low < least) low = middle - least, high = middle + least;
-  const double raw = (high - low) / std::max(1, wanted), power = std::pow(10, std::floor(std::log10(raw)));
-  const double ratio = raw / power;
-  const double step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
-  const double first = std::floor(low / step + 1e-9), last = std::ceil(high / step - 1e-9);
-  std::vector<double> ticks;
-  for (double k = first; k <= last; ++k) ticks.push_back(k * step);
-  return ticks;
-}
-
 std::string to_svg(const Chart& chart) {
-  const auto rows = static_cast<double>((chart.panels.size() + kChartColumns - 1) / kChartColumns);
-  const auto lines =
-      static_cast<double>((std::min(chart.events.size(), kMostEventLines) + kChartColumns - 1) / kChartColumns);
+  const std::size_t shown = std::min(chart.events.size(), kMostEventLines);
+  const auto rows = static_cast<double>(rows_for(chart.panels.size())), lines = static_cast<double>(rows_for(shown));
   const double width = 2 * kChartMargin + kChartColumns * panel_width(chart);
   const double height = kHeader + rows * kPanelHeight + lines * kLine + kChartMargin;
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\">\n"
-      "<style>{2}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      width, height, kStyle);
-  out += text_at(kChartMargin, 26, chart.title, "class=\"title\"");
+  std::string out = svg_opening(width, height, std::string(kSvgLetters) + kSvgAxesStyle + kStyle);
+  out += svg_text(kChartMargin, 26, chart.title, "class=\"title\"");
   for (std::size_t k = 0; k < chart.panels.size(); ++k) {
+    const std::size_t row = k / kChartColumns;
     const double left = kChartMargin + kLeft + (k % kChartColumns) * panel_width(chart);
-    out += draw_panel(chart, chart.panels[k], left,
-                      kHeader + kAbovePlot + static_cast<double>(k / kChartColumns) * kPanelHeight);
+    out += draw_panel(chart, chart.panels[k], left, kHeader + kAbovePlot + static_cast<double>(row) * kPanelHeight);
   }
   return out + list_events(chart, kHeader + rows * kPanelHeight + kLine - 4) + "</svg>\n";
 }

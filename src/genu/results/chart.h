@@ -34,10 +34,6 @@ struct Chart {
   std::vector<ChartEvent> events;
 };
 
-/// Ticks at round numbers (1, 2 or 5 times a power of ten), about `wanted` of them, the outer ones at or just outside
-/// of [low, high]. Ends that are equal or not finite are moved apart.
-std::vector<double> round_ticks(double low, double high, int wanted);
-
 /// The picture. Words are escaped, numbers have fixed decimals: the same chart gives the same bytes.
 std::string to_svg(const Chart& chart);
 

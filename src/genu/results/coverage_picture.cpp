@@ -67,16 +67,14 @@ void draw(const CoverageMap& map, const Extent& extent, const Vec2& corner, doub
   const Vec2 at(corner.x(), corner.y() + kTitle);
   const auto x = [&](double u) { return at.x() + kPixels * (u - extent.low.x()); };
   const auto y = [&](double v) { return at.y() + kPixels * (extent.high.y() - v); };
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"t\">{}</text>\n", at.x(), corner.y() + 14,
-                     svg_escaped(map.title));
+  out += svg_text(at.x(), corner.y() + 14, map.title, "class=\"t\"");
   draw_cells(map, extent, at, scale, out);
   out +=
       fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"p\"/>\n", x(map.low.x()),
                   y(map.high.y()), kPixels * (map.high.x() - map.low.x()), kPixels * (map.high.y() - map.low.y()));
   for (const Vec2& c : map.contacts)
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", x(c.x()), y(c.y()));
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">across: {}; up: {}</text>\n", at.x(), y(extent.low.y()) + 16,
-                     svg_escaped(map.u_title), svg_escaped(map.v_title));
+  out += svg_text(at.x(), y(extent.low.y()) + 16, "across: " + map.u_title + "; up: " + map.v_title);
 }
 
 /// A round number no smaller than the distance that one sample in fifty exceeds.
@@ -113,12 +111,9 @@ std::string coverage_svg(const std::vector<CoverageMap>& maps) {
   double total = kMapMargin + kLegend;
   for (const double h : heights) total += h + kMapMargin;
   const double scale = colour_scale(maps), all = 2 * kMapMargin + kMapColumns * (width + kMapMargin);
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-      "{1:.0f}\">\n"
-      "<style>text{{font:11px sans-serif;fill:#222}}.t{{font-weight:bold;font-size:12px}}"
-      ".p{{fill:none;stroke:#000;stroke-width:1.5}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      all, total);
+  std::string out = svg_opening(all, total,
+                                "text{font:11px sans-serif;fill:#222}.t{font-weight:bold;font-size:12px}"
+                                ".p{fill:none;stroke:#000;stroke-width:1.5}");
   double top = kMapMargin;
   for (std::size_t k = 0; k < maps.size(); ++k) {
     const double left = kMapMargin + static_cast<double>(k % kMapColumns) * (width + kMapMargin);

@@ -113,10 +113,10 @@ std::string to_json(const RunSummary& s) {
   if (!s.scene_path.empty()) j["scene_path"] = s.scene_path;
   j["files"] = ordered_json::array();
   for (const auto& f : s.files)
-    j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"fnv1a64", f.checksum.fnv1a64}});
+    j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"xxh128", f.checksum.xxh128}});
   if (s.results)
     j["results"] = {
-        {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"fnv1a64", s.results->checksum.fnv1a64}};
+        {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"xxh128", s.results->checksum.xxh128}};
   j["title"] = s.title;
   j["verdict"] = s.verdict;
   j["exit_code"] = s.exit_code;

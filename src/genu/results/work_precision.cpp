@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/svg_axes.h"
 #include "genu/results/svg_text.h"
 
 namespace genu {
@@ -23,29 +24,6 @@ bool drawable(const WorkPoint& p) {
   return std::isfinite(p.seconds) && std::isfinite(p.error) && p.seconds > 0 && p.error > 0;
 }
 
-/// A logarithmic axis with lines at powers of ten, or at 1, 2 and 5 times these where there are few.
-struct LogAxis {
-  std::vector<double> lines;
-  double from, to;  // pixels
-
-  LogAxis(double smallest, double largest, double at_low, double at_high) : from(at_low), to(at_high) {
-    constexpr double kFewDecades = 100;
-    const int low = static_cast<int>(std::floor(std::log10(smallest))),
-              high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(largest))));
-    for (int k = low; k <= high; ++k)
-      for (const double times : {1.0, 2.0, 5.0}) {
-        if (times > 1 && (k == high || largest > kFewDecades * smallest)) continue;
-        lines.push_back(times * std::pow(10.0, k));
-      }
-    // No empty stretch at either end.
-    while (lines.size() > 2 && lines[1] <= smallest) lines.erase(lines.begin());
-    while (lines.size() > 2 && lines[lines.size() - 2] >= largest) lines.pop_back();
-  }
-  double operator()(double value) const {
-    return from + std::log(value / lines.front()) / std::log(lines.back() / lines.front()) * (to - from);
-  }
-};
-
 std::string seconds_text(double seconds) {
   constexpr std::array kUnits = {"ns", "us", "ms", "s"};
   const int unit = std::clamp(static_cast<int>(std::floor(std::log10(seconds) + 1e-9) + 9) / 3, 0, 3);
@@ -55,10 +33,6 @@ std::string seconds_text(double seconds) {
 std::string power_text(double value) {
   const double power = std::floor(std::log10(value) + 1e-9);
   return fmt::format("{:.0f}e{:.0f}", value / std::pow(10.0, power), power);
-}
-
-std::string text(double x, double y, const char* how, const std::string& words) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", x, y, how, svg_escaped(words));
 }
 
 /// Those that the picture names first, then others as they come.
@@ -82,7 +56,7 @@ const char* colour_of(const std::vector<std::string>& names, const std::string& 
   return kSeriesColours[static_cast<std::size_t>(i) % kSeriesColours.size()];
 }
 
-std::string front_line(const WorkPanel& panel, const LogAxis& x, const LogAxis& y) {
+std::string front_line(const WorkPanel& panel, const SvgAxis& x, const SvgAxis& y) {
   const std::vector<bool> front = pareto_front(panel.points);
   std::vector<const WorkPoint*> points;
   for (std::size_t i = 0; i < front.size(); ++i)
@@ -92,30 +66,6 @@ std::string front_line(const WorkPanel& panel, const LogAxis& x, const LogAxis& 
   for (const WorkPoint* p : points)
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x(p->seconds), y(p->error));
   return path.empty() ? "" : fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
-}
-
-std::string draw_axes(const LogAxis& x, const LogAxis& y) {
-  constexpr double kLeastApart = 20, kLeastBeside = 52;  // pixels, of words below and beside each other
-  std::string out;
-  const auto line = [&](double x1, double y1, double x2, double y2) {
-    out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", x1, y1, x2, y2);
-  };
-  double labelled = -kLeastBeside;
-  for (std::size_t i = 0; i < x.lines.size(); ++i) {
-    const double at = x(x.lines[i]), next = i + 1 < x.lines.size() ? x(x.lines[i + 1]) : x.to + kLeastBeside;
-    line(at, y.from, at, y.to);
-    const bool before_ten = next - at < kLeastBeside && i > 0 && at - x(x.lines[i - 1]) > 1.1 * (next - at);  // a 5
-    if (before_ten || at - labelled < kLeastBeside) continue;
-    out += text(at, y.from + 17, " text-anchor=\"middle\"", seconds_text(x.lines[i]));
-    labelled = at;
-  }
-  const double apart = std::abs(y.from - y.to) / static_cast<double>(y.lines.size() - 1);
-  const auto every = static_cast<std::size_t>(std::ceil(kLeastApart / apart));
-  for (std::size_t i = 0; i < y.lines.size(); i += every) {
-    line(x.from, y(y.lines[i]), x.to, y(y.lines[i]));
-    out += text(x.from - 7, y(y.lines[i]) + 4, " text-anchor=\"end\"", power_text(y.lines[i]));
-  }
-  return out;
 }
 
 std::string draw_point(const WorkPoint& p, double x, double y, const char* colour) {
@@ -134,17 +84,17 @@ std::string draw_panel(const WorkPanel& panel, const std::vector<std::string>& n
     best = std::min(best, p.error);
     worst = std::max(worst, p.error);
   }
-  std::string out = text(left, top - 12, " class=\"title\"", panel.title);
+  std::string out = svg_text(left, top - 12, panel.title, "class=\"panel\"");
   if (!(slowest > 0)) return out;
   if (panel.target > 0) best = std::min(best, panel.target), worst = std::max(worst, panel.target);
-  const LogAxis x(fastest, slowest, left, left + kSide), y(best, worst, top + kHeight, top);
-  out += draw_axes(x, y) + front_line(panel, x, y);
-  if (panel.target > 0)
-    out += fmt::format("<path class=\"target\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", x.from, y(panel.target), x.to,
-                       y(panel.target));
+  constexpr double kLeastBeside = 52, kLeastApart = 20;  // pixels, of numbers beside and below each other
+  const SvgAxis x = log_axis(fastest, slowest, {left, left + kSide}, seconds_text, kLeastBeside),
+                y = log_axis(best, worst, {top + kHeight, top}, power_text, kLeastApart);
+  out += draw_axes(x, y, "time a pose") + front_line(panel, x, y);
+  if (panel.target > 0) out += svg_line(x.at_low, y(panel.target), x.at_high, y(panel.target), "target");
   for (const WorkPoint& p : panel.points)
     if (drawable(p)) out += draw_point(p, x(p.seconds), y(p.error), colour_of(names, p.series));
-  return out + text(left + kSide / 2, top + kHeight + 38, " text-anchor=\"middle\"", "time a pose");
+  return out;
 }
 
 /// A circle and its words in one of some columns.
@@ -155,7 +105,7 @@ class Legend {
   void add(const std::string& colour, const std::string& words) {
     const double x = kMarginLeft + column_ * static_cast<double>(count_ % kLegendColumns), y = below();
     out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", x + 4, y - 4, colour);
-    out_ += text(x + 15, y, "", words);
+    out_ += svg_text(x + 15, y, words);
     ++count_;
   }
   /// The first line that is free, once all are added.
@@ -169,16 +119,10 @@ class Legend {
   std::string out_;
 };
 
-std::string opened(double width, double height) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-      "{1:.0f}\">\n<style>text{{font:13px "
-      "sans-serif;fill:#222}}.title{{font-weight:bold}}.grid{{stroke:#ddd;fill:none}}"
-      ".front{{stroke:#888;stroke-width:1.5;fill:none}}.target{{stroke:#D55E00;stroke-dasharray:5 4;fill:none}}"
-      ".chosen{{stroke:#D55E00;stroke-width:2;fill:none}}"
-      "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      width, height);
-}
+constexpr const char* kStyle =
+    ".title{font-size:16px;font-weight:600;fill:#111}.panel{font-size:12.5px;font-weight:600;fill:#111}"
+    ".front{stroke:#888;stroke-width:1.5;fill:none}.target{stroke:#D55E00;stroke-dasharray:5 4}"
+    ".chosen{stroke:#D55E00;stroke-width:2;fill:none}";
 
 }  // namespace
 
@@ -213,11 +157,12 @@ std::string to_svg(const WorkPicture& picture) {
   std::string lines;
   double y = legend.below();
   for (const std::string& line : words) {
-    lines += text(kMarginLeft, y, "", line);
+    lines += svg_text(kMarginLeft, y, line);
     y += kLegendLine;
   }
-  return opened(width, y) + text(kMarginLeft, kTitleTop, " class=\"title\"", picture.title) + panels + legend.svg() +
-         lines + "</svg>\n";
+  return svg_opening(width, y, std::string(kSvgLetters) + kSvgAxesStyle + kStyle) +
+         svg_text(kMarginLeft, kTitleTop, picture.title, "class=\"title\"") + panels + legend.svg() + lines +
+         "</svg>\n";
 }
 
 }  // namespace genu

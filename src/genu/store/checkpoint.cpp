@@ -19,6 +19,7 @@
 #include <cereal/types/utility.hpp>
 #include <cereal/types/vector.hpp>
 
+#include "genu/core/file_checksum.h"
 #include "genu/path/fields.h"
 #include "genu/store/input_hash.h"
 
@@ -130,7 +131,7 @@ std::string Checkpoint::blocked() {
 
 /// Adds a part as a whole: what of it does not find room is cut off again.
 bool Checkpoint::append(const std::string& part) {
-  const std::string hash = content_hash(hash_ + part);
+  const std::string hash = checksum(hash_ + part).xxh128;
   const auto length = static_cast<std::uint64_t>(part.size());
   std::string bytes(sizeof length, '\0');
   std::memcpy(bytes.data(), &length, sizeof length);
@@ -183,7 +184,7 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
     std::memcpy(&length, content.data() + size_, sizeof length);
     if (length > content.size() - size_ - kHead) break;
     const std::string part = content.substr(size_ + kHead, static_cast<std::size_t>(length));
-    const std::string hash = content_hash(hash_ + part);
+    const std::string hash = checksum(hash_ + part).xxh128;
     if (content.compare(size_ + sizeof length, kHash, hash) != 0) break;
     std::string program, saved;
     Inputs bound;

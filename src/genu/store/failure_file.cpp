@@ -4,8 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "genu/store/input_hash.h"
-
+#include "genu/core/file_checksum.h"
 namespace genu {
 namespace {
 
@@ -66,7 +65,7 @@ std::string to_json(const Failure& f) {
   j["rest_hex"] = to_hex(f.rest);
   // Not UTF-8 from a file: replaced, and the same again when it is read.
   j = ordered_json::parse(text_of(j));
-  const std::string hash = content_hash(text_of(j));
+  const std::string hash = checksum(text_of(j)).xxh128;
   j["hash"] = hash;
   return text_of(j) + "\n";
 }
@@ -84,7 +83,7 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
     }
     const std::string hash = j.value("hash", std::string());
     j.erase("hash");
-    if (hash != content_hash(text_of(j))) {
+    if (hash != checksum(text_of(j)).xxh128) {
       out.error(file, "is cut off or has been changed");
       return std::nullopt;
     }

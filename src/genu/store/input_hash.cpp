@@ -1,21 +1,28 @@
 #include "genu/store/input_hash.h"
 
 #include <link.h>
-#include <xxhash.h>
 
 #include <cstring>
-#include <fstream>
 
 #include <fmt/format.h>
 
+#include "genu/core/file_checksum.h"
+
 namespace genu {
 namespace {
+
+/// Empty where the file cannot be read.
+std::string file_hash(const std::string& path) {
+  const auto sum = file_checksum(path);
+  return sum ? sum->xxh128 : std::string();
+}
 
 /// The linker's hash of what it linked, from the notes of a loaded file; empty where it has none.
 std::string build_id(const dl_phdr_info& info) {
   for (int k = 0; k < info.dlpi_phnum; ++k) {
     const ElfW(Phdr)& part = info.dlpi_phdr[k];
     if (part.p_type != PT_NOTE || part.p_align > 4) continue;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): addresses in a loaded file are numbers
     const std::string notes(reinterpret_cast<const char*>(info.dlpi_addr + part.p_vaddr), part.p_memsz);
     for (std::size_t place = 0; place + sizeof(ElfW(Nhdr)) <= notes.size();) {
       ElfW(Nhdr) head;
@@ -31,7 +38,7 @@ std::string build_id(const dl_phdr_info& info) {
 
 int add_library(dl_phdr_info* info, std::size_t, void* out) {
   const std::string name = info->dlpi_name, id = build_id(*info);
-  static_cast<std::vector<std::string>*>(out)->push_back(!id.empty()    ? content_hash(id)
+  static_cast<std::vector<std::string>*>(out)->push_back(!id.empty()    ? checksum(id).xxh128
                                                          : name.empty() ? file_hash("/proc/self/exe")
                                                                         : file_hash(name));
   return 0;
@@ -46,29 +53,14 @@ const std::vector<std::string> kLoaded = [] {
 
 }  // namespace
 
-std::string content_hash(const std::string& bytes) {
-  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
-
-std::string file_hash(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return {};
-  XXH3_state_t* state = XXH3_createState();
-  XXH3_128bits_reset(state);
-  std::vector<char> piece(std::size_t{1} << 16);
-  do {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    XXH3_128bits_update(state, piece.data(), static_cast<std::size_t>(in.gcount()));
-  } while (in);
-  const XXH128_hash_t hash = XXH3_128bits_digest(state);
-  XXH3_freeState(state);
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
-
-std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene) {
-  std::vector<std::pair<std::string, std::string>> hashes{{scene.file, file_hash(scene.file)}};
-  for (const std::string& file : mesh_files(scene)) hashes.emplace_back(file, file_hash(file));
+std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene, InputFiles& files) {
+  std::vector<std::pair<std::string, std::string>> hashes;
+  const auto add = [&](const std::string& file) {
+    const auto checksum = files.checksum(file);
+    hashes.emplace_back(file, checksum ? checksum->xxh128 : std::string());
+  };
+  add(scene.file);
+  for (const std::string& file : mesh_files(scene)) add(file);
   return hashes;
 }
 
@@ -79,7 +71,7 @@ std::string program_hash() {
   all += fmt::format("{}{}{}", __builtin_cpu_supports("fma") != 0, __builtin_cpu_supports("avx2") != 0,
                      __builtin_cpu_supports("avx512f") != 0);
 #endif
-  return content_hash(all);
+  return checksum(all).xxh128;
 }
 
 }  // namespace genu

@@ -5,19 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "genu/core/input_files.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
 
-/// 128 bits of XXH3 as 32 hexadecimal digits: tells contents apart that differ by accident or by an edit. Nobody is
-/// kept from making two on purpose.
-std::string content_hash(const std::string& bytes);
-
-/// The same of a file; empty where it cannot be read.
-std::string file_hash(const std::string& path);
-
-/// The scene's file and its meshes with their hashes, in the order of the scene.
-std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene);
+/// The scene's file and its meshes with their checksums (core/file_checksum.h), in the order of the scene; empty for a
+/// file that cannot be read.
+std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene, InputFiles& files);
 
 /// Of this program, of the libraries that it is linked with, and of the instructions that they choose from the
 /// processor: where all are the same, the same input gives the same bytes.

@@ -195,7 +195,7 @@ std::string write_evaluation(const std::string& folder, const Prepared& prepared
   write("curves.svg", picture(prepared, evaluation));
   RunSummary summary = evaluation.summary;
   summary.results = {evaluation.poses.rows(), checksum(table)};
-  note_files(prepared.scene, summary);
+  note_files(prepared, summary);
   write("summary.json", to_json(summary));
   for (const auto& [name, content] : maps) write(name, content);
   if (error.empty()) error = out.commit();

@@ -34,7 +34,8 @@ std::string folder_for(const std::string& folder, const RunOptions& options, Run
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
 }
 
-void note_files(const SceneTables& scene, RunSummary& summary) {
+void note_files(const Prepared& prepared, RunSummary& summary) {
+  const SceneTables& scene = prepared.scene;
   std::vector<std::string> files = mesh_files(scene);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());
@@ -42,8 +43,8 @@ void note_files(const SceneTables& scene, RunSummary& summary) {
   for (const std::string& file : files) {
     std::error_code error;
     const std::string path = std::filesystem::absolute(file, error).lexically_normal().string();
-    const auto checksum = file_checksum(file);
-    if (error || !checksum) continue;  // gone while it was solved: the summary says nothing of it
+    const auto checksum = prepared.meshes->files().checksum(file);
+    if (error || !checksum) continue;
     if (&file == &files.front()) summary.scene_path = path;
     summary.files.push_back({path, *checksum});
   }
@@ -66,7 +67,7 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
   write("curves.svg", to_svg(curves(prepared.scene, prepared.steps, solution.poses, solution.events, bars)));
   RunSummary summary = solution.summary;
   summary.results = {solution.poses.rows(), checksum(table)};
-  note_files(prepared.scene, summary);
+  note_files(prepared, summary);
   write("summary.json", to_json(summary));
   for (const auto& [name, content] : more) write(name, content);
   if (error.empty()) error = out.commit();

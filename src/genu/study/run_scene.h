@@ -34,8 +34,8 @@ ResultTable find_equilibria(const Prepared& prepared, ContactField& field, const
 /// all threads. What a variant does not solve is said in the summary.
 ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, Solution& solution);
 
-/// Names the files that a scene was read from, with their checksums, in its summary.
-void note_files(const SceneTables& scene, RunSummary& summary);
+/// Names the files that a scene was read from, with the checksums of what was read, in its summary.
+void note_files(const Prepared& prepared, RunSummary& summary);
 
 /// Where the results go: into `folder`, or beside it where the run was cancelled and would replace a whole result by a
 /// part of one. The verdict then says so.

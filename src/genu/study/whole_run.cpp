@@ -155,7 +155,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
     return kExitRefused;
   }
   if (holds_others(folder, options, out)) return kExitRefused;
-  Checkpoint checkpoint(folder, input_hashes(prepared->scene), options.checkpoint_seconds);
+  Checkpoint checkpoint(folder, input_hashes(prepared->scene, prepared->meshes->files()), options.checkpoint_seconds);
   RunOptions own = options;
   own.keep_partial = true;
   own.keep_rest = !options.save_failure.empty();
