@@ -72,24 +72,9 @@ std::string first_word(const std::string& key) { return key.substr(0, key.find_f
 
 /// What to do where only the command is known.
 std::string advice_on_command(const std::string& command, int exit_code) {
-  static const std::map<std::string, std::string> not_ok = {
-      {"new", "the scene is written: change what the lines above name, then `genu run` it"},
-      {"run", "the verdict above says where, why and what to change; the rows until there are good"},
-      {"evaluate", "the verdict above names the rows; results.csv has all that could be evaluated"},
-      {"sensitivity", "the verdict above says where the path ends; shorten the motion to the rows that are ok"},
-      {"accuracy", "the verdict above says which settings met the target; `genu explain accuracy` says what they mean"},
-      {"calibrate", "look at comparison.csv for where the fit is poor; vary fewer parameters, or others"},
-      {"judge",
-       "trust no row that is rejected above: run the scene again, and if it stays so, report it as a bug with "
-       "`genu run SCENE --out DIR --save-failure FILE`"},
-      {"fit", "look at the lines marked DOUBTFUL; another --degree, --chart or a smaller patch may fit better"},
-      {"mesh-check",
-       "`genu mesh-check FILE --repair OUT` mends what can be mended; keep contact away from the rest "
-       "with a surface's `patch`"},
-      {"hard-cases", "run one that was missed alone, `genu hard-cases --case NAME --out DIR`, and look at its results"},
-      {"reproduce", "compare the two verdicts above: another build, machine or mesh may be why"}};
+  const std::map<std::string, std::string>& hints = advice().hints();
   if (exit_code == kNotAllOk)
-    if (const auto found = not_ok.find(command); found != not_ok.end()) return found->second;
+    if (const auto found = hints.find(command); found != hints.end()) return found->second;
   if (exit_code == kFailed)
     return "make room on the disk or in memory, check that the folder can be written, and try again";
   if (command == "explain") return "`genu explain` without a word lists the topics";

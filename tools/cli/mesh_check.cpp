@@ -13,6 +13,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/core/timer.h"
@@ -117,20 +118,21 @@ int check_files(const CheckOptions& options) {
 
 }  // namespace
 
-void add_mesh_check(CLI::App& app, int& exit_code) {
+void add_mesh_check(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("mesh-check", "Say what is wrong with mesh files, and mend them: genu mesh-check femur.stl");
-  command->add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
-  command->add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
+  command.add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
+  command.add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
-  auto* repaired = command->add_option("--repair", options->repaired,
-                                       "write the mended mesh there, as STL, PLY or OBJ by the ending of the name, "
-                                       "in the file's unit (needs CGAL)");
-  command->footer(
+  auto* repaired = command.add_option("--repair", options->repaired,
+                                      "write the mended mesh there, as STL, PLY or OBJ by the ending of the name, "
+                                      "in the file's unit (needs CGAL)");
+  command.footer(
       "Exit code 0: nothing bad; 3: contact near what is BAD cannot be trusted; 2: a file cannot be read.\n"
       "Example: genu mesh-check femur.stl --repair femur-mended.stl");
-  command->callback([options, repaired, &exit_code] {
+  advice().hint("mesh-check",
+                "`genu mesh-check FILE --repair OUT` repairs what can be repaired; keep contact away from the rest "
+                "with a surface's `patch`");
+  command.callback([options, repaired, &exit_code] {
     options->repairs = repaired->count() > 0;
     exit_code = check_files(*options);
   });

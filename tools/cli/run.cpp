@@ -214,50 +214,50 @@ int run_scene_file(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
-          ->add_option("--starts", arguments->starts,
-                       "search for equilibria at the first pose from this many starts, list them in starts.csv")
+          .add_option("--starts", arguments->starts,
+                      "search for equilibria at the first pose from this many starts, list them in starts.csv")
           ->check(CLI::Range(1, kMostStarts));
   constexpr double kMostSpread = 180;  // deg
   command
-      ->add_option(
-          "--spread", arguments->spread,
-          "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
-          "each 20 deg")
+      .add_option("--spread", arguments->spread,
+                  "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
+                  "each 20 deg")
       ->check(number_within(0.1, kMostSpread))
       ->needs(starts)
       ->capture_default_str();
-  command->add_flag("--error-bars", arguments->error_bars,
-                    "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "
-                    "points), and write how far each result may be off");
-  command->add_flag("--pressure-maps", arguments->pressure_maps,
-                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
-                    "pressures_CONTACT.csv");
-  command->add_flag("--resume", arguments->resume,
-                    "go on from where an earlier run into DIR was killed or stopped (DIR.checkpoint); the results are "
-                    "those of an undisturbed run, to the byte");
+  command.add_flag("--error-bars", arguments->error_bars,
+                   "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "
+                   "points), and write how far each result may be off");
+  command.add_flag("--pressure-maps", arguments->pressure_maps,
+                   "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
+                   "pressures_CONTACT.csv");
+  command.add_flag("--resume", arguments->resume,
+                   "go on from where an earlier run into DIR was killed or stopped (DIR.checkpoint); the results are "
+                   "those of an undisturbed run, to the byte");
   constexpr double kMostSeconds = 86'400;
   command
-      ->add_option("--checkpoint", arguments->checkpoint,
-                   "how many seconds apart what is computed is added to DIR.checkpoint; 0: wherever it can be")
+      .add_option("--checkpoint", arguments->checkpoint,
+                  "how many seconds apart what is computed is added to DIR.checkpoint; 0: wherever it can be")
       ->check(number_within(0, kMostSeconds))
       ->capture_default_str();
   command
-      ->add_option("--save-failure", arguments->save_failure,
-                   "where not every pose is ok: write what it takes to see that again to this file, for genu "
-                   "reproduce; of meshes only what is needed, no names of folders")
+      .add_option("--save-failure", arguments->save_failure,
+                  "where not every pose is ok: write what it takes to see that again to this file, for genu "
+                  "reproduce; of meshes only what is needed, no names of folders")
       ->check(not_empty());
-  command->add_flag("--no-report", arguments->no_report,
-                    "leave out report.html, the page that shows the joint and its results in a browser");
-  command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
+  command.add_flag("--no-report", arguments->no_report,
+                   "leave out report.html, the page that shows the joint and its results in a browser");
+  command.add_flag("--quiet", arguments->quiet, "print errors only");
+  command.footer("Example: genu run knee.toml --out out/knee");
+  advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
+  command.callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
 }
 
 }  // namespace genu::cli
