@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -196,7 +198,6 @@ void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& reco
 /// A path that ends a few reaches from a flaw may end because of it, and a search that finds nothing to start from
 /// because of any.
 void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std::string>& out) {
-  constexpr double kNearby = 3;
   if (last == nullptr) {
     for (const auto& surface : prepared.surfaces)
       if (!surface->doubtful().empty())
@@ -209,7 +210,7 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
       const Vec3& foot = of_a ? c.geometry.a.p : c.geometry.b.p;
       for (const DoubtfulPlace& flaw : (of_a ? pair.a : pair.b)->doubtful())
         for (const Vec3& p : flaw.points) {
-          if ((p - foot).norm() > kNearby * flaw.reach) continue;
+          if ((p - foot).norm() > kNearFlaw * flaw.reach) continue;
           out.push_back(fmt::format("A flaw {:.1f} mm from the last contact may be the cause: {}.",
                                     1e3 * (p - foot).norm(), flaw.what));
           return;
@@ -233,9 +234,9 @@ std::string of_the_others(const std::vector<PoseRecord>& records, const RunSumma
 class StabilityChanges {
  public:
   void add(std::string sentence, std::vector<std::string>& out) {
-    constexpr int kTold = 12;
-    if (++count_ <= kTold) out.push_back(std::move(sentence));
-    left_ = std::max(0, count_ - kTold);
+    constexpr int kSentencesShown = 12;
+    if (++count_ <= kSentencesShown) out.push_back(std::move(sentence));
+    left_ = std::max(0, count_ - kSentencesShown);
   }
   void end(std::vector<std::string>& out) const {
     if (left_ > 0) out.push_back(fmt::format("{} more changes of stability are in events.csv.", left_));

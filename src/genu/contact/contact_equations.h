@@ -44,9 +44,6 @@ void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const Contact
 /// ds = surface_offset + surface_gain * twist.
 class EliminatedContact {
  public:
-  /// Below this reciprocal condition the eliminated step keeps fewer than half of the digits of the dense one.
-  static constexpr double kSingular = 1e-8;
-
   /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. Returns false where it is singular to
   /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the
   /// dense route serves then. Gradient, gain and stiffness over a body that does not move are left as

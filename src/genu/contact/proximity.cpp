@@ -4,30 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/contact/tolerances.h"
 #include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// What follows are fractions of the samples' spacing, so that a joint of any size is looked at alike.
-// Two refined minima closer than this are one: refinement ends well below, distinct minima of a surface sampled at
-// tenths of the spacing stand well above.
-constexpr double kSamePoint = 2e-3;
-// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 0.2 / spacing times
-// the square of a sample's distance to it, 1.2 spacings at most.
-constexpr double kNearContact = 0.15;
-// Starts whose model has its minimum above this gap are not followed: the model errs by less between samples.
-constexpr double kHopeless = 0.03;
-// What hides between samples is found from those around it: a start that is not the lowest of its neighbours is
-// followed no further. Where surfaces conform all of them would cross the whole of them.
-constexpr double kBetweenSamples = 4;
-// A descent that comes as near to a known minimum ends there; closer twins are found by probe_around().
-constexpr double kMerge = 0.1;
-// Facets lie off the smooth surface by no more.
-constexpr double kShallow = 0.05;
-// Outward normals within 60 degrees of each other: the sides cannot touch.
-constexpr double kFacingSameWay = 0.5;
 
 /// Which surface to sample: one that is bounded by itself, as a plane can be asked anywhere but has no natural extent;
 /// between two closed forms or two meshes the second.
@@ -39,8 +22,7 @@ bool samples_second(const Surface& a, const Surface& b) {
 bool too_dense(const SampleSet& samples, double spacing) {
   double area = 0;
   for (const double a : samples.areas) area += a;
-  constexpr double kDense = 0.5;  // of one sample for each square of the spacing's side
-  return samples.size() > 1000 && area / samples.size() < kDense * spacing * spacing;
+  return samples.size() > 1000 && area / samples.size() < kDenseSamples * spacing * spacing;
 }
 
 void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found, double same) {
@@ -123,9 +105,8 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
 /// The distance of which a gap tells. Inside the band of a mesh it is one to first order only: keep a third. Closed
 /// forms that do not know their distance have a gap anywhere, but no band in which it is one.
 std::optional<double> Proximity::near_clearance(std::optional<double> gap) const {
-  constexpr double kFirstOrder = 2.0 / 3;
   if (!gap || queried_->knows_distance()) return gap;
-  return queried_->is_global() ? std::nullopt : std::optional(kFirstOrder * *gap);
+  return queried_->is_global() ? std::nullopt : std::optional(kFirstOrderGap * *gap);
 }
 
 /// Of what lies within `radius` of a point beyond the band: the distance is that of facets, which lie off the smooth
@@ -140,8 +121,7 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   const double moved = group.motion(group.measured, X_qs);
   if (group.clearance - moved > window) return true;
   // It may be clear by now, if it went straight away; bodies in contact roll and slide.
-  constexpr double kAway = 0.25;
-  if (group.clearance + kAway * moved <= window) return false;
+  if (group.clearance + kClearanceUse * moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
   if (const auto clearance = near_clearance(queried_->gap(centre)))
@@ -160,11 +140,11 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   if (const auto gap = queried_->gap(x)) {
     memory.clearance = near_clearance(gap).value_or(-1);
     SurfacePoint foot;
-    if (direction == nullptr && *gap > kShallow * spacing_) return *gap;
+    if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
     if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
     if (direction != nullptr) *direction = foot.n;
-    const bool same_way = foot.n.dot(normal) > kFacingSameWay, beyond = queried_->edge_distance(foot.p) < 0;
-    if (same_way && !beyond && std::abs(*gap) <= kShallow * spacing_ && safeguards_.has(Safeguard::swallowed))
+    const bool same_way = foot.n.dot(normal) > kSameWayCosine, beyond = queried_->edge_distance(foot.p) < 0;
+    if (same_way && !beyond && std::abs(*gap) <= kShallowOverlap * spacing_ && safeguards_.has(Safeguard::swallowed))
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: most often no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
@@ -180,11 +160,10 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
 /// Where both surfaces lie on one another and face the same way, as those of bodies that fill the same space do, no
 /// gap tells: how deep a point behind both is inside both, 0 where it is not.
 double Proximity::depth_behind(const Pose& X_qs, int sample) {
-  constexpr double kBehind = 0.5, kInside = 0.25;  // of the spacing
-  const Vec3 behind = samples_.points[at(sample)] - kBehind * spacing_ * samples_.normals[at(sample)];
-  if (swallowed_->distance_to_outer(behind) > -kInside * spacing_) return 0;
+  const Vec3 behind = samples_.points[at(sample)] - kBehindSample * spacing_ * samples_.normals[at(sample)];
+  if (swallowed_->distance_to_outer(behind) > -kSwallowedDepth * spacing_) return 0;
   const double depth = far_.nearest(X_qs * behind).distance;
-  return depth < -kInside * spacing_ ? depth : 0;
+  return depth < -kSwallowedDepth * spacing_ ? depth : 0;
 }
 
 /// A gap < 0 that the smooth surface gives for the wrong side of a sharp rim, or past an edge, unless the facets agree:
@@ -193,8 +172,8 @@ double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const 
   if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
   const FarDistance::Nearest facets = far_.nearest(x);
   memory.doubted_at = x;
-  memory.doubt = std::min(facets.distance + kShallow * spacing_, facets.same_side);
-  return facets.distance < -kShallow * spacing_ ? std::max(gap, facets.distance) : kInfinity;
+  memory.doubt = std::min(facets.distance + kShallowOverlap * spacing_, facets.same_side);
+  return facets.distance < -kShallowOverlap * spacing_ ? std::max(gap, facets.distance) : kInfinity;
 }
 
 void Proximity::measure(const Pose& X_qs, double window) {
@@ -226,16 +205,14 @@ bool Proximity::lowest_of_neighbours(int sample) const {
 /// as the known one lowers the samples next to it by more: it lies where the bowl has risen by an eight-hundredth of
 /// the spacing and more.
 bool Proximity::slopes_to_known(int sample) const {
-  constexpr double kNearest = 0.5, kFarthest = 3;  // of the spacing
-  constexpr double kShare = 0.05;                  // of the rise
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     const SurfacePoint& from = raw_[k].contact.b;
     const Vec3 away = samples_.points[at(sample)] - from.p;
     const double distance = away.norm();
-    if (distance < kNearest * spacing_ || distance > kFarthest * spacing_) continue;
+    if (distance < kFlankNear * spacing_ || distance > kFlankFar * spacing_) continue;
     const Vec2 d = from.T.transpose() * away;
     const double rise = 0.5 * d.dot(bends_[k] * d);
-    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kShare * rise) return true;
+    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kFlankShare * rise) return true;
   }
   return false;
 }
@@ -256,13 +233,12 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   raw_.clear();
   bends_.clear();
   // Surfaces with more minima than this conform: what is not looked at still counts in the samples' gaps.
-  constexpr std::size_t kMostMinima = 500;
   for (const int sample : starts_) {
-    if (raw_.size() >= kMostMinima) break;
+    if (raw_.size() >= kMaxMinima) break;
     if (slopes_to_known(sample)) continue;
     const auto i = static_cast<std::size_t>(sample);
     const bool lowest = lowest_of_neighbours(sample);
-    const DescentLimits limits{spacing_, &raw_, kMerge * spacing_, lowest ? window : kHopeless * spacing_,
+    const DescentLimits limits{spacing_, &raw_, kMergeDistance * spacing_, lowest ? window : kHopelessGap * spacing_,
                                lowest ? kInfinity : kBetweenSamples * spacing_};
     const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_.points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
@@ -349,8 +325,8 @@ void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, d
   const SurfacePoint &from = samples_b_ ? contact.b : contact.a, &other = samples_b_ ? contact.a : contact.b;
   const Mat2 turn = (X_qs.R * from.T).transpose() * other.T;
   const SymmetricEigen<2> bend = symmetric_eigen(Mat2(-(from.S + turn * other.S * turn.transpose())));
-  constexpr int kRound = 8;
-  const int directions = bend.values[1] > steep ? 2 : kRound;
+  constexpr int kProbeDirections = 8;
+  const int directions = bend.values[1] > steep ? 2 : kProbeDirections;
   const double first = std::atan2(bend.vectors(1, 0), bend.vectors(0, 0));
   for (int k = 0; k < directions; ++k) {
     const double angle = first + 2 * M_PI * k / directions;

@@ -22,8 +22,6 @@ namespace genu {
 
 class SmoothLayer final : public LayerQuadrature {
  public:
-  static constexpr int kMaxLevel = 4;
-
   /// `target`: triangles of the surface `other`, in the same frame. A measured thickness is that of the meshes of
   /// `casting` and `target`: linear over a cell, and where a line along the normal meets the target's triangles.
   SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared_ptr<const Surface> other,

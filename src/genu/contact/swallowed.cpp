@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr double kAcross = 10;        // points of the inner surface are a tenth of its box apart
-constexpr double kCoarseSpacing = 3;  // of the spacing: samples of the outer surface that are looked at first
-constexpr double kSideKept = 0.1;     // of its distance: so far a point moves before its side is asked for again
-constexpr double kFacetsOff = 0.05;   // of the spacing: what facets may say wrongly of the smooth surface
 
 double box_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
@@ -25,17 +22,17 @@ Swallowed::Swallowed(const Surface& inner, const Surface& outer, const SampleSet
     : outer_(&outer), spacing_(spacing), reach_(reach), outer_centre_(outer_centre) {
   if (inner.is_unbounded()) return;
   const SampleSet all = inner.samples(spacing, inner_centre, reach);
-  for (const Vec3& p : thin_samples(all, std::max(spacing, box_diagonal(all.points) / kAcross)).points)
+  for (const Vec3& p : thin_samples(all, std::max(spacing, box_diagonal(all.points) / kSwallowedSpacing)).points)
     points_.push_back({p});
   if (outer.knows_distance()) return;
-  cover_ = 2 * kCoarseSpacing * spacing;
-  const SampleSet coarse = thin_samples(outer_samples, kCoarseSpacing * spacing);
+  cover_ = 2 * kCoarseSampling * spacing;
+  const SampleSet coarse = thin_samples(outer_samples, kCoarseSampling * spacing);
   near_points_ = coarse.points;
   near_normals_ = coarse.normals;
 }
 
 const FarDistance& Swallowed::far() {
-  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarseSpacing * spacing_, outer_centre_, reach_);
+  if (!far_) far_ = std::make_unique<FarDistance>(*outer_, kCoarseSampling * spacing_, outer_centre_, reach_);
   return *far_;
 }
 
@@ -70,7 +67,7 @@ Swallowed::Depth Swallowed::deepest(const Pose& X_oi) {
     if (point.clearance > (x - point.at).norm()) continue;
     const double g = gap(x, point.clearance);
     point.at = x;
-    if (g >= -kFacetsOff * spacing_) continue;
+    if (g >= -kFacetError * spacing_) continue;
     point.clearance = -1;  // only what is outside stays so while it is clear
     if (g < out.gap) out = {g, point.p};
   }

@@ -7,11 +7,11 @@
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr int kChanges = 24;  // of the contact set at one pose: more is chatter
 constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
@@ -187,7 +187,7 @@ PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
   PoseReport report;
   std::set<std::vector<std::pair<int, int>>> seen;
   int iterations = 0;
-  for (int k = 0; k < kChanges; ++k) {
+  for (int k = 0; k < kMaxSetChanges; ++k) {
     Findings findings;
     report = solve_held(trial, target, findings);
     report.iterations = iterations += report.iterations;
@@ -279,15 +279,13 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
   // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
   // over the other, which no straight way follows.
   if (model_->safeguards.lacks(Safeguard::passing)) return false;
-  constexpr int kMost = 200;
-  constexpr double kShallow = 0.1;  // of the characteristic length
   const double step = 2 * field_->spacing(),
-               shallow = followed ? step : std::max(step, kShallow * model_->scales.length);
+               shallow = followed ? step : std::max(step, kPassingOverlap * model_->scales.length);
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
     const double moved = field_->motion(from, to, pair);
-    const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
+    const int steps = static_cast<int>(std::min<double>(kMaxPassingLooks, std::ceil(moved / step)));
     if (steps <= 1) continue;
-    if (followed && moved > kMost * step) return true;  // too far to be looked at
+    if (followed && moved > kMaxPassingLooks * step) return true;  // too far to be looked at
     const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
     State between = from;
     for (int k = 1; k < steps; ++k) {

@@ -56,8 +56,6 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 
 class ContactInspector {
  public:
-  static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a pull below this is none
-
   ContactInspector(const JointModel& model, ContactField& field);
 
   /// An overlap below this (m) is none: 1e-12 of the characteristic length, and what rounding makes of the distance of

@@ -13,15 +13,6 @@ namespace genu {
 
 class ScaledSolver {
  public:
-  /// Below this reciprocal condition (matrix in scaled units) LU gives way to the complete orthogonal decomposition.
-  /// Two contacts a tenth of a millimetre apart on a real knee reach 1e-12 and LU still solves them to rounding, where
-  /// the truncated decomposition leaves a gap of 0.05 nm standing; parallel planes are at 1e-17.
-  static constexpr double kTrustLu = 1e-15;
-  /// Above this nobody asks how large it is.
-  static constexpr double kSurelyRegular = 1e-12;
-  /// Pivots below this fraction of the largest count as zero there. 1e-6 or more is known to stall Newton.
-  static constexpr double kRankThreshold = 1e-10;
-
   /// Without: LU alone, however bad the condition.
   void allow_minimum_norm(bool allowed) { minimum_norm_allowed_ = allowed; }
 

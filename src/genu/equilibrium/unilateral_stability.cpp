@@ -9,6 +9,7 @@
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/feasible_direction.h"
 #include "genu/equilibrium/release.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/unilateral_stiffness.h"
 
 namespace genu {
@@ -93,13 +94,11 @@ class IdleLayers {
   /// Whether some layer begins to press in proportion to how far one goes along `motion` (in the metric): surfaces that
   /// conform do, others begin more softly.
   bool bar(const VecX& motion) {
-    constexpr double kFar = 1e-6;  // of the length scale
-    const double length = kFar * model_.scales.length / Stability::kMetricLength;
+    const double length = kLayerProbe * model_.scales.length / kMetricLength;
     for (const int k : layers_) {
       const double near = load_after(k, length * motion);
       if (!(near > 0)) continue;
-      constexpr double kTimes = 100, kProportional = 3;  // where it grows with its square: 10'000 times
-      if (load_after(k, kTimes * length * motion) < kProportional * kTimes * near) return true;
+      if (load_after(k, kLayerProbeRatio * length * motion) < kLinearGrowth * kLayerProbeRatio * near) return true;
     }
     return false;
   }

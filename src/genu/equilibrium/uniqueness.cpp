@@ -4,6 +4,7 @@
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/self_stress.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/unilateral_stability.h"
 
 namespace genu {
@@ -14,13 +15,11 @@ namespace {
 /// it costs x^p with p > 1, the Jacobian there is far larger than the residual: x^(p - 1). The last one that Newton's
 /// method has factored may be that of the step before.
 bool singular_at(const JointModel& model, const State& state, const Target& target) {
-  constexpr double kSingular = 1e-13;  // reciprocal condition
-  constexpr double kOfResidual = 100;
   Linearization at;
   linearize(model, state, target, at);
   NewtonStep step(model);
   if (!step.factor(at, target) || !step.linear().full_rank()) return true;
-  return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
+  return step.linear().rcond() < std::max(kSingularStep, kSingularOfResidual * step.residual(at, target));
 }
 
 /// assess_unilateral_stability(), with all that touches and is not held.

@@ -18,11 +18,7 @@ class Facets {
   /// `mesh`: in the frame of its file (m).
   Facets(const Mesh& mesh, const SurfaceDef& def);
 
-  static constexpr double kReach = 2;  ///< edges: how deep overlap is looked for
-  static constexpr double kNear =
-      3;  ///< edges: facets this near say how a smooth surface leans: the least that fits reach
-
-  /// Whether x is surely farther from all triangles than kReach edges.
+  /// Whether x is surely farther from all triangles than kOverlapReach edges.
   bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }
 
   struct Nearest {
@@ -78,7 +74,7 @@ class Facets {
   std::vector<std::pair<Vec3, double>> balls_;  // round each triangle
   double edge_ = 0, cell_ = 1;
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;
-  std::unordered_set<Cell, Hash> near_cells_;  // all within kReach edges of a triangle
+  std::unordered_set<Cell, Hash> near_cells_;  // all within kOverlapReach edges of a triangle
 };
 
 }  // namespace genu::judge

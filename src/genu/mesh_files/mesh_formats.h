@@ -11,6 +11,7 @@
 #include <string>
 
 #include "genu/mesh/mesh.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 
@@ -37,17 +38,10 @@ std::string read_obj(const std::string& path, Mesh& mesh);
 std::string read_by_assimp(const std::string& path, Mesh& mesh);
 inline constexpr const char* kByAssimp[] = {".3ds", ".amf", ".dae", ".glb", ".gltf"};
 
-/// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
-/// squares of numbers much larger overflow.
-inline constexpr double kFarthest = 1e9;
-
-inline bool is_coordinate(double x) { return std::abs(x) <= kFarthest; }  // false for nan
+inline bool is_coordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for nan
 
 /// What a coordinate has to be, for messages.
 inline constexpr const char* kCoordinate = "a coordinate (finite, at most 1e9)";
-
-/// How many vertices, or triangles, a mesh may have: an int counts them, three to a triangle of STL.
-inline constexpr std::size_t kMostPerMesh = 700'000'000;
 
 /// The bytes of a file; empty where it cannot be opened.
 inline std::optional<std::string> bytes_of(const std::string& path) {

@@ -11,6 +11,7 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_file_check.h"
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -74,8 +75,7 @@ void warn(const std::string& path, const std::string& what, Diagnostics& out) {
 /// A surface far from its origin has no room left for its shape in seven digits.
 void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_unit, const MeshFileFacts& facts,
                    Diagnostics& out) {
-  constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
-  if (!facts.single || !(facts.rounding > kCoarse)) return;
+  if (!facts.single || !(facts.rounding > kCoarseCoordinateStep)) return;
   double farthest = 0;
   for (const Vec3& v : mesh.vertices) farthest = std::max(farthest, v.norm());
   warn(path,
@@ -96,11 +96,10 @@ std::optional<Mesh> read_in_file_unit(const std::string& path, Diagnostics& out,
   std::string problem = import(path, mesh);
   if (problem.empty() && mesh.empty()) problem = "has no triangles: export the surface as a triangle mesh";
   if (problem.empty()) {
-    constexpr std::size_t kEnough = 100;  // fewer vertices may lie on decimals by chance, or by design
     facts.vertices = mesh.vertices.size();
     facts.triangles = mesh.triangles.size();
     const CoordinateStep written = coordinate_step(mesh);
-    const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kEnough;
+    const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kMinDecimalVertices;
     facts.rounding = decimal ? written.decimal : written.single;
     facts.single = !decimal && written.single > 0;
     const double tolerance = weld_tolerance(mesh);

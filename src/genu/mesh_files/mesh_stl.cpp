@@ -9,6 +9,7 @@
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -134,7 +135,7 @@ std::string read_stl(const std::string& path, Mesh& mesh) {
     in.seekg(static_cast<std::streamoff>(kBinaryHeader - sizeof count));
     in.read(reinterpret_cast<char*>(&count), sizeof count);
     if (size == kBinaryHeader + kTriangle * count) {
-      if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
+      if (count > kMaxMeshCount) return "has more triangles than can be counted: reduce the mesh";
       return read_binary(in, count, mesh);
     }
   }

@@ -22,9 +22,6 @@ struct MotionPlan {
   double tolerance = 0;
   std::vector<std::pair<CoordinateRef, double>> start_rates;  ///< rad/s, m/s; others are 0
   bool from_equilibrium = false;  ///< from where it balances at time 0, not from the joints' start
-
-  static constexpr double kStepShare = 1e-3;
-  static constexpr double kLeastStepTolerance = 1e-14;  ///< rounding alone is not far below
 };
 
 struct MotionResult {

@@ -18,6 +18,7 @@
 #include "genu/path/arc_length_follower.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
@@ -25,7 +26,6 @@ namespace {
 constexpr const char* kTurnsBack = "the path turns back before this pose";
 
 constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
-constexpr int kRest = 16;     // rows from rest to rest, at least
 
 PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
   options.newton.cancelled = cancelled;
@@ -144,7 +144,7 @@ class PathRun {
     while (row_ < step.increments && !stopped_) {
       if (asked_to_stop(observer_.cancelled)) return stop();
       advance_to(step, ++row_);
-      if (row_ < step.increments && rows_ - rested_ >= kRest && !stopped_) rest();
+      if (row_ < step.increments && rows_ - rested_ >= kRestRows && !stopped_) rest();
     }
     pose_ = follower_.pose();
     report_ = follower_.report();
@@ -222,8 +222,7 @@ class PathRun {
   /// With layers a pose without equilibrium (a ray that runs off an edge makes forces jump) says little about the next
   /// one, to which the joint can settle from here as well.
   bool may_skip(const StepPlan& step, int k) {
-    constexpr int kMost = 3;  // in a row
-    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMost;
+    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMaxSkippedRows;
   }
 
   /// A stretch without solution that may be stepped over, in units of the step's parameter.
@@ -271,9 +270,8 @@ class PathRun {
   /// Where the path turns back: the limit point itself, if arc length gets there, else the last pose; none where the
   /// path is all but vertical and yet goes on.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
-    constexpr double kReach = 0.5;
     ArcLengthFollower follower(solver_, options_, follower_.law_events(), {});
-    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kReach);
+    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kLimitReach);
     result_.iterations += follower.iterations();
     if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
     if (follower.here().at.t > follower_.t() + options_.smallest_increment) return {};

@@ -4,17 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/uniqueness.h"
 #include "genu/model/potential_energy.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: nearer to the first one tells nothing new
-constexpr double kBeside = 0.02;         // rad or 10 mm: of a descent from a saddle, along its unstable motion
-constexpr std::size_t kMostSaddles = 100;
-constexpr std::size_t kMostBetween = 10;
-constexpr int kBisections = 8;  // of the way between two stable poses
 
 /// The prime after `prime`: the base of the next coordinate.
 int next_prime(int prime) {
@@ -68,12 +64,12 @@ class StartsSearcher {
     for (int k = 1; k <= options_.count && !stopped(); ++k) try_start(k);
     look_between();
     // What is found beside a saddle may be one itself: the list grows while it is walked.
-    for (std::size_t i = 0; i < out_.equilibria.size() && i < kMostSaddles && !stopped(); ++i) look_beside(i);
+    for (std::size_t i = 0; i < out_.equilibria.size() && i < kMaxSaddles && !stopped(); ++i) look_beside(i);
     return std::move(out_);
   }
 
  private:
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
   struct Settled {
     Balanced pose;
     PoseReport report;
@@ -86,8 +82,8 @@ class StartsSearcher {
     if (stopped()) return;
     ++out_.count;
     std::size_t place = add(by_newton, Equilibrium::Found::newton, k);
-    if (const std::size_t below = add(down, Equilibrium::Found::downhill, k); below != kNone) place = below;
-    if (place == kNone)
+    if (const std::size_t below = add(down, Equilibrium::Found::downhill, k); below != kNoPlace) place = below;
+    if (place == kNoPlace)
       out_.failed.push_back({k, by_newton.report});
     else
       out_.equilibria[place].starts.push_back(k);
@@ -98,7 +94,7 @@ class StartsSearcher {
     Settled out;
     out.pose.last_number.assign(model_.pairs.size(), 0);
     out.report.why = "surfaces overlap";
-    const double least_share = k == 1 ? 1 : kLeastShare;
+    const double least_share = k == 1 ? 1 : kMinStartShare;
     for (double share = 1; share >= least_share; share /= 2) {
       out.pose.state = State();
       out.pose.state.coordinates = start_coordinates(model_, target_, first_, k, share, options_);
@@ -107,7 +103,7 @@ class StartsSearcher {
       // Bodies that are apart at first would be pulled together by their ligaments before any contact is closed, and
       // through one another: where surfaces may touch they settle on an elastic foundation first, unless start 1 is
       // near.
-      const bool seeded = downhill || (k > 1 && share > kLeastShare && !model_.pairs.empty());
+      const bool seeded = downhill || (k > 1 && share > kMinStartShare && !model_.pairs.empty());
       out.report =
           seeded ? solver_.settle_from_seed(out.pose, target_, downhill) : solver_.settle_cold(out.pose, target_);
       if (out.report.status == PoseStatus::ok) break;
@@ -115,9 +111,9 @@ class StartsSearcher {
     return out;
   }
 
-  /// The equilibrium's place in the list; kNone for a pose that is none.
+  /// The equilibrium's place in the list; kNoPlace for a pose that is none.
   std::size_t add(const Settled& settled, Equilibrium::Found found, int start) {
-    if (settled.report.status != PoseStatus::ok) return kNone;
+    if (settled.report.status != PoseStatus::ok) return kNoPlace;
     for (std::size_t i = 0; i < out_.equilibria.size(); ++i)
       if (same_pose(model_, out_.equilibria[i].pose.state, settled.pose.state, options_.same_pose)) return i;
     Equilibrium e;
@@ -134,7 +130,7 @@ class StartsSearcher {
   /// Saddles between stable equilibria that were found one after the other.
   void look_between() {
     std::vector<std::size_t> stable;
-    for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMostBetween; ++i)
+    for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMaxBetween; ++i)
       if (out_.equilibria[i].stability.verdict == Stability::Verdict::stable) stable.push_back(i);
     for (std::size_t i = 1; i < stable.size() && !stopped(); ++i) look_between(stable[i - 1], stable[i]);
   }
@@ -152,7 +148,7 @@ class StartsSearcher {
     driven.prescribed.push_back({QuantityRef(*c), a});
     double low = 0, high = 1;
     Settled near;
-    for (int k = 0; k < kBisections; ++k) {
+    for (int k = 0; k < kMaxBisections; ++k) {
       const double share = 0.5 * (low + high);
       driven.prescribed.back().value = a + share * (b - a);
       near = settle_between(from, to, share, driven);
@@ -200,7 +196,7 @@ class StartsSearcher {
       const int start = e.first_start;
       Settled beside;
       beside.pose.last_number.assign(model_.pairs.size(), 0);
-      if (!displaced(e, sign * kBeside, beside.pose.state)) continue;
+      if (!displaced(e, sign * kBesideSaddle, beside.pose.state)) continue;
       beside.report = solver_.settle_from_seed(beside.pose, target_, true);
       add(beside, Equilibrium::Found::beside, start);
     }
@@ -216,7 +212,7 @@ class StartsSearcher {
     along.multipliers.setZero();
     along.twist = saddle.stability.mode;
     for (Eigen::Index i = 0; i < along.twist.size(); ++i)
-      if (i % 6 < 3) along.twist[i] *= Stability::kMetricLength;
+      if (i % 6 < 3) along.twist[i] *= kMetricLength;
     return retract(model_, from, along, way, out);
   }
 

@@ -19,10 +19,9 @@
 
 #include "genu/equilibrium/active_set.h"
 #include "genu/equilibrium/stability.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
-
-inline constexpr double kStartSpread = 20 * std::numbers::pi / 180;  ///< rad, unless asked for more or less
 
 struct StartOptions {
   int count = 1;

@@ -10,6 +10,7 @@
 
 #include "genu/core/units.h"
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 #include "genu/scene/toml_document.h"
 #include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
@@ -19,8 +20,6 @@ namespace genu {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t kMaxFileBytes = 16u << 20;  // a scene holds no geometry: the largest known is 14 kB
 
 std::optional<std::string> read_text(const std::string& path, Diagnostics& out) {
   std::error_code failed;
@@ -45,12 +44,12 @@ std::optional<std::string> read_text(const std::string& path, Diagnostics& out) 
   std::ifstream stream(path, std::ios::binary);
   std::string text;
   char block[1 << 16];
-  while (stream && text.size() <= kMaxFileBytes) {
+  while (stream && text.size() <= kMaxSceneBytes) {
     stream.read(block, sizeof(block));
     text.append(block, static_cast<std::size_t>(stream.gcount()));
   }
-  if (text.size() > kMaxFileBytes) {
-    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxFileBytes >> 20));
+  if (text.size() > kMaxSceneBytes) {
+    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxSceneBytes >> 20));
   } else if (!stream.eof()) {
     out.error(path, "cannot be read");
   } else {

@@ -21,6 +21,7 @@
 
 #include "genu/path/fields.h"
 #include "genu/store/input_hash.h"
+#include "genu/store/tolerances.h"
 
 namespace genu {
 
@@ -67,11 +68,9 @@ bool unpack(const std::string& bytes, Fields&... fields) {
 
 /// Whether the file is this run's alone, now or soon: a run that was killed takes a moment to let go of it.
 bool locked(int descriptor) {
-  constexpr int kTries = 40;
-  constexpr useconds_t kPause = 50'000;  // us
-  for (int k = 0; k < kTries; ++k) {
+  for (int k = 0; k < kMaxLockTries; ++k) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
-    ::usleep(kPause);
+    ::usleep(kLockPause);
   }
   return false;
 }
@@ -158,9 +157,8 @@ void Checkpoint::add(const std::vector<PoseRecord>& all_records, const std::vect
   if (begun < next_) return;
   write(all_records, all_events, save);
   // Where writing is slow, or fails again and again on ever more rows, it may not take more than its share of the run.
-  constexpr double kShare = 0.05;
   const double now = timer_.seconds();
-  if (every_ > 0 || !problem_.empty()) next_ = std::max(begun + every_, now + (now - begun) / kShare);
+  if (every_ > 0 || !problem_.empty()) next_ = std::max(begun + every_, now + (now - begun) / kCheckpointShare);
 }
 
 void Checkpoint::write(const std::vector<PoseRecord>& all_records, const std::vector<PathEvent>& all_events,

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "genu/store/input_hash.h"
+#include "genu/store/tolerances.h"
 
 namespace genu {
 namespace {
@@ -41,9 +42,9 @@ std::string text_of(const ordered_json& j) { return j.dump(1, ' ', false, ordere
 
 /// A name that leads out of the folder it is unpacked into is none of ours.
 bool is_plain(const std::string& name) {
-  constexpr std::size_t kLongest = 200;
+  constexpr std::size_t kLongestFileName = 200;
   const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
-  return !name.empty() && name.size() <= kLongest && name[0] != '.' && name.find('/') == std::string::npos &&
+  return !name.empty() && name.size() <= kLongestFileName && name[0] != '.' && name.find('/') == std::string::npos &&
          name != "scene.toml" && std::none_of(name.begin(), name.end(), control);
 }
 
@@ -110,8 +111,7 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
       return std::nullopt;
     }
     f.rest = bytes(j["rest_hex"]);
-    constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 26;  // bytes: the program itself needs as much
-    if (f.memory_limit != 0 && f.memory_limit < kLeastMemory)
+    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit)
       out.error(file, "has a memory limit under which nothing runs");
     if (out.has_errors()) return std::nullopt;
     return f;

@@ -11,7 +11,7 @@
 namespace genu {
 namespace {
 
-constexpr double kAcross = 44;  // edges over the width of a shape that has a formula
+constexpr double kEdgesAcross = 44;  // edges over the width of a shape that has a formula
 
 /// The part of a shape that has something to do with the joint: a ball in the body's frame.
 struct Ball {
@@ -38,9 +38,9 @@ class Places {
 
   Ball around(const SurfaceDef& def, const Surface& surface) const {
     std::vector<Vec3> touched;
-    constexpr double kNear = 2e-3;  // m: of another surface of the body otherwise
+    constexpr double kTouchedDistance = 2e-3;  // m: of another surface of the body otherwise
     for (const Vec3& point : touched_[at(def.body)])
-      if (const auto gap = surface.gap(point); gap && std::abs(*gap) < kNear) touched.push_back(point);
+      if (const auto gap = surface.gap(point); gap && std::abs(*gap) < kTouchedDistance) touched.push_back(point);
     const std::vector<Vec3>& all = touched.empty() ? of_body_[at(def.body)] : touched;
     if (all.empty()) return {def.placement.p, 2 * p_.model.scales.size, false};
     Vec3 low = all.front(), high = low;
@@ -70,17 +70,17 @@ Mesh triangles_of(const Prepared& p, std::size_t i, const Places& places) {
   if (def.shape == SurfaceDef::Shape::mesh) return surface.triangles(0, Vec3::Zero(), 0);
   const Ball ball = places.around(def, surface);
   constexpr double kAcrossFlat = 8;
-  const double across = def.shape == SurfaceDef::Shape::plane ? kAcrossFlat : kAcross;
+  const double across = def.shape == SurfaceDef::Shape::plane ? kAcrossFlat : kEdgesAcross;
   if (surface.is_unbounded()) return surface.triangles(2 * ball.radius / across, ball.centre, ball.radius);
   const double size = box_diagonal(surface, ball.radius / 4);
   constexpr double kHuge = 4;  // times the ball
   if (size <= 2 * kHuge * ball.radius) {
-    Mesh mesh = surface.triangles(size / kAcross, ball.centre, size);
+    Mesh mesh = surface.triangles(size / kEdgesAcross, ball.centre, size);
     // A socket that closes over what it holds would hide it.
     if (def.inside && !def.patch && ball.touched) keep_near(mesh, ball.centre, 0.3 * size);
     return mesh;
   }
-  Mesh mesh = surface.triangles(2 * ball.radius / kAcross, ball.centre, ball.radius);
+  Mesh mesh = surface.triangles(2 * ball.radius / kEdgesAcross, ball.centre, ball.radius);
   keep_near(mesh, ball.centre, ball.radius);
   return mesh;
 }

@@ -171,8 +171,8 @@ bool fails_alike(const Failure& failure, const RunOptions& options, std::string&
 }
 
 void tell_poses(const Prepared& prepared, const Solution& found, Failure& failure) {
-  constexpr std::size_t kLast = 3;
-  for (std::size_t k = found.records.size(); k-- > 0 && failure.last_poses.size() < kLast;) {
+  constexpr std::size_t kPosesKept = 3;
+  for (std::size_t k = found.records.size(); k-- > 0 && failure.last_poses.size() < kPosesKept;) {
     const PosePoint& p = found.records[k].point;
     if (!p.solved()) continue;
     std::string line = fmt::format("row {} step {} increment {} t {:a}:", k + 1, p.step, p.increment, p.t);
