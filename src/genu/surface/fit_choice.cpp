@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/core/units.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/local_fit.h"
 #include "genu/surface/tolerances.h"
 
@@ -138,7 +139,7 @@ void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice
   Probe probe(mesh, graph, choice.degree);
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
-  const double sheet = kMostOfSheet * std::sqrt(graph.area / components);
+  const double sheet = kMaxPatchOfSheet * std::sqrt(graph.area / components);
   choice.radius = choice.least_radius = narrowest;
   choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
   if (noise * narrowest < kNegligibleNoise) return;

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 #include <Eigen/LU>
 
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/patch_shells.h"
 #include "genu/surface/tolerances.h"
 
@@ -68,7 +69,7 @@ Band measure(const Mesh& mesh, const VertexGraph& graph, Fitters& fitters, doubl
 std::vector<Band> measure_all(const Mesh& mesh, const VertexGraph& graph) {
   Fitters fitters([&] { return ShellFitter(mesh, graph); });
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
-  const double widest = kMostOfSheet * std::sqrt(graph.area / std::max(1, components));
+  const double widest = kMaxPatchOfSheet * std::sqrt(graph.area / std::max(1, components));
   std::vector<Band> bands;
   for (int step = 0; step < kMaxBands; ++step) {
     const double radius = kNarrowestPatch * graph.median_edge * std::pow(2, 0.5 * step);
