@@ -57,7 +57,7 @@ TEST(LayerVerdict, DeeperThanTheLawOrTheRays) {
   EXPECT_NE(said[0].find("pressed by 97 % of its thickness in row 1"), std::string::npos) << said[0];
   said = layer_sentences(scene_with_layer(), model_with_layer(), poses({{3.9, 300}}));
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_NE(said[0].find("where its rays end"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("all of its search depth"), std::string::npos) << said[0];
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ void add_calibrate(CLI::App& command, int& exit_code) {
       ->capture_default_str();
   command.add_option("--out", arguments->folder, "folder for the fitted scene and its results");
   command.footer(
-      "Exit code 0: fitted; 3: not converged, or the target says nothing of a number; 2: refused."
+      "Exit code 0: fitted; 3: not converged, or the target does not determine a number; 2: refused."
       "\nExample: genu calibrate knee.toml --target measured.csv --vary j1.stiffness j1.damping --out out/fitted");
   advice().hint("calibrate", "look at comparison.csv for where the fit is poor; vary fewer parameters, or others");
   command.callback([arguments, &exit_code] { exit_code = calibrate(*arguments); });

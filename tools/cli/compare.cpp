@@ -35,8 +35,7 @@ int compare(const CompareArguments& arguments) {
 void add_compare(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
   constexpr int kMostResults = 8;
-  command
-      .add_option("RESULTS", arguments->results, "folders written by genu run, the first is what others are held to")
+  command.add_option("RESULTS", arguments->results, "folders written by genu run; the first is the reference")
       ->required()
       ->expected(2, kMostResults);
   command.add_option("--out", arguments->file, "the page (HTML) to be written")->required();

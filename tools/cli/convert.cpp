@@ -36,7 +36,7 @@ std::string choose_target(const std::string& to, const std::string& out, Convert
   if (mot || sto) return to.empty() || to == "opensim" ? "" : "--to " + to + " writes a folder, not " + out;
   if (out.ends_with(".pvd") || out.ends_with(".vtp"))
     return "a series for ParaView is a folder of many files: --to vtk --out FOLDER writes FOLDER/poses.pvd";
-  if (to.empty()) return "say --to vtk or --to opensim, or name a file --out FILE.mot or FILE.sto";
+  if (to.empty()) return "give --to vtk or --to opensim, or name a file --out FILE.mot or FILE.sto";
   target = to == "vtk" ? ConvertTo::vtk : ConvertTo::opensim;
   return {};
 }
@@ -52,7 +52,7 @@ std::string why_not_written(const ConvertArguments& arguments, const std::string
   return probe.open(out);
 }
 
-void tell(const ConvertArguments& arguments, const ConvertFound& found) {
+void print_error(const ConvertArguments& arguments, const ConvertFound& found) {
   const std::string& out = arguments.options.out;
   constexpr double kMegabyte = 1e6;
   switch (arguments.options.to) {
@@ -95,7 +95,7 @@ int convert(ConvertArguments& arguments) {
   ConvertFound found;
   const int code = convert_results(*read, arguments.options, diagnostics, found);
   print(diagnostics, code == kFailed);
-  if (code == kOk && !arguments.quiet) tell(arguments, found);
+  if (code == kOk && !arguments.quiet) print_error(arguments, found);
   return code;
 }
 

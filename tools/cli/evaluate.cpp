@@ -98,10 +98,10 @@ void add_evaluate(CLI::App& command, int& exit_code) {
       ->required();
   command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
   command.add_option("--columns", arguments->columns.columns,
-                     "which column is which coordinate, where the names do not say it: "
+                     "which column is which coordinate, if the names differ: "
                      "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
   command.add_option("--units", arguments->columns.units,
-                     "units of columns that do not say theirs, such as deg,mm (else what the file says, or rad,m)");
+                     "units of columns without one, such as deg,mm (else those of the file, or rad,m)");
   command.add_flag("--pressure-maps", arguments->pressure_maps,
                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
                    "pressures_CONTACT.csv");

@@ -24,7 +24,7 @@
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_scene.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -97,7 +97,7 @@ int written(const std::string& error, const FitOptions& options) {
     fmt::print("written to {}\n", options.folder);
     return kExitOk;
   }
-  tell("{}\n", error);
+  print_error("{}\n", error);
   return kExitFailed;
 }
 
@@ -208,7 +208,7 @@ void add_fit(CLI::App& command, int& exit_code) {
       ->needs(scene)
       ->capture_default_str();
   const auto of_mesh = [&](CLI::Option* option) { option->needs(mesh); };
-  of_mesh(command.add_option("--units", options->unit, "of the mesh file; told from its size where not given")
+  of_mesh(command.add_option("--units", options->unit, "of the mesh file; guessed from its size where not given")
               ->check(CLI::IsMember({"mm", "m"})));
   of_mesh(
       command.add_option("--facing", options->facing,

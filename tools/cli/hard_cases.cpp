@@ -20,8 +20,8 @@
 #include "genu/core/atomic_output.h"
 #include "genu/study/run_scene.h"
 #include "hard_cases/hard_cases.h"
+#include "print_error.h"
 #include "progress.h"
-#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -54,7 +54,7 @@ int write_table(const std::string& path, const std::vector<HardCase>& cases) {
       "come out of it and\nwhere that is known from; `genu hard-cases` runs them all. {} cases.\n",
       cases.size());
   const std::string error = write_file_atomically(path, head + to_markdown(cases));
-  if (!error.empty()) tell("{}\n", error);
+  if (!error.empty()) print_error("{}\n", error);
   return error.empty() ? kOk : kFailed;
 }
 

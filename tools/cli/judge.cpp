@@ -20,7 +20,7 @@
 #include "genu/judge/judge.h"
 #include "genu/judge/run_folder.h"
 #include "genu/scene/reader.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -64,7 +64,7 @@ int judge_folder(const JudgeArguments& arguments) {
     const std::string error =
         write_file_atomically(arguments.out, csv ? judge::to_csv(*found) : judge::to_json(*found));
     if (!error.empty()) {
-      tell("genu: {}\n", printable(error));
+      print_error("genu: {}\n", printable(error));
       return kFailed;
     }
   }

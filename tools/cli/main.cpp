@@ -20,8 +20,8 @@
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/scene/words.h"
+#include "print_error.h"
 #include "registry.h"
-#include "tell.h"
 
 namespace {
 
@@ -82,7 +82,7 @@ int run_command(int argc, char** argv) {
     const int code = app.exit(error, said, wrong);
     std::fputs(said.str().c_str(), stdout);
     std::istringstream lines(wrong.str());  // they quote what was typed
-    for (std::string line; std::getline(lines, line);) genu::cli::tell("{}\n", genu::printable(line));
+    for (std::string line; std::getline(lines, line);) genu::cli::print_error("{}\n", genu::printable(line));
     return code == 0 ? 0 : genu::cli::kRefused;
   }
   return exit_code;

@@ -26,7 +26,7 @@
 #include "genu/shape_fit/solid_mesh.h"
 #include "genu/shape_fit/thicken.h"
 #include "genu/surface/tessellate.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -128,8 +128,8 @@ void describe_file(const std::string& path, const Mesh& mesh, double wanted, con
              report.vertices, report.triangles, report.edge_length[0] / unit, report.edge_length[2] / unit,
              report.edge_length[4] / unit, options.unit, smallest_angle(mesh) * 180 / std::numbers::pi);
   if (report.edge_length[2] > 1.2 * wanted) {
-    tell("{}: warning: coarser than --edge {}: a surface of its kind gets no more than about {} triangles\n",
-         printable(path), options.edge, report.triangles);
+    print_error("{}: warning: coarser than --edge {}: a surface of its kind gets no more than about {} triangles\n",
+                printable(path), options.edge, report.triangles);
   }
 }
 
@@ -158,7 +158,7 @@ int mesh_scene(const MeshOptions& options) {
     const std::string path = path_of(m);
     const std::string title = fmt::format("{}{}, edge {} {}", kTitle, m.name, options.edge, options.unit);
     if (const std::string error = write_mesh(m.mesh, path, unit, title); !error.empty()) {
-      tell("{}\n", error);
+      print_error("{}\n", error);
       return kFailed;
     }
     describe_file(path, m.mesh, options.edge * unit, options, unit);

@@ -21,7 +21,7 @@
 #include "genu/path/path.h"
 #include "genu/store/input_hash.h"
 #include "genu/study/failure.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -59,12 +59,12 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   if (!ready) return kRefused;
   const std::string folder = scratch ? scratch->path().string() : asked;
   if (failure->program != program_hash())
-    tell("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
-         printable(failure->version));
+    print_error("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
+                printable(failure->version));
   std::error_code ignored;
   if (const std::string error = unpack(*failure, folder); !error.empty()) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) fs::remove(entry.path(), ignored);
-    tell("genu: {}\n", printable(error));
+    print_error("genu: {}\n", printable(error));
     return kFailed;
   }
   limit_memory(failure->memory_limit);

@@ -85,7 +85,7 @@ void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& l
   const double depth = pressed.deepest.depth, ellipse = 2 * std::numbers::pi * depth / std::sqrt(curvatures.prod());
   if (std::abs(pressed.area / ellipse - 1) > kEllipseTolerance) {
     check.why = fmt::format(
-        "the area in contact is {:.2f} times the ellipse that the curvatures at the deepest point say: it is not one "
+        "the area in contact is {:.2f} times the ellipse from the curvatures at the deepest point: it is not one "
         "compact area, or its curvature is not even",
         pressed.area / ellipse);
     return;
@@ -103,7 +103,7 @@ void compare(const Scene& scene, const LayerDef& def, const JointModel::Layer& l
   if (h.a > kThickLayer * thickness) {
     check.why = fmt::format(
         "the layer is thin against the area in contact (half axis {:.2g} mm, thickness {:.2g} mm): it is pressed "
-        "between bones, which Hertz's half spaces do not know and the elastic foundation is made for",
+        "between bones, where Hertz's half spaces do not apply and an elastic foundation does",
         to::kMillimetre * h.a, to::kMillimetre * thickness);
     return;
   }

@@ -80,10 +80,10 @@ std::vector<std::string> facing_doubts(const Prepared& prepared, const std::vect
       if (static_cast<double>(same) > kDecidingShare * static_cast<double>(nearest)) {
         const auto first = std::find_if(met.begin(), met.end(), [](const Met& m) { return m.same; });
         out.push_back(fmt::format(
-            "The surfaces of {} face the same way where they are nearest: so do {} of the {} nearest triangles of {} "
-            "and "
-            "what they have of {} before them, the first at {} of the former. One of the two is inside out (inside = "
-            "true turns it round) or the wrong side of a shell: they do not press against each other.",
+            "The surfaces of {} face the same way where they are nearest, so they cannot press on each other: {} of "
+            "the "
+            "{} nearest triangles of {} and the part of {} in front of them, first at {} of the former. One of the two "
+            "is inside out (set inside = true), or is the wrong side of a shell.",
             side.layer.name, same, nearest, side.casting.name, side.target.name, side.place(prepared.model, first->x)));
       }
       break;
@@ -119,10 +119,9 @@ std::vector<std::string> reach_doubts(const Prepared& prepared, const std::vecto
         if (!(through > kThroughShare * load) || through <= worst) continue;
         worst = through;
         said = fmt::format(
-            "The rays of {} reach through {}: {} of {} triangles of {} that carry load, and {:.3g} of {:.3g} N, enter "
-            "it "
-            "before they leave it, the longest over {:.2f} mm from {}. That is no overlap but something thinner than "
-            "`search_depth` ({:.3g} mm): give a smaller one, or a mesh of the side in contact alone.",
+            "The rays of {} pass through {}: {} of {} loaded triangles of {}, with {:.3g} of {:.3g} N, enter it before "
+            "they leave it, the longest over {:.2f} mm from {}. This is no overlap: the body is thinner than "
+            "`search_depth` ({:.3g} mm). Use a smaller one, or a mesh of the contact side alone.",
             side.layer.name, side.target.name, wrong, points, side.casting.name, through, load,
             to::kMillimetre * deepest, side.place(prepared.model, place), to::kMillimetre * side.layer.search_depth);
       }
@@ -219,16 +218,15 @@ std::vector<std::string> footing_doubts(const Prepared& prepared, const std::vec
       if (rim.rows.empty()) continue;
       const SurfaceDef& surface = prepared.scene.surfaces[at(i == 0 ? def.pair.surface_a : def.pair.surface_b)];
       out.push_back(fmt::format(
-          "Part of the contact area of {} lies at the rim of {}surface {} in {}: there pressure ends because the "
-          "surface does, at {:.3g} MPa of at most {:.3g} MPa in row {}, and what lies beyond carries nothing. A larger "
-          "{} would.",
+          "The contact area of {} reaches the rim of {}surface {} in {}. The pressure is cut off there, at {:.3g} MPa "
+          "of at most {:.3g} MPa in row {}. Use a larger {}.",
           layer.name, surface.patch ? "the patch of " : "", surface.name, rim.text(), 1e-6 * rim.most, 1e-6 * rim.of,
           rim.worst, surface.patch ? "patch" : "mesh"));
     }
     if (const Rows& guessed = found.guessed; !guessed.rows.empty())
       out.push_back(fmt::format(
-          "The contact of {} presses on cartilage whose thickness was filled in, as no bone lies under it, in {}: it "
-          "carries {:.3g} of {:.3g} N in row {}.",
+          "The contact of {} loads cartilage without bone under it, whose thickness is extrapolated, in {}: {:.3g} of "
+          "{:.3g} N in row {}.",
           layer.name, guessed.text(), guessed.most, guessed.of, guessed.worst));
   }
   return out;

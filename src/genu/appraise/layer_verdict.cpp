@@ -44,21 +44,21 @@ std::vector<std::string> layer_sentences(const Scene& scene, const JointModel& m
     const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [](double) { return false; });
     if (used.count > 0)
       out.push_back(fmt::format(
-          "The layer of {} is pressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows): it is "
+          "The layer of {} is compressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows). It is "
           "too soft or too thin for the load, and its law no longer holds.",
           name, 100 * used.value, used.row + 1, 100 * kMaxCompression, used.count));
     else if (deepest.value > kNearSearchDepth * to::kMillimetre * model.layers[k].search_depth)
       out.push_back(
-          fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
-                      "`search_depth` may find more.",
+          fmt::format("The layer of {} is compressed to {:.2f} mm in row {}, all of its search depth. Increase "
+                      "`search_depth`.",
                       name, deepest.value, deepest.row + 1));
     if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
     const Extreme few =
         extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewLayerTriangles; });
     if (few.count > 0)
       out.push_back(
-          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles of {} "
-                      "carry it ({:.0f} in row {}). A finer mesh or quadrature = \"smooth\" resolves it.",
+          fmt::format("The mesh is too coarse for the layer of {}: in {} of {} rows fewer than {:.0f} triangles of {} "
+                      "carry the load ({:.0f} in row {}). Use a finer mesh or quadrature = \"smooth\".",
                       name, few.count, poses.rows(), kFewLayerTriangles,
                       scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name, few.value, few.row + 1));
   }

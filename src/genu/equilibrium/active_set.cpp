@@ -12,7 +12,7 @@
 namespace genu {
 namespace {
 
-constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
+constexpr const char* kBehind = "the equilibrium lies behind a surface: the bodies would have to pass through it";
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
   std::vector<std::pair<int, int>> s;
@@ -71,7 +71,7 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
   }
   if (findings.doubtful) {
     report.status = PoseStatus::flawed_mesh;
-    report.why = "contact leans on " + findings.where;
+    report.why = "the contact touches " + findings.where;
   } else if (findings.over_edge) {
     report.status = PoseStatus::over_edge;
     report.why = "contact " + findings.where + " lies past the edge of its surface";
@@ -209,12 +209,12 @@ PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
     if (seen.count(signature(trial.state)) > 0) break;
   }
   report.status = PoseStatus::chatter;
-  report.why = "no set of contacts satisfies all conditions: the search comes back to one it has left";
+  report.why = "no active set satisfies all conditions: the search cycles";
   if (const std::string gap = piece_in_doubt(*model_, trial.state); !gap.empty())
     report.why = "no equilibrium on either side of the jump of " + gap;
   if (static_cast<int>(trial.state.contacts.size()) >= contact_limit(target)) {
     report.status = PoseStatus::overconstrained;
-    report.why = "more contacts are needed than the prescribed coordinates and the joints leave room for";
+    report.why = "more contacts are needed than the free coordinates allow";
   }
   return report;
 }

@@ -18,7 +18,7 @@ namespace {
 using Verdict = Stability::Verdict;
 using Kind = ReleasedPlane::Kind;
 
-constexpr const char* kPressesAtOnce = "surfaces of a layer that nothing presses conform: it would press at once";
+constexpr const char* kPressesAtOnce = "the surfaces of an unloaded layer conform: any motion loads it";
 
 /// The least cost among the motions of `basis` (6B x d, in the metric of stability).
 struct Among {
@@ -173,15 +173,15 @@ void take(const JointModel& model, const State& state, const Released& released,
   const bool falls = out.verdict == Verdict::unstable;
   out.smallest = out.verdict == Verdict::neutral ? 0 : smallest(released, free, found);
   if (!least.told)
-    out.untold = "more is about to become taut, to open or at a stop at once than can be told apart";
+    out.untold = "too many ligaments, contacts and stops are about to change at once";
   else if (found.drops && found.closed)
     out.untold = "the force of a ligament drops where a contact holds no force";
   else if (depends_on_extent(released, free, found))
-    out.untold = "surfaces touch without force along a line or an area, and how far matters";
+    out.untold = "surfaces touch without force along a line or an area of unknown size";
   else if (barred(layers, found))
     out.untold = kPressesAtOnce;
   else if (std::isnan(out.smallest))
-    out.untold = "the origins of the bodies are too far from where things are";
+    out.untold = "the origins of the bodies are too far from the joint";
   out.mode = VecX::Zero(free.basis.rows());
   if (out.neutral.cols() > 0 && !falls)
     out.mode = out.neutral.col(0);

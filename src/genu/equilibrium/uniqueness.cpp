@@ -62,9 +62,9 @@ bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   point.report.status = PoseStatus::undetermined;
   point.report.why = !point.stability.untold.empty()
                          ? point.stability.untold + ": whether the pose is stable is not known"
-                     : unilateral ? "a motion costs no force, at least one way: the pose is one of many"
-                     : motion     ? "a motion costs no force: the pose is one of many"
-                                  : "the same motion is held twice: how the force is shared is not determined";
+                     : unilateral ? "a motion costs no force, at least one way: the equilibrium is not unique"
+                     : motion     ? "a motion costs no force: the equilibrium is not unique"
+                                  : "the same motion is constrained twice: the forces are statically indeterminate";
   return false;
 }
 

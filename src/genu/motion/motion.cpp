@@ -182,7 +182,7 @@ class Motion {
       if (!contacts_->settle(now_, events, result_.why)) return false;
       tell(events);
     } else if (has_drives_ && !equations_.strike(now_, impulses)) {
-      result_.why = fmt::format("what is prescribed cannot be followed at {:.9g} s", now_.time);
+      result_.why = fmt::format("the prescribed coordinates cannot be followed at {:.9g} s", now_.time);
       return false;
     }
     settle_pieces();

@@ -111,7 +111,7 @@ bool MotionContacts::begin(MotionPoint& point, std::string& why) {
   Findings findings;
   inspector_.inspect(point.state, findings);
   if (findings.final()) {
-    why = findings.doubtful    ? "contact leans on " + findings.where
+    why = findings.doubtful    ? "the contact touches " + findings.where
           : findings.over_edge ? findings.where + " lies past the edge of its surface at the start"
                                : "surfaces overlap at the start: " + findings.where;
     return false;
@@ -319,7 +319,7 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
   if (!findings.merged.empty()) return {Change::Kind::merges, findings.merged.front().second, {}, to, {}};
   std::string why;
   if (findings.final())
-    why = findings.doubtful    ? "contact leans on " + findings.where
+    why = findings.doubtful    ? "the contact touches " + findings.where
           : findings.over_edge ? "contact " + findings.where + " runs over the edge of its surface"
                                : "surfaces overlap: " + findings.where;
   if (why.empty()) return {};
@@ -360,7 +360,7 @@ bool MotionContacts::settle(MotionPoint& point, int leaves, std::vector<PathEven
   }
   if ((leaves < 0 && !settle_speeds(model_, equations_, touching_, point)) ||
       !settle_forces(model_, equations_, point, leaves)) {
-    why = fmt::format("no set of contacts is possible at {:.9g} s", point.time);
+    why = fmt::format("no active set is possible at {:.9g} s", point.time);
     return false;
   }
   note(before, point, events);

@@ -145,7 +145,7 @@ OdeIntegrator::Step OdeIntegrator::step(double stop) {
   i.now = view(i.y.get());
   i.stalled = i.time > before + kStallShare * std::abs(before) ? 0 : i.stalled + 1;
   if (flag >= 0 && i.stalled > kMaxStalled) {
-    i.failure = "steps become too short to go on";
+    i.failure = "the steps become too short";
     return Step::failed;
   }
   if (flag == CV_ROOT_RETURN) {

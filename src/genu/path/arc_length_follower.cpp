@@ -18,7 +18,7 @@ bool ArcLengthFollower::begin(const StepPlan& plan, const Balanced& pose, double
   here_.at.t = t;
   here_.report.status = PoseStatus::ok;
   if (!newton_.forward(plan_, pose.state, t, here_.at.direction)) {
-    failure_.why = "more than one path leads on from here";
+    failure_.why = "more than one path continues from here";
     return false;
   }
   here_.stability = assess(pose.state);
@@ -135,7 +135,7 @@ bool ArcLengthFollower::pass_change(double arc, Point violated) {
       distance(solver_.model(), here_.at.pose.state, violated.at.pose.state) < kSamePlace &&
       !same_set(here_.at.pose.state, violated.at.pose.state) && leave(violated))
     return true;
-  failure_.why = "no set of contacts leads on from here";
+  failure_.why = "no active set continues from here";
   return false;
 }
 

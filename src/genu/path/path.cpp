@@ -52,7 +52,7 @@ class PathRun {
     cereal::BinaryInputArchive archive(in);
     remember(archive);
     const bool in_plan = step_ >= 0 && at(step_) <= steps_.size() && row_ >= 0 && rows_ >= 0;
-    if (!in_plan || !fits(pose_)) throw SavedElsewhere("what was saved is of another scene");
+    if (!in_plan || !fits(pose_)) throw SavedElsewhere("the saved data belong to another scene");
     forget();
   }
 
@@ -188,7 +188,7 @@ class PathRun {
     report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
     if (end == ArcLengthFollower::End::closed) {
       emit({PathEvent::Kind::closed, step_, last.at.t, step.target(last.at.t), "", last.at.pose.state.coordinates});
-      report.why = "the path closes on itself without reaching the end of the step";
+      report.why = "the path is closed and does not reach the end of the step";
     }
     if (end == ArcLengthFollower::End::ran_away) report.why = "the path runs away from the end of the step";
     where_ = last.at.t;
@@ -256,7 +256,7 @@ class PathRun {
             fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI),
             pose_.state.coordinates});
       report.status = PoseStatus::no_equilibrium;
-      report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      report.why = "the equilibrium path ends before this pose; the next equilibrium is a jump away";
       if (!follower_.law_jump().empty()) report.why += ", as the force drops of ligament " + follower_.law_jump();
     }
     fail(step, k, t, report, "");

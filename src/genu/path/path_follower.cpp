@@ -183,7 +183,7 @@ bool PathFollower::events_without_end() {
   if (++crowd_ <= kMaxCrowdedChanges) return false;
   failure_ = {};
   failure_.status = PoseStatus::chatter;
-  failure_.why = "contacts come and go without end";
+  failure_.why = "contacts open and close without end";
   return true;
 }
 
@@ -250,7 +250,7 @@ PoseReport PathFollower::settle_beyond(double t, Balanced& next) {
   if (report.status == PoseStatus::ok && jumped(next.state, t - t_)) {
     snap_ = largest_motion(pose_.state, next.state);
     report.status = PoseStatus::no_equilibrium;
-    report.why = "the equilibrium that was followed ends where its contacts change";
+    report.why = "the equilibrium path ends where its contacts change";
   }
   return report;
 }

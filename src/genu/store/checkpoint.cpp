@@ -191,12 +191,12 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
     if (first && program != program_hash())
       out.error(file_,
                 "was written by another build of genu, or with other libraries or on another processor: run "
-                "without --resume to compute anew");
+                "without --resume to compute again");
     for (std::size_t i = 0; first && i < inputs_.size() && !out.has_errors(); ++i)
       if (i >= bound.size() || bound[i].second != inputs_[i].second)
         out.error(inputs_[i].first, "has changed since " + file_ +
-                                        " was written: what was computed belongs to another scene. Run without "
-                                        "--resume to compute anew");
+                                        " was written: its rows belong to another scene. Run without "
+                                        "--resume to compute again");
     if (out.has_errors()) return false;
     records.insert(records.end(), rows.begin(), rows.end());
     events.insert(events.end(), more.begin(), more.end());
@@ -211,8 +211,8 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = fmt::format("its last {} bytes are cut off or garbled and left out: {} rows are taken from it",
-                                 content.size() - size_, records.size())});
+             .rule = fmt::format("its last {} bytes are damaged and left out; {} rows are used", content.size() - size_,
+                                 records.size())});
   return true;
 }
 
@@ -222,7 +222,7 @@ bool Checkpoint::resume(Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = "is not there: nothing to go on from, computed from the start"});
+             .rule = "does not exist: computed from the start"});
     return true;
   }
   if (!open()) {
@@ -240,7 +240,7 @@ bool Checkpoint::resume(Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = "holds no rows: computed from the start"});
+             .rule = "has no rows: computed from the start"});
   return true;
 }
 

@@ -54,7 +54,7 @@ std::optional<ChosenRows> choose_rows(const ResultsRead& read, const ConvertOpti
     chosen.times = column_of(table, options.time, chosen.rows);
     found.time = options.time;
     if (grows(chosen.times)) return chosen;
-    refuse_option(out, "--time", options.time, "does not grow from row to row: no tool could tell the poses apart");
+    refuse_option(out, "--time", options.time, "must grow from row to row");
     return std::nullopt;
   }
   found.time = "time_s";

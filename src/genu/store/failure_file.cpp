@@ -107,12 +107,11 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
     for (const auto& mesh : j["meshes"]) {
       f.meshes.emplace_back(mesh["name"], bytes(mesh["hex"]));
       if (is_plain(f.meshes.back().first)) continue;
-      out.error(file, "names a mesh that would lie elsewhere");
+      out.error(file, "names a mesh outside of its folder");
       return std::nullopt;
     }
     f.rest = bytes(j["rest_hex"]);
-    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit)
-      out.error(file, "has a memory limit under which nothing runs");
+    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit) out.error(file, "has a memory limit too small to run");
     if (out.has_errors()) return std::nullopt;
     return f;
   } catch (const ordered_json::exception&) {

@@ -99,7 +99,7 @@ class OpenSimNamer {
       if (!fresh || lower_case(name) == "time")
         refuse_option(out_, "--columns", name,
                       fresh ? "is what the column of times is called"
-                            : fmt::format("would be the name of both {} and {}: say \"{}=...\"",
+                            : fmt::format("would be the name of both {} and {}: give \"{}=...\"",
                                           coordinate_name(scene_, other->second), coordinate_name(scene_, c),
                                           coordinate_name(scene_, c)));
     }

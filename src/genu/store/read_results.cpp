@@ -78,7 +78,7 @@ class RigidContacts {
                .key = name,
                .found = {},
                .rule = fmt::format("lies off its surface in {} row{}{}", rows, rows == 1 ? "" : "s",
-                                   always ? ", all in which it carries load: is it the scene that these results are of?"
+                                   always ? ", all in which it carries load: do these results belong to this scene?"
                                           : ", and is left out there: has the scene changed?")});
     }
   }

@@ -233,7 +233,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
   failure.version = GENU_VERSION;
   failure.program = program_hash();
   failure.scene = file_bytes(scene);
-  if (failure.scene.empty()) return say("is not written: the scene cannot be read, which is all there is to say");
+  if (failure.scene.empty()) return say("is not written: the scene cannot be read");
   failure.scene =
       without_folders(with_mesh_names(failure.scene, [&](const std::string& own) { return names.name_of(own); }));
   failure.rest = found.rest;

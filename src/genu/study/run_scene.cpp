@@ -28,7 +28,7 @@ std::string interrupted_folder(const std::string& folder) { return beside(folder
 
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary) {
   if (!asked_to_stop(options.cancelled)) return folder;
-  summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
+  summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved so far are kept.");
   summary.partial = true;
   std::error_code ignored;
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;

@@ -88,6 +88,12 @@ inline constexpr double kSameTime = 1e-9;
 /// by round-off.
 inline constexpr double kConstantSpread = 1e-9;
 
+// evaluate
+
+/// [m] Overlap of rigid surfaces at given poses that is rounding of written numbers: the surfaces are in contact. Fails
+/// first: if too small, solved poses are reported as overlapping; if too large, a small overlap is not reported.
+inline constexpr double kContactRounding = 1e-9;
+
 // fit_scene
 
 /// [m] Distance of contacts of a pair that makes surfaces of their own. Fails first: if too small, one condyle gets two
