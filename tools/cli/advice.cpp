@@ -19,7 +19,7 @@ struct RuleAdvice {
   const char* what;   ///< {file}: the file that the error is about
 };
 
-/// The first whose piece stands in the rule counts: what is told by the rule's own words, whatever the key.
+/// Hints by a piece of the rule, whatever the key. The first match counts.
 constexpr std::array<RuleAdvice, 29> kByRule = {{
     {"there is no command", "`genu --help` lists the commands, `genu new NAME` writes a scene to begin with"},
     {"which would be lost", "name another folder with --out"},

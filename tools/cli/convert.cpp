@@ -112,7 +112,7 @@ void add_convert(CLI::App& command, int& exit_code) {
       ->required();
   command.add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
   command.add_option("--time", arguments->options.time,
-                     "column of results.csv that stands for the time, such as knee.flexion_deg, or row (else time_s)");
+                     "column of results.csv used as time, such as knee.flexion_deg, or row (else time_s)");
   command.add_option("--every", arguments->options.every, "take every so many rows")
       ->check(number_within(1, 1e9))
       ->capture_default_str();

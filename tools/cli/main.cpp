@@ -92,7 +92,7 @@ int run_command(int argc, char** argv) {
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-      // Standard output for reading: who asked for something to be printed is told that it was not.
+      // Standard output opens for reading, so that printing fails and is reported.
       static_cast<void>(::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY));
 }
 

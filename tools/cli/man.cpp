@@ -14,7 +14,7 @@
 namespace genu::cli {
 namespace {
 
-/// A text whose every line roff takes as it stands.
+/// Text escaped for roff.
 std::string roff(const std::string& text) {
   std::string out;
   bool begins = true;

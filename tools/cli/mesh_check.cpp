@@ -40,7 +40,7 @@ void print_findings(const MeshExamination& examination) {
   }
 }
 
-/// Why the mended mesh cannot go where --repair says; empty where it can.
+/// Why the repaired mesh cannot be written to the file of --repair; empty if it can.
 std::string why_not_there(const std::string& from, const std::string& to) {
   if (to.empty()) return "genu mesh-check: --repair names no file";
   if (std::string why = why_not_writable(to); !why.empty()) return why;

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-/// What varies in a step, where it stands: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
+/// The varying quantities of a step: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
 /// nothing varies.
 std::string place(const Prepared& prepared, int step, const Target& target) {
   const Scene& scene = prepared.scene;

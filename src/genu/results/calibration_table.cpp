@@ -47,7 +47,7 @@ std::string to_text(const CalibrationReport& report) {
     for (std::size_t j = i + 1; j < report.parameters.size(); ++j) {
       const double r = report.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       if (std::abs(r) < kCloseCorrelation) continue;
-      line("correlated", fmt::format("{} and {}: {:.4f}; the target hardly tells them apart", report.parameters[i].name,
+      line("correlated", fmt::format("{} and {}: {:.4f}; the target hardly separates them", report.parameters[i].name,
                                      report.parameters[j].name, r));
     }
   for (const std::string& what : report.undetermined) line("undetermined", what + ": the target does not depend on it");

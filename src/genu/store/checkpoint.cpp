@@ -66,7 +66,7 @@ bool unpack(const std::string& bytes, Fields&... fields) {
   }
 }
 
-/// Whether the file is this run's alone, now or soon: a run that was killed takes a moment to let go of it.
+/// Locks the file. A killed run takes a moment to release it.
 bool locked(int descriptor) {
   for (int k = 0; k < kMaxLockTries; ++k) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;

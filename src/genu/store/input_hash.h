@@ -9,7 +9,7 @@
 
 namespace genu {
 
-/// 128 bits of XXH3 as 32 hexadecimal digits: tells contents apart that differ by accident or by an edit. Nobody is
+/// 128 bits of XXH3 as 32 hexadecimal digits: distinguishes contents that differ by accident or by an edit. Nobody is
 /// kept from making two on purpose.
 std::string content_hash(const std::string& bytes);
 

@@ -35,7 +35,7 @@ std::string habitual_name(const Scene& scene, const CoordinateRef& c, const std:
   const std::string& name = joint.rotations[at(c.index)].name;
   const auto cut = kCutShort.find(lower_case(name));
   if (cut == kCutShort.end()) return with(name);
-  // Where the short word could mean something else, the whole one stands.
+  // The whole word, if the short one is ambiguous.
   const std::string brief = with(cut->second);
   return opensim_coordinates(scene, brief) == std::vector<CoordinateRef>{c} ? brief : with(name);
 }

@@ -103,9 +103,9 @@ std::vector<ReportMesh> report_meshes(const Prepared& p, const ReportRun& run, s
     const SurfaceDef& def = p.scene.surfaces[i];
     out.push_back(shown(def.name, def.body, ReportMesh::Kind::surface, triangles_of(p, i, places), most));
   }
-  std::set<std::pair<int, std::string>> told;  // one bone often lies under several surfaces
+  std::set<std::pair<int, std::string>> added;  // one bone often lies under several surfaces
   const auto add_bone = [&](const std::string& name, int body, const std::string& file, double unit, const Pose& X) {
-    if (!told.emplace(body, file).second) return;
+    if (!added.emplace(body, file).second) return;
     if (auto mesh = mesh_of_file(file, unit, X))
       out.push_back(shown(name, body, ReportMesh::Kind::bone, std::move(*mesh), most));
   };
