@@ -46,6 +46,10 @@ inline constexpr double kWorthwhileRadius = 0.95;
 /// [1] Equal distances are equal in every frame. Fails first: if equal to 1, results depend on the frame.
 inline constexpr double kTieFactor = 1 - 1e-9;
 
+/// [fit radius] How far from its origin a fit gives heights. Fails first: if too large, fits are used beyond their
+/// samples.
+inline constexpr double kFitReach = 0.7;
+
 /// [fit radius] Radius of the blend. Fails first: if too small, gaps between nodes.
 inline constexpr double kBlendRadius = kFitReach;
 
@@ -53,10 +57,6 @@ inline constexpr double kBlendRadius = kFitReach;
 inline constexpr double kNodeSpacing = 0.25;
 
 // local_fit
-
-/// [fit radius] How far from its origin a fit gives heights. Fails first: if too large, fits are used beyond their
-/// samples.
-inline constexpr double kFitReach = 0.7;
 
 /// [1] Samples a coefficient needs. Fails first: if too small, fits swing between samples.
 inline constexpr double kSamplesPerCoefficient = 1.6;
