@@ -103,7 +103,8 @@ TEST(ContactLocation, SpreadIsThatOfOtherNoise) {
     mean += y / kSeeds;
     if (seed > 1) continue;
     ASSERT_GE(s.summary.verdict.size(), 2u);
-    EXPECT_NE(s.summary.verdict[1].find("The contact of c is located to ±"), std::string::npos) << s.summary.verdict[1];
+    EXPECT_NE(s.summary.verdict[1].find("The contact point of c is uncertain by ±"), std::string::npos)
+        << s.summary.verdict[1];
     std::printf("%s\n", s.summary.verdict[1].c_str());
   }
   for (double y : places) square += std::pow(y - mean, 2) / (kSeeds - 1);

@@ -1,4 +1,4 @@
-// Made scenes both ways: surfaces that face each other and that do not, rays that stop in time and that reach through.
+// Made scenes both ways: surfaces that face each other and that do not, rays that stop in time and that pass through.
 #include "genu/appraise/layer_doubts.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(LayerDoubts, RaysThatReachThrough) {
   const auto said = reach_doubts(*p, {&apart});
   ASSERT_EQ(said.size(), 1u);
   // From the back of the upper plate through both: 1 + 0.5 + 1 mm.
-  EXPECT_NE(said[0].find("The rays of foot reach through lower"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("The rays of foot pass through lower"), std::string::npos) << said[0];
   EXPECT_NE(said[0].find("triangles of upper"), std::string::npos) << said[0];
   EXPECT_NE(said[0].find("the longest over 2.50 mm"), std::string::npos) << said[0];
   EXPECT_NE(said[0].find(", 1.0) mm"), std::string::npos) << said[0];
@@ -149,7 +149,7 @@ TEST(LayerDoubts, ContactAtTheRimOfAPatch) {
       const auto said = footing_doubts(*p, records_at(*p, {19e-3, 21e-3, 19.2e-3}));
       EXPECT_EQ(said.size(), last == "0" ? 1u : 0u) << quadrature << (said.empty() ? "" : said[0]);
       if (said.empty()) continue;
-      EXPECT_NE(said[0].find("Part of the contact area of foot lies at the rim of the patch of surface floor in rows 1 "
+      EXPECT_NE(said[0].find("The contact area of foot reaches the rim of the patch of surface floor in rows 1 "
                              "and 3"),
                 std::string::npos)
           << said[0];
@@ -182,9 +182,8 @@ TEST(LayerDoubts, ContactOnThicknessThatWasFilledIn) {
     records[1].point.pose.state.poses[1].p.x() = 10e-3;
     const auto said = footing_doubts(*p, records);
     ASSERT_EQ(said.size(), 1u) << quadrature;
-    EXPECT_NE(said[0].find("The contact of foot presses on cartilage whose thickness was filled in"), std::string::npos)
-        << said[0];
-    EXPECT_NE(said[0].find("in row 2: it carries"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("The contact of foot loads cartilage without bone under it"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("in row 2: "), std::string::npos) << said[0];
   }
 }
 

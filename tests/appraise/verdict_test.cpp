@@ -37,18 +37,16 @@ class Verdict : public testing::Test {
 TEST_F(Verdict, AllWell) {
   summary.poses_solved = 3;
   summary.exit_code = 0;
-  EXPECT_EQ(
-      said(),
-      "Every pose is solved and certified; 2 of 3 stable; left to itself the joint would leave the others (column "
-      "`stability`).\n");
+  EXPECT_EQ(said(),
+            "Every pose is solved and certified; 2 of 3 stable, the others unstable (see column `stability`).\n");
 }
 
-TEST_F(Verdict, OthersThatDoNotFallAreNotSaidToFall) {
+TEST_F(Verdict, OtherPosesAreCalledUnstableOnlyIfAllOfThemAre) {
   summary.poses_solved = 3;
   summary.exit_code = 0;
   records.resize(3);
   records[2].point.stability.verdict = Stability::Verdict::neutral;
-  expect_said("2 of 3 stable; what the others are stands in column `stability`.");
+  expect_said("2 of 3 stable (see column `stability`).");
 }
 
 TEST_F(Verdict, ManyChangesOfStabilityAreCounted) {
@@ -95,20 +93,20 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::reaction_turns, 1, 0.7, target, "largest 0.57 Nm"},
             {Kind::reaction_turns, 1, 0.8, later, "smallest -0.2 Nm"},
             {Kind::closed, 1, 0.9, target, ""}};
-  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.9718346 deg");
+  expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.97 deg");
   expect_said("turns back at knee.flexion = 41.2 deg");
   expect_said("becomes unstable at knee.flexion = 41.2 deg");
-  expect_said("From knee.flexion = 41.2 deg a ligament is held at the jump of its law");
+  expect_said("From knee.flexion = 41.2 deg on a ligament stays at the jump of its law");
   expect_said("AAC at 24 mm, 16 N below and 20 N above.");
-  expect_said("At knee.flexion = 42.9718346 deg the force of a ligament drops");
+  expect_said("At knee.flexion = 42.97 deg the force of a ligament drops");
   expect_said("medial.1 reaches the edge");
-  expect_said("Limit point at knee.flexion = 41.2 deg (knee.adduction 5.72958 deg, knee.rotation 0 deg,");
-  expect_said("and is unstable from here on");
+  expect_said("Limit point at knee.flexion = 41.2 deg (knee.adduction 5.73 deg, knee.rotation 0 deg,");
+  expect_said("the path turns back and is unstable from here on");
   expect_said("knee.z 2 mm)");
   expect_said("Bifurcation at knee.flexion = 41.2 deg: ");
   expect_said("is largest 0.57 Nm at knee.flexion = 41.2 deg");
-  expect_said("1 more such turn is in events.csv");
-  expect_said("closes on itself");
+  expect_said("See events.csv for 1 more.");
+  expect_said("The path is closed");
 }
 
 TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
@@ -117,10 +115,10 @@ TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
   record.point.target = target;
   record.point.report.status = PoseStatus::no_equilibrium;
   records = {record};
-  expect_said("Start nearer to where the joint balances");
+  expect_said("Start nearer to equilibrium");
   summary.bearable_loads = 0.1;
   EXPECT_EQ(said().find("Start nearer"), std::string::npos) << said();
-  expect_said("Under 0.1 of its loads the joint balances here");
+  expect_said("The joint balances here under 0.1 of its loads");
   summary.bearable_loads = 0;
   records.insert(records.begin(), PoseRecord{});
   records[0].point.report.status = PoseStatus::ok;
@@ -128,7 +126,7 @@ TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
   prepared.scene.layers.emplace_back();
   expect_said("Try smaller increments");
   prepared.steps[0].factors = {{0.5, 1}};
-  expect_said("Its layers may carry no more than this");
+  expect_said("The layers may not carry this load");
   prepared.steps[0].factors = {{1, 0.5}};
   expect_said("Try smaller increments");
 }

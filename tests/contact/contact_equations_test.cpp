@@ -9,6 +9,7 @@
 #include "contact/contact_pairs.h"
 #include "genu/contact/local_minimum.h"
 #include "genu/core/decompositions.h"
+#include "genu/motion/tolerances.h"
 #include "support/finite_difference.h"
 #include "support/transport.h"
 

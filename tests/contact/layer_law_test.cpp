@@ -1,4 +1,5 @@
 #include "genu/contact/layer_law.h"
+#include "genu/contact/tolerances.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ TEST(LayerLaw, LogarithmicBeginsAsLinearAndIsContinuous) {
   const LayerLaw linear{LayerLaw::Kind::linear, 38e6}, log{LayerLaw::Kind::logarithmic, 38e6};
   EXPECT_NEAR(log.at(1e-8, 6e-3).p / linear.at(1e-8, 6e-3).p, 1, 1e-5);
   EXPECT_NEAR(log.at(3e-3, 6e-3).p, 38e6 * std::log(2), 1e-3);
-  const double deepest = LayerLaw::kDeepest * 6e-3;
+  const double deepest = kMaxCompression * 6e-3;
   EXPECT_NEAR(log.at(deepest * (1 + 1e-12), 6e-3).p / log.at(deepest * (1 - 1e-12), 6e-3).p, 1, 1e-9);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/path/path.h"
 #include "support/solved.h"
 
@@ -60,7 +61,7 @@ TEST(ContactInspection, FindsAContactThatPullsButNotRounding) {
   bench.hold(-0.5);
   EXPECT_EQ(bench.findings().pulling, std::vector<int>{0});
   EXPECT_FALSE(bench.findings().none());
-  bench.state.contacts[0].force = -0.5 * ContactInspector::kForceTolerance * bench.scene.model.scales.force;
+  bench.state.contacts[0].force = -0.5 * kPullTolerance * bench.scene.model.scales.force;
   EXPECT_TRUE(bench.findings().none());
 }
 

@@ -9,6 +9,7 @@
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/mesh_reader.h"
+#include "genu/mesh_files/tolerances.h"
 #include "support/temporary_folder.h"
 
 namespace genu::fuzz {
@@ -16,7 +17,7 @@ namespace genu::fuzz {
 inline void require_sound(const Mesh& mesh, double metres_per_unit) {
   require(!mesh.triangles.empty(), "a mesh has triangles");
   for (const Vec3& v : mesh.vertices)
-    require(v.cwiseAbs().maxCoeff() <= kFarthest * metres_per_unit, "vertices are finite and near");
+    require(v.cwiseAbs().maxCoeff() <= kMaxCoordinate * metres_per_unit, "vertices are finite and near");
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     for (const int v : t) require(v >= 0 && v < count, "triangles name vertices that are there");

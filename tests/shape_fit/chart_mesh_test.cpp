@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/mesh/mesh_topology.h"
+#include "genu/shape_fit/tolerances.h"
 #include "genu/surface/tessellate.h"
 #include "support/fitted_shapes.h"
 

@@ -72,7 +72,7 @@ void stop_and_go_on(const std::string& scene, const test::TemporaryFolder& folde
     EXPECT_TRUE(test::contains(read_file(folder / "out.partial/summary.json"), "\"partial\": true"));
     EXPECT_TRUE(fs::exists(folder / "out.partial/results.partial.csv"));
     EXPECT_FALSE(fs::exists(folder / "out"));
-    EXPECT_TRUE(test::contains(part.found.summary.verdict.front(), "--resume goes on from row"));
+    EXPECT_TRUE(test::contains(part.found.summary.verdict.front(), "--resume continues from row"));
   }
   int first_row = 0;
   Ended last;
@@ -157,12 +157,12 @@ TEST(Checkpoint, WhatIsCutOffOrGarbledIsLeftOutAndSaid) {
   };
   for (const double share : {0.001, 0.02, 0.3, 0.7, 0.999})
     go_on(kept.substr(0, static_cast<std::size_t>(share * static_cast<double>(kept.size()))), "");
-  go_on(kept.substr(0, kept.size() - 1), "cut off or garbled");
+  go_on(kept.substr(0, kept.size() - 1), "are damaged and left out");
   for (const double share : {0.3, 0.6, 0.95}) {
     std::string garbled = kept;
     const auto place = static_cast<std::size_t>(share * static_cast<double>(kept.size()));
     garbled[place] = static_cast<char>(garbled[place] ^ 16);
-    go_on(garbled, "cut off or garbled");
+    go_on(garbled, "are damaged and left out");
   }
   go_on("", "");
 }
@@ -246,7 +246,7 @@ TEST(Checkpoint, ARunTooShortToWriteOneNamesTheOneBefore) {
   Solution found;
   EXPECT_EQ(test::judged_run(test::dortmans_file(), folder / "out", options, out, &found), kExitIncomplete);
   const std::string said = found.summary.verdict.front();
-  EXPECT_TRUE(test::contains(said, "--resume goes on from what a run before has left in")) << said;
+  EXPECT_TRUE(test::contains(said, "--resume continues from the rows of an earlier run in")) << said;
 }
 
 TEST(Checkpoint, AMotionIsComputedAnewAndSaysSo) {
@@ -254,10 +254,10 @@ TEST(Checkpoint, AMotionIsComputedAnewAndSaysSo) {
   const std::string scene = genu::test::source_folder() + "/meshes/leskovar2019/scene.toml";
   const Ended whole = run(scene, folder / "whole", kNever, false), part = run(scene, folder / "out", 300, false);
   EXPECT_EQ(part.code, kExitIncomplete);
-  EXPECT_TRUE(test::contains(part.found.summary.verdict.front(), "computes them anew"));
+  EXPECT_TRUE(test::contains(part.found.summary.verdict.front(), "computes them again"));
   const Ended again = run(scene, folder / "out", kNever, true);
   EXPECT_EQ(again.code, whole.code);
-  EXPECT_TRUE(test::contains(test::messages(again.out), "a motion is computed anew"));
+  EXPECT_TRUE(test::contains(test::messages(again.out), "a motion is computed again"));
   expect_same_results(folder / "out", folder / "whole");
 }
 

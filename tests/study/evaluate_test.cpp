@@ -152,6 +152,22 @@ TEST(Evaluate, OverlapsAreNegativeGaps) {
   EXPECT_NE(found.summary.verdict.at(1).find("overlap by up to 3 mm"), std::string::npos) << found.summary.verdict[1];
 }
 
+TEST(Evaluate, RoundingIsContactAndNoOverlap) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", test::kBall);
+  const std::string poses = folder.write(
+      "poses.csv", "knee.flexion,knee.adduction,knee.rotation,knee.x,knee.y,knee.z\n0,0,0,0,0,19.9999999999\n");
+  EvaluateOptions options;
+  options.columns.units = "mm";
+  Diagnostics out;
+  Evaluation found;
+  ASSERT_EQ(evaluate_scene(scene, poses, folder / "out", options, out, &found), kExitOk) << messages(out);
+  EXPECT_LT(found.poses.number(0, "medial.gap_mm"), 0);
+  const std::string& said = found.summary.verdict.at(1);
+  EXPECT_NE(said.find("Rigid surfaces are in contact (smallest gap -1e-10 mm, which is rounding)."), std::string::npos)
+      << said;
+}
+
 TEST(Evaluate, DoesNotReplaceWhatItReads) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", test::kBall);

@@ -9,6 +9,7 @@
 
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh_files/mesh_reader.h"
+#include "genu/surface/tolerances.h"
 #include "support/blend_torus.h"
 #include "support/data.h"
 #include "support/quantile.h"
@@ -90,7 +91,7 @@ TEST(RefitTwinOnAFemur, DiffersByLessThanTheNoise) {
     const Vec3& x = blend->node_positions()[i];
     SurfacePoint point;
     // Sharply bent places are fitted more narrowly by the blend, and edges from one side: other fits.
-    if (!blend->project(x, point) || point.S.norm() * blend->facts().fit_radius > kMostOfCurvature) continue;
+    if (!blend->project(x, point) || point.S.norm() * blend->facts().fit_radius > kMaxOfCurvature) continue;
     const auto d = difference(*blend, graph, fitter, x);
     if (!d) continue;
     position.push_back(d->position);

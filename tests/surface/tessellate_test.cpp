@@ -9,6 +9,7 @@
 
 #include "genu/mesh/mesh_check.h"
 #include "genu/surface/analytic.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {

@@ -39,7 +39,7 @@ TEST(CliConvert, RefusesWhatItCannotReadOrMustNotReplace) {
   };
   const std::string out = " --out " + (folder / "x");
   refused((folder / "none") + " --to vtk" + out, "results.csv: is not there");
-  refused(run + out, "say --to vtk or --to opensim");
+  refused(run + out, "give --to vtk or --to opensim");
   refused(run + " --to stl" + out, "--to: stl not in {vtk,opensim}");
   refused(run + " --to opensim --side right" + out, "--side: right not in {r,l}");
   refused(run + " --to vtk --out " + (folder / "x.mot"), "writes a folder");

@@ -24,7 +24,7 @@ TEST(CliEvaluate, ReadsWhatOpenSimWrites) {
   EXPECT_TRUE(contains(good.out, "knee.flexion  deg")) << good.out;
   EXPECT_TRUE(contains(good.out, "OpenSim's habit, unit: inDegrees=yes")) << good.out;
   EXPECT_TRUE(contains(good.out, "ignored: 1 other column (/jointset/knee_r/knee_flex_r/speed)")) << good.out;
-  EXPECT_TRUE(contains(good.out, "2 poses evaluated, nothing solved")) << good.out;
+  EXPECT_TRUE(contains(good.out, "2 poses evaluated, none solved")) << good.out;
   EXPECT_TRUE(contains(good.out, "overlap by up to 1 mm")) << good.out;
   for (const char* file : {"results.csv", "curves.svg", "summary.json"})
     EXPECT_TRUE(std::filesystem::file_size(folder / (std::string("out/") + file)) > 0) << file;

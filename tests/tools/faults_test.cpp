@@ -140,7 +140,7 @@ TEST_F(Faults, CtrlCKeepsTheRowsMarkedPartialAndSaysHowToGoOn) {
     kill(child, signal);
     EXPECT_EQ(end_of(child), 3) << said();
     EXPECT_TRUE(contains(said(), "PARTIAL: interrupted after ")) << said();
-    EXPECT_TRUE(contains(said(), "--resume goes on from row ")) << said();
+    EXPECT_TRUE(contains(said(), "--resume continues from row ")) << said();
     EXPECT_TRUE(contains(read_file(folder_ / "out.partial/summary.json"), "\"partial\": true"));
     EXPECT_FALSE(fs::exists(out()));
   }
@@ -153,7 +153,7 @@ TEST_F(Faults, AFullDiskLeavesTheEarlierResultAndSaysWhatIsKept) {
   fs::copy(whole(), out(), fs::copy_options::recursive);
   EXPECT_EQ(end_of(run("out", false, {.file = 1'000'000})), 1);
   // A slow machine has kept rows in a checkpoint by then.
-  EXPECT_TRUE(contains(said(), "File too large; nothing of this run is kept, earlier results are untouched") ||
+  EXPECT_TRUE(contains(said(), "File too large; no row of this run is kept, earlier results are untouched") ||
               contains(said(), "rows are kept in " + out() + ".checkpoint"))
       << said();
   expect_whole("out");

@@ -12,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/study/accuracy.h"
 #include "progress.h"
@@ -49,26 +50,27 @@ int compare(const AccuracyArguments& arguments) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& app, int& exit_code) {
+void add_accuracy(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<AccuracyArguments>();
-  CLI::App* command = app.add_subcommand("accuracy",
-                                         "What accuracy costs in time, over meshes, fits, tolerances and increments:\n"
-                                         "  genu accuracy knee.toml --target 0.01mm --out out/accuracy");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command
-      ->add_option("--target", arguments->choice.targets,
-                   "errors that are allowed: 0.01mm, 0.05deg, 1N; the fastest setting that keeps them is chosen, and "
-                   "written to OUT/scene.toml")
+      .add_option("--target", arguments->choice.targets,
+                  "errors that are allowed: 0.01mm, 0.05deg, 1N; the fastest setting that keeps them is chosen, and "
+                  "written to OUT/scene.toml")
       ->delimiter(',');
-  command->add_option("--rounds", arguments->choice.rounds, "how often each setting is timed")
+  command.add_option("--rounds", arguments->choice.rounds, "how often each setting is timed")
       ->check(CLI::Range(1, kMostRounds))
       ->capture_default_str();
-  command->add_option("--seconds", arguments->choice.seconds, "no further round is begun after that many seconds")
+  command.add_option("--seconds", arguments->choice.seconds, "no further round is begun after that many seconds")
       ->check(number_within(0, kMostSeconds))
       ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
-  command->footer("Exit code 0: a setting was chosen; 3: none solves every pose within the target; 2: refused.");
-  command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
+  command.footer(
+      "Exit code 0: a setting was chosen; 3: none solves every pose within the target; 2: refused."
+      "\nExample: genu accuracy knee.toml --target 0.01mm --out out/accuracy");
+  advice().hint("accuracy",
+                "the verdict above says which settings met the target; `genu explain accuracy` says what they mean");
+  command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -19,19 +19,19 @@ struct RuleAdvice {
   const char* what;   ///< {file}: the file that the error is about
 };
 
-/// The first whose piece stands in the rule counts: what is told by the rule's own words, whatever the key.
+/// Hints by a piece of the rule, whatever the key. The first match counts.
 constexpr std::array<RuleAdvice, 30> kByRule = {{
     {"there is no command", "`genu --help` lists the commands, `genu new NAME` writes a scene to begin with"},
     {"which would be lost", "name another folder with --out"},
-    {"summary.json counts", "run the scene again: what is left of its results cannot be judged as a whole"},
+    {"summary.json counts", "run the scene again: its results are incomplete"},
     {"is the scene that these results are of", "name the scene of these results with --scene, or run it again"},
     {"is no column of the results", "the first line of results.csv names its columns"},
     {"is no results.csv", "name the folder that `genu run` wrote"},
     {"checksums of another version", "run the scene again with this version"},
     {"is no summary of a run", "name the folder that `genu run` wrote"},
-    {"in one frame", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
-    {"one unit", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
-    {"swapped", "`genu new --help` says what the meshes must be, and which options tell their axes and unit"},
+    {"in one frame", "`genu new --help` says what the meshes must be, and which options name their axes and unit"},
+    {"one unit", "`genu new --help` says what the meshes must be, and which options name their axes and unit"},
+    {"swapped", "`genu new --help` says what the meshes must be, and which options name their axes and unit"},
     {"cannot be written", "name a place that you can write to, or make room there"},
     {"output folder", "name a folder with --out: a new one, or one that holds earlier results of genu"},
     {"will not be replaced", "name another one, or move away what is there"},
@@ -41,7 +41,8 @@ constexpr std::array<RuleAdvice, 30> kByRule = {{
     {"has no name", "give it one: `genu new knee` writes knee/knee.toml"},
     {"exists already", "choose a name that is not taken"},
     {"--femur", "`genu new --help` shows how meshes are named; `genu mesh` writes meshes of shapes"},
-    {"no pose can be trusted", "`genu mesh-check FILE --repair OUT` mends a mesh; name the mended file in the scene"},
+    {"no pose can be trusted",
+     "`genu mesh-check FILE --repair OUT` repairs a mesh; name the repaired file in the scene"},
     {"overlap by",
      "give the joint a `start` where the surfaces are apart, or turn an outward side round with `inside`; "
      "`genu explain joints` and `genu explain surfaces` say how"},
@@ -49,13 +50,13 @@ constexpr std::array<RuleAdvice, 30> kByRule = {{
     {"is a folder", "name the file in it"},
     {"is not UTF-8", "save the file as UTF-8 text"},
     {"triangles",
-     "`genu mesh-check FILE` says what is wrong with a mesh; export it again, or mend it with --repair OUT"},
+     "`genu mesh-check FILE` says what is wrong with a mesh; export it again, or repair it with --repair OUT"},
     {"mesh",
      "`genu mesh-check FILE` says what is wrong with a mesh, and in which unit it seems to be; --repair OUT "
-     "mends it"},
+     "repairs it"},
     {"coordinates", "`genu mesh-check FILE` says what is wrong with a mesh; export it again"},
     {"report.html", "run that scene again without --no-report"},
-    {"another build", "run the scene anew, without --resume"},
+    {"another build", "run the scene again, without --resume"},
 }};
 
 /// Sections of a scene and the topic of `genu explain` that describes them.
@@ -73,24 +74,9 @@ std::string first_word(const std::string& key) { return key.substr(0, key.find_f
 
 /// What to do where only the command is known.
 std::string advice_on_command(const std::string& command, int exit_code) {
-  static const std::map<std::string, std::string> not_ok = {
-      {"new", "the scene is written: change what the lines above name, then `genu run` it"},
-      {"run", "the verdict above says where, why and what to change; the rows until there are good"},
-      {"evaluate", "the verdict above names the rows; results.csv has all that could be evaluated"},
-      {"sensitivity", "the verdict above says where the path ends; shorten the motion to the rows that are ok"},
-      {"accuracy", "the verdict above says which settings met the target; `genu explain accuracy` says what they mean"},
-      {"calibrate", "look at comparison.csv for where the fit is poor; vary fewer parameters, or others"},
-      {"judge",
-       "trust no row that is rejected above: run the scene again, and if it stays so, report it as a bug with "
-       "`genu run SCENE --out DIR --save-failure FILE`"},
-      {"fit", "look at the lines marked DOUBTFUL; another --degree, --chart or a smaller patch may fit better"},
-      {"mesh-check",
-       "`genu mesh-check FILE --repair OUT` mends what can be mended; keep contact away from the rest "
-       "with a surface's `patch`"},
-      {"hard-cases", "run one that was missed alone, `genu hard-cases --case NAME --out DIR`, and look at its results"},
-      {"reproduce", "compare the two verdicts above: another build, machine or mesh may be why"}};
+  const std::map<std::string, std::string>& hints = advice().hints();
   if (exit_code == kNotAllOk)
-    if (const auto found = not_ok.find(command); found != not_ok.end()) return found->second;
+    if (const auto found = hints.find(command); found != hints.end()) return found->second;
   if (exit_code == kFailed)
     return "make room on the disk or in memory, check that the folder can be written, and try again";
   if (command == "explain") return "`genu explain` without a word lists the topics";
@@ -117,7 +103,7 @@ std::string advice_on(const Diagnostic& problem, const std::string& command) {
                        topic->second);
   const bool table = problem.file.ends_with(".csv") || problem.file.ends_with(".mot") || problem.file.ends_with(".sto");
   if (problem.line > 0 && table)
-    return "correct the table there, or let genu write it anew: a first line of names, then a row of numbers for each "
+    return "correct the table there, or let genu write it again: a first line of names, then a row of numbers for each "
            "pose";
   if (problem.line > 0 && !holds(problem.rule, "not valid TOML"))
     return "correct that line; `genu explain whole-scene` shows a scene with its sections";
@@ -136,8 +122,8 @@ std::string advice_on_status(const std::string& status) {
       {"overlap",
        "check frames, units and outward sides (`inside`) of the surfaces, or give the joint another `start`"},
       {"overconstrained", "prescribe fewer coordinates"},
-      {"chatter", "try smaller `increments`, or another `fit_radius`: two sets of contacts exclude each other here"},
-      {"flawed_mesh", "mend the mesh with `genu mesh-check FILE --repair OUT`, or keep contact away with `patch`"},
+      {"chatter", "try smaller `increments`, or another `fit_radius`: two active sets exclude each other here"},
+      {"flawed_mesh", "repair the mesh with `genu mesh-check FILE --repair OUT`, or keep contact away with `patch`"},
       {"undetermined", "prescribe the motion that the verdict calls free, or add the ligament or load that holds it"}};
   const auto found = by_status.find(status);
   return found == by_status.end() ? std::string()

@@ -1,6 +1,7 @@
 // What to do next, said last by every command that does not end with exit code 0.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class Advice {
   void error(const Diagnostic& problem) { errors_.push_back(problem); }
   /// The status of the pose at which results end, as in results.csv.
   void status(std::string name) { status_ = std::move(name); }
+  /// What to do after exit code 3 of a command, where nothing more specific is known.
+  void hint(const std::string& name, std::string line) { hints_[name] = std::move(line); }
+  const std::map<std::string, std::string>& hints() const { return hints_; }
   /// What the command itself knows to be next.
   void next(std::string line) { next_ = std::move(line); }
 
@@ -24,6 +28,7 @@ class Advice {
 
  private:
   std::string command_, status_, next_;
+  std::map<std::string, std::string> hints_;  ///< by command
   std::vector<Diagnostic> errors_;
 };
 

@@ -12,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/study/calibrate.h"
 
@@ -43,32 +44,31 @@ int calibrate(const CalibrateArguments& arguments) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, int& exit_code) {
+void add_calibrate(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<CalibrateArguments>();
-  CLI::App* command = app.add_subcommand(
-      "calibrate",
-      "Fit numbers of a scene so that its results follow a target:\n"
-      "  genu calibrate knee.toml --target measured.csv --vary j1.stiffness j1.damping --out out/fitted");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML): its numbers are the start")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML): its numbers are the start")->required();
   command
-      ->add_option("--target", arguments->choice.target,
-                   "CSV file with a column time_s and columns named as in results.csv: what they should be")
+      .add_option("--target", arguments->choice.target,
+                  "CSV file with a column time_s and columns named as in results.csv: what they should be")
       ->required();
   command
-      ->add_option("--vary", arguments->choice.vary,
-                   "parameters by their keys, as of genu sensitivity: j1.stiffness, j1.damping, AAC.from.x, "
-                   "push.force.z, tibia.mass; * and ? stand for letters")
+      .add_option("--vary", arguments->choice.vary,
+                  "parameters by their keys, as of genu sensitivity: j1.stiffness, j1.damping, AAC.from.x, "
+                  "push.force.z, tibia.mass; * and ? stand for letters")
       ->required()
       ->delimiter(',');
   command
-      ->add_option("--columns", arguments->choice.columns, "columns of the target to follow; all where none is named")
+      .add_option("--columns", arguments->choice.columns, "columns of the target to follow; all where none is named")
       ->delimiter(',');
-  command->add_option("--most-iterations", arguments->choice.most_iterations, "stop after so many")
+  command.add_option("--most-iterations", arguments->choice.most_iterations, "stop after so many")
       ->check(CLI::Range(1, kMostIterations))
       ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for the fitted scene and its results");
-  command->footer("Exit code 0: fitted; 3: not converged, or the target says nothing of a number; 2: refused.");
-  command->callback([arguments, &exit_code] { exit_code = calibrate(*arguments); });
+  command.add_option("--out", arguments->folder, "folder for the fitted scene and its results");
+  command.footer(
+      "Exit code 0: fitted; 3: not converged, or the target does not determine a number; 2: refused."
+      "\nExample: genu calibrate knee.toml --target measured.csv --vary j1.stiffness j1.damping --out out/fitted");
+  advice().hint("calibrate", "look at comparison.csv for where the fit is poor; vary fewer parameters, or others");
+  command.callback([arguments, &exit_code] { exit_code = calibrate(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -50,11 +50,11 @@ int check(const std::string& scene) {
 
 }  // namespace
 
-void add_check(CLI::App& app, int& exit_code) {
+void add_check(CLI::App& command, int& exit_code) {
   auto scene = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("check", "Check a scene and its meshes: genu check knee.toml");
-  command->add_option("SCENE", *scene, "scene file (TOML)")->required();
-  command->callback([scene, &exit_code] { exit_code = check(*scene); });
+  command.add_option("SCENE", *scene, "scene file (TOML)")->required();
+  command.footer("Example: genu check knee.toml");
+  command.callback([scene, &exit_code] { exit_code = check(*scene); });
 }
 
 }  // namespace genu::cli

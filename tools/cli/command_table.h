@@ -1,4 +1,4 @@
-// The commands of the program and what each takes, as data: what completion and the manual page are made from.
+// The commands of the program and their options, as data: the source of completion, manual page and docs/commands.md.
 #pragma once
 
 #include <string>
@@ -31,5 +31,8 @@ std::string completion_script(const std::string& shell, const std::vector<Comman
 
 /// The manual page genu(1) as roff.
 std::string manual_page(const std::vector<CommandFacts>& commands, const std::string& version);
+
+/// docs/commands.md: the registry's list, then a section for each command.
+std::string commands_page(const std::vector<CommandFacts>& commands);
 
 }  // namespace genu::cli

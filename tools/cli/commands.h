@@ -1,5 +1,5 @@
-// The subcommands of `genu`, one file each. Each adds itself to the program and sets `exit_code` when it has run:
-// 0 all well, 2 the input is refused, 3 computed but not everything is ok, 1 anything else.
+// The commands of `genu`, one file each. Each sets `exit_code` when it has run: 0 all well, 2 the input is refused,
+// 3 computed but not everything is ok, 1 anything else.
 #pragma once
 
 #include <functional>
@@ -19,24 +19,10 @@ namespace genu::cli {
 /// What commands exit with.
 inline constexpr int kOk = 0, kFailed = 1, kRefused = 2, kNotAllOk = 3;
 
-void add_accuracy(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);
-void add_calibrate(CLI::App& app, int& exit_code);
-void add_compare(CLI::App& app, int& exit_code);
-void add_completion(CLI::App& app, int& exit_code);
-void add_convert(CLI::App& app, int& exit_code);
-void add_check(CLI::App& app, int& exit_code);
-void add_evaluate(CLI::App& app, int& exit_code);
-void add_explain(CLI::App& app, int& exit_code);
-void add_fit(CLI::App& app, int& exit_code);
-void add_judge(CLI::App& app, int& exit_code);
-void add_hard_cases(CLI::App& app, int& exit_code);
-void add_man(CLI::App& app, int& exit_code);
-void add_mesh(CLI::App& app, int& exit_code);
-void add_mesh_check(CLI::App& app, int& exit_code);
-void add_new(CLI::App& app, int& exit_code);
-void add_reproduce(CLI::App& app, int& exit_code);
-void add_sensitivity(CLI::App& app, int& exit_code);
+// add_NAME() for each command of the registry: options, help text with an example, and the work.
+#define GENU_COMMAND(name, group, synopsis, purpose) void add_##name(CLI::App& command, int& exit_code);
+#include "registry.def"
+#undef GENU_COMMAND
 
 /// What `genu --version` says.
 std::string version_text();

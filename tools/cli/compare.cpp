@@ -32,17 +32,15 @@ int compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& exit_code) {
+void add_compare(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Show results in one page: genu compare out/a out/b --out compared.html");
   constexpr int kMostResults = 8;
-  command
-      ->add_option("RESULTS", arguments->results, "folders written by genu run, the first is what others are held to")
+  command.add_option("RESULTS", arguments->results, "folders written by genu run; the first is the reference")
       ->required()
       ->expected(2, kMostResults);
-  command->add_option("--out", arguments->file, "the page (HTML) to be written")->required();
-  command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+  command.add_option("--out", arguments->file, "the page (HTML) to be written")->required();
+  command.footer("Example: genu compare out/a out/b --out compared.html");
+  command.callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -116,15 +116,14 @@ std::string completion_script(const std::string& shell, const std::vector<Comman
   return {};
 }
 
-void add_completion(CLI::App& app, int& exit_code) {
+void add_completion(CLI::App& command, int& exit_code) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Write a script that completes genu's commands in a shell");
-  command->add_option("SHELL", *shell, "which shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->footer("Example: source <(genu completion bash)");
-  command->callback([&app, shell, &exit_code] {
+  command.add_option("SHELL", *shell, "which shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command.footer("Example: source <(genu completion bash)");
+  command.callback([&command, shell, &exit_code] {
     std::vector<std::string> topics;
     for (const Topic& t : topics_of(help_pages()).sections) topics.push_back(t.name);
-    fmt::print("{}", completion_script(*shell, command_table(app), topics));
+    fmt::print("{}", completion_script(*shell, command_table(*command.get_parent()), topics));
     exit_code = kOk;
   });
 }

@@ -36,7 +36,7 @@ std::string choose_target(const std::string& to, const std::string& out, Convert
   if (mot || sto) return to.empty() || to == "opensim" ? "" : "--to " + to + " writes a folder, not " + out;
   if (out.ends_with(".pvd") || out.ends_with(".vtp"))
     return "a series for ParaView is a folder of many files: --to vtk --out FOLDER writes FOLDER/poses.pvd";
-  if (to.empty()) return "say --to vtk or --to opensim, or name a file --out FILE.mot or FILE.sto";
+  if (to.empty()) return "give --to vtk or --to opensim, or name a file --out FILE.mot or FILE.sto";
   target = to == "vtk" ? ConvertTo::vtk : ConvertTo::opensim;
   return {};
 }
@@ -52,7 +52,7 @@ std::string why_not_written(const ConvertArguments& arguments, const std::string
   return probe.open(out);
 }
 
-void tell(const ConvertArguments& arguments, const ConvertFound& found) {
+void print_error(const ConvertArguments& arguments, const ConvertFound& found) {
   const std::string& out = arguments.options.out;
   constexpr double kMegabyte = 1e6;
   switch (arguments.options.to) {
@@ -95,35 +95,34 @@ int convert(ConvertArguments& arguments) {
   ConvertFound found;
   const int code = convert_results(*read, arguments.options, diagnostics, found);
   print(diagnostics, code == kFailed);
-  if (code == kOk && !arguments.quiet) tell(arguments, found);
+  if (code == kOk && !arguments.quiet) print_error(arguments, found);
   return code;
 }
 
 }  // namespace
 
-void add_convert(CLI::App& app, int& exit_code) {
+void add_convert(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand(
-      "convert", "Write results for ParaView or OpenSim: genu convert out/knee --to vtk --out out/paraview");
-  command->add_option("DIR", arguments->folder, "folder that genu run or genu evaluate wrote")->required();
+  command.add_option("DIR", arguments->folder, "folder that genu run or genu evaluate wrote")->required();
   command
-      ->add_option("--to", arguments->to,
-                   "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
+      .add_option("--to", arguments->to,
+                  "vtk: poses.pvd and .vtp files, for ParaView; opensim: motion.mot and forces.sto")
       ->check(CLI::IsMember({"vtk", "opensim"}));
-  command->add_option("--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
+  command.add_option("--out", arguments->options.out, "folder to be written; or FILE.mot, FILE.sto for one of these")
       ->required();
-  command->add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
-  command->add_option("--time", arguments->options.time,
-                      "column of results.csv that stands for the time, such as knee.flexion_deg, or row (else time_s)");
-  command->add_option("--every", arguments->options.every, "take every so many rows")
+  command.add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
+  command.add_option("--time", arguments->options.time,
+                     "column of results.csv used as time, such as knee.flexion_deg, or row (else time_s)");
+  command.add_option("--every", arguments->options.every, "take every so many rows")
       ->check(number_within(1, 1e9))
       ->capture_default_str();
-  command->add_option("--columns", arguments->options.names.columns,
-                      "for OpenSim: names of coordinates, \"knee.flexion=knee_angle_r, knee.x=knee_tx_r\"");
-  command->add_option("--side", arguments->options.names.side, "for OpenSim: r or l, at the end of all other names")
+  command.add_option("--columns", arguments->options.names.columns,
+                     "for OpenSim: names of coordinates, \"knee.flexion=knee_angle_r, knee.x=knee_tx_r\"");
+  command.add_option("--side", arguments->options.names.side, "for OpenSim: r or l, at the end of all other names")
       ->check(CLI::IsMember({"r", "l"}));
-  command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = convert(*arguments); });
+  command.add_flag("--quiet", arguments->quiet, "print errors only");
+  command.footer("Example: genu convert out/knee --to vtk --out out/paraview");
+  command.callback([arguments, &exit_code] { exit_code = convert(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -12,6 +12,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/study/evaluate.h"
 
@@ -88,28 +89,28 @@ int evaluate(const EvaluateArguments& arguments) {
 
 }  // namespace
 
-void add_evaluate(CLI::App& app, int& exit_code) {
+void add_evaluate(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command = app.add_subcommand(
-      "evaluate",
-      "Contacts, ligaments and what is missing to balance at given poses, nothing solved:\n"
-      "  genu evaluate knee.toml --poses measured.mot --columns \"knee.flexion=knee_angle_r[deg]\" --out out/measured");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command
-      ->add_option("--poses", arguments->poses,
-                   "table of poses: CSV with a row of names (results.csv of a run is one), or OpenSim's .sto or .mot")
+      .add_option("--poses", arguments->poses,
+                  "table of poses: CSV with a row of names (results.csv of a run is one), or OpenSim's .sto or .mot")
       ->required();
-  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
-  command->add_option("--columns", arguments->columns.columns,
-                      "which column is which coordinate, where the names do not say it: "
-                      "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
-  command->add_option("--units", arguments->columns.units,
-                      "units of columns that do not say theirs, such as deg,mm (else what the file says, or rad,m)");
-  command->add_flag("--pressure-maps", arguments->pressure_maps,
-                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
-                    "pressures_CONTACT.csv");
-  command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
+  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command.add_option("--columns", arguments->columns.columns,
+                     "which column is which coordinate, if the names differ: "
+                     "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
+  command.add_option("--units", arguments->columns.units,
+                     "units of columns without one, such as deg,mm (else those of the file, or rad,m)");
+  command.add_flag("--pressure-maps", arguments->pressure_maps,
+                   "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
+                   "pressures_CONTACT.csv");
+  command.add_flag("--quiet", arguments->quiet, "print errors only");
+  command.footer(
+      "Example: genu evaluate knee.toml --poses measured.mot --columns \"knee.flexion=knee_angle_r[deg]\" --out "
+      "out/measured");
+  advice().hint("evaluate", "the verdict above names the rows; results.csv has all that could be evaluated");
+  command.callback([arguments, &exit_code] { exit_code = evaluate(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -61,17 +61,16 @@ int explain_word(const CLI::App& app, const std::string& word) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, int& exit_code) {
+void add_explain(CLI::App& command, int& exit_code) {
   auto word = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "explain", "Say what system a scene asks for: genu explain knee.toml; or what a word means: genu explain gap");
-  command->add_option(
+  command.add_option(
       "SCENE_OR_TOPIC", *word,
       "scene file (TOML), or a section, key, column, status, event or term; the list where it is left out");
-  command->footer(
+  command.footer(
       "Examples: genu explain knee.toml\n          genu explain ligaments\n          genu explain over_edge");
-  command->callback(
-      [&app, word, &exit_code] { exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(app, *word); });
+  command.callback([&command, word, &exit_code] {
+    exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(*command.get_parent(), *word);
+  });
 }
 
 }  // namespace genu::cli

@@ -16,6 +16,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/assemble/fit_mesh.h"
 #include "genu/core/atomic_output.h"
@@ -23,7 +24,7 @@
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_scene.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -96,7 +97,7 @@ int written(const std::string& error, const FitOptions& options) {
     fmt::print("written to {}\n", options.folder);
     return kExitOk;
   }
-  tell("{}\n", error);
+  print_error("{}\n", error);
   return kExitFailed;
 }
 
@@ -194,39 +195,40 @@ int fit_all(const FitOptions& options) {
 
 }  // namespace
 
-void add_fit(CLI::App& app, int& exit_code) {
+void add_fit(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<FitOptions>();
-  CLI::App* command = app.add_subcommand("fit", "Fit polynomial surfaces to a mesh, or to all meshes of a scene");
-  auto* mesh = command->add_option("MESH", options->mesh, "mesh file; its open sheets are the surfaces");
-  auto* scene = command->add_option("--scene", options->scene, "scene whose meshes are fitted where contacts travel");
+  auto* mesh = command.add_option("MESH", options->mesh, "mesh file; its open sheets are the surfaces");
+  auto* scene = command.add_option("--scene", options->scene, "scene whose meshes are fitted where contacts travel");
   mesh->excludes(scene);
-  command->add_option("--out", options->folder, "folder for the files, replaced as a whole")->required();
-  command->add_option("--degree", options->degree, "total degree; chosen by cross-validation where not given")
+  command.add_option("--out", options->folder, "folder for the files, replaced as a whole")->required();
+  command.add_option("--degree", options->degree, "total degree; chosen by cross-validation where not given")
       ->check(CLI::Range(kLowestFitDegree, kHighestFitDegree));
-  command->add_option("--margin", options->margin, "with --scene: mm that patches go beyond the contacts")
+  command.add_option("--margin", options->margin, "with --scene: mm that patches go beyond the contacts")
       ->check(number_within(0.5, 100))
       ->needs(scene)
       ->capture_default_str();
   const auto of_mesh = [&](CLI::Option* option) { option->needs(mesh); };
-  of_mesh(command->add_option("--units", options->unit, "of the mesh file; told from its size where not given")
+  of_mesh(command.add_option("--units", options->unit, "of the mesh file; guessed from its size where not given")
               ->check(CLI::IsMember({"mm", "m"})));
-  of_mesh(command->add_option(
-      "--facing", options->facing,
-      "the way the surface looks, an axis (-y) or a direction (0,-1,0.5): needed for closed bones"));
-  of_mesh(command->add_option("--region", options->regions,
-                              "\"z < 0 and x > -5\", in the file's units: one surface each; may be repeated"));
-  of_mesh(command->add_option("--chart", options->chart, "chosen where not given")
+  of_mesh(
+      command.add_option("--facing", options->facing,
+                         "the way the surface looks, an axis (-y) or a direction (0,-1,0.5): needed for closed bones"));
+  of_mesh(command.add_option("--region", options->regions,
+                             "\"z < 0 and x > -5\", in the file's units: one surface each; may be repeated"));
+  of_mesh(command.add_option("--chart", options->chart, "chosen where not given")
               ->check(CLI::IsMember({"cartesian", "cylindrical"})));
   of_mesh(
-      command->add_option("--like", options->like,
-                          "FILE or FILE:SURFACE whose chart, patch and degree are taken: only the terms are fitted"));
-  of_mesh(command->add_option("--name", options->name, "of the surfaces; the file's where not given"));
-  of_mesh(command->add_option("--body", options->body, "that the surfaces are on; \"body\" where not given"));
-  command->footer(
+      command.add_option("--like", options->like,
+                         "FILE or FILE:SURFACE whose chart, patch and degree are taken: only the terms are fitted"));
+  of_mesh(command.add_option("--name", options->name, "of the surfaces; the file's where not given"));
+  of_mesh(command.add_option("--body", options->body, "that the surfaces are on; \"body\" where not given"));
+  command.footer(
       "Examples: genu fit femur.stl --out fitted\n"
       "          genu fit bone.stl --facing -y --region \"z < 0\" --out fitted\n"
       "          genu fit --scene knee.toml --out fitted");
-  command->callback([options, &exit_code] {
+  advice().hint("fit",
+                "look at the lines marked DOUBTFUL; another --degree, --chart or a smaller patch may fit better");
+  command.callback([options, &exit_code] {
     if (options->mesh.empty() == options->scene.empty()) {
       exit_code = refuse("genu fit: name a mesh file or --scene SCENE");
     } else {

@@ -15,12 +15,13 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/atomic_output.h"
 #include "genu/study/run_scene.h"
 #include "hard_cases/hard_cases.h"
+#include "print_error.h"
 #include "progress.h"
-#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -53,7 +54,7 @@ int write_table(const std::string& path, const std::vector<HardCase>& cases) {
       "come out of it and\nwhere that is known from; `genu hard-cases` runs them all. {} cases.\n",
       cases.size());
   const std::string error = write_file_atomically(path, head + to_markdown(cases));
-  if (!error.empty()) tell("{}\n", error);
+  if (!error.empty()) print_error("{}\n", error);
   return error.empty() ? kOk : kFailed;
 }
 
@@ -91,30 +92,31 @@ int run_catalogue(const HardCaseArguments& arguments) {
 
 }  // namespace
 
-void add_hard_cases(CLI::App& app, int& exit_code) {
+void add_hard_cases(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<HardCaseArguments>();
-  CLI::App* command = app.add_subcommand("hard-cases", "Run the catalogue of hard cases: is each answered right?");
   command
-      ->add_option("--cases", arguments->cases,
-                   "folder of the catalogue; else tests/hard_cases of the sources this program was built from, or "
-                   "share/genu/hard_cases where it was installed")
+      .add_option("--cases", arguments->cases,
+                  "folder of the catalogue; else tests/hard_cases of the sources this program was built from, or "
+                  "share/genu/hard_cases where it was installed")
       ->check(not_empty());
-  command->add_option("--family", arguments->family, "only this family")->check(not_empty());
-  command->add_option("--case", arguments->name, "only this case: NAME or FAMILY/NAME")->check(not_empty());
-  command->add_flag("--long", arguments->takes_long, "those too that take long");
-  command->add_option("--out", arguments->folder, "keep scene, meshes and results of each in DIR/FAMILY/NAME")
+  command.add_option("--family", arguments->family, "only this family")->check(not_empty());
+  command.add_option("--case", arguments->name, "only this case: NAME or FAMILY/NAME")->check(not_empty());
+  command.add_flag("--long", arguments->takes_long, "those too that take long");
+  command.add_option("--out", arguments->folder, "keep scene, meshes and results of each in DIR/FAMILY/NAME")
       ->check(not_empty());
   command
-      ->add_option("--without", arguments->without,
-                   "switch a safeguard off, to see which cases need it: those are missed")
+      .add_option("--without", arguments->without,
+                  "switch a safeguard off, to see which cases need it: those are missed")
       ->check(not_empty());
-  command->add_flag("--bite", arguments->bite,
-                    "run each without the safeguard it is about; exit code 0 where all of them are missed then");
-  command->add_option("--table", arguments->table, "write what cases there are as Markdown, and run none")
+  command.add_flag("--bite", arguments->bite,
+                   "run each without the safeguard it is about; exit code 0 where all of them are missed then");
+  command.add_option("--table", arguments->table, "write what cases there are as Markdown, and run none")
       ->check(not_empty());
-  command->add_flag("--quiet", arguments->quiet, "no progress");
-  command->footer("Exit code 0: all as expected, 3: some are missed, 2: the catalogue is wrong.");
-  command->callback([arguments, &exit_code] { exit_code = run_catalogue(*arguments); });
+  command.add_flag("--quiet", arguments->quiet, "no progress");
+  command.footer("Exit code 0: all as expected, 3: some are missed, 2: the catalogue is wrong.");
+  advice().hint("hard-cases",
+                "run one that was missed alone, `genu hard-cases --case NAME --out DIR`, and look at its results");
+  command.callback([arguments, &exit_code] { exit_code = run_catalogue(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -20,7 +20,7 @@
 #include "genu/judge/judge.h"
 #include "genu/judge/run_folder.h"
 #include "genu/scene/reader.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -64,7 +64,7 @@ int judge_folder(const JudgeArguments& arguments) {
     const std::string error =
         write_file_atomically(arguments.out, csv ? judge::to_csv(*found) : judge::to_json(*found));
     if (!error.empty()) {
-      tell("genu: {}\n", printable(error));
+      print_error("genu: {}\n", printable(error));
       return kFailed;
     }
   }
@@ -76,26 +76,28 @@ int judge_folder(const JudgeArguments& arguments) {
 
 }  // namespace
 
-void add_judge(CLI::App& app, int& exit_code) {
+void add_judge(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<JudgeArguments>();
-  CLI::App* command = app.add_subcommand(
-      "judge", "Check the results of a run by code that shares nothing with the solver: genu judge out/knee");
-  command->add_option("DIR", arguments->folder, "folder that `genu run` wrote")->required();
-  command->add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
-  command->add_option("--out", arguments->out, "write the table of checks to this file: .json, or .csv");
+  command.add_option("DIR", arguments->folder, "folder that `genu run` wrote")->required();
+  command.add_option("--scene", arguments->scene, "scene file, where it is no longer where the summary says");
+  command.add_option("--out", arguments->out, "write the table of checks to this file: .json, or .csv");
   constexpr std::size_t kMostRows = 1'000'000;
   command
-      ->add_option("--every", arguments->options.every,
-                   "overlap everywhere and pressure in every Nth row alone, which is what takes long")
+      .add_option("--every", arguments->options.every,
+                  "overlap everywhere and pressure in every Nth row alone, which is what takes long")
       ->check(CLI::Range(std::size_t{1}, kMostRows))
       ->capture_default_str();
   command
-      ->add_option("--samples", arguments->options.samples,
-                   "samples along each side of a surface that is looked over for overlap and pressure")
+      .add_option("--samples", arguments->options.samples,
+                  "samples along each side of a surface that is looked over for overlap and pressure")
       ->check(CLI::Range(10, 2000))
       ->capture_default_str();
-  command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = judge_folder(*arguments); });
+  command.add_flag("--quiet", arguments->quiet, "print errors only");
+  command.footer("Example: genu judge out/knee");
+  advice().hint("judge",
+                "trust no row that is rejected above: run the scene again; if it is rejected again, report a bug with "
+                "`genu run SCENE --out DIR --save-failure FILE`");
+  command.callback([arguments, &exit_code] { exit_code = judge_folder(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -1,4 +1,5 @@
 // genu man: the manual page genu(1), from what the program says of itself.
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -13,7 +14,7 @@
 namespace genu::cli {
 namespace {
 
-/// A text whose every line roff takes as it stands.
+/// Text escaped for roff.
 std::string roff(const std::string& text) {
   std::string out;
   bool begins = true;
@@ -79,14 +80,16 @@ std::string manual_page(const std::vector<CommandFacts>& commands, const std::st
         std::pair("2", "the input is refused; nothing is computed"),
         std::pair("3", "computed, but not everything is ok")})
     out += fmt::format(".TP\n.B {}\n{}\n", code, roff(meaning));
-  return out + "Whatever does not end with 0 says last, on standard error, what to do.\n";
+  return out + "Every other exit code than 0 ends with a hint on standard error.\n";
 }
 
-void add_man(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("man", "Write the manual page genu(1)");
-  command->footer("Example: genu man > ~/.local/share/man/man1/genu.1");
-  command->callback([&app, &exit_code] {
-    fmt::print("{}", manual_page(command_table(app), version_text()));
+void add_man(CLI::App& command, int& exit_code) {
+  auto markdown = std::make_shared<bool>(false);
+  command.add_flag("--markdown", *markdown, "write docs/commands.md instead");
+  command.footer("Example: genu man > ~/.local/share/man/man1/genu.1");
+  command.callback([&command, markdown, &exit_code] {
+    const std::vector<CommandFacts> commands = command_table(*command.get_parent());
+    fmt::print("{}", *markdown ? commands_page(commands) : manual_page(commands, version_text()));
     exit_code = kOk;
   });
 }

@@ -26,7 +26,7 @@
 #include "genu/shape_fit/solid_mesh.h"
 #include "genu/shape_fit/thicken.h"
 #include "genu/surface/tessellate.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -128,8 +128,8 @@ void describe_file(const std::string& path, const Mesh& mesh, double wanted, con
              report.vertices, report.triangles, report.edge_length[0] / unit, report.edge_length[2] / unit,
              report.edge_length[4] / unit, options.unit, smallest_angle(mesh) * 180 / std::numbers::pi);
   if (report.edge_length[2] > 1.2 * wanted) {
-    tell("{}: warning: coarser than --edge {}: a surface of its kind gets no more than about {} triangles\n",
-         printable(path), options.edge, report.triangles);
+    print_error("{}: warning: coarser than --edge {}: a surface of its kind gets no more than about {} triangles\n",
+                printable(path), options.edge, report.triangles);
   }
 }
 
@@ -158,7 +158,7 @@ int mesh_scene(const MeshOptions& options) {
     const std::string path = path_of(m);
     const std::string title = fmt::format("{}{}, edge {} {}", kTitle, m.name, options.edge, options.unit);
     if (const std::string error = write_mesh(m.mesh, path, unit, title); !error.empty()) {
-      tell("{}\n", error);
+      print_error("{}\n", error);
       return kFailed;
     }
     describe_file(path, m.mesh, options.edge * unit, options, unit);
@@ -168,33 +168,31 @@ int mesh_scene(const MeshOptions& options) {
 
 }  // namespace
 
-void add_mesh(CLI::App& app, int& exit_code) {
+void add_mesh(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<MeshOptions>();
-  CLI::App* command = app.add_subcommand(
-      "mesh", "Cut a scene's surfaces, or solids of shapes, into triangles and write them as STL, PLY or OBJ");
-  command->add_option("SCENE", options->scene, "scene file, the surfaces.toml of genu fit, or a file of solids")
+  command.add_option("SCENE", options->scene, "scene file, the surfaces.toml of genu fit, or a file of solids")
       ->required();
-  command->add_option("SURFACE", options->surfaces,
-                      "surfaces and solids to mesh; all that have a formula where none is named");
+  command.add_option("SURFACE", options->surfaces,
+                     "surfaces and solids to mesh; all that have a formula where none is named");
   command
-      ->add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
+      .add_option("--edge", options->edge, "length of the triangles' edges; shorter where the surface bends strongly")
       ->check(number_within(kSmallest, kLargest))
       ->required();
-  command->add_option("--unit", options->unit, "unit of --edge, --reach and the files")
+  command.add_option("--unit", options->unit, "unit of --edge, --reach and the files")
       ->check(CLI::IsMember({"mm", "m"}))
       ->capture_default_str();
-  command->add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
+  command.add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
       ->check(number_within(kSmallest, kLargest));
-  command->add_option("--format", options->format, "of the files: stl is binary float32, ply binary float64, obj text")
+  command.add_option("--format", options->format, "of the files: stl is binary float32, ply binary float64, obj text")
       ->check(CLI::IsMember({"stl", "ply", "obj"}))
       ->capture_default_str();
   command
-      ->add_option("--thickness", options->thickness,
-                   "closes open surfaces: watertight solids so thick, behind the surface; closed ones stay")
+      .add_option("--thickness", options->thickness,
+                  "closes open surfaces: watertight solids so thick, behind the surface; closed ones stay")
       ->check(number_within(kSmallest, kLargest));
-  command->add_option("--out", options->folder, "folder for the files, made if need be")->required();
-  command->footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
-  command->callback([options, &exit_code] { exit_code = mesh_scene(*options); });
+  command.add_option("--out", options->folder, "folder for the files, made if need be")->required();
+  command.footer("Example: genu mesh knee.toml --edge 0.5 --out meshes");
+  command.callback([options, &exit_code] { exit_code = mesh_scene(*options); });
 }
 
 }  // namespace genu::cli

@@ -13,13 +13,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/core/timer.h"
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/mesh_care/mesh_repair.h"
 #include "genu/mesh_files/mesh_writer.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -39,12 +40,12 @@ void print_findings(const MeshExamination& examination) {
   }
 }
 
-/// Why the mended mesh cannot go where --repair says; empty where it can.
+/// Why the repaired mesh cannot be written to the file of --repair; empty if it can.
 std::string why_not_there(const std::string& from, const std::string& to) {
   if (to.empty()) return "genu mesh-check: --repair names no file";
   if (std::string why = why_not_writable(to); !why.empty()) return why;
   std::error_code ignored;
-  if (std::filesystem::equivalent(from, to, ignored)) return to + ": is the file that is mended: give --repair another";
+  if (std::filesystem::equivalent(from, to, ignored)) return to + ": is the file to repair: give --repair another";
   std::error_code code;
   if (std::filesystem::exists(std::filesystem::symlink_status(to, code)) && !has_title(to, kRepaired))
     return to +
@@ -66,11 +67,11 @@ int check_written(const std::string& file, double unit) {
 int repair(const std::string& from, Mesh mesh, double unit, const std::string& to) {
   const RepairReport r = repair_mesh(mesh);
   if (!r.problem.empty()) {
-    tell("{}: {}\n", printable(from), r.problem);
+    print_error("{}: {}\n", printable(from), r.problem);
     return kRefused;
   }
   if (const std::string error = write_mesh(mesh, to, unit, kRepaired); !error.empty()) {
-    tell("{}\n", printable(error));
+    print_error("{}\n", printable(error));
     return kFailed;
   }
   fmt::print(
@@ -103,7 +104,7 @@ int check_file(const std::string& file, const CheckOptions& options) {
 
 int check_files(const CheckOptions& options) {
   if (options.repairs && options.files.size() > 1) {
-    return refuse("genu mesh-check: --repair mends one file at a time");
+    return refuse("genu mesh-check: --repair takes one file at a time");
   }
   // What is refused counts most, then what could not be written, then flaws.
   int worst = kOk;
@@ -117,20 +118,21 @@ int check_files(const CheckOptions& options) {
 
 }  // namespace
 
-void add_mesh_check(CLI::App& app, int& exit_code) {
+void add_mesh_check(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("mesh-check", "Say what is wrong with mesh files, and mend them: genu mesh-check femur.stl");
-  command->add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
-  command->add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
+  command.add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
+  command.add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
-  auto* repaired = command->add_option("--repair", options->repaired,
-                                       "write the mended mesh there, as STL, PLY or OBJ by the ending of the name, "
-                                       "in the file's unit (needs CGAL)");
-  command->footer(
-      "Exit code 0: nothing bad; 3: contact near what is BAD cannot be trusted; 2: a file cannot be read.\n"
-      "Example: genu mesh-check femur.stl --repair femur-mended.stl");
-  command->callback([options, repaired, &exit_code] {
+  auto* repaired = command.add_option("--repair", options->repaired,
+                                      "write the repaired mesh there, as STL, PLY or OBJ by the ending of the name, "
+                                      "in the file's unit (needs CGAL)");
+  command.footer(
+      "Exit code 0: no bad flaw; 3: contact near a BAD place cannot be trusted; 2: a file cannot be read.\n"
+      "Example: genu mesh-check femur.stl --repair femur-repaired.stl");
+  advice().hint("mesh-check",
+                "`genu mesh-check FILE --repair OUT` repairs what can be repaired; keep contact away from the rest "
+                "with a surface's `patch`");
+  command.callback([options, repaired, &exit_code] {
     options->repairs = repaired->count() > 0;
     exit_code = check_files(*options);
   });

@@ -12,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/file_text.h"
 #include "genu/study/new_scene.h"
@@ -58,29 +59,29 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
 
 }  // namespace
 
-void add_new(CLI::App& app, int& exit_code) {
+void add_new(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<NewArguments>();
-  CLI::App* command = app.add_subcommand("new", "Write a commented scene to start from: genu new knee");
   NewScene& scene = arguments->scene;
-  command->add_option("NAME", scene.folder, "new folder; the scene is NAME/NAME.toml")->required();
+  command.add_option("NAME", scene.folder, "new folder; the scene is NAME/NAME.toml")->required();
   command
-      ->add_option("--kind", arguments->kind,
-                   "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings. Where it is not "
-                   "given: stl with meshes, else analytic")
+      .add_option("--kind", arguments->kind,
+                  "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings. Where it is not "
+                  "given: stl with meshes, else analytic")
       ->check(CLI::IsMember({"analytic", "stl", "motion"}));
-  command->add_option("--femur", scene.femur, "mesh of the femur or its cartilage: STL, PLY, OBJ, OFF or VTP");
-  command->add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
-  command->add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
+  command.add_option("--femur", scene.femur, "mesh of the femur or its cartilage: STL, PLY, OBJ, OFF or VTP");
+  command.add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
+  command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
-  command->add_option("--side", arguments->side, "which knee it is")
+  command.add_option("--side", arguments->side, "which knee it is")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
-  command->add_option("--proximal", scene.proximal, "axis of the meshes toward the hip: x, y, z, -x, -y or -z");
-  command->add_option("--anterior", scene.anterior, "axis of the meshes toward the front");
-  command->footer(
+  command.add_option("--proximal", scene.proximal, "axis of the meshes toward the hip: x, y, z, -x, -y or -z");
+  command.add_option("--anterior", scene.anterior, "axis of the meshes toward the front");
+  command.footer(
       "Nothing is ever replaced. Exit code 0: the scene runs, 3: it is written but not every pose is ok.\n"
       "Example: genu new knee --femur femur.stl --tibia tibia.stl");
-  command->callback([arguments, command, &exit_code] { exit_code = write_scene(*command, *arguments); });
+  advice().hint("new", "the scene is written: change what the lines above name, then `genu run` it");
+  command.callback([arguments, &command, &exit_code] { exit_code = write_scene(command, *arguments); });
 }
 
 }  // namespace genu::cli

@@ -5,24 +5,24 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 
 void print(const Diagnostics& diagnostics, bool computed) {
   for (const Diagnostic& d : diagnostics.items()) {
-    tell("{}\n", to_string(d));
+    print_error("{}\n", to_string(d));
     if (d.severity == Diagnostic::Severity::error) advice().error(d);
   }
   if (const std::size_t errors = diagnostics.count(Diagnostic::Severity::error); errors > 0)
-    tell("{} error{}; {}\n", errors, errors == 1 ? "" : "s",
-         computed ? "the results could not be kept" : "nothing was computed");
+    print_error("{} error{}; {}\n", errors, errors == 1 ? "" : "s",
+                computed ? "the results could not be saved" : "nothing was computed");
 }
 
 int refuse(const Diagnostics& problems) {
   for (const Diagnostic& d : problems.items()) {
     if (d.severity != Diagnostic::Severity::error) continue;
-    tell("{}\n", to_string(d));
+    print_error("{}\n", to_string(d));
     advice().error(d);
   }
   return kRefused;
@@ -36,7 +36,7 @@ int refuse(const std::string& rule) {
 
 void print_advice(int exit_code) {
   if (exit_code == kOk) return;
-  for (const std::string& line : advice().lines(exit_code)) tell("what to do: {}\n", line);
+  for (const std::string& line : advice().lines(exit_code)) print_error("what to do: {}\n", line);
 }
 
 }  // namespace genu::cli

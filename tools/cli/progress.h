@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/timer.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 
@@ -20,12 +20,12 @@ class Progress {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     if (now < 1 || now - last_ < (terminal ? 0.1 : 5.0)) return;
     last_ = now;
-    tell("{}{:>6} of {} {}, {:.0f} s{}", terminal ? "\r" : "", done, asked, what, now, terminal ? "" : "\n");
+    print_error("{}{:>6} of {} {}, {:.0f} s{}", terminal ? "\r" : "", done, asked, what, now, terminal ? "" : "\n");
     std::fflush(stderr);
     open_ = terminal;
   }
   void finish() const {
-    if (open_) tell("\n");
+    if (open_) print_error("\n");
   }
 
  private:

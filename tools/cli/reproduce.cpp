@@ -14,13 +14,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/core/file_text.h"
 #include "genu/core/scratch_folder.h"
 #include "genu/path/path.h"
 #include "genu/store/input_hash.h"
 #include "genu/study/failure.h"
-#include "tell.h"
+#include "print_error.h"
 
 namespace genu::cli {
 namespace {
@@ -58,12 +59,12 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   if (!ready) return kRefused;
   const std::string folder = scratch ? scratch->path().string() : asked;
   if (failure->program != program_hash())
-    tell("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
-         printable(failure->version));
+    print_error("saved by another build of genu ({}), or on another machine: it may do otherwise\n",
+                printable(failure->version));
   std::error_code ignored;
   if (const std::string error = unpack(*failure, folder); !error.empty()) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) fs::remove(entry.path(), ignored);
-    tell("genu: {}\n", printable(error));
+    print_error("genu: {}\n", printable(error));
     return kFailed;
   }
   limit_memory(failure->memory_limit);
@@ -88,14 +89,13 @@ int reproduce_file(const std::string& file, const std::string& asked) {
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, int& exit_code) {
+void add_reproduce(CLI::App& command, int& exit_code) {
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "reproduce",
-      "See a failure again that was saved: genu run SCENE --out DIR --save-failure FILE; genu reproduce FILE");
-  command->add_option("FILE", *file, "what --save-failure has written")->required();
-  command->add_option("--out", *folder, "new folder to unpack the scene into, and leave it there");
-  command->callback([file, folder, &exit_code] { exit_code = reproduce_file(*file, *folder); });
+  command.add_option("FILE", *file, "what --save-failure has written")->required();
+  command.add_option("--out", *folder, "new folder to unpack the scene into, and leave it there");
+  command.footer("Examples: genu run SCENE --out DIR --save-failure FILE\n          genu reproduce FILE");
+  advice().hint("reproduce", "compare the two verdicts above: another build, machine or mesh may be why");
+  command.callback([file, folder, &exit_code] { exit_code = reproduce_file(*file, *folder); });
 }
 
 }  // namespace genu::cli

@@ -24,8 +24,8 @@
 #include "genu/core/units.h"
 #include "genu/store/checkpoint.h"
 #include "genu/study/run_scene.h"
+#include "print_error.h"
 #include "progress.h"
-#include "tell.h"
 
 namespace genu::cli {
 namespace {
@@ -81,12 +81,12 @@ void print_starts(const ResultTable& starts, double spread) {
   for (std::size_t row = 0; row < found.rows(); ++row)
     any_stable |= std::get<std::string>(found.at(row, found.column_index("stability"))) == "stable";
   if (found.rows() > 0 && !any_stable)
-    fmt::print("none of them is stable: the joint does not stay at any of these poses. Try a larger --spread.\n");
+    fmt::print("none of them is stable: the joint stays at none of these poses. Try a larger --spread.\n");
   constexpr std::size_t kRows = 20;
   if (found.rows() > 0) fmt::print("{}\n", to_text(found, columns, 4, kRows));
 }
 
-/// What Newton's method leaves of a zero is zero.
+/// Flushes round-off to zero.
 double without_rounding(double x) { return std::abs(x) < 1e-9 ? 0 : x; }
 
 /// "row 12, knee.flexion_deg 55": a row of results.csv and what is prescribed there.
@@ -98,7 +98,7 @@ std::string place_of(const Solution& solution, std::size_t row) {
   return place;
 }
 
-/// Where other surfaces do not carry the joint through all poses, the bars know less than they should.
+/// Variants that do not solve all poses make error bars too small.
 void print_lost_variants(const RunSummary& summary) {
   std::string lost;
   int count = 0;
@@ -108,8 +108,8 @@ void print_lost_variants(const RunSummary& summary) {
   }
   if (count == 0) return;
   fmt::print(
-      "  {} of {} other surfaces do not solve all poses ({}). There a bar keeps what they last differed by, "
-      "nothing where they solve none: it may be too small.\n\n",
+      "  {} of {} other surfaces do not solve all poses ({}). There a bar keeps their last difference, or none "
+      "if they solve no pose: it may be too small.\n\n",
       count, summary.variants.size(), lost);
 }
 
@@ -141,22 +141,22 @@ struct RunArguments {
   double checkpoint = RunOptions().checkpoint_seconds;
 };
 
-/// Why the rows end where they do, for what is said of it last.
+/// The status of the last row, for the hint at the end.
 void note_status(const ResultTable& poses) {
   if (poses.rows() == 0 || !poses.has_column("status")) return;
   advice().status(std::get<std::string>(poses.at(poses.rows() - 1, poses.column_index("status"))));
 }
 
-/// What a run that ended by an exception has left for --resume is said before anybody says that it ended.
-int run_and_tell(const RunArguments& arguments, const RunOptions& options, Diagnostics& diagnostics,
-                 Solution& solution) {
+/// Reports the rows that an exception has left for --resume, then throws it again.
+int run_with_checkpoint(const RunArguments& arguments, const RunOptions& options, Diagnostics& diagnostics,
+                        Solution& solution) {
   try {
     return run_scene(arguments.scene, arguments.folder, options, diagnostics, &solution);
   } catch (...) {
     const std::string file = beside(arguments.folder, ".checkpoint");
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored))
-      tell("genu: rows computed until then are kept in {}; --resume goes on from there\n", file);
+      print_error("genu: the rows computed so far are kept in {}; --resume continues from there\n", file);
     throw;
   }
 }
@@ -181,15 +181,15 @@ int run_scene_file(const RunArguments& arguments) {
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Solution solution;
-  const int code = run_and_tell(arguments, options, diagnostics, solution);
+  const int code = run_with_checkpoint(arguments, options, diagnostics, solution);
   progress->finish();
   print(diagnostics, code == kExitFailed);
   note_status(solution.poses);
   const std::string mark = solution.summary.partial ? ".partial" : "";
-  if (solution.stopped == "interrupted") advice().next("the same command with --resume goes on, where rows were kept");
+  if (solution.stopped == "interrupted") advice().next("the same command with --resume continues, if rows were kept");
   const bool unsaid = quiet && code == kExitIncomplete;  // why, that is
   if ((!mark.empty() || unsaid) && !solution.summary.verdict.empty())
-    tell("{}\n", printable(solution.summary.verdict.front()));
+    print_error("{}\n", printable(solution.summary.verdict.front()));
   const bool any = solution.poses.rows() > 0;  // none where it was interrupted in the first pose
   if (code == kExitRefused || (code == kExitFailed && !any)) return code;
   if (!quiet) {
@@ -200,7 +200,7 @@ int run_scene_file(const RunArguments& arguments) {
     if (solution.error_bars)
       print_error_bars(solution);
     else if (error_bars)
-      fmt::print("no error bars: the scene fits no smooth surface to a mesh, so there is nothing to vary\n");
+      fmt::print("no error bars: the scene fits no smooth surface to a mesh, and has nothing to vary\n");
     if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
     fmt::print("{}", to_text(solution.summary));
   }
@@ -214,50 +214,50 @@ int run_scene_file(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Solve a scene: genu run knee.toml --out out/knee");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
-          ->add_option("--starts", arguments->starts,
-                       "search for equilibria at the first pose from this many starts, list them in starts.csv")
+          .add_option("--starts", arguments->starts,
+                      "search for equilibria at the first pose from this many starts, list them in starts.csv")
           ->check(CLI::Range(1, kMostStarts));
   constexpr double kMostSpread = 180;  // deg
   command
-      ->add_option(
-          "--spread", arguments->spread,
-          "how far the starts turn what is free, in deg; they move it by half of the characteristic length for "
-          "each 20 deg")
+      .add_option("--spread", arguments->spread,
+                  "largest change of a free angle of the starts, in deg; lengths change by half of the characteristic "
+                  "length for each 20 deg")
       ->check(number_within(0.1, kMostSpread))
       ->needs(starts)
       ->capture_default_str();
-  command->add_flag("--error-bars", arguments->error_bars,
-                    "solve the scene on other surfaces as well that its meshes might have given (fits, noise, fewer "
-                    "points), and write how far each result may be off");
-  command->add_flag("--pressure-maps", arguments->pressure_maps,
-                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
-                    "pressures_CONTACT.csv");
-  command->add_flag("--resume", arguments->resume,
-                    "go on from where an earlier run into DIR was killed or stopped (DIR.checkpoint); the results are "
-                    "those of an undisturbed run, to the byte");
+  command.add_flag("--error-bars", arguments->error_bars,
+                   "solve the scene also on other surfaces that fit its meshes (fits, noise, fewer points), and "
+                   "write the uncertainty of each result");
+  command.add_flag("--pressure-maps", arguments->pressure_maps,
+                   "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
+                   "pressures_CONTACT.csv");
+  command.add_flag("--resume", arguments->resume,
+                   "continue an earlier run into DIR that was killed or stopped (DIR.checkpoint); the results are "
+                   "those of an undisturbed run, to the byte");
   constexpr double kMostSeconds = 86'400;
   command
-      ->add_option("--checkpoint", arguments->checkpoint,
-                   "how many seconds apart what is computed is added to DIR.checkpoint; 0: wherever it can be")
+      .add_option("--checkpoint", arguments->checkpoint,
+                  "seconds between additions of new rows to DIR.checkpoint; 0: as often as possible")
       ->check(number_within(0, kMostSeconds))
       ->capture_default_str();
   command
-      ->add_option("--save-failure", arguments->save_failure,
-                   "where not every pose is ok: write what it takes to see that again to this file, for genu "
-                   "reproduce; of meshes only what is needed, no names of folders")
+      .add_option("--save-failure", arguments->save_failure,
+                  "if a pose is not ok, write a file that repeats the failure with genu reproduce: the needed part "
+                  "of the meshes, no names of folders")
       ->check(not_empty());
-  command->add_flag("--no-report", arguments->no_report,
-                    "leave out report.html, the page that shows the joint and its results in a browser");
-  command->add_flag("--quiet", arguments->quiet, "print errors only");
-  command->callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
+  command.add_flag("--no-report", arguments->no_report,
+                   "leave out report.html, the page that shows the joint and its results in a browser");
+  command.add_flag("--quiet", arguments->quiet, "print errors only");
+  command.footer("Example: genu run knee.toml --out out/knee");
+  advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
+  command.callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
 }
 
 }  // namespace genu::cli

@@ -12,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 #include <CLI/Validators.hpp>
 
+#include "advice.h"
 #include "commands.h"
 #include "genu/study/sensitivity.h"
 
@@ -45,29 +46,30 @@ int differentiate(const SensitivityArguments& arguments) {
 
 }  // namespace
 
-void add_sensitivity(CLI::App& app, int& exit_code) {
+void add_sensitivity(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<SensitivityArguments>();
-  CLI::App* command = app.add_subcommand(
-      "sensitivity",
-      "Exact derivatives of outputs to parameters along the path:\n"
-      "  genu sensitivity knee.toml --of knee.adduction medial.force --to \"*.stiffness\" \"*.from.*\" --out out/knee");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
+  command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
   command
-      ->add_option("--of", arguments->choice.outputs,
-                   "outputs: columns of results.csv, with or without the unit; * and ? stand for letters, or \"all\"")
+      .add_option("--of", arguments->choice.outputs,
+                  "outputs: columns of results.csv, with or without the unit; * and ? stand for letters, or \"all\"")
       ->required()
       ->delimiter(',');
   command
-      ->add_option("--to", arguments->choice.parameters,
-                   "parameters by their keys: AAC.stiffness, AAC.from.x, condyle.radii.z, plate.terms.2.0, "
-                   "femur.offset, push.force.z, knee.flexion; * and ? stand for letters, or \"all\"")
+      .add_option("--to", arguments->choice.parameters,
+                  "parameters by their keys: AAC.stiffness, AAC.from.x, condyle.radii.z, plate.terms.2.0, "
+                  "femur.offset, push.force.z, knee.flexion; * and ? stand for letters, or \"all\"")
       ->required()
       ->delimiter(',');
-  command->add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
-  command->add_option("--top", arguments->choice.most, "how many parameters to print for each output")
+  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
+  command.add_option("--top", arguments->choice.most, "how many parameters to print for each output")
       ->check(CLI::Range(1, kMostPrinted))
       ->capture_default_str();
-  command->callback([arguments, &exit_code] { exit_code = differentiate(*arguments); });
+  command.footer(
+      "Example: genu sensitivity knee.toml --of knee.adduction medial.force --to \"*.stiffness\" \"*.from.*\" --out "
+      "out/knee");
+  advice().hint("sensitivity",
+                "the verdict above says where the path ends; shorten the motion to the rows that are ok");
+  command.callback([arguments, &exit_code] { exit_code = differentiate(*arguments); });
 }
 
 }  // namespace genu::cli

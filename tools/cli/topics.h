@@ -1,4 +1,4 @@
-// What `genu explain TOPIC` finds in the pages: sections by their headings, rows of tables by what stands in code in
+// What `genu explain TOPIC` finds in the pages: sections by their headings, rows of tables by the code words in
 // their first cell (keys, columns, statuses, events, options).
 #pragma once
 
@@ -20,7 +20,7 @@ struct Topic {
 struct TopicRow {
   std::vector<std::string> names;  ///< codes of its first cell, such as "stiffness" or "CONTACT.force_N"
   std::vector<std::string> heads, cells;
-  std::string section, page;  ///< where it stands
+  std::string section, page;  ///< the place of the row
 };
 
 struct Topics {
@@ -30,8 +30,8 @@ struct Topics {
 
 Topics topics_of(const std::vector<HelpPage>& pages);
 
-/// What the word stands for, as text for a terminal; empty where nothing does. Sections by name (also in the singular),
-/// whole pages, rows by a name, "SECTION.KEY" or a column of results.csv with its objects' own names.
+/// The explanation of a word as text for a terminal; empty for an unknown word. Sections by name (also in the
+/// singular), whole pages, rows by a name, "SECTION.KEY" or a column of results.csv with its objects' own names.
 std::string explain_topic(const Topics& topics, const std::string& word);
 
 /// Every word that explain_topic() knows, but for columns with objects' names in them.

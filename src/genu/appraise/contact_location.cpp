@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "genu/appraise/tolerances.h"
 #include "genu/contact/contact_equations.h"
 #include "genu/core/decompositions.h"
 

@@ -17,9 +17,6 @@
 
 namespace genu {
 
-/// Below this kappa / sigma_curvature a place is doubtful.
-inline constexpr double kDoubtfulRatio = 10;
-
 /// One entry for each contact pair with a noisy mesh that some solved pose has in contact.
 std::vector<ContactLocation> locate_contacts(const Prepared& prepared, const std::vector<PoseRecord>& records);
 

@@ -183,8 +183,8 @@ class Explanation {
     double start = 0;
     for (std::size_t k = 0; k < i; ++k) start += scene_.steps[k].duration;
     const auto in_time = [](const LoadDef& l) { return l.in_time(); };
-    const bool tells = scene_.steps[i].duration != 1 || std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time);
-    return tells ? fmt::format(", time {:g} to {:g} s", start, start + scene_.steps[i].duration) : std::string();
+    const bool shown = scene_.steps[i].duration != 1 || std::any_of(scene_.loads.begin(), scene_.loads.end(), in_time);
+    return shown ? fmt::format(", time {:g} to {:g} s", start, start + scene_.steps[i].duration) : std::string();
   }
 
   void motion(const DynamicsDef& d) {

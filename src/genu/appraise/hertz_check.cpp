@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/tolerances.h"
 #include "genu/contact/contact_equations.h"
 #include "genu/contact/elastic_layer.h"
 #include "genu/contact/hertz.h"
@@ -15,10 +16,6 @@
 
 namespace genu {
 namespace {
-
-constexpr double kNarrow = 0.2;    // of the smallest radius: slopes within the contact, squared, are 4 %
-constexpr double kThick = 1;       // of the thickness: at 0.1 a bonded layer is some 10 % stiffer already
-constexpr double kSameArea = 0.2;  // how far the area may be from the ellipse that the curvatures say
 
 /// What a layer is like at a pose: all pressed points together, and the deepest.
 struct Pressed {
@@ -86,9 +83,9 @@ void compare(const PlacedScene& scene, const LayerDef& def, const JointModel::La
     return;
   }
   const double depth = pressed.deepest.depth, ellipse = 2 * std::numbers::pi * depth / std::sqrt(curvatures.prod());
-  if (std::abs(pressed.area / ellipse - 1) > kSameArea) {
+  if (std::abs(pressed.area / ellipse - 1) > kEllipseTolerance) {
     check.why = fmt::format(
-        "the area in contact is {:.2f} times the ellipse that the curvatures at the deepest point say: it is not one "
+        "the area in contact is {:.2f} times the ellipse from the curvatures at the deepest point: it is not one "
         "compact area, or its curvature is not even",
         pressed.area / ellipse);
     return;
@@ -96,17 +93,17 @@ void compare(const PlacedScene& scene, const LayerDef& def, const JointModel::La
   const HertzContact h = hertz(curvatures[0], curvatures[1], reduced_modulus(scene, def), depth);
   const double sharpest = std::max(largest_curvature(geometry->a), largest_curvature(geometry->b));
   const double thickness = depth / pressed.deepest.used;
-  if (h.a * sharpest > kNarrow) {
+  if (h.a * sharpest > kNarrowContact) {
     check.why =
         fmt::format("the area in contact is not small against the surfaces: half axis {:.2g} mm, radius {:.2g} mm",
                     to::kMillimetre * h.a, to::kMillimetre / sharpest);
     return;
   }
   check.axis_over_thickness = h.a / thickness;
-  if (h.a > kThick * thickness) {
+  if (h.a > kThickLayer * thickness) {
     check.why = fmt::format(
         "the layer is thin against the area in contact (half axis {:.2g} mm, thickness {:.2g} mm): it is pressed "
-        "between bones, which Hertz's half spaces do not know and the elastic foundation is made for",
+        "between bones, where Hertz's half spaces do not apply and an elastic foundation does",
         to::kMillimetre * h.a, to::kMillimetre * thickness);
     return;
   }

@@ -5,18 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/tolerances.h"
 #include "genu/contact/elastic_layer.h"
 #include "genu/core/units.h"
 
 namespace genu {
 namespace {
-
-constexpr double kNear = 2, kLeastNear = 5e-3;  // search depths, m: how far the other surface is looked for
-constexpr std::size_t kMostRays = 4000;
-constexpr std::size_t kNearest = 20;  // at least so many rays decide, or a tenth of those that meet something
-constexpr double kMostOfRays = 0.75;  // of them
-constexpr double kLeastShare = 1e-3;  // of a layer's load: less through the other body is not worth a word
-constexpr double kClear = 1e-9;       // m: what touches at a ray's start is there, or not, for sure
 
 /// One casting side of a layer at a pose.
 struct Side {
@@ -49,10 +43,10 @@ struct Met {
 
 /// What a line through each casting triangle along its normal meets first of the other surface, ahead or behind.
 std::vector<Met> meetings(const Side& s) {
-  const double reach = std::max(kNear * s.layer.search_depth, kLeastNear);
+  const double reach = std::max(kRaySearch * s.layer.search_depth, kMinRaySearch);
   const TriangleTree& tree = s.side.quadrature->target();
   const std::vector<Ray> rays = s.side.quadrature->cell_rays();
-  const std::size_t stride = 1 + rays.size() / kMostRays;
+  const std::size_t stride = 1 + rays.size() / kMaxDoubtRays;
   std::vector<Met> out;
   for (std::size_t k = 0; k < rays.size(); k += stride) {
     const Vec3 x = s.X_TC * rays[k].origin, inward = s.X_TC.R * rays[k].direction;
@@ -60,7 +54,7 @@ std::vector<Met> meetings(const Side& s) {
       return !q || (p && p.distance < q.distance) ? p : q;
     };
     // A little from behind, so that faces that touch are met.
-    const Vec3 under = x + kClear * inward, over = x - kClear * inward;
+    const Vec3 under = x + kClearStart * inward, over = x - kClearStart * inward;
     const auto opposed = nearer(tree.entering(under, -inward, reach), tree.leaving(over, inward, reach));
     const auto same = nearer(tree.leaving(under, -inward, reach), tree.entering(over, inward, reach));
     if (!opposed && !same) continue;
@@ -78,18 +72,18 @@ std::vector<std::string> facing_doubts(const Prepared& prepared, const std::vect
     for (const State* state : states) {
       const Side side(prepared, k, 0, *state);
       std::vector<Met> met = meetings(side);
-      if (met.size() < kNearest) continue;
-      const std::size_t nearest = std::max(kNearest, met.size() / 10);
+      if (met.size() < kMinDeciding) continue;
+      const std::size_t nearest = std::max(kMinDeciding, met.size() / 10);
       std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.distance < b.distance; });
       met.resize(nearest);
       const auto same = std::count_if(met.begin(), met.end(), [](const Met& m) { return m.same; });
-      if (static_cast<double>(same) > kMostOfRays * static_cast<double>(nearest)) {
+      if (static_cast<double>(same) > kDecidingShare * static_cast<double>(nearest)) {
         const auto first = std::find_if(met.begin(), met.end(), [](const Met& m) { return m.same; });
         out.push_back(fmt::format(
-            "The surfaces of {} face the same way where they are nearest: so do {} of the {} nearest triangles of {} "
-            "and "
-            "what they have of {} before them, the first at {} of the former. One of the two is inside out (inside = "
-            "true turns it round) or the wrong side of a shell: they do not press against each other.",
+            "The surfaces of {} face the same way where they are nearest, so they cannot press on each other: {} of "
+            "the "
+            "{} nearest triangles of {} and the part of {} in front of them, first at {} of the former. One of the two "
+            "is inside out (set inside = true), or is the wrong side of a shell.",
             side.layer.name, same, nearest, side.casting.name, side.target.name, side.place(prepared.model, first->x)));
       }
       break;
@@ -115,20 +109,19 @@ std::vector<std::string> reach_doubts(const Prepared& prepared, const std::vecto
           ++points;
           load += point.load;
           const Vec3 inward = -(side.X_TC.R * point.n);
-          if (!tree.entering(side.X_TC * point.x + kClear * inward, inward, point.depth - 2 * kClear)) return;
+          if (!tree.entering(side.X_TC * point.x + kClearStart * inward, inward, point.depth - 2 * kClearStart)) return;
           ++wrong;
           through += point.load;
           if (point.depth > deepest) deepest = point.depth, place = point.x;
         };
         side.layer.layer->visit(state->poses[at(side.layer.body_a)], state->poses[at(side.layer.body_b)], i, memory,
                                 look, state->layer_level(k));
-        if (!(through > kLeastShare * load) || through <= worst) continue;
+        if (!(through > kThroughShare * load) || through <= worst) continue;
         worst = through;
         said = fmt::format(
-            "The rays of {} reach through {}: {} of {} triangles of {} that carry load, and {:.3g} of {:.3g} N, enter "
-            "it "
-            "before they leave it, the longest over {:.2f} mm from {}. That is no overlap but something thinner than "
-            "`search_depth` ({:.3g} mm): give a smaller one, or a mesh of the side in contact alone.",
+            "The rays of {} pass through {}: {} of {} loaded triangles of {}, with {:.3g} of {:.3g} N, enter it before "
+            "they leave it, the longest over {:.2f} mm from {}. This is no overlap: the body is thinner than "
+            "`search_depth` ({:.3g} mm). Use a smaller one, or a mesh of the contact side alone.",
             side.layer.name, side.target.name, wrong, points, side.casting.name, through, load,
             to::kMillimetre * deepest, side.place(prepared.model, place), to::kMillimetre * side.layer.search_depth);
       }
@@ -149,7 +142,6 @@ struct Footing {
 bool has_rim(const Surface& surface) { return std::isfinite(surface.edge_distance(Vec3::Zero())); }
 
 Footing footing(const Prepared& prepared, std::size_t k, const State& state, ElasticLayer::Memory& memory) {
-  constexpr double kCell = 0.5;  // of the side of a square as large as what a point stands for: the rim is in that
   const JointModel::Layer& layer = prepared.model.layers[k];
   Footing out;
   for (std::size_t i = 0; i < layer.layer->sides().size(); ++i) {
@@ -159,7 +151,7 @@ Footing footing(const Prepared& prepared, std::size_t k, const State& state, Ela
       if (!(point.area > 0)) return;
       out.load += s.side.share * point.load;
       if (point.guessed) out.guessed += s.side.share * point.load;
-      const double cell = kCell * std::sqrt(point.area);
+      const double cell = kRimCell * std::sqrt(point.area);
       const Vec3 met = s.X_TC * (point.x - point.depth * point.n);
       const Vec3 &on_a = s.side.a ? point.x : met, &on_b = s.side.a ? met : point.x;
       if (layer.a->edge_distance(on_a) < cell) out.at_rim[0] = std::max(out.at_rim[0], point.pressure);
@@ -183,9 +175,10 @@ struct Rows {
   }
   /// "row 3", "rows 3, 4 and 9", "rows 3 to 40 (27 of them)"
   std::string text() const {
-    constexpr std::size_t kListed = 4;
+    constexpr std::size_t kRowsNamed = 4;
     if (rows.size() == 1) return fmt::format("row {}", rows[0]);
-    if (rows.size() > kListed) return fmt::format("rows {} to {} ({} of them)", rows.front(), rows.back(), rows.size());
+    if (rows.size() > kRowsNamed)
+      return fmt::format("rows {} to {} ({} of them)", rows.front(), rows.back(), rows.size());
     std::string out = "rows ";
     for (std::size_t i = 0; i < rows.size(); ++i)
       out += fmt::format("{}{}", i == 0 ? "" : i + 1 == rows.size() ? " and " : ", ", rows[i]);
@@ -198,17 +191,15 @@ struct Footings {
   Rows rim[2], guessed;
 
   Footings(const Prepared& prepared, std::size_t k, const std::vector<PoseRecord>& records) {
-    constexpr std::size_t kMostRows = 200;
-    constexpr double kLeast = 0.01;  // of the peak pressure, of the load: less is not worth a word
     ElasticLayer::Memory memory;
-    const std::size_t stride = 1 + (records.empty() ? 0 : (records.size() - 1) / kMostRows);
+    const std::size_t stride = 1 + (records.empty() ? 0 : (records.size() - 1) / kMaxDoubtRows);
     for (std::size_t row = 0; row < records.size(); row += stride) {
       const State& state = records[row].point.pose.state;
       if (state.poses.empty()) continue;
       const Footing found = footing(prepared, k, state, memory);
       for (std::size_t i = 0; i < 2; ++i)
-        if (found.at_rim[i] > kLeast * found.peak) rim[i].add(row + 1, found.at_rim[i], found.peak);
-      if (found.guessed > kLeast * found.load) guessed.add(row + 1, found.guessed, found.load);
+        if (found.at_rim[i] > kReportedShare * found.peak) rim[i].add(row + 1, found.at_rim[i], found.peak);
+      if (found.guessed > kReportedShare * found.load) guessed.add(row + 1, found.guessed, found.load);
     }
   }
 };
@@ -227,16 +218,15 @@ std::vector<std::string> footing_doubts(const Prepared& prepared, const std::vec
       if (rim.rows.empty()) continue;
       const SurfaceDef& surface = prepared.scene.surfaces[at(i == 0 ? def.pair.surface_a : def.pair.surface_b)];
       out.push_back(fmt::format(
-          "Part of the contact area of {} lies at the rim of {}surface {} in {}: there pressure ends because the "
-          "surface does, at {:.3g} MPa of at most {:.3g} MPa in row {}, and what lies beyond carries nothing. A larger "
-          "{} would.",
+          "The contact area of {} reaches the rim of {}surface {} in {}. The pressure is cut off there, at {:.3g} MPa "
+          "of at most {:.3g} MPa in row {}. Use a larger {}.",
           layer.name, surface.patch ? "the patch of " : "", surface.name, rim.text(), 1e-6 * rim.most, 1e-6 * rim.of,
           rim.worst, surface.patch ? "patch" : "mesh"));
     }
     if (const Rows& guessed = found.guessed; !guessed.rows.empty())
       out.push_back(fmt::format(
-          "The contact of {} presses on cartilage whose thickness was filled in, as no bone lies under it, in {}: it "
-          "carries {:.3g} of {:.3g} N in row {}.",
+          "The contact of {} loads cartilage without bone under it, whose thickness is extrapolated, in {}: {:.3g} of "
+          "{:.3g} N in row {}.",
           layer.name, guessed.text(), guessed.most, guessed.of, guessed.worst));
   }
   return out;

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "genu/appraise/layer_doubts.h"
+#include "genu/appraise/tolerances.h"
 #include "genu/contact/layer_law.h"
+#include "genu/contact/tolerances.h"
 #include "genu/core/units.h"
 
 namespace genu {
 namespace {
-
-constexpr double kFewTriangles = 50;  // a sum over fewer jumps visibly from pose to pose
-constexpr double kNearlyAll = 0.95;   // of the search depth
 
 /// The row where a column has its extreme, over cells with a number; no row where none has.
 struct Extreme {
@@ -41,26 +40,26 @@ std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointMo
     const LayerDef& layer = scene.layers[k];
     const std::string& name = layer.pair.name;
     const Extreme used =
-        extreme(poses, name + ".max_strain", 1, [](double strain) { return strain > LayerLaw::kDeepest; });
+        extreme(poses, name + ".max_strain", 1, [](double strain) { return strain > kMaxCompression; });
     const Extreme deepest = extreme(poses, name + ".max_depth_mm", 1, [](double) { return false; });
     if (used.count > 0)
       out.push_back(fmt::format(
-          "The layer of {} is pressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows): it is "
+          "The layer of {} is compressed by {:.0f} % of its thickness in row {} (more than {:.0f} % in {} rows). It is "
           "too soft or too thin for the load, and its law no longer holds.",
-          name, 100 * used.value, used.row + 1, 100 * LayerLaw::kDeepest, used.count));
-    else if (deepest.value > kNearlyAll * to::kMillimetre * model.layers[k].search_depth)
+          name, 100 * used.value, used.row + 1, 100 * kMaxCompression, used.count));
+    else if (deepest.value > kNearSearchDepth * to::kMillimetre * model.layers[k].search_depth)
       out.push_back(
-          fmt::format("The layer of {} is pressed to {:.2f} mm in row {}, where its rays end: a larger "
-                      "`search_depth` may find more.",
+          fmt::format("The layer of {} is compressed to {:.2f} mm in row {}, all of its search depth. Increase "
+                      "`search_depth`.",
                       name, deepest.value, deepest.row + 1));
     if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
     const Extreme few =
-        extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewTriangles; });
+        extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewLayerTriangles; });
     if (few.count > 0)
       out.push_back(
-          fmt::format("The layer of {} is stiff for its mesh: in {} of {} rows fewer than {:.0f} triangles of {} "
-                      "carry it ({:.0f} in row {}). A finer mesh or quadrature = \"smooth\" resolves it.",
-                      name, few.count, poses.rows(), kFewTriangles,
+          fmt::format("The mesh is too coarse for the layer of {}: in {} of {} rows fewer than {:.0f} triangles of {} "
+                      "carry the load ({:.0f} in row {}). Use a finer mesh or quadrature = \"smooth\".",
+                      name, few.count, poses.rows(), kFewLayerTriangles,
                       scene.surfaces[static_cast<std::size_t>(layer.cast_from)].name, few.value, few.row + 1));
   }
   return out;
@@ -68,11 +67,11 @@ std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointMo
 
 void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& records, std::vector<std::string>& out) {
   if (prepared.model.layers.empty()) return;
-  constexpr std::size_t kLooked = 8;
+  constexpr std::size_t kPosesCompared = 8;
   const State start = start_state(prepared.model);
   std::vector<const State*> states{&start};
-  for (std::size_t k = 0; k < std::min(kLooked, records.size()); ++k) {
-    const std::size_t row = records.size() <= kLooked ? k : k * (records.size() - 1) / (kLooked - 1);
+  for (std::size_t k = 0; k < std::min(kPosesCompared, records.size()); ++k) {
+    const std::size_t row = records.size() <= kPosesCompared ? k : k * (records.size() - 1) / (kPosesCompared - 1);
     const State& state = records[row].point.pose.state;
     if (!state.poses.empty()) states.push_back(&state);
   }

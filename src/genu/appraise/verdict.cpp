@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/tolerances.h"
+
 namespace genu {
 namespace {
 
-/// What varies in a step, where it stands: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
+/// The varying quantities of a step: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
 /// nothing varies.
 std::string place(const Prepared& prepared, int step, const Target& target) {
   const PlacedScene& scene = prepared.scene;
@@ -22,15 +24,15 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
     const auto& p = target.prescribed[i];
     const bool angle = p.coordinate.is_rotation();
     add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
-        fmt::format("{} = {:.9g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+        fmt::format("{} = {:.4g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
                     angle ? "deg" : "mm"));
   }
   for (std::size_t i = 0; i < target.load_factors.size(); ++i)
     if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
-      add(true, fmt::format("load {} x {:.9g}", scene.loads[i].name, target.load_factors[i]));
+      add(true, fmt::format("load {} x {:.4g}", scene.loads[i].name, target.load_factors[i]));
   for (const LoadDef& load : scene.loads)
     if (plan != nullptr && load.in_time()) {
-      add(true, fmt::format("time = {:.6g} s", target.time));
+      add(true, fmt::format("time = {:.4g} s", target.time));
       break;
     }
   const std::string& text = varying.empty() ? held : varying;
@@ -49,7 +51,7 @@ std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
         continue;
       const double value = event.coordinates[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
       const bool angle = i < 3;
-      out += fmt::format("{}{} {:.6g} {}", out.empty() ? "" : ", ", coordinate_name(prepared.scene, c),
+      out += fmt::format("{}{} {:.4g} {}", out.empty() ? "" : ", ", coordinate_name(prepared.scene, c),
                          value * (angle ? 180 / M_PI : 1e3), angle ? "deg" : "mm");
     }
   return out;
@@ -57,18 +59,19 @@ std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
 
 std::string in_brackets(const std::string& text) { return text.empty() ? text : " (" + text + ")"; }
 
-/// A peak of the reaction is where the joint would snap if that force drove it: the first one is told, the others
-/// counted.
+/// At a peak of the reaction the joint would snap through under a dead load of that size: the first peak, and the
+/// number of the others.
 void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& events, std::vector<std::string>& out) {
   const auto turns = [](const PathEvent& e) { return e.kind == PathEvent::Kind::reaction_turns && e.step > 0; };
   const auto first = std::find_if(events.begin(), events.end(), turns);
   if (first == events.end()) return;
   const auto more = std::count_if(first + 1, events.end(), turns);
-  out.push_back(fmt::format(
-      "The reaction of what is prescribed is {} at {}: driven by such a load in its place, the path would turn back "
-      "there (a limit point) and the joint would snap; prescribed, it goes on.{}",
-      first->what, place(prepared, first->step, first->target),
-      more == 0 ? "" : fmt::format(" {} more such {} in events.csv.", more, more == 1 ? "turn is" : "turns are")));
+  out.push_back(
+      fmt::format("The reaction of the prescribed coordinate is {} at {}. Under a dead load of that size the joint "
+                  "would snap through "
+                  "(limit point); here the coordinate is prescribed, so it does not.{}",
+                  first->what, place(prepared, first->step, first->target),
+                  more == 0 ? "" : fmt::format(" See events.csv for {} more.", more)));
 }
 
 std::string joined_with_and(const std::vector<std::string>& names) {
@@ -78,7 +81,7 @@ std::string joined_with_and(const std::vector<std::string>& names) {
   return out;
 }
 
-/// Which motions cost nothing, which forces can be traded, by name.
+/// The free motions and the statically indeterminate forces, by name.
 std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   const Undetermined& u = point.undetermined;
   std::vector<std::string> motion, forces;
@@ -99,15 +102,15 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
     forces.push_back("ligament " + prepared.model.ligaments[static_cast<std::size_t>(l)].name);
   std::string out;
   if (!motion.empty())
-    out +=
-        fmt::format("Free is {}: prescribe it, or add the ligament or load that holds it. ", joined_with_and(motion));
+    out += fmt::format("Free motion: {}. Prescribe it, or add a ligament or load that holds it. ",
+                       joined_with_and(motion));
   if (!forces.empty())
-    out += fmt::format("Not determined one by one: {}. {} ", joined_with_and(forces),
+    out += fmt::format("Statically indeterminate: {}. {} ", joined_with_and(forces),
                        u.shared_ligaments.empty()
-                           ? "Prescribe one coordinate less, or give one of them a ligament's elasticity."
-                           : "A ligament at a length where its force jumps can hold any force between: give it a law "
+                           ? "Prescribe one coordinate less, or make one of them elastic."
+                           : "A ligament at a jump of its law can have any force between both sides: give it a law "
                              "without the jump.");
-  if (out.empty()) return "Prescribe the free motion, or add the ligament or load that holds it.";
+  if (out.empty()) return "Prescribe the free motion, or add a ligament or load that holds it.";
   out.pop_back();
   return out;
 }
@@ -125,21 +128,21 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
   const bool meshed = std::any_of(surfaces.begin(), surfaces.end(),
                                   [](const SurfaceDef& s) { return s.shape == SurfaceDef::Shape::mesh; });
   if (first)
-    return "Start nearer to where the joint balances (the joint's `start`), and check that something holds every "
-           "motion that is not prescribed.";
+    return "Start nearer to equilibrium (the joint's `start`). Check that something holds every motion that is not "
+           "prescribed.";
   if (!prepared.scene.layers.empty() && raises_a_load(prepared, point.step))
-    return "Its layers may carry no more than this (`modulus`, `thickness`, `search_depth`): smaller increments of the "
-           "load tell how far they go.";
+    return "The layers may not carry this load (`modulus`, `thickness`, `search_depth`). Smaller load increments show "
+           "how much they carry.";
   return std::string("Try smaller increments") + (meshed ? " or another `fit_radius`." : ".");
 }
 
-/// To start elsewhere is of no use where a layer carries less than it is asked to.
+/// Another start does not help where a layer cannot carry the load.
 std::string overload_advice(double part) {
   return fmt::format(
-      "Under {:g} of its loads the joint balances here: all of them are more than its layers carry from here. Stiffer "
-      "or "
-      "thicker ones (`modulus`, `thickness`, `search_depth`) carry more, and a step that raises a load from {:g} to 1 "
-      "tells how far these go.",
+      "The joint balances here under {:g} of its loads, but the layers do not carry all of them. Use stiffer or "
+      "thicker "
+      "layers (`modulus`, `thickness`, `search_depth`), or a step that raises a load from {:g} to 1 to find their "
+      "limit.",
       part, part);
 }
 
@@ -152,9 +155,9 @@ std::string advice(PoseStatus status) {
     case PoseStatus::overconstrained:
       return "Prescribe fewer coordinates.";
     case PoseStatus::chatter:
-      return "Two sets of contacts exclude each other here: smaller increments or another `fit_radius` may part them.";
+      return "Two active sets exclude each other here. Try smaller increments or another `fit_radius`.";
     case PoseStatus::flawed_mesh:
-      return "Mend the mesh there (genu mesh-check FILE --repair OUT), or keep contact away with the surface's "
+      return "Repair the mesh there (genu mesh-check FILE --repair OUT), or keep contact away with the surface's "
              "`patch`.";
     case PoseStatus::undetermined:
     case PoseStatus::no_equilibrium:
@@ -172,7 +175,7 @@ void say_windows(const Prepared& prepared, const std::vector<PathEvent>& events,
       from = &e;
       continue;
     }
-    out.push_back(fmt::format("Stepped over a window without a rigid solution where contacts change, from {} to {}.",
+    out.push_back(fmt::format("Contacts change from {} to {}, and no rigid solution exists there: stepped over.",
                               place(prepared, from->step, from->target), place(prepared, e.step, e.target)));
     from = nullptr;
   }
@@ -184,19 +187,16 @@ void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& reco
     if (c.doubtful == 0) continue;
     const PosePoint& worst = records[c.record].point;
     out.push_back(fmt::format(
-        "The contact of {} is located to ± {:.2g} mm at {}: the surfaces are nearly parallel there (relative curvature "
-        "{:.2g} 1/m, known to {:.2g} 1/m from the noise of the meshes). In {} of {} poses a place is doubtful in this "
-        "way, "
-        "typically to ± {:.2g} mm; the poses themselves are known better.",
+        "The contact point of {} is uncertain by ± {:.2g} mm at {}: the surfaces are nearly parallel there (relative "
+        "curvature {:.2g} ± {:.2g} 1/m, from the noise of the meshes). This holds for {} of {} poses, typically "
+        "± {:.2g} mm; the poses themselves are more accurate.",
         c.contact, 1e3 * c.spread, place(prepared, worst.step, worst.target), c.least_curvature,
         c.curvature_uncertainty, c.doubtful, c.poses, 1e3 * c.typical_spread));
   }
 }
 
-/// A path that ends a few reaches from a flaw may end because of it, and a search that finds nothing to start from
-/// because of any.
+/// A flaw near the end of a path, or any flaw where no first pose was found, may be the cause.
 void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std::string>& out) {
-  constexpr double kNearby = 3;
   if (last == nullptr) {
     for (const auto& surface : prepared.surfaces)
       if (!surface->doubtful().empty())
@@ -209,7 +209,7 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
       const Vec3& foot = of_a ? c.geometry.a.p : c.geometry.b.p;
       for (const DoubtfulPlace& flaw : (of_a ? pair.a : pair.b)->doubtful())
         for (const Vec3& p : flaw.points) {
-          if ((p - foot).norm() > kNearby * flaw.reach) continue;
+          if ((p - foot).norm() > kNearFlaw * flaw.reach) continue;
           out.push_back(fmt::format("A flaw {:.1f} mm from the last contact may be the cause: {}.",
                                     1e3 * (p - foot).norm(), flaw.what));
           return;
@@ -218,24 +218,23 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
   }
 }
 
-/// What the poses are that are not stable.
+/// The end of the sentence "... 2 of 3 stable".
 std::string of_the_others(const std::vector<PoseRecord>& records, const RunSummary& summary) {
   if (summary.poses_stable == summary.poses_solved) return ".";
-  const bool fall = std::all_of(records.begin(), records.end(), [](const PoseRecord& r) {
-    const std::string said = to_string(r.point.stability);
-    return said == to_string(Stability::Verdict::stable) || said == to_string(Stability::Verdict::unstable);
+  const bool unstable = std::all_of(records.begin(), records.end(), [](const PoseRecord& r) {
+    const std::string verdict = to_string(r.point.stability);
+    return verdict == to_string(Stability::Verdict::stable) || verdict == to_string(Stability::Verdict::unstable);
   });
-  return fall ? "; left to itself the joint would leave the others (column `stability`)."
-              : "; what the others are stands in column `stability`.";
+  return unstable ? ", the others unstable (see column `stability`)." : " (see column `stability`).";
 }
 
 /// Changes of stability, of which there can be as many as poses: the first of them.
 class StabilityChanges {
  public:
   void add(std::string sentence, std::vector<std::string>& out) {
-    constexpr int kTold = 12;
-    if (++count_ <= kTold) out.push_back(std::move(sentence));
-    left_ = std::max(0, count_ - kTold);
+    constexpr int kSentencesShown = 12;
+    if (++count_ <= kSentencesShown) out.push_back(std::move(sentence));
+    left_ = std::max(0, count_ - kSentencesShown);
   }
   void end(std::vector<std::string>& out) const {
     if (left_ > 0) out.push_back(fmt::format("{} more changes of stability are in events.csv.", left_));
@@ -265,46 +264,43 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   for (const PathEvent& e : events) {
     turned_back = turned_back || e.kind == PathEvent::Kind::turns_back;
     if (e.kind == PathEvent::Kind::turns_back)
-      out.push_back(
-          fmt::format("The path turns back at {}{}: the smallest stiffness vanishes (or, where a contact lets go, "
-                      "jumps below 0) and no equilibrium lies beyond. "
-                      "Prescribe another coordinate, or follow it round with control = \"arc_length\".",
-                      place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
+      out.push_back(fmt::format(
+          "The path turns back at {}{} (limit point): the smallest stiffness reaches 0 (or, where a contact "
+          "opens, jumps below 0), and no equilibrium lies beyond. Prescribe another coordinate, or use "
+          "control = \"arc_length\".",
+          place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
     if (e.kind == PathEvent::Kind::limit_point)
-      out.push_back(fmt::format("Limit point at {}{}: the path turns back there, {}.",
+      out.push_back(fmt::format("Limit point at {}{}: the path turns back and is {}.",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e)),
                                 e.what == to_string(Stability::Verdict::stable)
-                                    ? "and is stable from here on"
-                                    : "and is unstable from here on: a joint that is driven on snaps"));
+                                    ? "stable from here on"
+                                    : "unstable from here on; under a dead load the joint would snap through"));
     if (e.kind == PathEvent::Kind::bifurcation)
-      out.push_back(fmt::format("Bifurcation at {}{}: another path of equilibria branches off.",
+      out.push_back(fmt::format("Bifurcation at {}{}: another equilibrium path branches off.",
                                 place(prepared, e.step, e.target), in_brackets(free_coordinates(prepared, e))));
-    if (e.kind == PathEvent::Kind::closed)
-      out.push_back("The path closes on itself: from here on it repeats what was found.");
+    if (e.kind == PathEvent::Kind::closed) out.push_back("The path is closed: from here on it repeats itself.");
     if (e.kind == PathEvent::Kind::snaps)
-      out.push_back(fmt::format("From {} the joint would snap {}: begin there (the joint's `start`) to follow it on.",
+      out.push_back(fmt::format("At {} the joint would snap {}. Set the joint's `start` there to continue.",
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::snapped)
       out.push_back(
-          fmt::format("At {} the equilibrium that was followed ends and the joint snaps {}: later poses go on "
-                      "from there.",
+          fmt::format("At {} the equilibrium path ends and the joint snaps {}. Later poses continue from there.",
                       place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::held)
       out.push_back(
-          fmt::format("From {} a ligament is held at the jump of its law, with a force between those of the two "
-                      "sides: {}.",
+          fmt::format("From {} on a ligament stays at the jump of its law, with a force between both sides: {}.",
                       place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::jump)
-      out.push_back(fmt::format("At {} the force of a ligament drops and the joint moves on at once: {}.",
+      out.push_back(fmt::format("At {} the force of a ligament drops and the joint jumps: {}.",
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::flutter)
-      out.push_back(
-          fmt::format("From {} on the loads that have no potential (they follow a body, or their size depends on a "
-                      "coordinate) can drive an oscillation (flutter): whether it grows depends on mass and damping, "
-                      "which a quasi-static run does not know.",
-                      place(prepared, e.step, e.target)));
-    const bool told = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
-    if (e.kind == PathEvent::Kind::stability_changed && !told)
+      out.push_back(fmt::format(
+          "From {} on, loads without a potential (follower loads, loads scaled by a coordinate) can drive an "
+          "oscillation (flutter). Whether it grows depends on mass and damping, which a quasi-static run "
+          "does not include.",
+          place(prepared, e.step, e.target)));
+    const bool listed = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
+    if (e.kind == PathEvent::Kind::stability_changed && !listed)
       changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
     if (e.kind == PathEvent::Kind::over_edge)
       out.push_back(

@@ -1,6 +1,7 @@
 #include "genu/assemble/build_surface.h"
 
 #include "genu/assemble/surface_fits.h"
+#include "genu/assemble/tolerances.h"
 #include "genu/shape_fit/chart_mesh.h"
 #include "genu/surface/analytic.h"
 #include "genu/surface/patch.h"
@@ -50,7 +51,6 @@ std::unique_ptr<Surface> make_analytic_surface(const SurfaceDef& def) {
 
 std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surface, const SurfaceDef& def) {
   if (!surface || !def.patch) return surface;
-  constexpr double kCoarse = 0.01, kReach = 0.1;  // m: to see whether anything is there
   std::function<Mesh(double)> own_mesh;
   // Past its patch a polynomial of high degree is anything: it is not cut into triangles there.
   if (const auto known = known_patch(def))
@@ -59,7 +59,7 @@ std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surfa
     };
   std::shared_ptr<const Surface> part = make_patch(
       std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh);
-  if (part->triangles(kCoarse, def.placement.p, kReach).triangles.empty()) return nullptr;
+  if (part->triangles(kPatchProbeEdge, def.placement.p, kPatchProbeReach).triangles.empty()) return nullptr;
   return part;
 }
 

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/tolerances.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kLargestAngle = 1e5, kLargestLength = 1e7;  // rad, m: as in scenes
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 class GivenPosesReader {
@@ -69,17 +70,16 @@ class GivenPosesReader {
     pose.coordinates = held_;
     for (const PoseColumns::Match& m : columns_.coordinates)
       pose.coordinates[static_cast<std::size_t>(m.coordinate.joint)][static_cast<std::size_t>(m.coordinate.index)] =
-          number(row, m.column, m.unit, m.coordinate.index < 3 ? kLargestAngle : kLargestLength);
+          number(row, m.column, m.unit, m.coordinate.index < 3 ? kMaxAngle : kMaxLength);
     pose.load_factors.assign(scene_.loads.size(), 1);
-    constexpr double kLargest = 1e20, kLargestCount = 1e9;
     for (const auto& f : columns_.factors)
-      pose.load_factors[static_cast<std::size_t>(f.load)] = number(row, f.column, 1, kLargest);
-    pose.time = columns_.time ? number(row, *columns_.time, 1, kLargest) : kNone;
+      pose.load_factors[static_cast<std::size_t>(f.load)] = number(row, f.column, 1, kMaxNumber);
+    pose.time = columns_.time ? number(row, *columns_.time, 1, kMaxNumber) : kNone;
     check_time(row, pose.time);
     pose.increment = static_cast<int>(given_.poses.size());
     if (columns_.own_results()) {
-      const double step = number(row, *columns_.step, 1, kLargestCount),
-                   increment = number(row, *columns_.increment, 1, kLargestCount);
+      const double step = number(row, *columns_.step, 1, kMaxStepNumber),
+                   increment = number(row, *columns_.increment, 1, kMaxStepNumber);
       if (std::isfinite(step + increment)) {
         pose.step = static_cast<int>(step);
         pose.increment = static_cast<int>(increment);

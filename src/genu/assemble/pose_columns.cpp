@@ -234,9 +234,9 @@ class Matcher {
   }
 
   void tell_missing() {
-    constexpr std::size_t kTold = 40;
+    constexpr std::size_t kPoseColumnsListed = 40;
     std::vector<std::string> all = names();
-    const std::size_t more = all.size() > kTold ? all.size() - kTold : 0;
+    const std::size_t more = all.size() > kPoseColumnsListed ? all.size() - kPoseColumnsListed : 0;
     all.resize(all.size() - more);
     out_.add(
         {.file = file_.path,

@@ -10,11 +10,10 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/plain_text.h"
+#include "genu/assemble/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 30;  // bytes
 
 struct Line {
   int number = 0;  // from 1
@@ -202,11 +201,11 @@ class PoseFileReader {
 }  // namespace
 
 LongErrors::~LongErrors() {
-  if (count_ > kTold) out_->error(path_, fmt::format("{} more errors like these", count_ - kTold));
+  if (count_ > kProblemsListed) out_->error(path_, fmt::format("{} more errors like these", count_ - kProblemsListed));
 }
 
 void LongErrors::add(int line, int column, const std::string& key, const std::string& found, const std::string& rule) {
-  if (++count_ > kTold) return;
+  if (++count_ > kProblemsListed) return;
   out_->add({.file = path_, .line = line, .column = column, .key = key, .found = found, .rule = rule});
 }
 
@@ -226,7 +225,7 @@ std::optional<PoseFile> read_pose_file(const std::string& path, Diagnostics& out
   };
   if (!std::filesystem::exists(path, code)) return refuse("there is no such file");
   if (!std::filesystem::is_regular_file(path, code)) return refuse("is no regular file");
-  if (std::filesystem::file_size(path, code) > kLargest) return refuse("is larger than 1 GB");
+  if (std::filesystem::file_size(path, code) > kMaxPoseFileBytes) return refuse("is larger than 1 GB");
   std::ifstream in(path, std::ios::binary);
   if (!in) return refuse("cannot be read");
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

@@ -45,7 +45,7 @@ class LongErrors {
   std::size_t count() const { return count_; }
 
  private:
-  static constexpr std::size_t kTold = 20;
+  static constexpr std::size_t kProblemsListed = 20;
   std::string path_;
   Diagnostics* out_;
   std::size_t count_ = 0;

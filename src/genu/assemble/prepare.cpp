@@ -11,8 +11,10 @@
 #include "genu/assemble/mesh_diagnostics.h"
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
+#include "genu/assemble/tolerances.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/mesh_care/mesh_shape.h"
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
@@ -40,19 +42,20 @@ void move_to_body(const SurfaceDef& def, Mesh& mesh) {
 
 /// Takes the flaws out of a mesh, tells of them with the place of each, and remembers where they were.
 std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Diagnostics& out) {
-  constexpr std::size_t kTold = 4;
+  constexpr std::size_t kFlawsInMessage = 4;
   std::vector<DoubtfulPlace> places;
   std::string told;
   std::size_t count = 0;
   for (const Flaw& flaw : cut_out_flaws(mesh)) {
     const std::string what = describe(flaw, def.file_unit);
-    if (++count <= kTold) told += (told.empty() ? "" : "; ") + what;
+    if (++count <= kFlawsInMessage) told += (told.empty() ? "" : "; ") + what;
     // What lies inside another piece is out of reach and leaves nothing missing.
     if (flaw.kind == Flaw::Kind::inner_piece) continue;
     places.push_back({def.file + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
   }
   if (count == 0) return places;
-  if (count > kTold) told += fmt::format("; and {} more (genu mesh-check lists them)", count - kTold);
+  if (count > kFlawsInMessage)
+    told += fmt::format("; and {} more (genu mesh-check lists them)", count - kFlawsInMessage);
   out.add({.severity = Diagnostic::Severity::warning,
            .file = def.file,
            .key = {},
@@ -200,16 +203,15 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
 /// What is left of a surface within its patch has to be something, and what polynomials become there no larger than a
 /// joint.
 void check_patch(const PlacedScene& scene, const SurfaceDef& def, const Surface* part, Diagnostics& out) {
-  constexpr double kCoarse = 0.01, kTooLarge = 5;  // m: as check_scale() has it of meshes
   std::string rule = "holds no part of the surface: its ranges are in the surface's own frame";
   if (part != nullptr) {
     if (def.terms.empty()) return;
-    const double size = box_diagonal(*part, kCoarse);
-    if (size <= kTooLarge) return;
+    const double size = box_diagonal(*part, kPatchProbeEdge);
+    if (size <= kMaxDiagonal) return;
     rule = fmt::format(
         "holds a surface of {:.3g} m, at most {:g} m make a joint: check its ranges and the terms, which "
         "are in the file's units",
-        size, kTooLarge);
+        size, kMaxDiagonal);
   }
   out.add({.file = scene.file,
            .line = def.patch->where.line,

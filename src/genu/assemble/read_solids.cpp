@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/mesh_diagnostics.h"
+#include "genu/assemble/tolerances.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/solid_inertia.h"
@@ -16,20 +17,18 @@ namespace {
 
 using Solid = BodyDef::Solid;
 
-constexpr double kLeastFullness = 1e-4;  // of a needle 1000 times as long as thick it is 0.05
-
 void say(Diagnostics& out, Diagnostic::Severity severity, const std::string& file, std::string rule) {
   out.add({.severity = severity, .file = file, .key = {}, .found = {}, .rule = std::move(rule)});
 }
 
 /// The first places of some kind of flaw, in words.
 std::string places(const std::vector<Flaw>& flaws, Flaw::Kind kind, double unit) {
-  constexpr int kTold = 3;
+  constexpr int kSolidFlawsListed = 3;
   std::string text;
   int found = 0;
   for (const Flaw& flaw : flaws)
-    if (flaw.kind == kind && ++found <= kTold) text += (found > 1 ? "; " : "") + describe(flaw, unit);
-  return found > kTold ? text + fmt::format("; and {} more", found - kTold) : text;
+    if (flaw.kind == kind && ++found <= kSolidFlawsListed) text += (found > 1 ? "; " : "") + describe(flaw, unit);
+  return found > kSolidFlawsListed ? text + fmt::format("; and {} more", found - kSolidFlawsListed) : text;
 }
 
 /// Whether the mesh has an inside. Self-intersections leave it one, but for what lies in two parts at once.
@@ -78,7 +77,7 @@ std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& mes
   face_outward(*mesh, turned, solid, out);
   for (Vec3& v : mesh->vertices) v = solid.placement * v;
   const SolidInertia found = solid_inertia(*mesh);
-  if (fullness(*mesh, found.volume) > kLeastFullness) return found;
+  if (fullness(*mesh, found.volume) > kMinFullness) return found;
   say(out, Diagnostic::Severity::error, solid.file, "closes no volume: it is flat");
   return std::nullopt;
 }

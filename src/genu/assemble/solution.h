@@ -11,6 +11,7 @@
 #include "genu/motion/motion.h"
 #include "genu/path/path_options.h"
 #include "genu/path/starts.h"
+#include "genu/path/tolerances.h"
 #include "genu/results/error_bars.h"
 #include "genu/results/pose_table.h"
 #include "genu/results/starts_table.h"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/tolerances.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/units.h"
 #include "genu/mesh/mesh_topology.h"
@@ -116,16 +117,15 @@ std::string describe(const SurfaceFit& fit) {
 
 std::vector<std::string> doubts(const SurfaceFit& fit) {
   // What measured cartilage leaves over a good fit is 1 to 3 times its noise; less than 0.1 mm no scan resolves.
-  constexpr double kTimesNoise = 4, kUnseen = 1e-4, kPeak = 8, kUnseenPeak = 5e-4;
   std::vector<std::string> out;
   const FitResidual& r = fit.residual;
-  if (r.rms > std::max(kTimesNoise * fit.noise, kUnseen))
+  if (r.rms > std::max(kFitRmsOfNoise * fit.noise, kFitRmsUnseen))
     out.push_back(
         fmt::format("the vertices lie {:.3g} mm rms off it, but their own noise is {:.2g} mm: it does not "
                     "follow the shape; a smaller region or another degree may",
                     to::kMillimetre * r.rms, to::kMillimetre * fit.noise));
   const double largest = std::abs(r.largest);
-  if (largest > std::max({kPeak * fit.noise, kPeak * r.rms, kUnseenPeak}))
+  if (largest > std::max({kFitPeakOfNoise * fit.noise, kFitPeakOfNoise * r.rms, kFitPeakUnseen}))
     out.push_back(fmt::format("one vertex lies {:.3g} mm off it, far more than the others: look at {}",
                               to::kMillimetre * largest, point_text(r.where)));
   if (fit.wanted_degree > fit.degree)

@@ -7,7 +7,7 @@
 namespace genu {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknownThickness = std::numeric_limits<double>::infinity();
 
 /// Area-weighted normals at the vertices; zero where undefined.
 std::vector<Vec3> area_weighted_normals(const Mesh& mesh) {
@@ -62,23 +62,23 @@ void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& re
       neighbours[at(t[k])].push_back(t[(k + 1) % 3]);
       neighbours[at(t[k])].push_back(t[(k + 2) % 3]);
     }
-  std::vector<double> away(h.size(), kUnknown);
+  std::vector<double> away(h.size(), kUnknownThickness);
   std::vector<int> ring;
   for (std::size_t v = 0; v < h.size(); ++v)
-    if (h[v] < kUnknown) away[v] = 0, ring.push_back(static_cast<int>(v));
+    if (h[v] < kUnknownThickness) away[v] = 0, ring.push_back(static_cast<int>(v));
   while (!ring.empty()) {
     std::vector<int> next;
     std::vector<double> found;
     for (const int v : ring)
       for (const int w : neighbours[at(v)])
-        if (h[at(w)] == kUnknown) next.push_back(w);
+        if (h[at(w)] == kUnknownThickness) next.push_back(w);
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     for (const int w : next) {
       double total = 0;
       int count = 0;
       for (const int v : neighbours[at(w)]) {
-        if (h[at(v)] == kUnknown) continue;
+        if (h[at(v)] == kUnknownThickness) continue;
         total += h[at(v)];
         ++count;
         away[at(w)] = std::min(away[at(w)], away[at(v)] + (mesh.vertices[at(v)] - mesh.vertices[at(w)]).norm());
@@ -89,7 +89,7 @@ void fill(const Mesh& mesh, double least, std::vector<double>& h, BoneReport& re
     ring = std::move(next);
   }
   for (std::size_t v = 0; v < h.size(); ++v) {
-    if (h[v] == kUnknown) h[v] = least;
+    if (h[v] == kUnknownThickness) h[v] = least;
     if (away[v] <= report.farthest || neighbours[v].empty()) continue;
     report.farthest = away[v];
     report.farthest_place = mesh.vertices[v];
@@ -103,7 +103,7 @@ std::shared_ptr<const ThicknessField> measure_thickness(const Mesh& cartilage, c
   const std::vector<Vec3> normals = area_weighted_normals(cartilage);
   BoneRays rays(bone);
   rays.choose_side(cartilage, normals);
-  std::vector<double> at_vertices(cartilage.vertices.size(), kUnknown);
+  std::vector<double> at_vertices(cartilage.vertices.size(), kUnknownThickness);
   report = {};
   report.vertices = static_cast<int>(at_vertices.size());
   report.thinnest = bone.least;
@@ -119,7 +119,7 @@ std::shared_ptr<const ThicknessField> measure_thickness(const Mesh& cartilage, c
   }
   if (report.without == report.vertices) return nullptr;
   std::vector<bool> guessed;
-  for (const double h : at_vertices) guessed.push_back(h == kUnknown);
+  for (const double h : at_vertices) guessed.push_back(h == kUnknownThickness);
   fill(cartilage, bone.least, at_vertices, report);
   std::vector<double> at_centroids;
   at_centroids.reserve(cartilage.triangles.size());

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr std::size_t kMostRays = 120;
 
 std::vector<Vec3> box_corners(const Mesh& mesh) {
   if (mesh.vertices.empty()) return {};
@@ -23,7 +23,7 @@ double size_of(const std::vector<Vec3>& box) { return box.empty() ? 0 : (box.bac
 /// From the centroids of some triangles, spread over the order of the mesh and so over its surface.
 std::vector<Ray> rays_of(const Mesh& mesh) {
   std::vector<Ray> rays;
-  const std::size_t stride = 1 + mesh.triangles.size() / kMostRays;
+  const std::size_t stride = 1 + mesh.triangles.size() / kMaxBuriedRays;
   for (std::size_t k = stride / 2; k < mesh.triangles.size(); k += stride) {
     const auto v = [&](std::size_t i) -> const Vec3& {
       return mesh.vertices[static_cast<std::size_t>(mesh.triangles[k][i])];

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "genu/contact/tolerances.h"
 #include "genu/core/decompositions.h"
 
 namespace genu {
@@ -146,8 +147,7 @@ bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMo
   rcond = 1 / (one_norm(scaled) * one_norm(inverse_));
   // Where two directions conform at once, all cofactors and the size of their quotients are rounding, and the result is
   // no inverse: for a singular matrix the residual of the inverse is 1 or more.
-  constexpr double kNoInverse = 0.5;
-  if (!(rcond > kSingular) || !(one_norm(missing) < kNoInverse)) {
+  if (!(rcond > kSingularContact) || !(one_norm(missing) < kMaxMissingInverse)) {
     rcond = 0;
     return false;
   }
@@ -158,7 +158,7 @@ bool EliminatedContact::factor(const ContactBlock& block, double length, WhichMo
 void EliminatedContact::factor_minimum_norm(const ContactBlock& block, double length, WhichMove moves) {
   length_ = length;
   const SingularValues svd = singular_values(scaled_block(block, length), LeftVectors::all);
-  const Eigen::Index rank = (svd.values.array() > kSingular * svd.values[0]).count();
+  const Eigen::Index rank = (svd.values.array() > kSingularContact * svd.values[0]).count();
   inverse_.setZero();
   for (Eigen::Index k = 0; k < rank; ++k) inverse_ += svd.V.col(k) / svd.values[k] * svd.U.col(k).transpose();
   condense(block, moves);

@@ -44,12 +44,10 @@ void evaluate_contact_residual(const Pose& X_Wa, const Pose& X_Wb, const Contact
 /// ds = surface_offset + surface_gain * twist.
 class EliminatedContact {
  public:
-  /// Below this reciprocal condition the eliminated step loses more than half of the digits of the dense one.
-  static constexpr double kSingular = 1e-8;
-
-  /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. False where it is singular to working
-  /// accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split); the dense route
-  /// is needed then. Gradient, gain and stiffness of a body that does not move do not change.
+  /// Factors the contact's own 4x4 block; `length` (m) scales curvature in it. Returns false where it is singular to
+  /// working accuracy (vanishing relative curvature: parallel planes, line contact, a contact about to split): the
+  /// dense route serves then. Gradient, gain and stiffness over a body that does not move are left as
+  /// they were.
   bool factor(const ContactBlock& block, double length, WhichMove moves = {});
 
   /// The same where the block is singular (the surfaces conform along a line or an area): a minimum-norm solution.

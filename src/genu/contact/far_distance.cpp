@@ -14,7 +14,9 @@
 #include <Eigen/Geometry>
 
 #include "genu/contact/feature_normals.h"
+#include "genu/contact/tolerances.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/mesh/winding_number.h"
 
 namespace genu {
@@ -25,25 +27,20 @@ constexpr double kMillimetres = 1e3;
 
 using Bvh = fcl::BVHModel<fcl::RSSd>;
 
-// Winding numbers above which a point is inside: between pieces, and behind the edge of an open sheet. Behind the edge
-// of a flat sheet it is at most 1/4, at right angles; behind a curved one, such as a condyle, it is larger.
-constexpr double kInside = 0.5, kBehindEdge = 0.2;
-
-/// m: how far a point may move until its winding number can reach kBehindEdge. Away from the surface, which is at
-/// `distance`, the winding number w is a harmonic function. Its gradient at distance r from x is at most
-/// 3/2 sup|w| / (distance - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26); sup|w| is
-/// about 1.
+/// How far a point may go (m) until its winding number can reach kBehindEdgeWinding: away from the surface, which is
+/// `distance` away, it is a harmonic function, whose gradient at the distance r from x is at most 3/2 sup|w| /
+/// (distance
+/// - r) (Axler, Bourdon and Ramey, Harmonic Function Theory, 2001, theorem 6.26), and sup|w| is about 1.
 double same_side(double winding, double distance) {
-  return winding < kBehindEdge ? distance * -std::expm1((winding - kBehindEdge) / 1.5) : 0;
+  return winding < kBehindEdgeWinding ? distance * -std::expm1((winding - kBehindEdgeWinding) / 1.5) : 0;
 }
 
 /// Without triangles of zero area (to rounding): a nearest point on one has no side.
 Mesh with_area(Mesh mesh) {
-  constexpr double kSmallestSine = 1e-9;
   std::erase_if(mesh.triangles, [&](const auto& t) {
     const auto corner = [&](std::size_t k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
     const Vec3 u = corner(1) - corner(0), v = corner(2) - corner(0), w = corner(2) - corner(1);
-    return !(u.cross(v).norm() > kSmallestSine * std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()}));
+    return !(u.cross(v).norm() > kDegenerateSine * std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()}));
   });
   return mesh;
 }
@@ -51,8 +48,7 @@ Mesh with_area(Mesh mesh) {
 /// Whether the boxes of any two pieces overlap.
 bool pieces_may_meet(const Mesh& mesh) {
   const Components parts = connected_components(mesh);
-  constexpr int kMost = 64;  // largest number of pieces examined; with more the answer is yes
-  if (parts.count < 2 || parts.count > kMost) return parts.count > 1;
+  if (parts.count < 2 || parts.count > kMaxPiecesCompared) return parts.count > 1;
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Vec3> low(static_cast<std::size_t>(parts.count), Vec3::Constant(infinity)), high(low.size(), -low[0]);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -118,8 +114,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
     }
     return out;
   }
-  constexpr double kPoint = 1e-6;  // mm: radius of the sphere that represents the point
-  const fcl::Sphered point(kPoint);
+  const fcl::Sphered point(kPointSphereRadius);
   const fcl::Transform3d here(Eigen::Translation3d(kMillimetres * x));
   fcl::DistanceRequestd request(true);
   request.gjk_solver_type = fcl::GST_INDEP;
@@ -136,7 +131,7 @@ FarDistance::Nearest FarDistance::nearest(const Vec3& x) const {
   if (side > 0 && triangles_->winding) {
     const double winding = (*triangles_->winding)(x);
     const bool behind = open && !triangles_->entangled && away.dot(normal) < 0;
-    if ((open || triangles_->entangled) && winding > (behind ? kBehindEdge : kInside)) side = -1;
+    if ((open || triangles_->entangled) && winding > (behind ? kBehindEdgeWinding : kInsideWinding)) side = -1;
     out.same_side = same_side(winding, distance);
   }
   if (side < 0) out.same_side = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/contact/tolerances.h"
 #include "genu/core/types.h"
 #include "genu/mesh/mesh.h"
 
@@ -34,7 +35,6 @@ class FeatureNormals {
   Vec3 at(int triangle, const Vec3& p, bool& open) const {
     const auto& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
     const Vec3 bary = barycentric(t, p);
-    constexpr double kOnFeature = 1e-7;  // of the triangle: FCL's nearest points have an error of about 1e-9
     int zeros = 0;
     std::size_t zero = 0, one = 0;
     for (std::size_t k = 0; k < 3; ++k) {

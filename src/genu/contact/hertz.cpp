@@ -4,17 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
-namespace {
-
-constexpr int kMostSteps = 200;
-
-}  // namespace
 
 /// By the arithmetic-geometric mean: quadratic convergence.
 double carlson_rf0(double y, double z) {
   double a = std::sqrt(y), g = std::sqrt(z);
-  for (int i = 0; i < kMostSteps && std::abs(a - g) > 1e-8 * a; ++i) {
+  for (int i = 0; i < kMaxMeanSteps && std::abs(a - g) > 1e-8 * a; ++i) {
     const double mean = 0.5 * (a + g);
     g = std::sqrt(a * g);
     a = mean;
@@ -24,11 +21,10 @@ double carlson_rf0(double y, double z) {
 
 /// Duplication until the arguments agree to 1 %, then Carlson's series of sixth order.
 double carlson_rd0(double y, double z) {
-  constexpr double kEnough = 2e-3;
   double x = 0, sum = 0, factor = 1, mean = 0.2 * (y + 3 * z);
   const double spread = std::max(std::abs(mean), std::max(std::abs(mean - y), std::abs(mean - z)));
   double left = spread;
-  for (int i = 0; i < kMostSteps && left > kEnough * mean; ++i) {
+  for (int i = 0; i < kMaxMeanSteps && left > kCarlsonSpread * mean; ++i) {
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z), lambda = rx * ry + rx * rz + ry * rz;
     sum += factor / (rz * (z + lambda));
     factor *= 0.25;

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 
 struct LayerLaw {
@@ -20,18 +22,15 @@ struct LayerLaw {
     double slope = 0;  ///< dp/dd, Pa/m
   };
 
-  /// Of the thickness. Beyond it the logarithmic law continues along its tangent, so that iterates are finite. Poses
-  /// that end there are reported.
-  static constexpr double kDeepest = 0.95;
-
-  /// At the depth d (m) of layers h (m) thick. Negative depths have the odd continuation, whose sign is used.
+  /// At the depth d (m) of layers h (m) thick, negative depths included: the odd continuation, whose sign tells.
   Pressure at(double d, double h) const {
     if (kind == Kind::linear) return {confined_modulus * d / h, confined_modulus / h};
     const double e = d / h;
     const double sign = e < 0 ? -1.0 : 1.0, size = std::abs(e);
-    if (size <= kDeepest) return {-sign * confined_modulus * std::log1p(-size), confined_modulus / h / (1 - size)};
-    const double slope = confined_modulus / (1 - kDeepest);
-    return {sign * (slope * (size - kDeepest) - confined_modulus * std::log1p(-kDeepest)), slope / h};
+    if (size <= kMaxCompression)
+      return {-sign * confined_modulus * std::log1p(-size), confined_modulus / h / (1 - size)};
+    const double slope = confined_modulus / (1 - kMaxCompression);
+    return {sign * (slope * (size - kMaxCompression) - confined_modulus * std::log1p(-kMaxCompression)), slope / h};
   }
 };
 

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr int kTogether = 64;                                   // rays
-constexpr std::array kClearances = {8.0, 2.0, 0.5, 0.1, 0.02};  // edges: tried from the largest
-constexpr std::size_t kCoarseClearances = 3;                    // of them, for grouped rays
-constexpr double kLookAgain = 4;  // edges: something near counts as near until it has moved this far
-constexpr double kPocket = 3;     // edges: motion for which the triangles near a group are collected
-constexpr double kLeast = 0.05;   // edges: motion for which the triangles that a ray can meet are listed
+constexpr int kTogether = 64;                 // rays
+constexpr std::size_t kCoarseClearances = 3;  // of them, for rays together
 
 }  // namespace
 
@@ -129,7 +127,7 @@ bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Group& known
   if (known.clear >= 0) {
     const double moved = motion(group, known.measured, X_TC);
     if (moved < known.clear) return true;
-    if (known.clear == 0 && moved < kLookAgain * step_) return false;
+    if (known.clear == 0 && moved < kRecheckMotion * step_) return false;
   }
   known.clear = measure(group, X_TC, known.near);
   known.measured = X_TC;
@@ -142,7 +140,7 @@ bool LayerRays::clear(const Group& group, const Pose& X_TC, Memory::Block& block
   if (block.path < block.near_until) return false;
   const double clear = measure(group, X_TC, block.near);
   block.empty_until = block.path + clear;
-  if (clear == 0) block.near_until = block.path + kLookAgain * step_;
+  if (clear == 0) block.near_until = block.path + kRecheckMotion * step_;
   if (block.piece < 0 && block.near >= 0) block.piece = atlas_->piece_of(target_->place_of(block.near));
   return clear > 0;
 }
@@ -156,12 +154,11 @@ LayerRays::Memory::Block& LayerRays::advance(const Group& group, const Pose& X_T
 
 /// Ensures that a leaf has all triangles needed for at least the least motion beyond it.
 void LayerRays::gather(const Group& group, Memory::Block& block) const {
-  if (block.path + kLeast * step_ <= block.until) return;
-  constexpr double kRounding = 1e-6;
-  const double margin = (1 + kRounding) * (group.radius + kPocket * step_);
+  if (block.path + kMinListedMotion * step_ <= block.until) return;
+  const double margin = (1 + kMarginRounding) * (group.radius + kPocketMotion * step_);
   const Pose& X_TC = block.last;
   target_->clusters_near(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_, margin, block.clusters);
-  block.until = block.path + kPocket * step_;
+  block.until = block.path + kPocketMotion * step_;
 }
 
 TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Block& block,
@@ -181,7 +178,7 @@ TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Bl
       known.until = block.until;
       return {};
     }
-    target_->at_ray(block.clusters, ray.origin, ray.direction, length_, kLeast * step_, kPocket * step_,
+    target_->at_ray(block.clusters, ray.origin, ray.direction, length_, kMinListedMotion * step_, kPocketMotion * step_,
                     known.triangles);
     known.until = std::min(block.path + known.triangles.margin, block.until);
   }

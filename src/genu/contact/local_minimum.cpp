@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "genu/contact/tolerances.h"
 #include "genu/core/decompositions.h"
 
 namespace genu {
@@ -32,14 +33,10 @@ bool evaluate_gap(const Surface& A, const Pose& X_ab, GapJet& jet) {
   return jet.gradient.allFinite() && jet.hessian.allFinite();
 }
 
-/// 1/m: a stationary point with less negative curvature counts as a minimum: over 1 mm the gap decreases by less than
-/// 1e-9 m.
-constexpr double kSaddle = 2e-3;
-
-/// The direction of negative curvature of the gap, scaled to `radius`; empty at a minimum.
+/// The direction in which the gap curves down, scaled to `radius`; empty at a minimum.
 std::optional<Vec2> way_off_a_saddle(const GapJet& jet, double radius) {
   const SymmetricEigen<2> eigen = symmetric_eigen(Mat2(0.5 * (jet.hessian + jet.hessian.transpose())));
-  if (eigen.values[0] >= -kSaddle) return std::nullopt;
+  if (eigen.values[0] >= -kSaddleCurvature) return std::nullopt;
   return radius * eigen.vectors.col(0);
 }
 
@@ -55,12 +52,11 @@ Vec2 trust_step(const GapJet& jet, double radius) {
   if (d.x() > 0 && step(0).norm() <= radius) return eigen.vectors * step(0);
   // |step(shift)| decreases with the shift, between "just convex" and "surely inside". Newton's method on its inverse,
   // which is nearly linear (Moré and Sorensen 1983); bisection where that leaves the bracket.
-  constexpr double kLength = 1e-3;  // of the radius
   double low = std::max(0.0, -d.x()), high = low + gradient / radius + std::abs(d.y()), shift = high;
   for (int i = 0; i < 60; ++i) {
     const Vec2 s = step(shift);
     const double length = s.norm();
-    if (length <= radius && length >= (1 - kLength) * radius) break;
+    if (length <= radius && length >= (1 - kTrustLengthTolerance) * radius) break;
     (length > radius ? low : high) = shift;
     const double slope = s.x() * s.x() / (d.x() + shift) + s.y() * s.y() / (d.y() + shift);
     const double newton = shift + length * length / slope * (length / radius - 1);
@@ -94,8 +90,7 @@ bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& li
 
 bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
   // The offset (I - gap S) is singular at a focal point; from a nearby foot Newton's method needs a few steps only.
-  constexpr int kIterations = 12;
-  for (int i = 0; i < kIterations; ++i) {
+  for (int i = 0; i < kMaxFootSteps; ++i) {
     const Vec2 offset = foot.T.transpose() * (x - foot.p);
     const double height = foot.n.dot(x - foot.p);
     if (offset.norm() <= 1e-14 * (1e-3 + std::abs(height))) return true;
@@ -114,14 +109,11 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
                                    const DescentLimits& limits) {
   GapJet jet;
   if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
-  constexpr int kIterations = 60;
-  constexpr double kFlat = 1e-13;      // gradient (a sine) at which normals are parallel to rounding
-  constexpr double kShortest = 1e-14;  // m: smaller steps do not change the point
   double radius = limits.max_step;
   bool settled = false;
   const Vec3 from = jet.b.p;
-  for (int i = 0; i < kIterations && radius > kShortest; ++i) {
-    const bool flat = jet.gradient.norm() <= kFlat;
+  for (int i = 0; i < kMaxDescentSteps && radius > kShortestDescent; ++i) {
+    const bool flat = jet.gradient.norm() <= kFlatGradient;
     const auto off_saddle = flat ? way_off_a_saddle(jet, radius) : std::nullopt;
     if (flat && !off_saddle) {
       if (leads_to_known(jet, Vec2::Zero(), limits)) return std::nullopt;

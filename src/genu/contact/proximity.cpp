@@ -4,30 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/contact/tolerances.h"
 #include "genu/core/decompositions.h"
 
 namespace genu {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Fractions of the samples' spacing, so that the search scales with the joint. Refined minima closer than kSamePoint
-// are one: refinement is far more accurate, and distinct minima of a surface sampled at tenths of the spacing are
-// farther apart.
-constexpr double kSamePoint = 2e-3;
-// A sample nearer than this may have a closed contact beside it: half of a relative curvature of 0.2 / spacing times
-// the square of the largest distance to a sample, 1.2 spacings.
-constexpr double kNearContact = 0.15;
-// Starts whose model has its minimum above this gap are dropped: the model's error between samples is smaller.
-constexpr double kHopeless = 0.03;
-// Minima between samples are found from the samples around them: a start that is not the lowest of its neighbours is
-// followed no farther. On conforming surfaces every descent would otherwise cross the whole surface.
-constexpr double kBetweenSamples = 4;
-// A descent this close to a known minimum ends there; closer pairs of minima are found by probe_around().
-constexpr double kMerge = 0.1;
-// Largest distance of facets from the smooth surface.
-constexpr double kShallow = 0.05;
-// Cosine: outward normals within 60 degrees of each other cannot belong to touching sides.
-constexpr double kFacingSameWay = 0.5;
 
 /// The surface to sample is the bounded one (a plane can be queried anywhere but has no extent); of two closed forms or
 /// two meshes it is the second.
@@ -39,8 +22,7 @@ bool samples_second(const Surface& a, const Surface& b) {
 bool too_dense(const SampleSet& samples, double spacing) {
   double area = 0;
   for (const double a : samples.areas) area += a;
-  constexpr double kDense = 0.5;  // of one sample per square of the spacing
-  return samples.size() > 1000 && area / samples.size() < kDense * spacing * spacing;
+  return samples.size() > 1000 && area / samples.size() < kDenseSamples * spacing * spacing;
 }
 
 void insert_distinct(std::vector<LocalMinimum>& list, const LocalMinimum& found, double same) {
@@ -132,9 +114,8 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
 /// A lower bound of the distance from a gap. Within the band of a mesh the gap is the distance to first order only: use
 /// a third. Closed forms without a distance function have a gap everywhere, but no such band.
 std::optional<double> Proximity::near_clearance(std::optional<double> gap) const {
-  constexpr double kFirstOrder = 2.0 / 3;
   if (!gap || queried_->knows_distance()) return gap;
-  return queried_->is_global() ? std::nullopt : std::optional(kFirstOrder * *gap);
+  return queried_->is_global() ? std::nullopt : std::optional(kFirstOrderGap * *gap);
 }
 
 /// For everything within `radius` of a point beyond the band. The distance is to facets, which differ from the smooth
@@ -149,8 +130,7 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   const double moved = group.motion(group.measured, X_qs);
   if (group.clearance - moved > window) return true;
   // It may be clear after moving straight away; bodies in contact roll and slide instead.
-  constexpr double kAway = 0.25;
-  if (group.clearance + kAway * moved <= window) return false;
+  if (group.clearance + kClearanceUse * moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
   if (const auto clearance = near_clearance(queried_->gap(centre)))
@@ -169,11 +149,11 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   if (const auto gap = queried_->gap(x)) {
     memory.clearance = near_clearance(gap).value_or(-1);
     SurfacePoint foot;
-    if (direction == nullptr && *gap > kShallow * spacing_) return *gap;
+    if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
     if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
     if (direction != nullptr) *direction = foot.n;
-    const bool same_way = foot.n.dot(normal) > kFacingSameWay, beyond = queried_->edge_distance(foot.p) < 0;
-    if (same_way && !beyond && std::abs(*gap) <= kShallow * spacing_ && safeguards_.has(Safeguard::swallowed))
+    const bool same_way = foot.n.dot(normal) > kSameWayCosine, beyond = queried_->edge_distance(foot.p) < 0;
+    if (same_way && !beyond && std::abs(*gap) <= kShallowOverlap * spacing_ && safeguards_.has(Safeguard::swallowed))
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: usually no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
@@ -189,11 +169,10 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
 /// Where both surfaces coincide and face the same way, as for bodies that occupy the same space, the gap is no
 /// evidence. Returns the depth inside both of a point behind both; 0 where it is not inside both.
 double Proximity::depth_behind(const Pose& X_qs, int sample) {
-  constexpr double kBehind = 0.5, kInside = 0.25;  // of the spacing
-  const Vec3 behind = samples_->points[at(sample)] - kBehind * spacing_ * samples_->normals[at(sample)];
-  if (swallowed_->distance_to_outer(behind) > -kInside * spacing_) return 0;
+  const Vec3 behind = samples_->points[at(sample)] - kBehindSample * spacing_ * samples_->normals[at(sample)];
+  if (swallowed_->distance_to_outer(behind) > -kSwallowedDepth * spacing_) return 0;
   const double depth = far_.nearest(X_qs * behind).distance;
-  return depth < -kInside * spacing_ ? depth : 0;
+  return depth < -kSwallowedDepth * spacing_ ? depth : 0;
 }
 
 /// The gap at a point where the smooth surface gives a value < 0 for the wrong side of a sharp rim, or past an edge. It
@@ -202,8 +181,8 @@ double Proximity::doubtful_gap(const Vec3& x, double gap, Memory& memory) const 
   if (memory.doubt - (x - memory.doubted_at).norm() > 0) return kInfinity;
   const FarDistance::Nearest facets = far_.nearest(x);
   memory.doubted_at = x;
-  memory.doubt = std::min(facets.distance + kShallow * spacing_, facets.same_side);
-  return facets.distance < -kShallow * spacing_ ? std::max(gap, facets.distance) : kInfinity;
+  memory.doubt = std::min(facets.distance + kShallowOverlap * spacing_, facets.same_side);
+  return facets.distance < -kShallowOverlap * spacing_ ? std::max(gap, facets.distance) : kInfinity;
 }
 
 void Proximity::measure(const Pose& X_qs, double window) {
@@ -234,16 +213,14 @@ bool Proximity::lowest_of_neighbours(int sample) const {
 /// Whether the gap at a sample agrees with the curvature at a known minimum. A second minimum of the same depth lowers
 /// the samples next to it by more: it lies where the bowl has risen by at least 1/800 of the spacing.
 bool Proximity::slopes_to_known(int sample) const {
-  constexpr double kNearest = 0.5, kFarthest = 3;  // of the spacing
-  constexpr double kShare = 0.05;                  // of the rise
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     const SurfacePoint& from = raw_[k].contact.b;
     const Vec3 away = samples_->points[at(sample)] - from.p;
     const double distance = away.norm();
-    if (distance < kNearest * spacing_ || distance > kFarthest * spacing_) continue;
+    if (distance < kFlankNear * spacing_ || distance > kFlankFar * spacing_) continue;
     const Vec2 d = from.T.transpose() * away;
     const double rise = 0.5 * d.dot(bends_[k] * d);
-    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kShare * rise) return true;
+    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kFlankShare * rise) return true;
   }
   return false;
 }
@@ -264,13 +241,12 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
   raw_.clear();
   bends_.clear();
   // Surfaces with more minima than this conform. Minima not examined still count through the gaps of samples.
-  constexpr std::size_t kMostMinima = 500;
   for (const int sample : starts_) {
-    if (raw_.size() >= kMostMinima) break;
+    if (raw_.size() >= kMaxMinima) break;
     if (slopes_to_known(sample)) continue;
     const auto i = static_cast<std::size_t>(sample);
     const bool lowest = lowest_of_neighbours(sample);
-    const DescentLimits limits{spacing_, &raw_, kMerge * spacing_, lowest ? window : kHopeless * spacing_,
+    const DescentLimits limits{spacing_, &raw_, kMergeDistance * spacing_, lowest ? window : kHopelessGap * spacing_,
                                lowest ? kInfinity : kBetweenSamples * spacing_};
     const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_->points[i], limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
@@ -357,8 +333,8 @@ void Proximity::probe_around(const Pose& X_ab, const ContactGeometry& contact, d
   const SurfacePoint &from = samples_b_ ? contact.b : contact.a, &other = samples_b_ ? contact.a : contact.b;
   const Mat2 turn = (X_qs.R * from.T).transpose() * other.T;
   const SymmetricEigen<2> bend = symmetric_eigen(Mat2(-(from.S + turn * other.S * turn.transpose())));
-  constexpr int kRound = 8;
-  const int directions = bend.values[1] > steep ? 2 : kRound;
+  constexpr int kProbeDirections = 8;
+  const int directions = bend.values[1] > steep ? 2 : kProbeDirections;
   const double first = std::atan2(bend.vectors(1, 0), bend.vectors(0, 0));
   for (int k = 0; k < directions; ++k) {
     const double angle = first + 2 * M_PI * k / directions;

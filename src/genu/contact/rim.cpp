@@ -6,16 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kChord = 4;      // spacings: the lowest place on a segment is searched, not only its ends
-constexpr double kOnEdge = 1e-3;  // of a chord: border vertices lie on the edge up to rounding
-constexpr double kDip = 0.2;      // of a chord: largest depth of the rim below both ends of a segment
-constexpr double kInward = 0.02;  // of the way to the centroid of the adjacent triangle
-// Cosine: outward normals within 60 degrees of each other cannot belong to touching sides.
-constexpr double kSameWay = 0.5;
+constexpr double kNoClearance = std::numeric_limits<double>::infinity();
 
 struct BorderEdge {
   int from, to, inside;  // vertices; inside: opposite
@@ -46,13 +42,13 @@ double longest_of(const std::vector<BorderEdge>& border, const Mesh& mesh) {
 }  // namespace
 
 Rim::Rim(const Surface& own, const Surface& other, double spacing, const Vec3& centre, double reach)
-    : own_(&own), other_(&other), spacing_(kChord * spacing) {
+    : own_(&own), other_(&other), spacing_(kRimChord * spacing) {
   if (!std::isfinite(own.edge_distance(centre))) return;
   const Mesh mesh = own.triangles(spacing_, centre, reach);
   const std::vector<BorderEdge> border = border_of(mesh);
   if (!own.is_global()) spacing_ = longest_of(border, mesh);
   std::map<int, int> numbers;
-  const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnEdge * spacing_; };
+  const auto on_edge = [&](int v) { return std::abs(own.edge_distance(mesh.vertices[at(v)])) < kOnRim * spacing_; };
   const auto number = [&](int v) {
     const auto [it, fresh] = numbers.emplace(v, static_cast<int>(points_.size()));
     if (fresh) points_.push_back({mesh.vertices[at(v)]});
@@ -69,27 +65,26 @@ void Rim::forget() {
 /// The gap at the point p of the rim, +infinity where the other surface does not face it. `found` receives both points.
 double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
   LocalMinimum here;
-  if (!own_->project(p, here.contact.b)) return kNowhere;
+  if (!own_->project(p, here.contact.b)) return kNoClearance;
   const Vec3 x = X_os * here.contact.b.p;
   const auto gap = other_->gap(x);
-  if (!gap || !other_->project(x, here.contact.a)) return kNowhere;
-  if (here.contact.a.n.dot(X_os.R * here.contact.b.n) > kSameWay) return kNowhere;
-  if (other_->edge_distance(here.contact.a.p) < 0) return kNowhere;
+  if (!gap || !other_->project(x, here.contact.a)) return kNoClearance;
+  if (here.contact.a.n.dot(X_os.R * here.contact.b.n) > kSameWayCosine) return kNoClearance;
+  if (other_->edge_distance(here.contact.a.p) < 0) return kNoClearance;
   here.gap = *gap;
   if (found != nullptr) *found = here;
   return *gap;
 }
 
 double Rim::look_at(Point& point, const Pose& X_os) const {
-  constexpr double kFirstOrder = 2.0 / 3;  // within the band of a mesh the gap is a distance to first order only
   const Vec3 x = X_os * point.p;
-  if (point.clearance - (x - point.at).norm() > kDip * spacing_) return kNowhere;
+  if (point.clearance - (x - point.at).norm() > kRimDip * spacing_) return kNoClearance;
   point.at = x;
   const auto gap = other_->gap(x);
   point.clearance = -1;
-  if (!gap) return kNowhere;
+  if (!gap) return kNoClearance;
   if (other_->knows_distance()) point.clearance = *gap;
-  if (!other_->is_global()) point.clearance = kFirstOrder * *gap;
+  if (!other_->is_global()) point.clearance = kFirstOrderGap * *gap;
   return *gap;
 }
 
@@ -98,19 +93,18 @@ Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
   const Vec3 &from = points_[at(segment.from)].p, &to = points_[at(segment.to)].p;
   const auto place = [&](double t) { return Vec3(from + t * (to - from)); };
   const auto gap = [&](double t) { return gap_at(X_os, place(t), nullptr); };
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 24;  // to a hundred-thousandth of the segment
-  double low = 0, high = 1, a = 1 - kGolden, b = kGolden, gap_a = gap(a), gap_b = gap(b);
-  for (int i = 0; i < kSections; ++i) {
+  constexpr double kGoldenSection = 0.6180339887498949;
+  double low = 0, high = 1, a = 1 - kGoldenSection, b = kGoldenSection, gap_a = gap(a), gap_b = gap(b);
+  for (int i = 0; i < kRimSections; ++i) {
     if (gap_a < gap_b) {
       high = std::exchange(b, a);
       gap_b = gap_a;
-      a = high - kGolden * (high - low);
+      a = high - kGoldenSection * (high - low);
       gap_a = gap(a);
     } else {
       low = std::exchange(a, b);
       gap_a = gap_b;
-      b = low + kGolden * (high - low);
+      b = low + kGoldenSection * (high - low);
       gap_b = gap(b);
     }
   }
@@ -121,11 +115,11 @@ void Rim::scan(const Pose& X_os, std::vector<LocalMinimum>& out) {
   for (Point& point : points_) point.gap = look_at(point, X_os);
   for (const Segment& segment : segments_) {
     const double ends = std::min(points_[at(segment.from)].gap, points_[at(segment.to)].gap);
-    if (!(ends < kDip * spacing_)) continue;
+    if (!(ends < kRimDip * spacing_)) continue;
     const Vec3 lowest = lowest_on(segment, X_os);
     LocalMinimum found;
     if (!(gap_at(X_os, lowest, &found) < 0)) continue;
-    const double inside = gap_at(X_os, lowest + kInward * (segment.inside - lowest), nullptr);
+    const double inside = gap_at(X_os, lowest + kRimInward * (segment.inside - lowest), nullptr);
     if (inside > found.gap) out.push_back(found);
   }
 }

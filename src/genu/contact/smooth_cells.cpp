@@ -8,14 +8,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr double kSlack = 0.5;       // of an edge: room around a cell for the smooth surface between its corners
-constexpr double kBulge = 0.8;       // of that room: part that a node may use
-constexpr double kSameNormal = 0.5;  // least cosine between a corner's normal and the mesh's
-
-/// Area-weighted normals at the vertices.
+/// Area vectors of the triangles round each vertex.
 std::vector<Vec3> mesh_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const auto& t : mesh.triangles) {
@@ -75,7 +73,7 @@ void SmoothCells::place_corners() {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners_.size(), 256), [&](const auto& range) {
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       SurfacePoint foot;
-      const bool known = surface_->project(mesh_.vertices[v], foot) && foot.n.dot(normals[v]) > kSameNormal;
+      const bool known = surface_->project(mesh_.vertices[v], foot) && foot.n.dot(normals[v]) > kSameNormalCosine;
       corners_[v] = known ? Node{foot.p, foot.n} : Node{mesh_.vertices[v], normals[v]};
     }
   });
@@ -130,7 +128,7 @@ SmoothCells::Node SmoothCells::node(const Place& p, double length) const {
   SurfacePoint foot;
   if (!surface_->project(flat.x, foot)) return flat;
   const double off = (foot.p - flat.x).norm() + length * (foot.n - flat.n).norm();
-  return off <= kBulge * kSlack * room ? Node{foot.p, foot.n} : flat;
+  return off <= kCellBulge * kCellSlack * room ? Node{foot.p, foot.n} : flat;
 }
 
 SmoothCells::Node SmoothCells::middle(int cell) const {
@@ -144,7 +142,7 @@ double SmoothCells::radius(int cell, const Node& middle, double length) const {
     off = std::max(off, (c->x - middle.x).norm());
     turn = std::max(turn, (c->n - middle.n).norm());
   }
-  return off + length * turn + kSlack * longest_edge(cell);
+  return off + length * turn + kCellSlack * longest_edge(cell);
 }
 
 }  // namespace genu

@@ -5,19 +5,12 @@
 #include <cmath>
 
 #include "genu/contact/clipped_triangle.h"
+#include "genu/contact/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kLead = 1.5;  // mean edges: points farther outside contact have no depth
-// Of an edge: if all corners are farther outside, only a bump as small as the cell could touch between them.
-constexpr double kBump = 0.1;
-constexpr double kTrust = 1;  // mean edges of the target: largest distance of its smooth surface from its triangles
-constexpr double kLeastAcross = 0.1;  // least cosine between a line and the normal where it hits
 constexpr double kRichardson[2] = {-1.0 / 3, 4.0 / 3};
-// The remaining error is of the order of the square of the removed one: measured 0.04 to 0.17 of it for spheres,
-// ellipsoids and tori.
-constexpr double kErrorLeft = 0.3;
 
 std::vector<Ray> rays_from_cells(const SmoothCells& cells, double lead) {
   std::vector<Ray> rays;
@@ -60,8 +53,8 @@ SmoothLayer::SmoothLayer(std::shared_ptr<const SmoothCells> casting, std::shared
       other_(std::move(other)),
       target_(std::move(target)),
       search_depth_(search_depth),
-      lead_(kLead * casting_->mean_edge()),
-      trust_(kTrust * mean_edge(*target_)),
+      lead_(kLayerLead * casting_->mean_edge()),
+      trust_(kSmoothTrust * mean_edge(*target_)),
       law_(law),
       thickness_(std::move(thickness)),
       rays_(rays_from_cells(*casting_, lead_), target_, lead_ + search_depth, LayerRays::Grouping::single,
@@ -74,7 +67,7 @@ bool SmoothLayer::follow(const Pose& X_TC, const SmoothCells::Node& node, double
   Vec3 m;
   double depth = from;
   if (!other_->meet(X_TC * node.x, direction, depth, m)) return false;
-  if (!(m.dot(direction) > kLeastAcross) || !(std::abs(depth - from) < trust_)) return false;
+  if (!(m.dot(direction) > kMinRayCosine) || !(std::abs(depth - from) < trust_)) return false;
   out.met = true;
   out.depth = depth;
   out.w = X_TC.R.transpose() * (m / -m.dot(direction));
@@ -172,7 +165,7 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
 }
 
 bool SmoothLayer::worth_it(const Pose& X_TC, int cell, int divisions, Memory& memory) const {
-  const double least = -kBump * casting_->longest_edge(cell);
+  const double least = -kCellBump * casting_->longest_edge(cell);
   for (const auto& [i, j] : {std::pair{0, 0}, {divisions, 0}, {0, divisions}}) {
     const SmoothNode& corner = node(X_TC, {cell, divisions, i, j}, memory);
     if (corner.met && corner.depth > least) return true;
@@ -241,7 +234,7 @@ void SmoothLayer::add_cell(const Pose& X_TC, int cell, int n, Memory& memory, La
 
 /// The caller sets `out.wrench` and `out.tangent`. `out.error` is the error removed by extrapolation.
 void SmoothLayer::sum(const Pose& X_TC, Memory& memory, int level, LayerSum& out) const {
-  const int divisions = 2 << std::clamp(level, 0, kMaxLevel);
+  const int divisions = 2 << std::clamp(level, 0, kMaxLayerLevel);
   SmoothNodes& known = memory.nodes;
   if (known.divisions != divisions) {
     known.divisions = divisions;
@@ -291,13 +284,11 @@ bool go_inside(const Surface& surface, const Vec2& ds, SurfacePoint& here) {
 }  // namespace
 
 LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, double spacing) const {
-  constexpr int kSteps = 6;
-  constexpr double kReach = 2;  // spacings
   LayerPoint best{node.x, node.n, 0, 0, node.depth, node.p, node.depth / node.thickness, node.cell};
   SurfacePoint here;
   if (!casting_->surface().project(node.x, here)) return best;
   double h = 0.5 * spacing;
-  for (int step = 0; step < kSteps; ++step, h = std::max(0.5 * h, 0.05 * spacing)) {
+  for (int step = 0; step < kMaxDeepestSteps; ++step, h = std::max(0.5 * h, 0.05 * spacing)) {
     // The quadratic through six points around it.
     double d[6], target_thickness = 0;
     const Vec2 places[6] = {{0, 0}, {h, 0}, {-h, 0}, {0, h}, {0, -h}, {h, h}};
@@ -320,7 +311,7 @@ LayerPoint SmoothLayer::deepest_from(const Pose& X_TC, const SmoothNode& node, d
     hessian << (d[1] - 2 * d[0] + d[2]) / hh, mixed, mixed, (d[3] - 2 * d[0] + d[4]) / hh;
     if (!(hessian.determinant() > 0 && hessian.trace() < 0)) return best;
     Vec2 ds = -hessian.inverse() * gradient;
-    ds *= std::min(1.0, kReach * spacing / std::max(ds.norm(), 1e-300));
+    ds *= std::min(1.0, kDeepestReach * spacing / std::max(ds.norm(), 1e-300));
     if (!go_inside(casting_->surface(), ds, here)) return best;
   }
   return best;

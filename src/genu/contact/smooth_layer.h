@@ -22,8 +22,6 @@ namespace genu {
 
 class SmoothLayer final : public LayerQuadrature {
  public:
-  static constexpr int kMaxLevel = 4;
-
   /// `target`: triangles of the surface `other`, in the same frame. A measured thickness belongs to the meshes of
   /// `casting` and `target`: linear over a cell, and at the point where a line along the normal meets the target's
   /// triangles.

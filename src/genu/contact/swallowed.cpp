@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr double kAcross = 10;        // points of the inner surface have a spacing of a tenth of its box
-constexpr double kCoarseSpacing = 3;  // of the spacing: distance of the outer samples in the first test
-constexpr double kSideKept = 0.1;     // of its distance: motion of a point before its side is tested again
-constexpr double kFacetsOff = 0.05;   // of the spacing: error of facets against the smooth surface
 
 double box_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
@@ -25,17 +22,17 @@ Swallowed::Swallowed(const Surface& inner, const Surface& outer, const SampleSet
     : outer_(&outer), spacing_(spacing), reach_(reach), outer_centre_(outer_centre) {
   if (inner.is_unbounded()) return;
   const SampleSet all = inner.samples(spacing, inner_centre, reach);
-  for (const Vec3& p : thin_samples(all, std::max(spacing, box_diagonal(all.points) / kAcross)).points)
+  for (const Vec3& p : thin_samples(all, std::max(spacing, box_diagonal(all.points) / kSwallowedSpacing)).points)
     points_.push_back({p});
   if (outer.knows_distance()) return;
-  cover_ = 2 * kCoarseSpacing * spacing;
-  const SampleSet coarse = thin_samples(outer_samples, kCoarseSpacing * spacing);
+  cover_ = 2 * kCoarseSampling * spacing;
+  const SampleSet coarse = thin_samples(outer_samples, kCoarseSampling * spacing);
   near_points_ = coarse.points;
   near_normals_ = coarse.normals;
 }
 
 const FarDistance& Swallowed::far() {
-  if (!far_) far_.emplace(*outer_, kCoarseSpacing * spacing_, outer_centre_, reach_);
+  if (!far_) far_.emplace(*outer_, kCoarseSampling * spacing_, outer_centre_, reach_);
   return *far_;
 }
 
@@ -70,7 +67,7 @@ Swallowed::Depth Swallowed::deepest(const Pose& X_oi) {
     if (point.clearance > (x - point.at).norm()) continue;
     const double g = gap(x, point.clearance);
     point.at = x;
-    if (g >= -kFacetsOff * spacing_) continue;
+    if (g >= -kFacetError * spacing_) continue;
     point.clearance = -1;  // only a point outside stays there while it is clear
     if (g < out.gap) out = {g, point.p};
   }

@@ -4,10 +4,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include "genu/contact/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr std::size_t kWorthThreads = 2000;  // rays
 
 Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
@@ -80,7 +80,7 @@ void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, co
   rays_.begin(memory);
   std::array<LayerSum, LayerRays::kMostParts> sums;
   const auto add = [&](int part) { add_part(part, X_TC, memory, motion, sums[at(part)]); };
-  if (rays_.rays().size() >= kWorthThreads)
+  if (rays_.rays().size() >= kMinThreadedRays)
     tbb::parallel_for(0, rays_.parts(), add);
   else
     for (int part = 0; part < rays_.parts(); ++part) add(part);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "genu/core/decompositions.h"
+#include "genu/core/tolerances.h"
 
 namespace genu {
 namespace {
@@ -64,19 +65,17 @@ class LeastSquaresSearcher {
   }
 
   bool try_steps(const MatX& scaled, const VecX& measure) {
-    constexpr double kMostDamping = 1e12;
-    constexpr double kUndamped = 1e-2;  // below this a short step is short of itself
     const VecX gradient = scaled.transpose() * result_.residuals;
     const auto normal = symmetric_eigen(MatX(scaled.transpose() * scaled));
     const double cost = result_.residuals.squaredNorm();
     double faster = 2;
-    while (damping_ < kMostDamping) {
+    while (damping_ < kMaxLeastSquaresDamping) {
       const VecX whole = damped_step(normal, gradient);
       const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
       const VecX z = std::min(1.0, options_.most_step / std::max(longest, 1e-300)) * whole;
       const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
       const VecX dx = z.cwiseQuotient(measure);
-      const bool freely = damping_ < kUndamped;
+      const bool freely = damping_ < kFreeStepDamping;
       if (freely && longest < options_.step_tolerance) return stop(Stop::small_step);
       if (freely && promised <= options_.reduction_tolerance * cost) return stop(Stop::flat);
       const auto residuals = problem_.residuals(result_.x + dx);
@@ -131,7 +130,6 @@ LeastSquaresResult least_squares(const LeastSquaresProblem& problem, const VecX&
 
 LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double kInvolved = 1e-3;  // of an undetermined direction: less is rounding
   const Eigen::Index n = jacobian.cols(), m = jacobian.rows();
   LeastSquaresUncertainty out;
   out.deviation = VecX::Constant(n, infinity);
@@ -157,10 +155,10 @@ LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const Ve
   const double variance =
       residuals.squaredNorm() / static_cast<double>(m - n + static_cast<Eigen::Index>(out.undetermined.size()));
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (lost[i] > kInvolved) continue;
+    if (lost[i] > kUndeterminedShare) continue;
     out.deviation[i] = std::sqrt(variance * covariance(i, i));
     for (Eigen::Index j = 0; j < n; ++j)
-      if (j != i && !(lost[j] > kInvolved))
+      if (j != i && !(lost[j] > kUndeterminedShare))
         out.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
   }
   return out;

@@ -4,13 +4,14 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/core/tolerances.h"
+
 namespace genu {
 
 Mat3 exp_rotation(const Vec3& w) {
   const double angle2 = w.squaredNorm();
   const double angle = std::sqrt(angle2);
   // Below this angle the next term of either series is under rounding: angle^4 / 120 < 1e-18.
-  constexpr double kSeriesAngle = 1e-4;
   double a = 0, b = 0;  // sin(angle)/angle and (1 - cos(angle))/angle^2
   if (angle < kSeriesAngle) {
     a = 1 - angle2 / 6;
@@ -29,7 +30,6 @@ Vec3 log_rotation(const Mat3& R) {
   q.normalize();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const double s = q.vec().norm();
-  constexpr double kSeriesSine = 1e-8;  // 2 atan(s/w)/s = 2/w to rounding below this
   const double factor = s < kSeriesSine ? 2 / q.w() : 2 * std::atan2(s, q.w()) / s;
   return factor * q.vec();
 }

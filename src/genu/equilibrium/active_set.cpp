@@ -7,13 +7,13 @@
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr int kChanges = 24;  // changes of the active set at one pose; more count as chatter
-constexpr const char* kBehind = "the balanced pose lies behind a surface: the bodies would have to pass through it";
-/// An active set as a sorted list of (pair, number), with the pieces of ligaments' laws. Detects cycles.
+constexpr const char* kBehind = "the equilibrium lies behind a surface: the bodies would have to pass through it";
+/// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
   std::vector<std::pair<int, int>> s;
   for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
@@ -71,7 +71,7 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
   }
   if (findings.doubtful) {
     report.status = PoseStatus::flawed_mesh;
-    report.why = "contact leans on " + findings.where;
+    report.why = "the contact touches " + findings.where;
   } else if (findings.over_edge) {
     report.status = PoseStatus::over_edge;
     report.why = "contact " + findings.where + " lies past the edge of its surface";
@@ -187,7 +187,7 @@ PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
   PoseReport report;
   std::set<std::vector<std::pair<int, int>>> seen;
   int iterations = 0;
-  for (int k = 0; k < kChanges; ++k) {
+  for (int k = 0; k < kMaxSetChanges; ++k) {
     Findings findings;
     report = solve_held(trial, target, findings);
     report.iterations = iterations += report.iterations;
@@ -209,12 +209,12 @@ PoseReport ActiveSetSolver::settle(Balanced& pose, const Target& target) {
     if (seen.count(signature(trial.state)) > 0) break;
   }
   report.status = PoseStatus::chatter;
-  report.why = "no set of contacts satisfies all conditions: the search comes back to one it has left";
+  report.why = "no active set satisfies all conditions: the search cycles";
   if (const std::string gap = piece_in_doubt(*model_, trial.state); !gap.empty())
     report.why = "no equilibrium on either side of the jump of " + gap;
   if (static_cast<int>(trial.state.contacts.size()) >= contact_limit(target)) {
     report.status = PoseStatus::overconstrained;
-    report.why = "more contacts are needed than the prescribed coordinates and the joints leave room for";
+    report.why = "more contacts are needed than the free coordinates allow";
   }
   return report;
 }
@@ -279,15 +279,13 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
   // way between the two poses the bodies then overlap, although they do so at neither end. A body that rolls over
   // another also overlaps on that way, but only a little.
   if (model_->safeguards.lacks(Safeguard::passing)) return false;
-  constexpr int kMost = 200;
-  constexpr double kShallow = 0.1;  // of the characteristic length
   const double step = 2 * field_->spacing(),
-               shallow = followed ? step : std::max(step, kShallow * model_->scales.length);
+               shallow = followed ? step : std::max(step, kPassingOverlap * model_->scales.length);
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
     const double moved = field_->motion(from, to, pair);
-    const int steps = static_cast<int>(std::min<double>(kMost, std::ceil(moved / step)));
+    const int steps = static_cast<int>(std::min<double>(kMaxPassingLooks, std::ceil(moved / step)));
     if (steps <= 1) continue;
-    if (followed && moved > kMost * step) return true;  // too far to examine
+    if (followed && moved > kMaxPassingLooks * step) return true;  // too far to be looked at
     const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
     State between = from;
     for (int k = 1; k < steps; ++k) {

@@ -7,18 +7,10 @@
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/core/decompositions.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
-
-// 1/spacing: with less relative curvature a contact may be about to split. Its surroundings are searched, because the
-// samples may miss a second minimum.
-constexpr double kNearSplit = 3e-3;
-constexpr double kSteep = 4 * kNearSplit;
-constexpr double kProbeRadii[] = {0.3, 0.8, 1.6, 3};  // of the spacing
-// Of the characteristic length. A sample may overlap by this much more than the deepest refined minimum; beyond that
-// something is wrong, because samples lie on the surfaces to rounding and each that overlaps starts a descent.
-constexpr double kUnexplained = 1e-6;
 
 void add_distinct(std::vector<Candidate>& list, const Candidate& candidate, double same) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& k) {
@@ -42,10 +34,9 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 
 ContactInspector::ContactInspector(const JointModel& model, ContactField& field)
     : model_(&model), field_(&field), gap_tolerance_(1e-12 * model.scales.length) {
-  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
   if (model.safeguards.lacks(Safeguard::gap_rounding)) return;
   for (const Pose& pose : model.reference_poses)
-    gap_tolerance_ = std::max(gap_tolerance_, kRounding * (model.scales.length + pose.p.norm()));
+    gap_tolerance_ = std::max(gap_tolerance_, kGapRounding * (model.scales.length + pose.p.norm()));
 }
 
 bool ContactInspector::held(const State& state, const Candidate& candidate) const {
@@ -102,7 +93,7 @@ void ContactInspector::inspect_held(const State& state, Findings& out) {
     const double scaled = contact.force / model_->scales.force;
     if (guards.has(Safeguard::pulling)) {
       out.worst = std::min(out.worst, scaled);
-      if (scaled < -kForceTolerance) out.pulling.push_back(i);
+      if (scaled < -kPullTolerance) out.pulling.push_back(i);
     }
     if (guards.has(Safeguard::edges) && field_->edge_distance(contact.pair, contact.geometry) < 0) {
       out.over_edge = true;
@@ -122,7 +113,7 @@ void ContactInspector::look_for_merged(const State& state, Findings& out) const 
       const ActiveContact &a = state.contacts[at(i)], &b = state.contacts[at(j)];
       if (a.pair != b.pair || !same_place(a.geometry, b.geometry, one)) continue;
       out.merged.emplace_back(i, j);
-      out.worst = std::min(out.worst, -kForceTolerance);
+      out.worst = std::min(out.worst, -kPullTolerance);
     }
 }
 
@@ -130,10 +121,10 @@ void ContactInspector::look_beside(const State& state, int i, Findings& out) {
   const ActiveContact& contact = state.contacts[at(i)];
   const double least = least_curvature(*model_, state, contact);
   const double spacing = field_->spacing();
-  if (least > kNearSplit / spacing) return;
+  if (least > kSplittingCurvature / spacing) return;
   beside_.clear();
   for (const double radius : kProbeRadii)
-    field_->probe_around(state, contact.pair, contact.geometry, radius * spacing, kSteep / spacing, beside_);
+    field_->probe_around(state, contact.pair, contact.geometry, radius * spacing, kValleyCurvature / spacing, beside_);
   bool lower = false;
   for (const LocalMinimum& m : beside_) {
     if (!(m.gap < -gap_tolerance_) || same_place(m.contact, contact.geometry, same_contact())) continue;
@@ -172,7 +163,7 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
   }
   if (model_->safeguards.lacks(Safeguard::unexplained)) return;
   for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {
-    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplained * model_->scales.length) continue;
+    if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplainedOverlap * model_->scales.length) continue;
     out.deep_overlap = true;
     out.worst = std::min(out.worst, survey_.smallest_gap[pair] / model_->scales.length);
     out.where = fmt::format("{} by {:.3f} mm", model_->pairs[pair].name, -1e3 * survey_.smallest_gap[pair]);
@@ -180,16 +171,15 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
 }
 
 std::vector<Candidate> ContactInspector::touching(const State& state, Touching which, double within) const {
-  constexpr double kRounding = 16;  // of the tolerance: for the residual of Newton's method, times lever arms
-  // Along a valley (a cylinder on a plane) one contact represents the whole line.
+  // Along a valley (a cylinder on a plane) one contact stands for all that is pressed.
   const auto is_a_place = [&](const Candidate& c) {
     const auto of_pair = [&](const ActiveContact& held) { return held.pair == c.pair; };
     if (which == Touching::all && std::none_of(state.contacts.begin(), state.contacts.end(), of_pair)) return true;
-    return least_curvature(*model_, state, {c.pair, 0, c.minimum.contact, 0}) > kNearSplit / field_->spacing();
+    return least_curvature(*model_, state, {c.pair, 0, c.minimum.contact, 0}) > kSplittingCurvature / field_->spacing();
   };
   std::vector<Candidate> out;
   for (const Candidate& c : survey_.minima)
-    if (c.minimum.gap <= std::max(kRounding * gap_tolerance_, within) && !held(state, c) && is_a_place(c))
+    if (c.minimum.gap <= std::max(kTouchingTolerances * gap_tolerance_, within) && !held(state, c) && is_a_place(c))
       add_distinct(out, c, same_contact());
   return out;
 }

@@ -56,8 +56,6 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 
 class ContactInspector {
  public:
-  static constexpr double kForceTolerance = 1e-9;  ///< of the force scale: a smaller tension counts as zero
-
   ContactInspector(const JointModel& model, ContactField& field);
 
   /// m: a smaller overlap counts as zero. The larger of 1e-12 of the characteristic length and the rounding error at

@@ -6,21 +6,10 @@
 
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/stability.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr int kMostDescents = 150;         // of each stage
-constexpr int kMostCareful = 600;          // the same with careful strides
-constexpr double kCareful = 0.05;          // of the longest usual step
-constexpr double kBalancedForce = 1e-5;    // scaled force and moment along the free motions: a seed, not a result
-constexpr double kNearEnoughForce = 0.05;  // the same where changing samples allow no further descent
-constexpr double kLeastStiffness = 1e-3;   // of the characteristic one: limits steps along motions without stiffness
-constexpr double kMostTranslation = 0.1;   // of the model's size, per iteration
-constexpr double kMostRotation = 0.1;      // rad per iteration
-constexpr double kShortStep = 1e-3;        // of the longest one: for smaller steps Newton's method is better
-constexpr double kTooShort = 1e-7;         // of the longest step
-constexpr double kWorkRounding = 1e-13;    // of characteristic force times length: less work is rounding
 
 class DescentStage {
  public:
@@ -34,8 +23,8 @@ class DescentStage {
   bool run(State& state, SeedReport& report) {
     if (asked_to_stop(cancelled_)) return false;
     evaluate(state, here_);
-    const double cap = stride_ == Stride::careful ? kCareful : 1;  // in units of excess()
-    const int most = stride_ == Stride::careful ? kMostCareful : kMostDescents;
+    const double cap = stride_ == Stride::careful ? kCarefulStride : 1;  // in units of excess()
+    const int most = stride_ == Stride::careful ? kMaxCarefulDescents : kMaxDescents;
     double longest = cap;
     for (int i = 0; i < most; ++i) {
       if (asked_to_stop(cancelled_)) return false;
@@ -43,7 +32,7 @@ class DescentStage {
       report.deepest = deepest_;
       find_step(state);
       if (!std::isfinite(slope_)) return false;
-      if (force_ <= kBalancedForce || excess() <= kShortStep) return true;
+      if (force_ <= kBalancedForce || excess() <= kNewtonStep) return true;
       const double fraction = std::min(1.0, longest / excess());
       if (!retract(model_, state, correction_, fraction, trial_)) return false;
       evaluate(trial_, there_);
@@ -58,7 +47,7 @@ class DescentStage {
         continue;
       }
       longest = 0.4 * fraction * excess();
-      if (longest < kTooShort) return force_ <= kNearEnoughForce;
+      if (longest < kStuckStep) return force_ <= kNearEnoughForce;
     }
     return force_ <= kNearEnoughForce;
   }
@@ -113,7 +102,7 @@ class DescentStage {
   VecX down(const MatX& stiffness, const VecX& force) const {
     if (!stiffness.allFinite()) return VecX::Constant(force.size(), std::numeric_limits<double>::quiet_NaN());
     const auto eigen = symmetric_eigen(MatX(0.5 * (stiffness + stiffness.transpose())));
-    const double least = kLeastStiffness * model_.scales.force * model_.scales.length;
+    const double least = kMinDescentStiffness * model_.scales.force * model_.scales.length;
     const VecX sizes = eigen.values.cwiseAbs().cwiseMax(least);
     return eigen.vectors * (eigen.vectors.transpose() * force).cwiseQuotient(sizes);
   }
@@ -122,8 +111,8 @@ class DescentStage {
   double excess() const {
     double out = 1e-300;
     for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
-      out = std::max(out, correction_.twist.segment<3>(i).norm() / (kMostTranslation * model_.scales.size));
-      out = std::max(out, correction_.twist.segment<3>(i + 3).norm() / kMostRotation);
+      out = std::max(out, correction_.twist.segment<3>(i).norm() / (kMaxDescentTranslation * model_.scales.size));
+      out = std::max(out, correction_.twist.segment<3>(i + 3).norm() / kMaxDescentRotation);
     }
     return out;
   }

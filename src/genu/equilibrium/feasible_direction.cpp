@@ -4,19 +4,17 @@
 #include <vector>
 
 #include "genu/core/decompositions.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kPressed = 1e-9;  // of a motion of unit norm: exceeding a bound by less is rounding
-constexpr double kLeft = 1e-6;     // a feasible direction moves away from some bound by more than this
-
-/// The rows, scaled to norm 1. Zero rows are omitted: they restrict no motion.
+/// The rows of norm 1; those without one are left out, for no motion comes to them.
 MatX unit_rows(const MatX& rates) {
   MatX out(0, rates.cols());
   for (Eigen::Index i = 0; i < rates.rows(); ++i) {
     const double norm = rates.row(i).norm();
-    if (norm < kPressed) continue;
+    if (norm < kBoundTolerance) continue;
     out.conservativeResize(out.rows() + 1, Eigen::NoChange);
     out.bottomRows<1>() = rates.row(i) / norm;
   }
@@ -100,7 +98,7 @@ class LeastSum {
 }  // namespace
 
 bool within(const MatX& bounds, const VecX& motion) {
-  return bounds.rows() == 0 || (bounds * motion).maxCoeff() <= kPressed * motion.norm();
+  return bounds.rows() == 0 || (bounds * motion).maxCoeff() <= kBoundTolerance * motion.norm();
 }
 
 VecX feasible_direction(const MatX& bounds, const MatX& motions) {
@@ -110,7 +108,7 @@ VecX feasible_direction(const MatX& bounds, const MatX& motions) {
   const VecX sum = rows.transpose() * LeastSum(rows.transpose(), VecX::Zero(rows.cols()), 1).solve();
   if (sum.norm() == 0) return none;
   const VecX way = -sum.normalized(), out = motions * way;
-  return (rows * way).minCoeff() < -kLeft && within(bounds, out) ? out : none;
+  return (rows * way).minCoeff() < -kDescentTolerance && within(bounds, out) ? out : none;
 }
 
 VecX interior_direction(const MatX& bounds, const MatX& motions) {
@@ -123,7 +121,7 @@ VecX interior_direction(const MatX& bounds, const MatX& motions) {
   const VecX sum = rows.transpose() * LeastSum(columns, VecX::Unit(rows.cols() + 1, rows.cols()), 0).solve();
   if (sum.norm() == 0) return none;
   const VecX way = -sum.normalized();
-  return (rows * way).maxCoeff() < -kPressed ? VecX(motions * way) : none;
+  return (rows * way).maxCoeff() < -kBoundTolerance ? VecX(motions * way) : none;
 }
 
 }  // namespace genu

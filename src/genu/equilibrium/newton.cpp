@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {
@@ -85,8 +86,7 @@ bool Newton::factor(const NewtonOptions& options, NewtonReport& report) {
 /// One damped step. `residual` becomes the residual at its end.
 bool Newton::advance(const NewtonOptions& options, double& residual, NewtonReport& report) {
   // This close to the solution the next step may reuse the factored Jacobian.
-  constexpr double kNear = 1e-2;
-  const Derivatives wanted = residual <= kNear ? Derivatives::none : Derivatives::all;
+  const Derivatives wanted = residual <= kJacobianReuse ? Derivatives::none : Derivatives::all;
   const double full = step_.norm(correction_, target_);
   report.outcome = NewtonReport::Outcome::no_descent;
   for (double damping = admissible_fraction(correction_, options); damping >= options.smallest_damping; damping /= 2) {
@@ -127,11 +127,9 @@ NewtonReport Newton::solve(State& state, const Target& target, const NewtonOptio
   return report;
 }
 
-/// Solves from current_ with the quadrature of the layers fixed; continues the count of iterations. The last Jacobian
-/// is that at the solution, or one whose relative difference from it is at most kTrusted: the first step with it
-/// reduced the residual by that factor.
+/// From current_, with the layers as they are; counts iterations on. The last Jacobian is that at the solution, or one
+/// that differs from it by at most kTrustedFall of itself: the residual fell by that in the first step taken with it.
 void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
-  constexpr double kTrusted = 1e-3, kSteep = 1e-2;
   if (asked_to_stop(options.cancelled)) return;
   fit_multipliers(*model_, target_, current_);
   linearize(*model_, current_, target_, *here_);
@@ -145,8 +143,8 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
     // Each step with the same Jacobian reduces the residual about as much as the first one, up to a factor of 2. Two of
     // them cost less than one with a new Jacobian.
     const double again = 2 * fall;
-    same_again = !solved && again <= kSteep && residual * again * again <= options.residual_tolerance;
-    const bool trusted = fall <= kTrusted && model_->layers.empty();
+    same_again = !solved && again <= kSteepFall && residual * again * again <= options.residual_tolerance;
+    const bool trusted = fall <= kTrustedFall && model_->layers.empty();
     if (solved && trusted) break;
     if (!same_again && !factor(options, report)) return;
     if (solved) break;
@@ -187,14 +185,11 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
 /// With an ill-conditioned Jacobian a small residual does not imply a small error: beside a ligament of 1e9 N/mm a load
 /// of 1 mN passes for balanced, however soft the part that carries it. The next correction measures the error.
 void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
-  constexpr double kErrorOfTolerance = 1e3, kLeastError = 1e-9;  // scaled: error of the unknowns
-  constexpr double kRounding = 1e-15;                            // of a residual: rounding of terms that cancel
-  constexpr double kLeastShare = 0.25;  // of the predicted decrease; less is noise along a free motion
-  const double error = std::max(kLeastError, kErrorOfTolerance * options.residual_tolerance);
+  const double error = std::max(kMinPolishError, kPolishOfTolerance * options.residual_tolerance);
   if (model_->safeguards.lacks(Safeguard::polish)) return;
   for (; report.iterations < options.max_iterations; ++report.iterations) {
     const double residual = report.residual;
-    if (residual <= kRounding || residual <= error * report.rcond) return;
+    if (residual <= kResidualRounding || residual <= error * report.rcond) return;
     step_.solve(*here_, correction_);
     if (!(step_.norm(correction_, target_) > error)) return;
     const double damping = admissible_fraction(correction_, options);
@@ -202,7 +197,8 @@ void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
     linearize(*model_, trial_, target_, *there_);
     if (asked_to_stop(options.cancelled)) return;
     const double next = step_.residual(*there_, target_);
-    const bool better = next <= (1 - kLeastShare * damping) * residual && step_.factor(*there_, target_, options.route);
+    const bool better =
+        next <= (1 - kMinPolishFall * damping) * residual && step_.factor(*there_, target_, options.route);
     if (better) {
       std::swap(current_, trial_);
       std::swap(here_, there_);

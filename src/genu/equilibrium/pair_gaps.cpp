@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/equilibrium/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr double kSame = 1e-9;  // of the characteristic length: a sample's gap is no smaller than its minimum's
 
 double open_gap(const State& state, int pair, const JointModel& model, ContactField& field,
                 std::vector<OpenContact>& open) {
@@ -16,7 +16,7 @@ double open_gap(const State& state, int pair, const JointModel& model, ContactFi
     if (c.pair == pair && (lowest == nullptr || c.gap < lowest->gap)) lowest = &c;
   const double smallest = field.smallest_gap(state, pair);
   if (lowest == nullptr) return smallest;
-  if (!(smallest < lowest->gap - kSame * model.scales.length)) return lowest->gap;
+  if (!(smallest < lowest->gap - kSampleGapRounding * model.scales.length)) return lowest->gap;
   if (const auto nearest = field.nearest(state, pair)) {
     lowest->geometry = nearest->contact;
     return lowest->gap = nearest->gap;

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/equilibrium/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr double kLengthTolerance = 1e-12;  // of the characteristic length, as for gaps
-constexpr double kForceTolerance = ContactInspector::kForceTolerance;
 
 const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPiece& piece) {
   return model.ligaments[at(piece.ligament)].law.sharp_breaks();
@@ -80,7 +79,7 @@ void inspect_pieces(const JointModel& model, const State& state, Findings& out) 
     if (piece.by_length) continue;
     const double inside = margin(model, state, piece);
     out.worst = std::min(out.worst, inside);
-    if (inside < -(piece.held ? kForceTolerance : kLengthTolerance)) out.left_piece.push_back(static_cast<int>(i));
+    if (inside < -(piece.held ? kPullTolerance : kLengthRounding)) out.left_piece.push_back(static_cast<int>(i));
   }
 }
 
@@ -117,9 +116,8 @@ bool let_go(const JointModel& model, State& state) {
 }
 
 std::string piece_in_doubt(const JointModel& model, const State& state) {
-  constexpr double kNear = 0.01;
   std::string out;
-  double nearest = kNear;
+  double nearest = kNearestBreak;
   for (const LigamentPiece& piece : state.pieces) {
     const auto& breaks = breaks_of(model, piece);
     const double length = length_of(model, state, piece);

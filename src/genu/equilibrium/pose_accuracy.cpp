@@ -6,17 +6,12 @@
 
 #include "genu/equilibrium/newton_step.h"
 #include "genu/equilibrium/stability.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kHardly = 3e-8;   // of the force scale: a larger force is never idle
-constexpr double kNear = 1e-6;     // of the length scale, rad: a nonsmooth point farther away is never near
-constexpr double kSolved = 2e-12;  // of the length scale, rad: tolerance of Newton's method, at every pose
-constexpr double kTimes = 10;      // factor on the remaining correction, which is an estimate
-constexpr double kUsual = 1e-9;  // scaled residual up to which kHardly and kNear hold; above it they grow in proportion
-
-double coarser(double residual) { return std::max(1.0, residual / kUsual); }
+double coarser(double residual) { return std::max(1.0, residual / kUsualResidual); }
 
 /// m: rounding error of coordinates at the bodies' distance from the origin.
 double rounding_of_coordinates(const JointModel& model) {
@@ -33,14 +28,13 @@ double stiffness_of(const Linearization& at, int body) {
 }  // namespace
 
 PoseAccuracy::PoseAccuracy(const JointModel& model, const Target& target, const Linearization& at)
-    : length_(kSolved * model.scales.length),
+    : length_(kConvergedLength * model.scales.length),
       rounding_(rounding_of_coordinates(model)),
       twist_(VecX::Zero(at.wrench.size())) {
-  constexpr double kRounding = 1e-15;
   double unbalanced = 0;  // N
   for (Eigen::Index i = 0; i < at.wrench.size(); ++i)
     unbalanced = std::max(unbalanced, std::abs(at.wrench[i]) / (i % 6 < 3 ? 1 : model.scales.length));
-  force_ = 2 * unbalanced + kRounding * model.scales.force;
+  force_ = 2 * unbalanced + kForceRounding * model.scales.force;
   for (int body = 0; body < model.moving_count; ++body)
     stiffest_of_all_ = std::max(stiffest_of_all_, stiffness_of(at, body));
   for (const auto& bodies : at.contact_bodies) {
@@ -56,23 +50,23 @@ PoseAccuracy::PoseAccuracy(const JointModel& model, const Target& target, const 
   step.solve(at, left);
   known_ = left.twist.allFinite() && left.forces.allFinite() && left.multipliers.allFinite();
   if (!known_) return;
-  twist_ = kTimes * left.twist;
+  twist_ = kCorrectionMargin * left.twist;
   multipliers_ = left.multipliers;
   contact_forces_ = left.forces;
 }
 
 double PoseAccuracy::least_told(const JointModel& model, double residual) {
-  return coarser(residual) * kHardly * model.scales.force;
+  return coarser(residual) * kIdleForce * model.scales.force;
 }
 
 NonsmoothReach PoseAccuracy::widest_reach(const JointModel& model, double residual) {
-  const double near = coarser(residual) * kNear, little = least_told(model, residual);
+  const double near = coarser(residual) * kNearBreak, little = least_told(model, residual);
   return {.least = near, .most = near, .idle = little, .little = little};
 }
 
 NonsmoothReach PoseAccuracy::reach() const {
   NonsmoothReach out = widest_;
-  out.least = kSolved;
+  out.least = kConvergedLength;
   out.length = rounding_;
   out.twist = twist_;
   out.idle = force();
@@ -96,7 +90,7 @@ double PoseAccuracy::of_rows() const {
 }
 
 double PoseAccuracy::also(double correction, double stiffest) const {
-  return std::min(std::max(force_, kTimes * std::abs(correction)) + length_ * stiffest, widest_.little);
+  return std::min(std::max(force_, kCorrectionMargin * std::abs(correction)) + length_ * stiffest, widest_.little);
 }
 
 }  // namespace genu

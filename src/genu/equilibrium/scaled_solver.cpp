@@ -1,5 +1,7 @@
 #include "genu/equilibrium/scaled_solver.h"
 
+#include "genu/equilibrium/tolerances.h"
+
 namespace genu {
 
 bool ScaledSolver::factor(const MatX& matrix) {

@@ -13,16 +13,7 @@ namespace genu {
 
 class ScaledSolver {
  public:
-  /// Below this reciprocal condition (matrix in scaled units) the complete orthogonal decomposition replaces LU. Two
-  /// contacts 0.1 mm apart on a real knee reach 1e-12: LU still solves them to rounding, while the truncated
-  /// decomposition leaves a gap of 0.05 mm. Parallel planes are at 1e-17.
-  static constexpr double kTrustLu = 1e-15;
-  /// Above this rcond() may be a lower bound.
-  static constexpr double kSurelyRegular = 1e-12;
-  /// Pivots below this fraction of the largest count as zero there. With 1e-6 or more Newton's method stalls.
-  static constexpr double kRankThreshold = 1e-10;
-
-  /// False: LU only, whatever the condition.
+  /// Without: LU alone, however bad the condition.
   void allow_minimum_norm(bool allowed) { minimum_norm_allowed_ = allowed; }
 
   /// Factors a square matrix. False when an entry is not finite.

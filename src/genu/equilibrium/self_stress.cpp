@@ -6,18 +6,16 @@
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/feasible_direction.h"
 #include "genu/equilibrium/pose_accuracy.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/model/ligament_pieces.h"
 
 namespace genu {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a self-stress of norm 1: smaller entries do not take part
-constexpr std::size_t kMost = 60;   // touching places examined, those with the smallest gap
-
 std::vector<Candidate> nearest(std::vector<Candidate> touching) {
   std::stable_sort(touching.begin(), touching.end(),
                    [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
-  if (touching.size() > kMost) touching.resize(kMost);
+  if (touching.size() > kMaxTouchingPlaces) touching.resize(kMaxTouchingPlaces);
   return touching;
 }
 
@@ -30,7 +28,7 @@ class Bounds {
   explicit Bounds(const MatX& self_stresses) : self_stresses_(self_stresses), rows_(0, self_stresses.cols()) {}
 
   void add(Eigen::Index row, May may) {
-    if (may == May::anything || self_stresses_.row(row).norm() < kRounding) return;
+    if (may == May::anything || self_stresses_.row(row).norm() < kIdleShare) return;
     rows_.conservativeResize(rows_.rows() + 1, Eigen::NoChange);
     rows_.bottomRows<1>() = (may == May::grow ? -1 : 1) * self_stresses_.row(row);
   }
@@ -49,7 +47,7 @@ May of_held(const JointModel& model, const LigamentPiece& p, double no_force) {
 
 /// Contacts without force may not pull. Ligaments held at an end of a jump may not leave it.
 MatX bounds_of(const JointModel& model, const Target& target, const MatX& self_stresses, const State& state) {
-  const double no_force = ContactInspector::kForceTolerance * model.scales.force;
+  const double no_force = kPullTolerance * model.scales.force;
   Bounds out(self_stresses);
   auto row = static_cast<Eigen::Index>(constraint_count(model, target));
   for (const LigamentPiece& p : state.pieces)

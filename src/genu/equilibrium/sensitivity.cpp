@@ -7,7 +7,7 @@
 namespace genu {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoRate = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -54,7 +54,7 @@ double Sensitivity::reaction(const QuantityRef& q) const {
   const auto& prescribed = point_->target.prescribed;
   for (std::size_t m = 0; m < prescribed.size(); ++m)
     if (prescribed[m].coordinate == q) return motion_.multipliers[static_cast<Eigen::Index>(m)];
-  return kNone;
+  return kNoRate;
 }
 
 /// d(R_P^T w) = R_P^T (dw - w_P x w), for force and moment alike.
@@ -90,7 +90,7 @@ std::optional<KneeMotion> Sensitivity::clinical(int joint) const {
 LigamentMotion Sensitivity::ligament(int index) const {
   const auto& l = model_->ligaments[at(index)];
   const double length = l.path.length(state().poses);
-  if (!(length > 0)) return {kNone, kNone, kNone};
+  if (!(length > 0)) return {kNoRate, kNoRate, kNoRate};
   LigamentRate own;
   if (parameter_.of_ligament() && parameter_.object == index)
     own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses}, parameter_);
@@ -119,7 +119,8 @@ ContactMotion Sensitivity::open(std::size_t index) const {
   ContactBlock block;
   evaluate_contact(X_a, X_b, contact.geometry, 0, block);
   EliminatedContact eliminated;
-  if (!eliminated.factor(block, model_->scales.length)) return {0, kNone, Vec3::Constant(kNone), Vec3::Constant(kNone)};
+  if (!eliminated.factor(block, model_->scales.length))
+    return {0, kNoRate, Vec3::Constant(kNoRate), Vec3::Constant(kNoRate)};
   eliminated.set_residual(contact_change(X_a, X_b, contact.geometry, 0, change.a, change.b).residual);
   const Vec12 motion = twists(pair.body_a, pair.body_b);
   const Vec4 ds = eliminated.surface_offset + eliminated.surface_gain * motion;

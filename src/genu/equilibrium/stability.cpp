@@ -6,16 +6,12 @@
 
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/moving_blocks.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-// Of the largest eigenvalue: a smaller one is rounding, and the motion has no cost.
-constexpr double kNeutral = 1e-10;
-// Where every free motion has no cost, all eigenvalues are rounding of terms that cancel.
-constexpr double kCancelled = 1e-13;
-
-/// J: size of the terms that a contact adds to the tangent stiffness. For a ball on a plane they cancel.
+/// How large the terms are that a contact adds to the tangent stiffness, J: of a ball on a plane they cancel.
 double size_of_terms(const ContactBlock& block, const EliminatedContact& contact, WhichMove moves) {
   const Vec6 unit = stability_metric(6);
   double squares = 0;
@@ -68,7 +64,7 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
     const double norm = held.row(i).norm();
     if (norm > 0) held.row(i) /= norm;
   }
-  return std::max(kCancelled * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
+  return std::max(kCancelledStiffness * (terms + stiffness.norm()), at.wrench.cwiseProduct(unit).norm());
 }
 
 /// Rows: the first `count` rows of `held`. The others take part and are not returned.
@@ -91,7 +87,7 @@ double smallest_about_own_origins(const Linearization& at, const MatX& basis, co
   const double largest = inverse.cwiseAbs().maxCoeff();
   double smallest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < inverse.size(); ++i)
-    if (std::abs(inverse[i]) > kNeutral * largest) smallest = std::min(smallest, (1.0 / inverse[i]).real());
+    if (std::abs(inverse[i]) > kNeutralShare * largest) smallest = std::min(smallest, (1.0 / inverse[i]).real());
   return (smallest < 0) == (nearby < 0) ? smallest : nearby;
 }
 
@@ -113,7 +109,7 @@ MatX motions_below(double nothing, const GeneralEigen& eigen, const MatX& basis)
 
 MatX about_own_origins(const Linearization& at, MatX motions) {
   for (Eigen::Index k = 0; k < at.own_origins.size() / 3; ++k) {
-    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / Stability::kMetricLength);
+    const Mat3 turn = -skew(at.own_origins.segment<3>(3 * k) / kMetricLength);
     motions.middleRows<3>(6 * k) += turn * motions.middleRows<3>(6 * k + 3);
   }
   return motions;
@@ -121,7 +117,7 @@ MatX about_own_origins(const Linearization& at, MatX motions) {
 
 VecX stability_metric(Eigen::Index n) {
   VecX out(n);
-  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? Stability::kMetricLength : 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = i % 6 < 3 ? kMetricLength : 1.0;
   return out;
 }
 
@@ -133,9 +129,8 @@ MatX self_stresses(const Linearization& at, double length_scale, double dependen
 
 std::vector<int> taking_part(const MatX& self_stresses) {
   std::vector<int> out;
-  constexpr double kTakesPart = 1e-6;
   for (Eigen::Index i = 0; i < self_stresses.rows(); ++i)
-    if (self_stresses.cols() > 0 && self_stresses.row(i).cwiseAbs().maxCoeff() > kTakesPart)
+    if (self_stresses.cols() > 0 && self_stresses.row(i).cwiseAbs().maxCoeff() > kPartOfSelfStress)
       out.push_back(static_cast<int>(i));
   return out;
 }
@@ -181,15 +176,14 @@ Stability assess_stability(const Linearization& at, double length_scale) {
   eigen.values.real().minCoeff(&first);
   const std::complex<double> value = eigen.values[first];
   const double largest = eigen.values.cwiseAbs().maxCoeff();
-  constexpr double kReal = 1e-9;  // of the largest eigenvalue: a smaller imaginary part is rounding
-  const double real = std::max(kReal * largest, known_to);
+  const double real = std::max(kRealShare * largest, known_to);
   out.complex_pair = eigen.values.imag().cwiseAbs().maxCoeff() > real;
   out.smallest =
       at.own_origins.size() == 0 ? value.real() : smallest_about_own_origins(at, basis, stiffness, value.real());
   out.flutter = std::abs(value.imag()) > real;
   out.mode = basis * eigen.vectors.col(first).real();
   if (out.mode.norm() > 0) out.mode.normalize();
-  const double nothing = std::max(kNeutral * largest, known_to);
+  const double nothing = std::max(kNeutralShare * largest, known_to);
   if (std::abs(value.real()) <= nothing)
     out.verdict = Stability::Verdict::neutral;
   else

@@ -5,16 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/model/linearization.h"
 
 namespace genu {
 
-/// Rows of unit length closer than this to a linear combination of others count as dependent.
-inline constexpr double kDependentRow = 1e-10;
-
 struct Stability {
   enum class Verdict { stable, unstable, neutral };
-  static constexpr double kMetricLength = 0.01;  ///< m: the metric of every scene; 10 mm weigh as much as 1 rad
   Verdict verdict = Verdict::stable;
   /// Smallest eigenvalue (real part) of the tangent stiffness, N m, in the metric where translations count in units of
   /// 10 mm and rotations in rad, twist about each moving body's own origin. +infinity where nothing is free to move.

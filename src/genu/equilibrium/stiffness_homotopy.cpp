@@ -4,24 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/model/ligament_pieces.h"
 
 namespace genu {
 namespace {
 
-// Modulus of the first stage in force / length^3 (characteristic): for a knee about 10 MPa cartilage, 6 mm thick. Each
-// stage is stiffer by a fixed factor, until the overlap is a small part of the characteristic length.
-constexpr double kFirstModulus = 1.3e3;
-constexpr double kStiffer = 4.5;
-constexpr int kStages = 6;
-constexpr double kLittleOverlap = 1e-3;
-constexpr int kMostStageSteps = 80;          // of each stage
-constexpr double kBalancedResidual = 1e-5;   // scaled residual: a seed, not a result
-constexpr double kNearEnoughResidual = 0.1;  // the same where changing samples allow no further reduction
-constexpr double kMaxTranslation = 0.06;     // of the model's size, per iteration
-constexpr double kMaxRotation = 0.05;        // rad per iteration
-
-/// One stage: Levenberg-Marquardt steps on the scaled residual; slack ligaments may make damping necessary.
+/// One stage: Levenberg-Marquardt steps on the scaled residual, as damping may be needed while ligaments are slack.
 class Stage {
  public:
   Stage(const JointModel& model, ContactField& field, const Target& target, double modulus, const Cancelled& cancelled)
@@ -35,9 +24,9 @@ class Stage {
     evaluate(state, here_);
     double merit = step_.residual(here_, target_);
     double damping = 1e-3;
-    for (int i = 0; i < kMostStageSteps; ++i) {
+    for (int i = 0; i < kMaxStageSteps; ++i) {
       if (asked_to_stop(cancelled_)) return false;
-      if (merit <= kBalancedResidual) return true;
+      if (merit <= kStageResidual) return true;
       ++report.iterations;
       damped_ = here_;
       add_damping(damping);
@@ -48,8 +37,7 @@ class Stage {
       evaluate(trial_, there_);
       const double next = step_.residual(there_, target_);
       // A body that nothing holds falls under a constant load: its residual is constant until it lands.
-      constexpr double kSame = 1 + 1e-9;
-      const bool falling = touching == 0 && deepest_ == 0 && next <= kSame * merit;
+      const bool falling = touching == 0 && deepest_ == 0 && next <= kFallingRatio * merit;
       if (std::isfinite(next) && (next < merit || falling)) {
         std::swap(state, trial_);
         std::swap(here_, there_);
@@ -82,8 +70,8 @@ class Stage {
   double admissible() const {
     double excess = 1;
     for (Eigen::Index i = 0; i < correction_.twist.size(); i += 6) {
-      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / (kMaxTranslation * model_.scales.size));
-      excess = std::max(excess, correction_.twist.segment<3>(i + 3).norm() / kMaxRotation);
+      excess = std::max(excess, correction_.twist.segment<3>(i).norm() / (kMaxStageTranslation * model_.scales.size));
+      excess = std::max(excess, correction_.twist.segment<3>(i + 3).norm() / kMaxStageRotation);
     }
     return 1 / excess;
   }
@@ -111,13 +99,13 @@ SeedReport stiffen(const JointModel& model, const Target& target, State& state, 
   fit_multipliers(model, target, state);
   const double L = model.scales.length;
   double modulus = stiffer * kFirstModulus * model.scales.force / (L * L * L);
-  for (int i = 0; i < kStages; ++i, modulus *= kStiffer) {
+  for (int i = 0; i < kMaxStages; ++i, modulus *= kStiffnessRatio) {
     State next = state;
     // A foundation this stiff rests on a few samples only and may not converge. The previous stage is a seed as well.
     if (!stage(modulus, next, report)) break;
     state = std::move(next);
     report.balanced = true;
-    if (report.deepest < kLittleOverlap * L) break;
+    if (report.deepest < kStageOverlap * L) break;
   }
   reset_pieces(model, state);
   return report;

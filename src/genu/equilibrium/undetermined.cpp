@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/equilibrium/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -19,10 +21,10 @@ std::vector<std::pair<CoordinateRef, double>> changes_along(const JointModel& mo
     for (int k = 0; k < 2; ++k) {
       if (bodies[k] < 0) continue;
       twist.segment<6>(6 * k) = mode.segment<6>(6 * bodies[k]);
-      twist.segment<3>(6 * k) *= Stability::kMetricLength;
+      twist.segment<3>(6 * k) *= kMetricLength;
     }
     for (int i = 0; i < 6; ++i)
-      out.push_back({{j, i}, std::abs(point.gradient(i).dot(twist)) / (i < 3 ? 1 : Stability::kMetricLength)});
+      out.push_back({{j, i}, std::abs(point.gradient(i).dot(twist)) / (i < 3 ? 1 : kMetricLength)});
   }
   return out;
 }
@@ -47,7 +49,6 @@ Undetermined find_undetermined(const JointModel& model, const State& state, cons
     else
       out.shared_contacts.push_back(row - constraints - static_cast<int>(held.size()));
   }
-  constexpr double kWorthNaming = 0.2;
   std::vector<std::pair<CoordinateRef, bool>> named;
   for (Eigen::Index mode = 0; mode < stability.neutral.cols(); ++mode) {
     const auto changes = changes_along(model, state, stability.neutral.col(mode));
@@ -55,7 +56,7 @@ Undetermined find_undetermined(const JointModel& model, const State& state, cons
     for (const auto& [coordinate, change] : changes) largest = std::max(largest, change);
     named.resize(changes.size());
     for (std::size_t i = 0; i < changes.size(); ++i)
-      named[i] = {changes[i].first, named[i].second || changes[i].second > kWorthNaming * largest};
+      named[i] = {changes[i].first, named[i].second || changes[i].second > kNamedShare * largest};
   }
   for (const auto& [coordinate, is_free] : named)
     if (is_free) out.free_motion.push_back(coordinate);

@@ -9,6 +9,7 @@
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/feasible_direction.h"
 #include "genu/equilibrium/release.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/unilateral_stiffness.h"
 
 namespace genu {
@@ -17,7 +18,7 @@ namespace {
 using Verdict = Stability::Verdict;
 using Kind = ReleasedPlane::Kind;
 
-constexpr const char* kPressesAtOnce = "surfaces of a layer that nothing presses conform: it would press at once";
+constexpr const char* kPressesAtOnce = "the surfaces of an unloaded layer conform: any motion loads it";
 
 /// Minimum cost among the motions of `basis` (6B x d, in the metric of stability).
 struct Among {
@@ -93,13 +94,11 @@ class IdleLayers {
   /// Whether the load of some layer grows in proportion to the distance along `motion` (in the metric). Conforming
   /// surfaces do this; others begin quadratically.
   bool bar(const VecX& motion) {
-    constexpr double kFar = 1e-6;  // of the length scale
-    const double length = kFar * model_.scales.length / Stability::kMetricLength;
+    const double length = kLayerProbe * model_.scales.length / kMetricLength;
     for (const int k : layers_) {
       const double near = load_after(k, length * motion);
       if (!(near > 0)) continue;
-      constexpr double kTimes = 100, kProportional = 3;  // where it grows quadratically: 10'000 times
-      if (load_after(k, kTimes * length * motion) < kProportional * kTimes * near) return true;
+      if (load_after(k, kLayerProbeRatio * length * motion) < kLinearGrowth * kLayerProbeRatio * near) return true;
     }
     return false;
   }
@@ -174,15 +173,15 @@ void take(const JointModel& model, const State& state, const Released& released,
   const bool falls = out.verdict == Verdict::unstable;
   out.smallest = out.verdict == Verdict::neutral ? 0 : smallest(released, free, found);
   if (!least.told)
-    out.untold = "more is about to become taut, to open or at a stop at once than can be told apart";
+    out.untold = "too many ligaments, contacts and stops are about to change at once";
   else if (found.drops && found.closed)
     out.untold = "the force of a ligament drops where a contact holds no force";
   else if (depends_on_extent(released, free, found))
-    out.untold = "surfaces touch without force along a line or an area, and how far matters";
+    out.untold = "surfaces touch without force along a line or an area of unknown size";
   else if (barred(layers, found))
     out.untold = kPressesAtOnce;
   else if (std::isnan(out.smallest))
-    out.untold = "the origins of the bodies are too far from where things are";
+    out.untold = "the origins of the bodies are too far from the joint";
   out.mode = VecX::Zero(free.basis.rows());
   if (out.neutral.cols() > 0 && !falls)
     out.mode = out.neutral.col(0);

@@ -6,18 +6,14 @@
 
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/feasible_direction.h"
+#include "genu/equilibrium/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr int kMostCases = 20000;
-constexpr double kParallel = 1e-12;  // rows that differ by less are equal
-constexpr double kSymmetric = 1e-12;
-constexpr double kInside = 1e-9;  // of a motion's norm: closer to a bound counts as on it
-
 MatX symmetric_part(const MatX& K) { return (K + K.transpose()) / 2; }
 
-bool along(const VecX& v, const VecX& row) { return (v - v.dot(row) * row).norm() <= kSymmetric * v.norm(); }
+bool along(const VecX& v, const VecX& row) { return (v - v.dot(row) * row).norm() <= kSymmetryRounding * v.norm(); }
 
 /// Whether the stiffness is symmetric on both sides.
 bool symmetric(const Side& side) { return along(side.below, side.row) && along(side.above, side.row); }
@@ -28,7 +24,7 @@ std::vector<Side> merged(const std::vector<Side>& sides) {
   for (const Side& side : sides) {
     const auto same = std::find_if(out.begin(), out.end(), [&](const Side& other) {
       return !other.closed && !side.closed &&
-             std::min((other.row - side.row).norm(), (other.row + side.row).norm()) <= kParallel;
+             std::min((other.row - side.row).norm(), (other.row + side.row).norm()) <= kParallelRows;
     });
     if (same == out.end()) {
       out.push_back(side);
@@ -58,12 +54,11 @@ std::vector<Eigenspace> eigenspaces(const MatX& K, double known_to) {
       out.push_back({value, complex, MatX(K.rows(), 0)});
     MatX& motions = out.back().motions;
     const VecX rest = motion.normalized() - motions * (motions.transpose() * motion.normalized());
-    constexpr double kNew = 1e-8;
-    if (!(rest.norm() > kNew)) return;
+    if (!(rest.norm() > kNewEigenvector)) return;
     motions.conservativeResize(Eigen::NoChange, motions.cols() + 1);
     motions.rightCols<1>() = rest.normalized();
   };
-  if ((K - K.transpose()).norm() <= std::max(known_to, kSymmetric * K.norm())) {
+  if ((K - K.transpose()).norm() <= std::max(known_to, kSymmetryRounding * K.norm())) {
     const auto eigen = symmetric_eigen(symmetric_part(K));
     for (Eigen::Index i = 0; i < eigen.values.size(); ++i) add(eigen.values[i], false, eigen.vectors.col(i));
     return out;
@@ -92,8 +87,9 @@ class Search {
     double stiffest = at_.stiffness.norm();
     for (const Side& s : at_.sides) stiffest += std::max(s.below.norm(), s.above.norm());
     nothing_ = std::max(at_.nothing * stiffest, at_.known_to);
-    symmetric_ = (at_.stiffness - at_.stiffness.transpose()).norm() <= std::max(at_.known_to, kSymmetric * stiffest) &&
-                 std::all_of(at_.sides.begin(), at_.sides.end(), symmetric);
+    symmetric_ =
+        (at_.stiffness - at_.stiffness.transpose()).norm() <= std::max(at_.known_to, kSymmetryRounding * stiffest) &&
+        std::all_of(at_.sides.begin(), at_.sides.end(), symmetric);
     out_.free.resize(at_.stiffness.rows(), 0);
   }
 
@@ -159,17 +155,17 @@ class Search {
 
   void look(std::vector<Is>& is, const VecX& known) {
     if (!out_.told) return;
-    if (++out_.cases > kMostCases) {
+    if (++out_.cases > kMaxStabilityCases) {
       out_.told = false;
       return;
     }
     const Case here = case_of(is);
-    const MatX basis = null_space(here.within, kParallel);
+    const MatX basis = null_space(here.within, kParallelRows);
     if (basis.cols() == 0) return;
     // A motion known to lie on these sides saves a search. A combination without interior is covered by its neighbours.
     VecX inside = known;
     const bool known_inside = inside.size() > 0 && here.within.rows() == 0 &&
-                              (here.bounds.rows() == 0 || (here.bounds * inside).maxCoeff() < -kInside);
+                              (here.bounds.rows() == 0 || (here.bounds * inside).maxCoeff() < -kInsideCone);
     if (!known_inside) inside = interior_direction(here.bounds, basis);
     if (inside.isZero(0)) return;
     const MatX K = basis.transpose() * here.stiffness * basis;
@@ -238,8 +234,7 @@ class Search {
       if (motion.size() == 0) return;
       const MatX& free = out_.free;
       const VecX rest = free.cols() == 0 ? motion : VecX(motion - free * minimum_norm_solution(free, motion));
-      constexpr double kNew = 1e-6;
-      if (rest.norm() <= kNew) return;
+      if (rest.norm() <= kNewFreeMotion) return;
       out_.free.conservativeResize(Eigen::NoChange, free.cols() + 1);
       out_.free.rightCols<1>() = motion;
     };
@@ -261,7 +256,7 @@ VecX allowed(const MatX& bounds, const MatX& motions) {
     for (const double sign : {1.0, -1.0})
       if (const VecX motion = sign * motions.col(k); within(bounds, motion)) return motion;
   if (motions.cols() == 1) return {};
-  if (const MatX along = null_space(bounds * motions, kParallel); along.cols() > 0) {
+  if (const MatX along = null_space(bounds * motions, kParallelRows); along.cols() > 0) {
     const VecX motion = motions * along.col(0);
     if (within(bounds, motion)) return motion.normalized();
   }

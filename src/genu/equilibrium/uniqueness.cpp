@@ -4,6 +4,7 @@
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/self_stress.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/unilateral_stability.h"
 
 namespace genu {
@@ -14,13 +15,11 @@ namespace {
 /// x^(p - 1) is far larger than the residual. The Jacobian is factored here because Newton's last one may be that of
 /// the step before.
 bool singular_at(const JointModel& model, const State& state, const Target& target) {
-  constexpr double kSingular = 1e-13;  // reciprocal condition
-  constexpr double kOfResidual = 100;
   Linearization at;
   linearize(model, state, target, at);
   NewtonStep step(model);
   if (!step.factor(at, target) || !step.linear().full_rank()) return true;
-  return step.linear().rcond() < std::max(kSingular, kOfResidual * step.residual(at, target));
+  return step.linear().rcond() < std::max(kSingularStep, kSingularOfResidual * step.residual(at, target));
 }
 
 /// assess_unilateral_stability() with all places that touch without an active contact.
@@ -63,9 +62,9 @@ bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   point.report.status = PoseStatus::undetermined;
   point.report.why = !point.stability.untold.empty()
                          ? point.stability.untold + ": whether the pose is stable is not known"
-                     : unilateral ? "a motion costs no force, at least one way: the pose is one of many"
-                     : motion     ? "a motion costs no force: the pose is one of many"
-                                  : "the same motion is held twice: how the force is shared is not determined";
+                     : unilateral ? "a motion costs no force, at least one way: the equilibrium is not unique"
+                     : motion     ? "a motion costs no force: the equilibrium is not unique"
+                                  : "the same motion is constrained twice: the forces are statically indeterminate";
   return false;
 }
 

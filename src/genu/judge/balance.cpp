@@ -5,14 +5,12 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/pose.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
 
-constexpr double kBalance = 1e-9;    // of the forces at work
-constexpr double kRounding = 3e-12;  // of forces times long lever arms
-
-/// Forces on the bodies carried by a joint, about its child's origin, in the world.
+/// What acts on the bodies that a joint carries, about its child's origin, in the world.
 struct Sum {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   double forces = 0, moments = 0, levers = 0;  ///< sums of sizes: N, N m, N m
@@ -95,12 +93,13 @@ class Balance {
   /// Where almost no force acts.
   double least_force() const { return pose_.subject->least_force + pose_.slack * pose_.subject->force_scale; }
   double force_tolerance(const Sum& s) const {
-    return (kBalance + pose_.slack) * s.forces + more_force_ + least_force() + pose_.rounding * pose_.subject->springs;
+    return (kBalanceTolerance + pose_.slack) * s.forces + more_force_ + least_force() +
+           pose_.rounding * pose_.subject->springs;
   }
   double moment_tolerance(const Sum& s) const {
     const double size = pose_.subject->size;
-    return (kBalance + pose_.slack) * (s.forces * size + s.moments) + kRounding * s.levers + s.forces * pose_.rounding +
-           more_moment_ + (least_force() + pose_.rounding * pose_.subject->springs) * size;
+    return (kBalanceTolerance + pose_.slack) * (s.forces * size + s.moments) + kLeverRounding * s.levers +
+           s.forces * pose_.rounding + more_moment_ + (least_force() + pose_.rounding * pose_.subject->springs) * size;
   }
 
   void add_joint(int j) {
@@ -114,7 +113,7 @@ class Balance {
       double size = 0;
       Equation e{coordinate_name(pose_.scene(), {j, i}), i < 3, j, origin, m.v, m.w, carried};
       e.value = sum.force.dot(m.v) + sum.moment.dot(m.w) + along({j, i}, size);
-      e.tolerance = (i < 3 ? moment_tolerance(sum) : force_tolerance(sum)) + (kBalance + pose_.slack) * size;
+      e.tolerance = (i < 3 ? moment_tolerance(sum) : force_tolerance(sum)) + (kBalanceTolerance + pose_.slack) * size;
       equations_.push_back(std::move(e));
     }
     if (joint.type != JointDef::Type::free) add_held(j, origin, carried, sum);
@@ -138,10 +137,10 @@ class Balance {
       }
       Equation force{joint.name + ".reaction.force_" + axis_name, false, j, origin, R.col(i), Vec3::Zero(), carried};
       force.value = sum.force.dot(R.col(i)) + f;
-      force.tolerance = force_tolerance(sum) + kBalance * std::abs(f);
+      force.tolerance = force_tolerance(sum) + kBalanceTolerance * std::abs(f);
       Equation moment{joint.name + ".reaction.moment_" + axis_name, true, j, origin, Vec3::Zero(), R.col(i), carried};
       moment.value = sum.moment.dot(R.col(i)) + m + about * axis[i];
-      moment.tolerance = moment_tolerance(sum) + kBalance * (std::abs(m) + size);
+      moment.tolerance = moment_tolerance(sum) + kBalanceTolerance * (std::abs(m) + size);
       equations_.push_back(std::move(force));
       equations_.push_back(std::move(moment));
     }
@@ -188,7 +187,6 @@ class Balance {
     leave();
     MatX J = MatX::Zero(rows + unknowns, unknowns);
     VecX right(rows + unknowns);
-    constexpr double kStiffest = 1e6, kSoftest = 1e-4;  // from almost fixed to free directions
     const auto balanced = [&] { return left.cwiseAbs().maxCoeff() <= 0.5; };
     const auto turn = [&](double hold) {
       for (std::size_t c = 0; c < n; ++c)
@@ -205,18 +203,17 @@ class Balance {
       x += J.colPivHouseholderQr().solve(right);
       leave();
     };
-    for (double hold = kStiffest; hold > kSoftest && !balanced(); hold /= 4)
+    for (double hold = kStiffestHold; hold > kSoftestHold && !balanced(); hold /= 4)
       for (int round = 0; round < 3; ++round) turn(hold);
     // The forces of two contacts can turn together about their sum. Beyond the point where their moment is largest,
     // every direction leads away from balance, so other starts within the cones are tried.
-    constexpr int kRounds = 30;
     for (Eigen::Index k = 0; k < 2 * unknowns && !balanced(); ++k) {
       const VecX before = x;
       const double missed = left.cwiseAbs().maxCoeff();
       x.setZero();
       x[k / 2] = k % 2 == 0 ? 1 : -1;
       leave();
-      for (int round = 0; round < kRounds && !balanced(); ++round) turn(kSoftest);
+      for (int round = 0; round < kMaxConeRounds && !balanced(); ++round) turn(kSoftestHold);
       if (left.cwiseAbs().maxCoeff() < missed) continue;
       x = before;
       leave();
@@ -230,10 +227,8 @@ class Balance {
       const auto angle = [&](const Vec3& normal) {
         return to::kDegree * std::atan2(direction[c].cross(normal).norm(), direction[c].dot(normal));
       };
-      constexpr double kLeastCone = 1e-6;  // deg: the cone of coplanar facets is a line
       for (const auto& [normal, cone] : {std::pair(Vec3(f.normal_b), f.turn_b), std::pair(Vec3(-f.normal_a), f.turn_a)})
-        pose_.out->expect("directions of contact forces", "deg", angle(normal), to::kDegree * cone + kLeastCone,
-                          f.name);
+        pose_.out->expect("directions of contact forces", "deg", angle(normal), to::kDegree * cone + kMinCone, f.name);
     }
   }
 

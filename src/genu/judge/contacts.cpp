@@ -5,6 +5,7 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/pose.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
@@ -89,7 +90,7 @@ class Contacts {
                         to::kMillimetre * (1e-6 + sure), name);
       return seen;
     }
-    const Facets::Lean lean = side.facets->lean(p, Facets::kNear * side.facets->edge());
+    const Facets::Lean lean = side.facets->lean(p, kLeanReach * side.facets->edge());
     const auto nearest = side.facets->nearest(p, 10 * side.facets->edge());
     seen = {R * lean.normal, lean.turn, lean.distance};
     pose_.out->expect("contact points near triangles", "mm",

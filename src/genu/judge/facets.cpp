@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "genu/judge/tolerances.h"
 #include "genu/judge/winding.h"
 
 namespace genu::judge {
@@ -75,7 +76,7 @@ void Facets::index() {
       for (int j = low[1]; j <= high[1]; ++j)
         for (int k = low[2]; k <= high[2]; ++k) cells_[{i, j, k}].push_back(t);
   }
-  const int reach = static_cast<int>(std::ceil(kReach * edge_ / cell_));
+  const int reach = static_cast<int>(std::ceil(kOverlapReach * edge_ / cell_));
   for (const auto& [cell, triangles] : cells_)
     for (int i = -reach; i <= reach; ++i)
       for (int j = -reach; j <= reach; ++j)

@@ -18,10 +18,7 @@ class Facets {
   /// `mesh`: in the frame of its file (m).
   Facets(const Mesh& mesh, const SurfaceDef& def);
 
-  static constexpr double kReach = 2;  ///< edges: range of the search for overlap
-  static constexpr double kNear = 3;   ///< edges: range of facets that give the orientation; the least fit radius
-
-  /// Whether x is certainly farther than kReach edges from all triangles.
+  /// Whether x is certainly farther than kOverlapReach edges from all triangles.
   bool clear_of(const Vec3& x) const { return !near_cells_.contains(cell_of(x)); }
 
   struct Nearest {
@@ -77,7 +74,7 @@ class Facets {
   std::vector<std::pair<Vec3, double>> balls_;  // around each triangle
   double edge_ = 0, cell_ = 1;
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;
-  std::unordered_set<Cell, Hash> near_cells_;  // all cells within kReach edges of a triangle
+  std::unordered_set<Cell, Hash> near_cells_;  // all within kOverlapReach edges of a triangle
 };
 
 }  // namespace genu::judge

@@ -5,13 +5,12 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/pose.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
 
-constexpr std::size_t kDescents = 5;  // number of lowest samples that are followed
-
-/// m, of a point of one surface over the other; unknown where the other has no inside and outside.
+/// m, of a point of one surface over the other; not known where that has no inside or outside.
 struct Gap {
   double gap = std::numeric_limits<double>::infinity();
   double sure = 0;  ///< m: uncertainty by facets: half of both error bounds, which are rarely reached together
@@ -29,7 +28,7 @@ class Gaps {
     const double written = units::kMillimetre * pose_.row(name + ".gap_mm");
     pose_.out->expect("no overlap is written", "mm",
                       std::isfinite(written) ? to::kMillimetre * std::max(0.0, -written) : 0,
-                      to::kMillimetre * (pose_.length_tolerance() + kWritten), name);
+                      to::kMillimetre * (pose_.length_tolerance() + kWrittenGap), name);
     for (const bool back : {false, true}) {
       const int from = back ? surface_b : surface_a, to = back ? surface_a : surface_b;
       const Side &sampled = pose_.subject->sides[at(from)], &other = pose_.subject->sides[at(to)];
@@ -49,7 +48,8 @@ class Gaps {
                             to::kMillimetre * (pose_.length_tolerance() + 1e-8), name);
         pose_.out->expect(
             "smallest gap is the smallest", "mm", to::kMillimetre * std::max(0.0, written - least.gap),
-            to::kMillimetre * (pose_.length_tolerance() + (least.at_rim ? kRim * pose_.subject->size : 1e-8)), name);
+            to::kMillimetre * (pose_.length_tolerance() + (least.at_rim ? kRimPassed * pose_.subject->size : 1e-8)),
+            name);
       }
     }
     if (!any) pose_.out->skip("overlap of " + name + ": neither surface has ends");
@@ -75,7 +75,7 @@ class Gaps {
       return out;
     }
     if (other.facets->clear_of(x)) return out;
-    const auto near = other.facets->nearest(x, Facets::kReach * other.facets->edge());
+    const auto near = other.facets->nearest(x, kOverlapReach * other.facets->edge());
     if (!near || near->at_border || !other.facets->in_patch(near->p)) return out;
     out.gap = near->distance;
     return out;
@@ -91,18 +91,18 @@ class Gaps {
       if (!foot || !other.shape->in_patch(*foot)) return {};
       gap.gap = (other.shape->value(x) < 0 ? -1 : 1) * (x - *foot).norm();
     } else {
-      gap.sure = 0.5 * other.facets->lean(x, Facets::kNear * other.facets->edge()).distance;
+      gap.sure = 0.5 * other.facets->lean(x, kLeanReach * other.facets->edge()).distance;
     }
     return gap;
   }
 
   /// Whether a closed form ends close to its point p.
   bool ends_beside(const Shape& shape, const Vec3& p) const {
-    constexpr double kBeside = 1e-5;  // of the size
     const Vec3 n = shape.normal(p), one = n.unitOrthogonal(), two = n.cross(one);
     for (int k = 0; k < 8; ++k) {
       const double angle = k * M_PI / 4;
-      const auto q = shape.onto(p + kBeside * pose_.subject->size * (std::cos(angle) * one + std::sin(angle) * two));
+      const auto q =
+          shape.onto(p + kBesideShare * pose_.subject->size * (std::cos(angle) * one + std::sin(angle) * two));
       if (!q || !shape.in_patch(*q)) return true;
     }
     return false;
@@ -110,8 +110,8 @@ class Gaps {
 
   /// Whether the normals are not opposite at p, or one of the two surfaces ends close to it.
   bool at_rim(const Shape& sampled, const Shape& other, const Pose& X, const Vec3& p) const {
-    constexpr double kOpposed = 1e-6;  // 1 - cosine: within 0.1 deg
-    if (1 + (X.R * sampled.normal(p)).dot(other.normal(X * p)) > kOpposed || ends_beside(sampled, p)) return true;
+    if (1 + (X.R * sampled.normal(p)).dot(other.normal(X * p)) > kOpposedRounding || ends_beside(sampled, p))
+      return true;
     const auto foot = other.nearest(X * p);
     return !foot || ends_beside(other, *foot);
   }
@@ -165,7 +165,7 @@ class Gaps {
       const Gap found = sampled.shape ? descend(*sampled.shape, other, X, p, spacing) : closely(other, X * p);
       if (!std::isfinite(found.gap)) continue;
       taken.push_back(p);
-      const double own = sampled.shape ? 0 : 0.5 * sampled.facets->lean(p, Facets::kNear * spacing).distance;
+      const double own = sampled.shape ? 0 : 0.5 * sampled.facets->lean(p, kLeanReach * spacing).distance;
       // The one with the largest excess over its facets' uncertainty.
       if (const double beyond = -found.gap - found.sure - own; beyond > worst) {
         worst = beyond;
@@ -177,8 +177,6 @@ class Gaps {
     return least;
   }
 
-  static constexpr double kWritten = 1e-8;  // m: certified gaps may be this far below 0
-  static constexpr double kRim = 1e-3;      // of the size: samples cross a rim by less than their spacing
   const PoseCase& pose_;
   const Scene& scene_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "genu/core/units.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
@@ -21,8 +22,7 @@ Pose pose_in_parent(const JointDef& joint, const std::array<double, 6>& q) {
 }
 
 /// Weights of the central difference of order 8: f' = sum w_k (f(x + k h) - f(x - k h)) / h.
-constexpr std::array kWeights = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-constexpr double kTurn = 0.02;  // rad: error 0.02^8 / 630, far below rounding
+constexpr std::array kDifferenceWeights = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
 
 }  // namespace
 
@@ -78,11 +78,11 @@ Motion motion_of(const Scene& scene, const Coordinates& q, const std::vector<Pos
     return motion;
   }
   Mat3 rate = Mat3::Zero();
-  for (std::size_t k = 0; k < kWeights.size(); ++k) {
+  for (std::size_t k = 0; k < kDifferenceWeights.size(); ++k) {
     std::array<double, 6> forth = q[at(joint)], back = forth;
-    forth[at(index)] += static_cast<double>(k + 1) * kTurn;
-    back[at(index)] -= static_cast<double>(k + 1) * kTurn;
-    rate += kWeights[k] / kTurn * (pose_in_parent(def, forth).R - pose_in_parent(def, back).R);
+    forth[at(index)] += static_cast<double>(k + 1) * kDifferenceTurn;
+    back[at(index)] -= static_cast<double>(k + 1) * kDifferenceTurn;
+    rate += kDifferenceWeights[k] / kDifferenceTurn * (pose_in_parent(def, forth).R - pose_in_parent(def, back).R);
   }
   const Mat3 spin = rate * pose_in_parent(def, q[at(joint)]).R.transpose();
   motion.w = R * (0.5 * Vec3(spin(2, 1) - spin(1, 2), spin(0, 2) - spin(2, 0), spin(1, 0) - spin(0, 1)));

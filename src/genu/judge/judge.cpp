@@ -52,8 +52,8 @@ void say_what_is_left(const Scene& scene, const ResultsFile& table, Judgement& j
     left.emplace_back("stability: needs second derivatives of the surfaces and of what is held");
   if (std::erase_if(columns, [](const std::string& c) { return c.starts_with("energy."); }) > 0)
     left.emplace_back("energies of a motion");
-  constexpr std::size_t kTold = 8;
-  const std::size_t told = std::min(kTold, columns.size());
+  constexpr std::size_t kColumnsListed = 8;
+  const std::size_t told = std::min(kColumnsListed, columns.size());
   const std::string more = columns.size() > told ? fmt::format(" and {} more", columns.size() - told) : "";
   if (told > 0)
     left.push_back(fmt::format("columns: {}{}",

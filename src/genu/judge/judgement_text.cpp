@@ -22,11 +22,11 @@ std::string to_text(const Judgement& j) {
                        f.tolerance, f.unit, f.where,
                        f.good() ? "" : fmt::format("   REJECTED in {} pose(s)", f.rejected.size()));
   for (const std::string& what : j.not_judged) out += "not judged: " + what + "\n";
-  constexpr std::size_t kTold = 10;
-  for (std::size_t k = 0; k < std::min(kTold, j.not_ok.size()); ++k)
+  constexpr std::size_t kRowsListed = 10;
+  for (std::size_t k = 0; k < std::min(kRowsListed, j.not_ok.size()); ++k)
     out += fmt::format("not judged: row {}, whose status is \"{}\"\n", j.not_ok[k].first + 1, j.not_ok[k].second);
-  if (j.not_ok.size() > kTold)
-    out += fmt::format("not judged: {} more rows that are not ok\n", j.not_ok.size() - kTold);
+  if (j.not_ok.size() > kRowsListed)
+    out += fmt::format("not judged: {} more rows that are not ok\n", j.not_ok.size() - kRowsListed);
   if (j.judged == 0) return out + "verdict: no pose is called ok, there is nothing to judge\n";
   const std::size_t bad = j.rejected();
   return out + (bad == 0 ? fmt::format("verdict: accepted, all {} poses that are called ok\n", j.judged)

@@ -5,6 +5,7 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/pose.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
@@ -55,8 +56,8 @@ double pressure_of(const LayerDef& layer, double depth) {
   const double M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
   const double e = depth / layer.thickness;
   if (layer.law == LayerDef::Law::linear) return M * e;
-  constexpr double kStraight = 0.95;  // beyond: along the tangent (docs/scene-reference.md, Cartilage)
-  return e <= kStraight ? -M * std::log(1 - e) : -M * std::log(1 - kStraight) + M * (e - kStraight) / (1 - kStraight);
+  return e <= kTangentFrom ? -M * std::log(1 - e)
+                           : -M * std::log(1 - kTangentFrom) + M * (e - kTangentFrom) / (1 - kTangentFrom);
 }
 
 class Layers {
@@ -195,17 +196,16 @@ class Layers {
     }
   };
 
-  /// Integrals cast by `ways`, with equal weights: refined until kEnough samples are in contact, at most by a factor of
-  /// two beyond.
+  /// Sums of what `ways` cast, in equal shares: as finely as it takes for kEnoughSamples in contact, and up to twice
+  /// as finely.
   Sums sums(const Ways& ways) const {
-    constexpr double kEnough = 1000;
-    constexpr int kFinest = 4;
     Sums out;
     for (const auto& [from, to] : ways) {
       const double share = 1.0 / static_cast<double>(ways.size());
       int fineness = 1;
       Resultant first = cast(from, to, fineness);
-      while (first.points < kEnough && first.points > 0 && fineness < kFinest) first = cast(from, to, fineness *= 2);
+      while (first.points < kEnoughSamples && first.points > 0 && fineness < kFinestSampling)
+        first = cast(from, to, fineness *= 2);
       out.coarse.join(first, share);
       out.middle.join(cast(from, to, fineness + (fineness + 1) / 2), share);
       out.fine.join(fineness > 1 ? cast(from, to, 2 * fineness) : cast(from, to, 3), share);
@@ -222,18 +222,17 @@ class Layers {
   /// m, both together: largest distance of the smooth surfaces of meshes from their triangles where contact is deepest,
   /// or where it would begin; half of the bounds, as for overlap.
   double beside_facets(const Ways& ways, const Resultant& sum) const {
-    constexpr double kNearly = 0.25;  // edges
     double edge = 0, out = 0;
     for (const int surface : {layer_->pair.surface_a, layer_->pair.surface_b})
       if (const auto& facets = pose_.subject->sides[at(surface)].facets) edge = std::max(edge, facets->edge());
-    const Resultant nearest = sum.points > 0 ? sum : raised(ways, kNearly * edge);
+    const Resultant nearest = sum.points > 0 ? sum : raised(ways, kNearlyTouching * edge);
     if (!(nearest.points > 0)) return 0;
     const Vec3 x = pose_.poses[at(body(true))] * nearest.deepest;
     for (const int surface : {layer_->pair.surface_a, layer_->pair.surface_b}) {
       const auto& facets = pose_.subject->sides[at(surface)].facets;
       if (!facets) continue;
       const Vec3 there = pose_.poses[at(scene_.surfaces[at(surface)].body)].inverse() * x;
-      out += 0.5 * facets->lean(there, Facets::kNear * facets->edge()).distance;
+      out += 0.5 * facets->lean(there, kLeanReach * facets->edge()).distance;
     }
     return out;
   }
@@ -265,17 +264,17 @@ class Layers {
     }
     const Resultant& fine = sum.fine;
     const bool smooth_mesh = !same && (mesh_a || mesh_b);
-    const double least = kLeastShare * pose_.subject->force_scale;
-    const double asked = layer_->tolerance * std::max(1.0, least / std::max(fine.load, kLeastShare * least));
-    const double share = same ? 1e-7 : (smooth_mesh || triangles ? kFacets : 1e-3) + asked;
+    const double least = kMinLoadShare * pose_.subject->force_scale;
+    const double asked = layer_->tolerance * std::max(1.0, least / std::max(fine.load, kMinLoadShare * least));
+    const double share = same ? 1e-7 : (smooth_mesh || triangles ? kFacetLoadError : 1e-3) + asked;
     const double n = fine.fineness();
     // A region's border through the contact: a row of samples, the solver's or the judge's, may lie on either side.
     const double cut =
         n > 0 && fine.outside > 0 && !same ? 2 / std::sqrt(std::max(1.0, std::min(n, written.points))) : 0;
-    const double sampled = same || !(n > 0) ? 0 : kSamples / n + cut;
+    const double sampled = same || !(n > 0) ? 0 : kBorderSamples / n + cut;
     const double border = same || !(n > 0) ? 0 : 2 / std::sqrt(n);  // half a row of samples around the border
     // Contact missed between few samples, as an increase in depth.
-    const double missed = same ? 0 : kMissed * layer_->thickness / (100 + n);
+    const double missed = same ? 0 : kMissedDepth * layer_->thickness / (100 + n);
     const double beside = smooth_mesh ? beside_facets(ways, fine) : 0;
     const Resultant more = beside + missed > 0 ? raised(ways, beside + missed) : fine;
     const auto between = [&sum](auto what) {
@@ -336,10 +335,6 @@ class Layers {
     expect_centre(name + "." + scene_.surfaces[at(layer_->pair.surface_a)].name, X_ab * centre);
   }
 
-  static constexpr double kSamples = 3;  // sums of n samples may be off by this / n, at the border of contact
-  static constexpr double kMissed = 0.1;
-  static constexpr double kLeastShare = 0.01;  // of the force scale: below it `tolerance` is relative to that force
-  static constexpr double kFacets = 0.05;  // error of facets for a smooth surface: docs/scene-reference.md, Cartilage
   const PoseCase& pose_;
   const Scene& scene_;
   PoseForces& forces_;

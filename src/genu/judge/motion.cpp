@@ -8,15 +8,9 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/curve.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
-namespace {
-
-constexpr std::size_t kReach = 4;
-
-constexpr double kResolved = 1e-3;  // relative: differences with a larger error are not used
-
-}  // namespace
 
 MotionRows::MotionRows(const Subject& subject, const ResultsFile& table, const std::vector<std::size_t>& rows)
     : subject_(subject), table_(table), rows_(rows) {
@@ -151,7 +145,7 @@ void MotionRows::check_courses(const PoseCase& pose, const At& here) const {
 /// Rates must be the slopes of the coordinates, as far as the rows resolve them.
 void MotionRows::check_rates(std::size_t k, const PoseCase& pose, Findings& out) const {
   double h = 0;
-  if (!smooth(k, kReach, h))
+  if (!smooth(k, kDifferenceRows, h))
     return out.skip(
         "rates, and balance with inertia, within four rows of an end, a kink of a load or course, or a "
         "change of contacts or of a ligament's formula");
@@ -166,9 +160,9 @@ void MotionRows::check_rates(std::size_t k, const PoseCase& pose, Findings& out)
       const double known =
           (scene.dynamics->tolerance + 1e-14) * (std::abs(at_[k].q[at(j)][at(i)]) + (i < 3 ? 1 : subject_.size));
       double quickest = 0;
-      for (std::size_t r = k - kReach; r <= k + kReach; ++r)
+      for (std::size_t r = k - kDifferenceRows; r <= k + kDifferenceRows; ++r)
         quickest = std::max(quickest, std::abs(at_[r].rates[at(j)][at(i)]));
-      if (error > kResolved * quickest + known / h) {
+      if (error > kResolvedRate * quickest + known / h) {
         out.skip("rates where the rows are too far apart to tell them");
         continue;
       }
@@ -194,7 +188,7 @@ std::vector<Motion> MotionRows::missed(std::size_t k, double h) const {
 /// Adds -d(momentum)/dt of each body. False where the rows are too far apart for it.
 bool MotionRows::add_inertia(std::size_t k, PoseForces& forces, double& unsure_force, double& unsure_moment) const {
   double h = 0;
-  if (!smooth(k, kReach, h)) return false;
+  if (!smooth(k, kDifferenceRows, h)) return false;
   const Scene& scene = subject_.scene;
   double size = 0;
   for (const Force& f : forces.forces) size += f.force.norm();
@@ -219,7 +213,7 @@ bool MotionRows::add_inertia(std::size_t k, PoseForces& forces, double& unsure_f
                      own * subject_.size;
     size += force.norm();
   }
-  return unsure_force <= kResolved * size;
+  return unsure_force <= kResolvedRate * size;
 }
 
 void MotionRows::judge(std::size_t k, bool surfaces, Findings& out) const {
@@ -253,7 +247,7 @@ void MotionRows::judge(std::size_t k, bool surfaces, Findings& out) const {
   double h = 0;
   if (add_inertia(k, forces, unsure_force, unsure_moment))
     check_balance(pose, forces, unsure_force, unsure_moment);
-  else if (smooth(k, kReach, h))
+  else if (smooth(k, kDifferenceRows, h))
     out.skip("balance with inertia where the rows are too far apart to tell accelerations");
 }
 

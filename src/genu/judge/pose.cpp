@@ -5,13 +5,10 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/curve.h"
+#include "genu/judge/tolerances.h"
 
 namespace genu::judge {
 namespace {
-
-constexpr double kSame = 1e-12;      // of numbers that follow from each other by a formula
-constexpr double kMostSlack = 1e-8;  // largest residual of a solved pose (docs/scene-reference.md, Solver)
-constexpr double kNorms = 30;        // its residual uses scales of its own
 
 const StepDef* step_of(const Scene& scene, const Row& row) {
   const double step = row("step");
@@ -49,8 +46,8 @@ bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase&
     largest = std::max({largest, l.from.point.norm(), l.to.point.norm()});
   pose.rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
   const double residual = row("residual");
-  const double cap = std::max(kMostSlack, subject.scene.solver.tolerance);
-  pose.slack = kNorms * (std::isfinite(residual) ? std::clamp(residual, 0.0, cap) : 0);
+  const double cap = std::max(kMaxSlack, subject.scene.solver.tolerance);
+  pose.slack = kResidualNorms * (std::isfinite(residual) ? std::clamp(residual, 0.0, cap) : 0);
   return true;
 }
 
@@ -69,7 +66,7 @@ void check_row(const PoseCase& pose) {
     follows = before("step") < step || (before("step") == step && (by_arc || before("increment") < increment));
   }
   pose.out->expect("rows follow the steps", "", named && follows ? 0 : 1, 0, "step, increment");
-  const double residual = pose.row("residual"), most = std::max(kMostSlack, scene.solver.tolerance);
+  const double residual = pose.row("residual"), most = std::max(kMaxSlack, scene.solver.tolerance);
   if (scene.dynamics) return;
   pose.out->expect("residuals", "1", std::abs(residual), most, residual < 0 ? "below 0" : "");
   const double iterations = pose.row("newton.iterations");
@@ -84,20 +81,21 @@ void check_prescribed(const PoseCase& pose) {
     const QuantityRef quantity{scene.combinations[at(k)].terms.front().coordinate, k};
     const double unit = column_unit(quantity), value = value_of(scene, pose.q, quantity);
     pose.out->expect("combinations", "deg, mm", std::abs(pose.row(column_of(scene, quantity)) - value / unit),
-                     kSame * (1 + std::abs(value / unit)), column_of(scene, quantity));
+                     kFormulaRounding * (1 + std::abs(value / unit)), column_of(scene, quantity));
   }
   const StepDef* step = step_of(scene, pose.row);
   if (step == nullptr) return;
   double time = part_of(*step, pose.row) * step->duration;
   for (const StepDef* s = scene.steps.data(); s != step; ++s) time += s->duration;
-  if (!step->arc_length) pose.out->expect("times", "s", std::abs(pose.row("time_s") - time), kSame * (1 + time), "");
+  if (!step->arc_length)
+    pose.out->expect("times", "s", std::abs(pose.row("time_s") - time), kFormulaRounding * (1 + time), "");
   for (const auto& p : step->prescribe) {
     const double unit = column_unit(p.coordinate);
     const double asked = p.from + part_of(*step, pose.row) * (p.to - p.from);
     const double found = value_of(scene, pose.q, p.coordinate);
     const double scale = p.coordinate.is_rotation() ? 1 : pose.subject->size;
     pose.out->expect("prescribed values", "deg, mm", std::abs(found - asked) / unit,
-                     ((1e-9 + pose.slack) * scale + kSame * std::abs(asked) + pose.rounding) / unit,
+                     ((1e-9 + pose.slack) * scale + kFormulaRounding * std::abs(asked) + pose.rounding) / unit,
                      column_of(scene, p.coordinate));
   }
 }
@@ -109,18 +107,18 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
     const TensionLaw& law = pose.subject->laws[i];
     const std::vector<Vec3> path = path_of(def, pose.poses);
     const std::vector<int> bodies = bodies_on(def);
-    const double length = length_of(path), sure = kSame * length + pose.rounding;
+    const double length = length_of(path), sure = kFormulaRounding * length + pose.rounding;
     pose.out->expect("ligament lengths", "mm", std::abs(pose.row(def.name + ".length_mm") - to::kMillimetre * length),
                      to::kMillimetre * sure, def.name);
     if (law.slack_length() > 0)
       pose.out->expect("ligament strains", "1", std::abs(pose.row(def.name + ".strain") - law.strain(length)),
-                       2 * (1 + std::abs(law.strain(length))) * sure / law.slack_length() + kSame, def.name);
+                       2 * (1 + std::abs(law.strain(length))) * sure / law.slack_length() + kFormulaRounding, def.name);
     else if (std::isfinite(pose.row(def.name + ".strain")))
       pose.out->expect("ligament strains", "1", std::nan(""), 0, def.name + " has none");
     const double force = pose.row(def.name + ".force_N");
     const double stiffness = law.stiffness(length);
     Tension tension = law.at(length, pose.length_tolerance());
-    double unsure = kSame * std::abs(tension.high) + 4 * stiffness * sure;
+    double unsure = kFormulaRounding * std::abs(tension.high) + 4 * stiffness * sure;
     if (velocities != nullptr && def.damping > 0) {
       double rate = 0;
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {

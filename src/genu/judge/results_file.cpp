@@ -7,11 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "genu/judge/tolerances.h"
+
 namespace genu::judge {
 namespace {
 
-constexpr double kEmpty = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostErrors = 20;  // a garbage file has one in every cell
+constexpr double kEmptyCell = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string_view> split(std::string_view text, char by) {
   std::vector<std::string_view> parts;
@@ -25,7 +26,7 @@ std::vector<std::string_view> split(std::string_view text, char by) {
 
 /// The number in a cell; in columns of words, none.
 std::optional<double> number_in(std::string_view cell) {
-  if (cell.empty()) return kEmpty;
+  if (cell.empty()) return kEmptyCell;
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   // A number too small for a double is 0 to any tolerance here; one too large is no result.
@@ -57,13 +58,13 @@ std::optional<ResultsFile> ResultsFile::parse(std::string_view bytes, const std:
   ResultsFile table;
   std::size_t errors = 0;
   const auto refuse = [&](std::size_t line, std::size_t column, std::string found, std::string rule) {
-    if (++errors > kMostErrors) return;
-    constexpr std::size_t kShown = 40;
+    if (++errors > kMaxFileErrors) return;
+    constexpr std::size_t kCharactersShown = 40;
     out.add({.file = file,
              .line = static_cast<int>(line),
              .column = static_cast<int>(column),
              .key = column > 0 && column <= table.columns_.size() ? table.columns_[column - 1] : "",
-             .found = found.substr(0, kShown),
+             .found = found.substr(0, kCharactersShown),
              .rule = std::move(rule)});
   };
   std::vector<std::string_view> lines = split(text, '\n');
@@ -77,13 +78,13 @@ std::optional<ResultsFile> ResultsFile::parse(std::string_view bytes, const std:
   }
   for (const char* name : {"step", "increment", "status"})
     if (!table.has(name)) refuse(1, 0, "", fmt::format("has no column \"{}\": it is no results.csv of genu", name));
-  for (std::size_t l = 1; l < lines.size() && errors <= kMostErrors; ++l) {
+  for (std::size_t l = 1; l < lines.size() && errors <= kMaxFileErrors; ++l) {
     const std::vector<std::string_view> cells = split(lines[l], ',');
     if (cells.size() != table.columns_.size()) {
       refuse(l + 1, 0, "", fmt::format("has {} cells where there are {} columns", cells.size(), table.columns_.size()));
       continue;
     }
-    auto& numbers = table.numbers_.emplace_back(cells.size(), kEmpty);
+    auto& numbers = table.numbers_.emplace_back(cells.size(), kEmptyCell);
     std::string& status = table.status_.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (table.columns_[c] == "status" && !is_status(status = cells[c]))
@@ -102,7 +103,7 @@ std::optional<ResultsFile> ResultsFile::parse(std::string_view bytes, const std:
 
 double ResultsFile::number(std::size_t row, const std::string& column) const {
   const auto found = index_.find(column);
-  if (found == index_.end()) return kEmpty;
+  if (found == index_.end()) return kEmptyCell;
   read_[found->second].store(true, std::memory_order_relaxed);
   return numbers_[row][found->second];
 }

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/judge/tolerances.h"
 #include "genu/mesh_files/mesh_reader.h"
 
 namespace genu::judge {
 namespace {
 
-constexpr double kLeastShare = 1e-12;  // of a stiffness: strain by rounding
-
-/// Largest distance of points named on bodies from the mean of those on the same body.
+/// The largest distance between points that the scene names on its bodies and the mean of those on the same body.
 double size_of(const Scene& scene, const std::vector<Side>& sides) {
   std::map<int, std::vector<Vec3>> points;
   for (const Side& side : sides) {
@@ -66,7 +65,7 @@ double largest_force(const LoadDef& load, double size) {
 
 void scale_forces(Subject& subject) {
   const Scene& s = subject.scene;
-  subject.least_force = kLeastShare;
+  subject.least_force = kStrainRounding;
   for (std::size_t i = 0; i < s.ligaments.size(); ++i) {
     const LigamentDef& l = s.ligaments[i];
     const bool per_length = l.law == "spring" || l.law == "abdel-rahman";
@@ -74,7 +73,7 @@ void scale_forces(Subject& subject) {
         l.law == "exponential" ? l.number("force_scale") * l.number("exponent") : l.number("stiffness");
     const double stiffness = per_length ? number * subject.size : number;
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
-    subject.least_force += kLeastShare * stiffness;
+    subject.least_force += kStrainRounding * stiffness;
     subject.springs += per_length ? number : number / subject.laws[i].slack_length();
   }
   for (const LoadDef& load : s.loads)

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "genu/law/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr double kJumpTolerance = 1e-9;  // of the larger value: less is rounding of the law's numbers
-
-bool differ(double a, double b) { return std::abs(a - b) > kJumpTolerance * std::max(std::abs(a), std::abs(b)); }
+bool differ(double a, double b) { return std::abs(a - b) > kLawJumpTolerance * std::max(std::abs(a), std::abs(b)); }
 
 }  // namespace
 

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
-namespace {
-
-constexpr double kMaxCells = 1 << 22;
-
-}  // namespace
 
 CellLists::CellLists(std::span<const Vec3> centres, std::span<const double> radii, double cell) {
   if (centres.empty() || radii.empty()) return;
@@ -19,7 +16,7 @@ CellLists::CellLists(std::span<const Vec3> centres, std::span<const double> radi
     high = high.cwiseMax((centres[i].array() + radius(i)).matrix());
   }
   const Vec3 extent = high - low;
-  while ((extent / cell).array().ceil().max(1.0).prod() > kMaxCells) cell *= 1.25;
+  while ((extent / cell).array().ceil().max(1.0).prod() > kMaxGridCells) cell *= 1.25;
   origin_ = low;
   inverse_cell_ = 1 / cell;
   for (int k = 0; k < 3; ++k) size_[k] = std::max(1, static_cast<int>(std::ceil(extent[k] / cell)));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -34,8 +36,7 @@ CoordinateStep coordinate_step(const Mesh& mesh) {
     out.single = static_cast<double>(std::nextafter(most, Float::infinity())) - static_cast<double>(most);
   }
   const double epsilon = single ? double{Float::epsilon()} : std::numeric_limits<double>::epsilon();
-  constexpr double kChance = 0.02;  // of a step: numbers rounded more than that pass for multiples of anything
-  for (double scale = 1; epsilon * largest * scale < kChance && scale < 1e13; scale *= 10) {
+  for (double scale = 1; epsilon * largest * scale < kDecimalStepMaxRounding && scale < 1e13; scale *= 10) {
     if (!are_multiples(mesh, scale, epsilon)) continue;
     out.decimal = 1 / scale;
     break;

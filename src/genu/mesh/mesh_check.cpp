@@ -7,11 +7,10 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
 namespace {
-
-// Box diagonals (m): what knees have, and what cannot be one.
-constexpr double kSmallest = 5e-3, kLargest = 0.5, kTooSmall = 1e-3, kTooLarge = 5;
 
 std::array<double, 5> edge_quantiles(const Mesh& mesh, const std::vector<MeshEdge>& edges) {
   std::vector<double> lengths;
@@ -29,7 +28,6 @@ std::array<double, 5> edge_quantiles(const Mesh& mesh, const std::vector<MeshEdg
 
 // Degenerate: the height over the longest side is less than float32 tells apart at these coordinates.
 void count_shapes(const Mesh& mesh, MeshReport& report) {
-  constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
   for (const auto& t : mesh.triangles) {
     std::array<double, 3> side{};
     double largest = 0;
@@ -40,7 +38,7 @@ void count_shapes(const Mesh& mesh, MeshReport& report) {
     std::sort(side.begin(), side.end());
     const Vec3& p = mesh.vertices[at(t[0])];
     const double twice_area = (mesh.vertices[at(t[1])] - p).cross(mesh.vertices[at(t[2])] - p).norm();
-    if (twice_area <= kEpsilon * largest * side[2]) {
+    if (twice_area <= kDegenerateAreaShare * largest * side[2]) {
       ++report.degenerate;
     } else if (twice_area < std::sin(kSliverAngle) * side[1] * side[2]) {  // the smallest angle faces the shortest side
       ++report.slivers;
@@ -75,18 +73,18 @@ std::string guess_unit(double diagonal) {
   const std::pair<const char*, double> units[] = {
       {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
   for (const auto& [name, metres] : units)
-    if (diagonal * metres >= kSmallest && diagonal * metres <= kLargest) return name;
+    if (diagonal * metres >= kLikelyMinDiagonal && diagonal * metres <= kLikelyMaxDiagonal) return name;
   return {};
 }
 
 void check_scale(const MeshReport& report, const std::string& file, const std::string& unit, Diagnostics& out) {
   const double size = report.box.diagonal();
-  if (size >= kSmallest && size <= kLargest) return;
-  const bool refused = !(size >= kTooSmall && size <= kTooLarge);
+  if (size >= kLikelyMinDiagonal && size <= kLikelyMaxDiagonal) return;
+  const bool refused = !(size >= kMinDiagonal && size <= kMaxDiagonal);
   std::string rule =
       fmt::format("read in {}, the surface is {:.3g} mm across, but a knee's are between {:.0f} and {:.0f} mm", unit,
-                  size * 1e3, kSmallest * 1e3, kLargest * 1e3);
-  const auto plausible = [](double d) { return d >= kSmallest && d <= kLargest; };
+                  size * 1e3, kLikelyMinDiagonal * 1e3, kLikelyMaxDiagonal * 1e3);
+  const auto plausible = [](double d) { return d >= kLikelyMinDiagonal && d <= kLikelyMaxDiagonal; };
   if (unit == "m" && plausible(size / 1000)) {
     rule += fmt::format(": in mm it would be {:.3g} mm; write units = \"mm\"", size);
   } else if (unit == "mm" && plausible(size * 1000)) {

@@ -10,9 +10,6 @@
 
 namespace genu {
 
-/// A triangle with an angle below this (rad; 5 deg) is a sliver.
-inline constexpr double kSliverAngle = 0.0873;
-
 struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;

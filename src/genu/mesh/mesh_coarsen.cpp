@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/tolerances.h"
 
 namespace genu {
 namespace {
@@ -90,14 +91,13 @@ class Coarsening {
   }
 
   bool keeps_the_shape(int gone, int kept) const {
-    constexpr double kLeastCosine = 0.5;
     for (const int t : beside_[at(gone)]) {
       std::array<int, 3> corners = mesh_.triangles[at(t)];
       if (has(corners, kept)) continue;
       const Vec3 before = normal(corners);
       std::replace(corners.begin(), corners.end(), gone, kept);
       const Vec3 after = normal(corners);
-      if (!(before.dot(after) >= kLeastCosine * before.norm() * after.norm()) || after.norm() == 0) return false;
+      if (!(before.dot(after) >= kCoarsenMinCosine * before.norm() * after.norm()) || after.norm() == 0) return false;
     }
     return true;
   }

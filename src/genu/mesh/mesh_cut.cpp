@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/tolerances.h"
 
 namespace genu {
 namespace {
-
-/// A vertex that is as near to the cut, as a share of an edge that crosses it, is moved there: what is left has no
-/// slivers, which searches for the closest triangle cannot stand.
-constexpr double kNear = 0.1;
 
 class Cut {
  public:
@@ -32,8 +29,8 @@ class Cut {
       crossings_[{a, b}] = {p, -1};
       const double share = (p - mesh.vertices[at(a)]).norm() / (mesh.vertices[at(b)] - mesh.vertices[at(a)]).norm();
       // A vertex of the border stays on it.
-      if (share < kNear && (!border[at(a)] || e.count == 1)) move(a, p);
-      if (share > 1 - kNear && (!border[at(b)] || e.count == 1)) move(b, p);
+      if (share < kCutSnapShare && (!border[at(a)] || e.count == 1)) move(a, p);
+      if (share > 1 - kCutSnapShare && (!border[at(b)] || e.count == 1)) move(b, p);
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "genu/mesh/coordinate_step.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/tolerances.h"
 
 namespace genu {
 namespace {
@@ -126,14 +127,12 @@ void compact(Mesh& mesh) {
 }  // namespace
 
 double weld_tolerance(const Mesh& mesh) {
-  constexpr double kBoxShare = 1e-6;
-  constexpr double kFloatUlps = 2 * std::numeric_limits<float>::epsilon();
   const CoordinateStep written = coordinate_step(mesh);
   const BoundingBox box = bounding_box(mesh);
   const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   const double rounding =
-      written.single > 0 ? kFloatUlps * largest : std::min(2 * written.decimal, kFloatUlps * largest);
-  return std::max(kBoxShare * box.diagonal(), rounding);
+      written.single > 0 ? kWeldFloatUlps * largest : std::min(2 * written.decimal, kWeldFloatUlps * largest);
+  return std::max(kWeldBoxShare * box.diagonal(), rounding);
 }
 
 WeldReport weld(Mesh& mesh, double tolerance) {

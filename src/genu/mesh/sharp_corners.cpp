@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
 namespace {
-
-constexpr double kSharp = 0.766;  // cos 40 deg
 
 Vec3 normal_of(const Mesh& mesh, int triangle) {
   const auto& t = mesh.triangles[at(triangle)];
@@ -23,7 +23,7 @@ SharpCorners::SharpCorners(const Mesh& mesh, const std::vector<MeshEdge>& edges)
     const int a = e.v[0], b = e.v[1];
     neighbours_[at(a)].push_back(b);
     neighbours_[at(b)].push_back(a);
-    if (e.count != 2 || normal_of(mesh, e.t[0]).dot(normal_of(mesh, e.t[1])) > kSharp) continue;
+    if (e.count != 2 || normal_of(mesh, e.t[0]).dot(normal_of(mesh, e.t[1])) > kSharpEdgeCosine) continue;
     creases_[at(a)].push_back(b);
     creases_[at(b)].push_back(a);
   }

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/mesh/tolerances.h"
 #include "genu/mesh/triangle_ray.h"
 #include "genu/mesh/triangle_tree.h"
 
 namespace genu {
 namespace {
 
-/// What single precision may err, with room to spare (some ten roundings of 6e-8): of a square of a distance, and of a
-/// coordinate or the cosine of an angle.
-constexpr float kSquare = 4e-6F;
-constexpr double kSingle = 1e-6;
 constexpr float kNowhere = 1e6F;  // m: where no ray comes
 
 }  // namespace
@@ -47,11 +44,11 @@ void TriangleTree::gather_clusters() {
       cluster.x[at] = static_cast<float>(from.x());
       cluster.y[at] = static_cast<float>(from.y());
       cluster.z[at] = static_cast<float>(from.z());
-      cluster.radius[at] = static_cast<float>((1 + kSingle) * radius);
+      cluster.radius[at] = static_cast<float>((1 + kSingleRadiusSlack) * radius);
       cluster.nx[at] = static_cast<float>(n.x());
       cluster.ny[at] = static_cast<float>(n.y());
       cluster.nz[at] = static_cast<float>(n.z());
-      cluster.reach = std::max(cluster.reach, (1 + kSingle) * (from.norm() + radius));
+      cluster.reach = std::max(cluster.reach, (1 + kSingleRadiusSlack) * (from.norm() + radius));
     }
   }
 }
@@ -124,11 +121,11 @@ TriangleTree::Cluster::Floats TriangleTree::room(const Cluster& c, const Vec3& f
                                                  double length) {
   using Floats = Cluster::Floats;
   const Eigen::Array3f o = from.cast<float>(), d = direction.cast<float>();
-  const float error = static_cast<float>(kSingle * (from.norm() + length + c.reach));
+  const float error = static_cast<float>(kSingleRadiusSlack * (from.norm() + length + c.reach));
   const Floats x = c.x - o[0], y = c.y - o[1], z = c.z - o[2];
   const Floats along = x * d[0] + y * d[1] + z * d[2], whole = x * x + y * y + z * z;
   const Floats t = along.max(0.0F).min(static_cast<float>(length));
-  const Floats off = (whole - t * (2 * along - t) - kSquare * whole).max(0.0F).sqrt() - c.radius;
+  const Floats off = (whole - t * (2 * along - t) - kSingleSquareSlack * whole).max(0.0F).sqrt() - c.radius;
   const Floats behind = -(c.nx * x + c.ny * y + c.nz * z);
   const Floats turned = (c.nx * d[0] + c.ny * d[1] + c.nz * d[2]) * static_cast<float>(-0.5 * length);
   return off.max(behind).max(turned) - error;
@@ -138,9 +135,9 @@ TriangleTree::Cluster::Floats TriangleTree::room(const Cluster& c, const Vec3& f
 void TriangleTree::ask(int cluster, const Asked& ray, double& free, TrianglesAtRay& out) const {
   const Cluster& c = clusters_[static_cast<std::size_t>(cluster)];
   const Cluster::Floats rooms = room(c, ray.origin - c.centre, ray.direction, ray.length);
-  const float smallest = rooms.minCoeff(), near = static_cast<float>((1 + kSingle) * ray.least);
+  const float smallest = rooms.minCoeff(), near = static_cast<float>((1 + kSingleRadiusSlack) * ray.least);
   if (smallest < free) {
-    free = std::max(ray.least, (1 - kSingle) * static_cast<double>(smallest));
+    free = std::max(ray.least, (1 - kSingleRadiusSlack) * static_cast<double>(smallest));
     out.nearest = cluster;
   }
   if (smallest > near) return;
@@ -161,7 +158,7 @@ void TriangleTree::at_ray(const ClustersNear& clusters, const Vec3& origin, cons
   const Slab slab(origin, direction, length);
   const Vec3 from = origin - clusters.centre;
   const Eigen::Array3f o = from.cast<float>(), d = direction.cast<float>();
-  const double error = kSingle * (from.norm() + length + clusters.reach);
+  const double error = kSingleRadiusSlack * (from.norm() + length + clusters.reach);
   double free = most;
   out.count = 0;
   // What was nearest the last time goes first: what is farther is then known to be so.
@@ -171,7 +168,7 @@ void TriangleTree::at_ray(const ClustersNear& clusters, const Vec3& origin, cons
     const Balls::Floats x = balls.x - o[0], y = balls.y - o[1], z = balls.z - o[2];
     const Balls::Floats along = x * d[0] + y * d[1] + z * d[2], whole = x * x + y * y + z * z;
     const Balls::Floats t = along.max(0.0F).min(static_cast<float>(length));
-    const Balls::Floats off = (whole - t * (2 * along - t) - kSquare * whole).max(0.0F).sqrt() - balls.reach;
+    const Balls::Floats off = (whole - t * (2 * along - t) - kSingleSquareSlack * whole).max(0.0F).sqrt() - balls.reach;
     for (int i = 0; i < Balls::kSize; ++i) {
       const int cluster = balls.cluster[static_cast<std::size_t>(i)];
       if (!(off[i] <= free + error) || cluster == first || cluster < 0) continue;

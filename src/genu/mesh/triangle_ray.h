@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "genu/core/types.h"
+#include "genu/mesh/tolerances.h"
 
 namespace genu {
 
@@ -16,8 +17,7 @@ struct Slab {
   Slab(const Vec3& o, const Vec3& d, double l) : origin(o), length(l) {
     // Along an axis that the segment does not move in, it is inside for ever or never: a very large slope says the same
     // without a case of its own.
-    constexpr double kStill = 1e-30;
-    for (Eigen::Index i = 0; i < 3; ++i) inverse[i] = 1 / (std::abs(d[i]) < kStill ? kStill : d[i]);
+    for (Eigen::Index i = 0; i < 3; ++i) inverse[i] = 1 / (std::abs(d[i]) < kMinRayComponent ? kMinRayComponent : d[i]);
   }
 
   double entry(const Vec3& low, const Vec3& high, double margin, double most) const {

@@ -4,19 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/mesh/tolerances.h"
 #include "genu/mesh/triangle_ray.h"
 
 namespace genu {
 namespace {
-
-constexpr double kLean = 0.6428;                 // cos 50 deg: normals off the axis
-constexpr double kTurn = 0.1;                    // of the length: a motion that turns a ray by
-constexpr double kTurned = 12 * M_PI / 180;      // at most; rad
-constexpr double kLeastAngle = 20 * M_PI / 180;  // rad, between a ray and the axis: what a sheet has to be good for
-constexpr double kTight = 0.1;                   // of the length: what is less inside is not well inside
-constexpr double kAside = 0.3, kBelow = 1.1, kAbove = 1.4;  // of the length: the cylinder round what it is spread from
-constexpr int kMostFacets = 50000, kMostSteps = 64;
-constexpr double kRounding = 1e-9;
 
 double distance_to_segment(const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
@@ -30,7 +22,7 @@ double distance_to_segment(const Vec2& a, const Vec2& b) {
 bool TriangleSheet::Cylinder::passes_by(const std::array<Vec3, 3>& c) const {
   const Vec2 a = seen(c[0]), b = seen(c[1]), d = seen(c[2]), middle = (a + b + d) / 3;
   const double size = std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (d - middle).squaredNorm()});
-  return middle.norm() > (1 + kRounding) * radius + std::sqrt(size);
+  return middle.norm() > (1 + kSheetRounding) * radius + std::sqrt(size);
 }
 
 /// Whether a triangle lies outside, surely.
@@ -72,10 +64,10 @@ bool TriangleSheet::choose_axis(const TriangleTree& tree, int first, int last, d
   double reach = 0;
   for (int k = first; k < last; ++k)
     for (const Vec3& p : tree.corners_[at(k)]) reach = std::max(reach, cylinder_.seen(p).norm());
-  cylinder_.radius = reach + kAside * length;
-  cylinder_.roomy = cylinder_.radius - kTight * length;
-  cylinder_.low = -kBelow * length;
-  cylinder_.high = kAbove * length;
+  cylinder_.radius = reach + kSheetAside * length;
+  cylinder_.roomy = cylinder_.radius - kSheetRoom * length;
+  cylinder_.low = -kSheetBelow * length;
+  cylinder_.high = kSheetAbove * length;
   facets_.push_back({best, {-1, -1, -1}});
   return true;
 }
@@ -111,7 +103,8 @@ bool TriangleSheet::grow(const TriangleTree& tree, Marks& marks) {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const int place = facets_[f].place;
     const double facing = tree.areas_[at(place)].dot(cylinder_.axis), size = tree.sizes_[at(place)];
-    if (!(facing > kLean * size) || facets_.size() > kMostFacets || !winds_once(tree, place, marks)) return false;
+    if (!(facing > kSheetMinCosine * size) || facets_.size() > kMaxSheetFacets || !winds_once(tree, place, marks))
+      return false;
     lean_ = std::min(lean_, facing / size);
     for (std::size_t i = 0; i < 3; ++i) {
       const int next = tree.beside_[at(place)][i];
@@ -131,7 +124,8 @@ bool TriangleSheet::grow(const TriangleTree& tree, Marks& marks) {
 /// graph. Both also when they are turned by a little more. False if that leaves too little.
 bool TriangleSheet::choose_angle(const TriangleTree& tree, Marks& marks) {
   const Cylinder& c = cylinder_;
-  tree.clusters_near(c.origin + c.low * c.axis, c.axis, c.high - c.low, (1 + kRounding) * c.radius, marks.clusters);
+  tree.clusters_near(c.origin + c.low * c.axis, c.axis, c.high - c.low, (1 + kSheetRounding) * c.radius,
+                     marks.clusters);
   double facing = -1;
   tree.each_place(marks.clusters, [&](int place) {
     const double size = tree.sizes_[at(place)], along = tree.areas_[at(place)].dot(c.axis);
@@ -139,9 +133,9 @@ bool TriangleSheet::choose_angle(const TriangleTree& tree, Marks& marks) {
     if (marks.triangle[at(place)] == marks.stamp && marks.facet[at(place)] >= 0) return;
     if (!c.excludes(tree.corners_[at(place)])) facing = along / size;
   });
-  const double angle = std::min(std::asin(-facing), M_PI / 2 - std::acos(lean_)) - kTurned - kRounding;
+  const double angle = std::min(std::asin(-facing), M_PI / 2 - std::acos(lean_)) - kSheetMaxTurn - kSheetRounding;
   along_ = std::cos(angle);
-  return angle > kLeastAngle;
+  return angle > kSheetMinRayAngle;
 }
 
 void TriangleSheet::spread(const TriangleTree& tree, int first, int last, double length, Marks& marks) {
@@ -162,7 +156,7 @@ double TriangleSheet::clearance(const RayLine& line, double t, double aside, dou
   // The nearer end of the ray lies off the graph by at least its distance times cos(lean of the normals + turn of it).
   const double off = t > 0 ? t - line.length : -t;
   const double margin = along * lean_ - std::sqrt(std::max(0.0, 1 - along * along) * (1 - lean_ * lean_));
-  return std::min({off * std::max(0.0, margin), kTurn * line.length, inside});
+  return std::min({off * std::max(0.0, margin), kSheetTurnShare * line.length, inside});
 }
 
 /// Of a ray whose line crosses a triangle of the sheet.
@@ -192,7 +186,7 @@ TriangleSheet::Meeting TriangleSheet::meet(const TriangleTree& tree, const Vec3&
   const RayLine line(origin, direction, length);
   // Of a triangle that the ray comes out of, all three have this sign.
   const double sign = direction[line.z] > 0 ? -1 : 1;
-  for (int step = 0; step < kMostSteps && facet >= 0; ++step) {
+  for (int step = 0; step < kMaxSheetSteps && facet >= 0; ++step) {
     const Facet& f = facets_[at(facet)];
     const auto& c = tree.corners_[at(f.place)];
     const Vec2 a = line.across(c[0]), b = line.across(c[1]), d = line.across(c[2]);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/mesh/triangle_ray.h"
 
 namespace genu {
@@ -65,9 +66,8 @@ void TriangleTree::build() {
   }
   corners_ = std::move(ordered);
   // Boxes touch what they hold: rounding in the slab test must not lose a triangle in a plane of the axes.
-  constexpr double kGrow = 1e-12;
   for (Node& node : nodes_) {
-    const Vec3 more = kGrow * (node.low.cwiseAbs().cwiseMax(node.high.cwiseAbs()) + (node.high - node.low));
+    const Vec3 more = kBoxGrowth * (node.low.cwiseAbs().cwiseMax(node.high.cwiseAbs()) + (node.high - node.low));
     node.low -= more;
     node.high += more;
   }

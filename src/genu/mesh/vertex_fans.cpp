@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -79,8 +81,7 @@ std::size_t split_fans(Mesh& mesh) {
 
 std::size_t drop_small_fans(Mesh& mesh) {
   const std::size_t before = mesh.triangles.size();
-  constexpr int kRounds = 50;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMaxFanRounds; ++round) {
     std::vector<char> gone(mesh.triangles.size(), 0);
     bool any = false;
     for_each_pinched(mesh, [&](int, const std::vector<std::vector<int>>& fans) {

@@ -9,12 +9,6 @@
 
 namespace genu {
 
-/// Cosine: what faces more than 65 degrees away belongs to another sheet.
-inline constexpr double kConeCosine = 0.42;
-
-/// Of the root of a component's mean area: no patch is wider.
-inline constexpr double kMostOfSheet = 0.3;
-
 struct VertexGraph {
   std::vector<Vec3> normals;   ///< outward unit normal at each vertex (area weighted); zero where no triangle is
   std::vector<double> areas;   ///< m^2, a third of the area of the triangles round each vertex

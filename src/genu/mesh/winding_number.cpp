@@ -5,11 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/mesh/tolerances.h"
+
 namespace genu {
 namespace {
 
 constexpr int kGroupLeaf = 8;
-constexpr double kDipoleFrom = 3;  // radii: a group seen from farther away is a dipole
 
 /// Van Oosterom and Strackee 1983; positive where the triangle's inner side is seen.
 double solid_angle(const std::array<Vec3, 3>& t, const Vec3& x) {
@@ -76,7 +77,7 @@ double WindingNumber::operator()(const Vec3& x) const {
     const Node& node = nodes_[at(open[--count])];
     const Vec3 d = node.centre - x;
     const double square = d.squaredNorm();
-    if (square > kDipoleFrom * kDipoleFrom * node.radius * node.radius) {
+    if (square > kDipoleDistance * kDipoleDistance * node.radius * node.radius) {
       angle += node.area.dot(d) / (square * std::sqrt(square));
     } else if (node.children >= 0) {
       open[count++] = node.children;

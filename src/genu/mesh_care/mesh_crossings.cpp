@@ -8,6 +8,9 @@
 #include <tbb/parallel_for.h>
 #include <Eigen/Geometry>
 
+#include "genu/mesh/tolerances.h"
+#include "genu/mesh_care/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -27,8 +30,7 @@ struct Box {
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double value = u.cross(v).dot(w);
-  constexpr double kRounding = 1e-14;
-  return std::abs(value) <= kRounding * u.norm() * v.norm() * w.norm() ? 0 : value;
+  return std::abs(value) <= kVolumeRounding * u.norm() * v.norm() * w.norm() ? 0 : value;
 }
 
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -46,8 +48,7 @@ using Flat = std::array<Vec2, 3>;
 int turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
   const double value = u.x() * v.y() - u.y() * v.x();
-  constexpr double kRounding = 1e-12;
-  return std::abs(value) <= kRounding * u.norm() * v.norm() ? 0 : sign(value);
+  return std::abs(value) <= kTurnRounding * u.norm() * v.norm() ? 0 : sign(value);
 }
 
 bool edges_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -177,10 +178,9 @@ std::vector<std::pair<int, int>> crossing_triangles(const Mesh& mesh, std::size_
     Corners& c = corners[at(i)];
     for (std::size_t k = 0; k < 3; ++k) c[k] = mesh.vertices[at(mesh.triangles[at(i)][k])];
     boxes[at(i)] = {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
-    constexpr double kSmallestSine = 1e-9;
     const Vec3 u = c[1] - c[0], v = c[2] - c[0], w = c[2] - c[1];
     const double longest = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
-    flat[at(i)] = !(u.cross(v).norm() > kSmallestSine * longest);
+    flat[at(i)] = !(u.cross(v).norm() > kDegenerateSine * longest);
   }
   const BoxTree tree(std::move(boxes));
   std::vector<std::vector<int>> met(at(count));

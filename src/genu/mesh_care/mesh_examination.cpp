@@ -14,6 +14,8 @@
 #include "genu/mesh/vertex_fans.h"
 #include "genu/mesh_care/mesh_crossings.h"
 #include "genu/mesh_care/mesh_shape.h"
+#include "genu/mesh_care/tolerances.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -62,11 +64,11 @@ class Examiner {
   }
 
   std::string where(Flaw::Kind kind) const {
-    constexpr int kTold = 3;
+    constexpr int kFlawsListed = 3;
     std::string text;
     int told = 0, all = 0;
     for (const Flaw& flaw : out_.flaws) {
-      if (flaw.kind != kind || ++all > kTold) continue;
+      if (flaw.kind != kind || ++all > kFlawsListed) continue;
       text += (told++ > 0 ? "; " : "") + describe(flaw, unit_);
     }
     return all > told ? text + fmt::format("; and {} more", all - told) : text;
@@ -87,23 +89,21 @@ class Examiner {
         : guess.size() < 3 && guess != "cm"
             ? "a knee's in " + guess + ": say --units " + guess + ", and units in the scene"
             : "a knee's in " + guess + ", which genu does not read: scale it to mm");
-    constexpr std::size_t kFew = 100, kTooFew = 4;  // triangles: a joint's surface has hundreds, a tetrahedron four
     say("vertices, triangles", fmt::format("{}, {}", report_.vertices, report_.triangles),
-        report_.triangles < kTooFew ? Verdict::bad
-        : report_.triangles < kFew  ? Verdict::note
-                                    : Verdict::good,
-        report_.triangles < kTooFew ? "too few to be a surface"
-        : report_.triangles < kFew  ? "few: a joint's surface has hundreds"
-                                    : "");
+        report_.triangles < kMinTrianglesOfMesh   ? Verdict::bad
+        : report_.triangles < kFewTrianglesOfMesh ? Verdict::note
+                                                  : Verdict::good,
+        report_.triangles < kMinTrianglesOfMesh   ? "too few to be a surface"
+        : report_.triangles < kFewTrianglesOfMesh ? "few: a joint's surface has hundreds"
+                                                  : "");
     say("edges 5/50/95 %", lengths({report_.edge_length[1], report_.edge_length[2], report_.edge_length[3]}, 3),
         Verdict::good);
     say_rounding();
   }
 
   void say_rounding() {
-    constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
     const double step = facts_.rounding;
-    const bool coarse = step > kCoarse, far = coarse && facts_.single;
+    const bool coarse = step > kCoarseCoordinateStep, far = coarse && facts_.single;
     say("coordinates rounded to", step > 0 ? fmt::format("{:.2g} mm", to::kMillimetre * step) : "double precision",
         far      ? Verdict::bad
         : coarse ? Verdict::note

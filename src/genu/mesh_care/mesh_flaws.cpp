@@ -11,14 +11,10 @@
 #include "genu/mesh/sharp_corners.h"
 #include "genu/mesh/winding_number.h"
 #include "genu/mesh_care/mesh_crossings.h"
+#include "genu/mesh_care/tolerances.h"
 
 namespace genu {
 namespace {
-
-// Of the area of the largest piece: a smaller piece is a scrap. The two plateaus of a tibia are about alike.
-constexpr double kScrap = 0.1;
-// Of the largest part of what was one piece: a smaller part that hangs on wrong triangles alone is a fin or a fold.
-constexpr double kFin = 0.25;
 
 Vec3 area_vector(const Mesh& mesh, const std::array<int, 3>& t) {
   return 0.5 *
@@ -165,7 +161,7 @@ void cut_out_pieces(Mesh& mesh, const std::vector<int>& whole, std::vector<Flaw>
   std::vector<char> verdict(pieces.size(), 0);
   for (int k = 0; k < parts.count; ++k) {
     const Piece& p = pieces[at(k)];
-    if (p.area < kScrap * most || p.area < kFin * largest[at(p.whole)]) verdict[at(k)] = kStray;
+    if (p.area < kScrapShare * most || p.area < kFinShare * largest[at(p.whole)]) verdict[at(k)] = kStray;
     if (p.closed && is_inner(mesh, parts, pieces, k)) verdict[at(k)] = kInner;
   }
   std::vector<char> wrong(mesh.triangles.size());
@@ -184,8 +180,7 @@ Flaw hole_flaw(const Mesh& mesh, const FreeLoop& loop) {
   Vec3 middle = Vec3::Zero();
   for (const int v : loop.vertices) middle += mesh.vertices[at(v)] / static_cast<double>(loop.vertices.size());
   const double edge = loop.length / static_cast<double>(loop.vertices.size());
-  constexpr std::size_t kSpokes = 64;
-  const std::size_t step = 1 + loop.vertices.size() / kSpokes;
+  const std::size_t step = 1 + loop.vertices.size() / kMaxSpokes;
   for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
     const Vec3& rim = mesh.vertices[at(loop.vertices[k])];
     flaw.points.push_back(rim);
@@ -217,7 +212,6 @@ void add_holes(const Mesh& mesh, const std::vector<MeshEdge>& before, std::vecto
 /// neighbours do as well, the mesh is coarse there and no vertex is to blame; where creases meet, it is the corner of a
 /// solid (SharpCorners).
 void mark_spikes(const Mesh& mesh, const std::vector<MeshEdge>& edges, std::vector<char>& wrong, char mark) {
-  constexpr double kSteep = 4.5;  // rad, of 2 pi on a smooth surface; the corner of a cube has 4.7
   std::vector<double> angle(mesh.vertices.size(), 0.0);
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -226,7 +220,7 @@ void mark_spikes(const Mesh& mesh, const std::vector<MeshEdge>& edges, std::vect
       angle[at(t[k])] += std::atan2(u.cross(v).norm(), u.dot(v));
     }
   std::vector<char> steep(mesh.vertices.size(), 0);
-  for (std::size_t v = 0; v < angle.size(); ++v) steep[v] = angle[v] < kSteep;
+  for (std::size_t v = 0; v < angle.size(); ++v) steep[v] = angle[v] < kSteepFan;
   for (const MeshEdge& e : edges)
     if (e.count != 2) steep[at(e.v[0])] = steep[at(e.v[1])] = 0;
   const std::vector<char> alone = [&] {
@@ -288,18 +282,15 @@ std::vector<FreeLoop> free_loops(const Mesh& mesh) {
     }
     double aligned = 0;
     for (const int v : vertices) aligned += std::abs(normals[at(v)].dot(enclosed.normalized()));
-    constexpr double kTube = 0.5;  // cosine: the surface leaves the loop's plane steeply
-    constexpr std::size_t kFewest = 12;
-    tube.push_back(vertices.size() >= kFewest && aligned < kTube * static_cast<double>(vertices.size()));
+    tube.push_back(vertices.size() >= kMinTubeVertices && aligned < kTubeCosine * static_cast<double>(vertices.size()));
     piece.push_back(parts.of_triangle[at(triangle[at(vertices[0])])]);
     longest[at(piece.back())] = std::max(longest[at(piece.back())], loop.length);
     loop.vertices = std::move(vertices);
     loops.push_back(std::move(loop));
   }
-  constexpr double kLong = 0.3;  // a disc has 1, a hole in a large surface nearly 0
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool rim =
-        loops[k].length >= longest[at(piece[k])] && loops[k].length > kLong * std::sqrt(4 * M_PI * area[at(piece[k])]);
+    const bool rim = loops[k].length >= longest[at(piece[k])] &&
+                     loops[k].length > kLongLoopShare * std::sqrt(4 * M_PI * area[at(piece[k])]);
     loops[k].border = rim || tube[k];
   }
   return loops;

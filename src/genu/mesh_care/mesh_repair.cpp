@@ -14,6 +14,7 @@
 #include "genu/mesh/vertex_fans.h"
 #include "genu/mesh_care/mesh_flaws.h"
 #include "genu/mesh_care/mesh_shape.h"
+#include "genu/mesh_care/tolerances.h"
 
 namespace genu {
 namespace {
@@ -80,10 +81,9 @@ std::vector<Halfedge> holes_of(const SurfaceMesh& surface, const std::set<Edge>&
 
 void fill(SurfaceMesh& surface, const std::vector<Halfedge>& holes, RepairReport& report) {
   // Triangulating takes the cube of the edges at worst: a loop longer than this is no hole that a guess could fill.
-  constexpr std::size_t kMostEdges = 1000;
   for (const Halfedge hole : holes) {
     const auto loop = CGAL::halfedges_around_face(hole, surface);
-    if (static_cast<std::size_t>(std::distance(loop.begin(), loop.end())) > kMostEdges) {
+    if (static_cast<std::size_t>(std::distance(loop.begin(), loop.end())) > kMaxFilledEdges) {
       ++report.left_open;
       continue;
     }
@@ -111,8 +111,7 @@ RepairReport repair_mesh(Mesh& mesh) {
   Mesh work = mesh;
   report.turned = make_winding_consistent(work, mesh_edges(work)).flipped;
   // A filling may run into what is round it: then both are taken out, and the larger hole is filled.
-  constexpr int kRounds = 4;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMaxFillRounds; ++round) {
     const std::size_t before = work.triangles.size();
     const std::set<Edge> borders = border_edges(work);
     cut_out_flaws(work);

@@ -11,15 +11,13 @@
 
 #include "genu/core/decompositions.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh_care/tolerances.h"
 #include "genu/surface/fit_choice.h"
 #include "genu/surface/local_fit.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr std::size_t kFits = 1000;
-constexpr std::size_t kRays = 400;
-constexpr double kRayWork = 4e7;  // ray-triangle tests
 
 double sorted_quantile(const std::vector<double>& sorted, double q) {
   return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
@@ -33,7 +31,7 @@ std::array<double, 2> principal(const Mat3& tensor) {
 }
 
 void measure_curvature(const Mesh& mesh, const VertexGraph& graph, int degree, MeshShape& shape) {
-  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kFits);
+  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kMaxShapeFits);
   const std::size_t count = (mesh.vertices.size() + step - 1) / step;
   std::vector<std::array<double, 2>> found(count);
   std::vector<char> valid(count, 0);
@@ -47,7 +45,7 @@ void measure_curvature(const Mesh& mesh, const VertexGraph& graph, int degree, M
       HeightFit fit = fitter.fit(request);
       if (fit.degree == 0) continue;
       // As a scene's surface does: narrower where the surface turns out to be sharp.
-      const double narrow = kMostOfCurvature / std::max(fit.curvature(fit.origin).norm(), 1e-300);
+      const double narrow = kMaxOfCurvature / std::max(fit.curvature(fit.origin).norm(), 1e-300);
       request.radius = std::max(3 * graph.median_edge, narrow);
       if (request.radius < shape.fit_radius)
         if (const HeightFit narrower = fitter.fit(request); narrower.degree > 0) fit = narrower;
@@ -91,8 +89,8 @@ double first_back_face(const Mesh& mesh, const Vec3& p, const Vec3& d, double be
 }
 
 void measure_thickness(const Mesh& mesh, const VertexGraph& graph, MeshShape& shape) {
-  const double affordable = kRayWork / static_cast<double>(mesh.triangles.size());
-  const std::size_t rays = std::clamp<std::size_t>(static_cast<std::size_t>(affordable), 20, kRays);
+  const double affordable = kThicknessRayTests / static_cast<double>(mesh.triangles.size());
+  const std::size_t rays = std::clamp<std::size_t>(static_cast<std::size_t>(affordable), 20, kMaxThicknessRays);
   const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / rays);
   const std::size_t count = (mesh.vertices.size() + step - 1) / step;
   std::vector<double> found(count, std::numeric_limits<double>::infinity());

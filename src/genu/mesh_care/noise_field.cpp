@@ -8,11 +8,10 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/mesh/vertex_graph.h"
+#include "genu/mesh_care/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr int kWaves = 400;
 
 /// cos(wave . x + phase): with normal wave vectors of variance 2 / l^2 the mean product of two values is half the
 /// Gaussian correlation (random Fourier features, Rahimi and Recht 2007).
@@ -25,7 +24,7 @@ std::vector<Wave> draw_waves(double length, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, std::numbers::sqrt2);
   std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
-  std::vector<Wave> waves(kWaves);
+  std::vector<Wave> waves(kNoiseWaves);
   for (Wave& w : waves) {
     for (int axis = 0; axis < 3; ++axis) w.wave[axis] = normal(random) / length;
     w.phase = angle(random);
@@ -45,7 +44,7 @@ std::vector<double> noise_field(const std::vector<Vec3>& points, const MeshNoise
     return heights;
   }
   const std::vector<Wave> waves = draw_waves(noise.correlation_length, seed);
-  const double scale = noise.rms * std::sqrt(2.0 / kWaves);
+  const double scale = noise.rms * std::sqrt(2.0 / kNoiseWaves);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       double sum = 0;

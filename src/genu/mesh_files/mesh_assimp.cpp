@@ -13,6 +13,7 @@
 #include <assimp/Importer.hpp>
 
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 // assimp's own joining (which keeps STL torn along its facet normals) is needed. Empty text where all is well.
 std::string append_part(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
   const std::size_t base = mesh.vertices.size();
-  if (base + part.mNumVertices > kMostPerMesh) return "has more vertices than can be counted: reduce the mesh";
+  if (base + part.mNumVertices > kMaxMeshCount) return "has more vertices than can be counted: reduce the mesh";
   for (unsigned v = 0; v < part.mNumVertices; ++v) {
     const aiVector3D p = placed * part.mVertices[v];
     mesh.vertices.emplace_back(p.x, p.y, p.z);

@@ -9,13 +9,12 @@
 #include <unistd.h>
 
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
 
 constexpr std::uint64_t kStlHeader = 84, kStlTriangle = 50;  // bytes of a binary STL
-// Measured on binary STL: the file itself and the mesh before welding.
-constexpr std::uint64_t kMemoryPerByte = 8;
 
 std::string lower(std::string s) {
   std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -24,8 +23,7 @@ std::string lower(std::string s) {
 
 // ASCII STL starts with "solid", but so do some binary ones: the words of the body decide. Titles may be long.
 bool is_ascii_stl(std::string_view bytes) {
-  constexpr std::size_t kFar = 1 << 23;
-  const std::string text = lower(std::string(bytes.substr(0, kFar)));
+  const std::string text = lower(std::string(bytes.substr(0, kBytesSearched)));
   const std::size_t mark = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // of UTF-8
   const std::size_t first = text.find_first_not_of(" \t\r\n", mark);
   if (first == std::string::npos || text.compare(first, 5, "solid") != 0) return false;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "genu/mesh/mesh.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 
@@ -36,16 +37,9 @@ std::string read_obj(std::string_view bytes, Mesh& mesh);
 std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh);
 inline constexpr const char* kByAssimp[] = {".3ds", ".amf", ".dae", ".glb", ".gltf"};
 
-/// Coordinates beyond this (in the file's unit: 1000 km in mm) are damaged: nothing that is measured lies there, and
-/// squares of numbers much larger overflow.
-inline constexpr double kFarthest = 1e9;
-
-inline bool is_coordinate(double x) { return std::abs(x) <= kFarthest; }  // false for nan
+inline bool is_coordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for nan
 
 /// What a coordinate has to be, for messages.
 inline constexpr const char* kCoordinate = "a coordinate (finite, at most 1e9)";
-
-/// How many vertices, or triangles, a mesh may have: an int counts them, three to a triangle of STL.
-inline constexpr std::size_t kMostPerMesh = 700'000'000;
 
 }  // namespace genu

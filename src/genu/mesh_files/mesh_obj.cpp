@@ -2,6 +2,7 @@
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -41,7 +42,7 @@ class ObjFile {
     }
     if (values.size() < 3) return fail("has fewer than three numbers");
     if (values.size() == 4 && values[3] != 1) return fail("has a vertex with a weight other than 1");
-    if (mesh_.vertices.size() >= kMostPerMesh) return fail("has more vertices than can be counted");
+    if (mesh_.vertices.size() >= kMaxMeshCount) return fail("has more vertices than can be counted");
     mesh_.vertices.emplace_back(values[0], values[1], values[2]);
   }
 

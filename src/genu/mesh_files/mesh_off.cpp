@@ -1,5 +1,6 @@
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -62,8 +63,8 @@ class OffFile {
     if (words_.peek() == "BINARY") found(words_.next(), "the count of vertices (binary OFF is not read)");
     for (std::size_t* count : {&vertices, &faces, &edges}) {
       word = words_.next();
-      if (!TextWords::number(word, *count) || *count > kMostPerMesh)
-        found(word, "a count from 0 to " + std::to_string(kMostPerMesh));
+      if (!TextWords::number(word, *count) || *count > kMaxMeshCount)
+        found(word, "a count from 0 to " + std::to_string(kMaxMeshCount));
     }
     return problem_.empty();
   }

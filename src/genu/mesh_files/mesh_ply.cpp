@@ -9,6 +9,7 @@
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/ply_header.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -187,7 +188,7 @@ class PlyFile {
 
   /// The vertex that a number names; the vertices may come after the faces.
   int corner(double value) {
-    if (value >= 0 && value < static_cast<double>(kMostPerMesh) && value == std::floor(value)) {
+    if (value >= 0 && value < static_cast<double>(kMaxMeshCount) && value == std::floor(value)) {
       if (value > highest_) highest_ = value, highest_line_ = body_.line(), highest_number_ = number_;
       return static_cast<int>(value);
     }

@@ -11,6 +11,7 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_file_check.h"
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -68,8 +69,7 @@ void warn(const std::string& path, const std::string& what, Diagnostics& out) {
 /// A surface far from its origin has no room left for its shape in seven digits.
 void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_unit, const MeshFileFacts& facts,
                    Diagnostics& out) {
-  constexpr double kCoarse = 2e-6;  // m: coarser steps show in curvature
-  if (!facts.single || !(facts.rounding > kCoarse)) return;
+  if (!facts.single || !(facts.rounding > kCoarseCoordinateStep)) return;
   double farthest = 0;
   for (const Vec3& v : mesh.vertices) farthest = std::max(farthest, v.norm());
   warn(path,
@@ -81,12 +81,11 @@ void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_
 
 /// Welds what was read and notes its facts; says why nothing is left of it. `again` gives what was read once more.
 std::string clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>& again) {
-  constexpr std::size_t kEnough = 100;  // fewer vertices may lie on decimals by chance, or by design
   if (mesh.empty()) return "has no triangles: export the surface as a triangle mesh";
   facts.vertices = mesh.vertices.size();
   facts.triangles = mesh.triangles.size();
   const CoordinateStep written = coordinate_step(mesh);
-  const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kEnough;
+  const bool decimal = written.decimal > 0 && mesh.vertices.size() >= kMinDecimalVertices;
   facts.rounding = decimal ? written.decimal : written.single;
   facts.single = !decimal && written.single > 0;
   const double tolerance = weld_tolerance(mesh);

@@ -7,6 +7,7 @@
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -119,7 +120,7 @@ std::string read_stl(std::string_view bytes, Mesh& mesh) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + kBinaryHeader - sizeof count, sizeof count);
   if (bytes.size() != kBinaryHeader + kTriangle * count) return AsciiStl(bytes, mesh).read();
-  if (count > kMostPerMesh) return "has more triangles than can be counted: reduce the mesh";
+  if (count > kMaxMeshCount) return "has more triangles than can be counted: reduce the mesh";
   read_binary(bytes.substr(kBinaryHeader), count, mesh);
   return {};
 }

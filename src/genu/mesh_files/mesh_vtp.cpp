@@ -9,6 +9,7 @@
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 #include "genu/mesh_files/vtp_arrays.h"
 
 namespace genu {
@@ -162,7 +163,7 @@ class VtpFile {
     if (!promised(piece, "NumberOfPoints", points_.size(), 3)) return;
     if (!promised(piece, "NumberOfPolys", polygons_.offsets.size(), 1)) return;
     if (!promised(piece, "NumberOfStrips", strips_.offsets.size(), 1)) return;
-    if (mesh_.vertices.size() + points_.size() / 3 > kMostPerMesh)
+    if (mesh_.vertices.size() + points_.size() / 3 > kMaxMeshCount)
       fail("has more points than can be counted: reduce the mesh");
     base_ = mesh_.vertices.size();
     for (std::size_t k = 0; problem_.empty() && k + 2 < points_.size(); k += 3)

@@ -5,6 +5,7 @@
 
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -74,8 +75,8 @@ class HeaderReader {
     PlyElement element;
     element.name = words_.next_in_line();
     const std::string_view count = words_.next_in_line();
-    if (!TextWords::number(count, element.count) || element.count > kMostPerMesh)
-      found(count, "a count from 0 to " + std::to_string(kMostPerMesh));
+    if (!TextWords::number(count, element.count) || element.count > kMaxMeshCount)
+      found(count, "a count from 0 to " + std::to_string(kMaxMeshCount));
     header_.elements.push_back(std::move(element));
   }
 

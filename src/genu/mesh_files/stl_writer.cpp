@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "genu/core/atomic_output.h"
+#include "genu/mesh_files/tolerances.h"
 #include "genu/mesh_files/writer_parts.h"
 
 namespace genu {
@@ -22,10 +23,10 @@ void append_floats(std::string& bytes, const Vec3& v) {
 }
 
 std::string stl_bytes(const Mesh& mesh, double metres_per_unit, const std::string& title) {
-  constexpr std::size_t kTitle = 80;
+  constexpr std::size_t kStlTitleBytes = 80;
   // A title that starts with "solid" would pass for ASCII.
   std::string bytes = title.compare(0, 5, "solid") == 0 ? "binary " + title : title;
-  bytes.resize(kTitle - 1);
+  bytes.resize(kStlTitleBytes - 1);
   bytes.push_back('\0');
   append_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   bytes.reserve(bytes.size() + 50 * mesh.triangles.size());
@@ -77,9 +78,8 @@ double binary_stl_rounding(const Mesh& mesh, double metres_per_unit) {
 }
 
 bool fits_binary_stl(const Mesh& mesh, double metres_per_unit) {
-  constexpr double kUnseen = 1e-6;       // m: steps twice as large show in curvature
-  constexpr double kShareOfEdge = 0.05;  // more turns triangles visibly
-  return binary_stl_rounding(mesh, metres_per_unit) <= std::min(kUnseen, kShareOfEdge * shortest_edge(mesh));
+  return binary_stl_rounding(mesh, metres_per_unit) <=
+         std::min(kUnseenRounding, kUnseenEdgeShare * shortest_edge(mesh));
 }
 
 std::string write_stl(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title) {

@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include "genu/mesh_files/text_words.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
@@ -105,12 +106,11 @@ std::string read_plain(ByteSource& source, const VtpEncoding& encoding, std::str
 std::string read_blocks(ByteSource& source, const VtpEncoding& encoding, std::string& bytes) {
   std::vector<std::uint64_t> head, sizes;
   if (!read_counts(source, encoding, 3, head) || !read_counts(source, encoding, head[0], sizes)) return kTruncated;
-  constexpr std::uint64_t kBestRatio = 1100;  // zlib's is 1032
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const std::uint64_t whole = k + 1 == sizes.size() && head[2] > 0 ? head[2] : head[1];
     std::string packed;
     if (!source.read(sizes[k], packed)) return kTruncated;
-    if (whole > kBestRatio * (packed.size() + 1)) return kDamaged;
+    if (whole > kMaxInflation * (packed.size() + 1)) return kDamaged;
     const std::size_t before = bytes.size();
     bytes.resize(before + whole);
     auto length = static_cast<uLongf>(whole);

@@ -4,14 +4,13 @@
 
 #include "genu/contact/elastic_layer.h"
 #include "genu/contact/smooth_layer.h"
+#include "genu/contact/tolerances.h"
 #include "genu/contact/triangle_layer.h"
 #include "genu/model/measured_thickness.h"
+#include "genu/model/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kEdge = 0.01, kSmoothEdge = 0.02;  // of the smaller surface
-constexpr double kLayerReach = 3;  // of the larger one, or of the characteristic length: of unbounded shapes
 
 /// Triangles of one of the two surfaces, in its body.
 class Facets {
@@ -72,7 +71,7 @@ void build_smooth(const LayerDef& def, Mesh a, Mesh b, const SharedThickness& on
                                       {false, 0.5, side(cells_b, between.a, tree_a, on_b, on_a)}},
       buried, def.damping);
   between.tolerance = def.tolerance;
-  between.most_level = SmoothLayer::kMaxLevel;
+  between.most_level = kMaxLayerLevel;
 }
 
 }  // namespace
@@ -81,7 +80,7 @@ bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model
   const LayerDef& def = scene.layers[k];
   JointModel::Layer& between = model.layers[k];
   const bool smooth = def.quadrature == LayerDef::Quadrature::smooth;
-  const Facets facets(model, between, smooth ? kSmoothEdge : kEdge);
+  const Facets facets(model, between, smooth ? kSmoothLayerEdgeShare : kLayerEdgeShare);
   Mesh a = facets.of(*between.a, between.body_a), b = facets.of(*between.b, between.body_b);
   SharedThickness on_a, on_b;
   const bool known_a = thickness_on(scene, bones, def.pair.surface_a, a, on_a, out),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "genu/model/build_layer.h"
+#include "genu/model/tolerances.h"
 
 namespace genu {
 namespace {
@@ -55,13 +56,11 @@ JointModel::Scales choose_scales(const JointModel& model) {
   grow(model.pairs);
   grow(model.layers);
   // All attachments may coincide; the surfaces then give the size of the joint.
-  constexpr double kLeastShare = 0.01;
-  scales.length = std::max(scales.length, kLeastShare * scales.size);
+  scales.length = std::max(scales.length, kMinLengthShare * scales.size);
 
   double force = 0;
   for (const auto* loads : {&model.loads, &model.weights})
     for (const Load& load : *loads) force = std::max(force, load.largest_force(scales.length));
-  constexpr double kTypicalStrain = 0.01;
   for (const auto& l : model.ligaments) {
     const double slack = l.law.slack_length();
     const double stretched = slack > 0 ? (1 + kTypicalStrain) * slack : scales.length;

@@ -2,14 +2,9 @@
 
 #include <limits>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
-namespace {
-
-constexpr int kIterations = 20;
-constexpr double kShortest = 1e-14;  // of the length scale: a smaller step does not move the points
-constexpr double kShort = 1e-9;      // of the length scale: below this, steps that grow are rounding
-
-}  // namespace
 
 bool evaluate_closed(const JointModel& model, const State& state, ActiveContact& contact, ClosedContact& out) {
   const auto& pair = model.pairs[at(contact.pair)];
@@ -18,12 +13,12 @@ bool evaluate_closed(const JointModel& model, const State& state, ActiveContact&
   ContactBlock block;
   EliminatedContact eliminated;
   double last = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kIterations; ++k) {
+  for (int k = 0; k < kMaxClosingSteps; ++k) {
     evaluate_contact(X_a, X_b, contact.geometry, 1, block);
     if (!eliminated.factor(block, length)) return false;
     const Vec4 ds = eliminated.surface_offset;
     const double step = ds.norm() / length;
-    if (step <= kShortest || (step <= kShort && step >= last)) {
+    if (step <= kClosedStep || (step <= kClosingRounding && step >= last)) {
       out.gap = block.residual[2];
       out.gradient = eliminated.gap_gradient;
       out.curvature = eliminated.stiffness;

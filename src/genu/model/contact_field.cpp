@@ -5,22 +5,18 @@
 #include <limits>
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/model/tolerances.h"
 
 namespace genu {
 namespace {
 
-/// In characteristic lengths: unbounded shapes are sampled within this distance of the joint.
-constexpr double kSamplingReach = 10;
-
-/// m: how far missing surface may protrude from the points that represent it. They lie on chords; a surface with the
-/// curvature of a condyle bulges out of a chord by this much. 0 where the smooth surface spans the gap: contact is
-/// found there.
+/// How far (m) what is missing may stand out of the points that stand for it: they lie on chords, and what bends about
+/// as a condyle does stands out of a chord by this. 0 where the smooth surface reaches across: contact is found there.
 double stands_out(const DoubtfulPlace& place) {
-  constexpr double kRadius = 25e-3;  // m
   Vec3 low = place.points[0], high = low;
   for (const Vec3& p : place.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double half = 0.5 * (high - low).norm();
-  return half < place.reach ? 0 : half * half / (2 * kRadius);
+  return half < place.reach ? 0 : half * half / (2 * kSaggingRadius);
 }
 
 /// Whether the contact at `feet`, each with its `size`, or the surface `other` itself, reaches a doubtful place. X_OS:

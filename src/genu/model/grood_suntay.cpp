@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr double kNoAxis = 1e-12;  // rad: below, rounding decides the floating axis
-
-/// Rate of atan2(sine, cosine).
+/// Of atan2(sine, cosine).
 double angle_rate(double sine, double cosine, double sine_rate, double cosine_rate) {
   return (cosine * sine_rate - sine * cosine_rate) / (sine * sine + cosine * cosine);
 }
@@ -21,7 +21,7 @@ std::optional<KneeMotion> grood_suntay(const GroodSuntayDef& axes, const Pose& X
   const Vec3 right_T = anterior_T.cross(proximal_T);
   const Vec3 e1 = anterior_F.cross(proximal_F), e3 = proximal_T;
   const Vec3 floating = e3.cross(e1);
-  if (floating.norm() < kNoAxis) return std::nullopt;
+  if (floating.norm() < kMinFloatingAxis) return std::nullopt;
   const Vec3 e2 = floating.normalized();
   const Vec3 way = (X_W_tibia.p - X_W_femur.p) + (X_W_tibia.R * axes.tibia.origin - X_W_femur.R * axes.femur.origin);
   const double side = axes.right ? 1 : -1;
@@ -44,7 +44,7 @@ std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Po
   const Vec3 e1_rate = turn_F.cross(e1), e3_rate = turn_T.cross(e3);
   const Vec3 floating = e3.cross(e1);
   const double sine = floating.norm();
-  if (sine < kNoAxis) return std::nullopt;
+  if (sine < kMinFloatingAxis) return std::nullopt;
   const Vec3 e2 = floating / sine, floating_rate = e3_rate.cross(e1) + e3.cross(e1_rate);
   const double norm_rate = e2.dot(floating_rate);
   const Vec3 e2_rate = (floating_rate - norm_rate * e2) / sine;

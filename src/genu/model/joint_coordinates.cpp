@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
 
 namespace {
@@ -25,11 +27,10 @@ JointCoordinates::JointCoordinates(const JointDef& joint, Vec3 parent_centre, Ve
       offset_(std::atan2(a_[2].dot(a_[0]), a_[2].dot(a12_))) {}
 
 bool JointCoordinates::is_valid(const std::array<JointDef::Rotation, 3>& rotations) {
-  constexpr double kTolerance = 1e-12;
   const Vec3 &a1 = rotations[0].axis, &a2 = rotations[1].axis, &a3 = rotations[2].axis;
   for (const auto& rotation : rotations)
-    if (!(std::abs(rotation.axis.norm() - 1) < kTolerance)) return false;
-  return std::abs(a1.dot(a2)) < kTolerance && std::abs(a2.dot(a3)) < kTolerance;
+    if (!(std::abs(rotation.axis.norm() - 1) < kUnitAxisTolerance)) return false;
+  return std::abs(a1.dot(a2)) < kUnitAxisTolerance && std::abs(a2.dot(a3)) < kUnitAxisTolerance;
 }
 
 Pose JointCoordinates::pose_from(const JointValues& q) const {
@@ -45,8 +46,7 @@ Vec3 JointCoordinates::angles(const Mat3& R, const Vec3& near, double branch) co
   const Vec3 g = R * a_[2];
   const double g1 = g.dot(a_[0]), g2 = branch * g.dot(a_[1]), g3 = branch * g.dot(a12_);
   const double cos_beta = std::sqrt(g2 * g2 + g3 * g3);
-  constexpr double kUndecided = 1e-14;  // below, q0 is rounding; replacing it changes R by less than pi * this
-  const bool undecided = cos_beta < kUndecided;
+  const bool undecided = cos_beta < kGimbalCosine;
 
   Vec3 q;
   q[0] = undecided ? near[0] : unwind(std::atan2(-g2, g3), near[0]);

@@ -11,6 +11,7 @@
 
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
+#include "genu/model/tolerances.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -40,8 +41,6 @@ class JointPoint {
 
   /// d gradient(i)^T / d [twist of P; twist of C]. Not symmetric: rotations do not commute.
   Hessian hessian(int i) const;
-
-  static constexpr double kGimbalSine = 1e-12;  ///< below, rounding decides the direction of the gradients
 
  private:
   friend class JointCoordinates;

@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "genu/model/ligament_law.h"
+#include "genu/model/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kStatedTolerance = 1e-9;  // of 1 N + the force: a smaller difference is rounding of the law's numbers
-
-/// The error in the breaks that a law states; empty if there is none.
+/// What is wrong with the breaks a law states; empty if nothing is.
 std::string fault(const ForceLaw& law, const std::vector<LawBreak>& breaks) {
   double last = 0;
   for (const LawBreak& b : breaks) {
@@ -24,7 +23,7 @@ std::string fault(const ForceLaw& law, const std::vector<LawBreak>& breaks) {
       const LawBreak::Side& side = above ? b.above : b.below;
       const double force = law.evaluate(above ? after : b.length).force;
       const double slope = std::abs(side.stiffness) * b.length * std::numeric_limits<double>::epsilon();
-      if (!(std::abs(force - side.force) <= kStatedTolerance * (1 + std::abs(side.force)) + 4 * slope))
+      if (!(std::abs(force - side.force) <= kStatedForceTolerance * (1 + std::abs(side.force)) + 4 * slope))
         return fmt::format("the force {} the break at {} m is {} N, the break says {} N", above ? "above" : "at",
                            b.length, force, side.force);
       if (!std::isfinite(side.stiffness)) return "the stiffness beside a break must be finite";

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
 
 bool raise_layer_levels(const JointModel& model, const Linearization& here, State& state) {
-  constexpr double kLeastLoad = 0.01;  // of the force scale
   bool raised = false;
   for (std::size_t k = 0; k < model.layers.size(); ++k) {
     const auto& layer = model.layers[k];
-    const double allowed = layer.tolerance * std::max(here.layer_loads[k], kLeastLoad * model.scales.force);
+    const double allowed = layer.tolerance * std::max(here.layer_loads[k], kMinLayerLoadShare * model.scales.force);
     if (state.layer_level(k) >= layer.most_level || !(here.layer_errors[k] > allowed)) continue;
     state.layer_levels.resize(model.layers.size(), 0);
     ++state.layer_levels[k];

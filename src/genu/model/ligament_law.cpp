@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "genu/law/laws.h"
+#include "genu/model/tolerances.h"
 #include "genu/scene/law_values.h"
 
 namespace genu {
@@ -20,8 +21,7 @@ using Rest = LigamentDef::Rest;
 bool has_force(const LigamentLaw& law, double length, double force) {
   const LawValue v = law.evaluate(length);
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * length * v.stiffness;
-  constexpr double kRelativeTolerance = 1e-9;
-  return std::abs(v.force - force) <= kRelativeTolerance * std::abs(force) + rounding;
+  return std::abs(v.force - force) <= kForceInverseTolerance * std::abs(force) + rounding;
 }
 
 /// The error in the numbers of a law; empty if there is none.

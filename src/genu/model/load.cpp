@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "genu/scene/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -23,12 +25,11 @@ LoadWrench follower_wrench(const Load& load, const Pose& X_WA) {
 }
 
 LoadWrench toward_wrench(const Load& load, const Pose& X_WA, const Pose& X_WB) {
-  constexpr double kCoincident = 1e-9;  // m, as in the check of the scene
   const Vec3 r_A = X_WA.R * load.p_A, r_B = X_WB.R * load.p_B;
   const Vec3 d = (X_WB.p - X_WA.p) + (r_B - r_A);
   const double length = d.norm();
   LoadWrench out;
-  if (!(length > kCoincident)) return out;
+  if (!(length > kCoincidentDistance)) return out;
   const Vec3 u = d / length, t = load.value * u;
   Eigen::Matrix<double, 3, 12> d_twist;  // of d: point velocities v + w x r
   d_twist << -Mat3::Identity(), skew(r_A), Mat3::Identity(), -skew(r_B);

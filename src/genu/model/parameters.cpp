@@ -8,6 +8,7 @@
 
 #include "genu/core/units.h"
 #include "genu/law/laws.h"
+#include "genu/model/tolerances.h"
 
 namespace genu {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 using Kind = Parameter::Kind;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
-constexpr double kPerCent = 0.01;
-constexpr double kStrainChange = 0.01;
-constexpr double kMomentChange = 0.01;  // N m
-constexpr double kTermReach = 10e-3;    // m
 
 class Parameters {
  public:
@@ -61,7 +58,7 @@ class Parameters {
     for (int i = 0; i < 3; ++i) add_length(name + "." + kAxes[i], kind, i);
   }
   void add_share(const std::string& name, Kind kind, const std::string& unit, double si, double value) {
-    add(name, kind, unit, si, kPerCent * value, "1 %").positive = true;
+    add(name, kind, unit, si, kRelativeChange * value, "1 %").positive = true;
   }
   void add_strain(const std::string& name, Kind kind) { add(name, kind, "1", 1, kStrainChange, "0.01"); }
   void add_force(const std::string& name, Kind kind, int component = 0) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
 
 Target StepPlan::target(double t) const {
@@ -79,8 +81,7 @@ StepPlan approach_to(const StepPlan& step, const JointModel& model, const State&
 }
 
 double reaction_noise(const JointModel& model, const StepPlan& plan, int driven) {
-  constexpr double kSolved = 1e-8;  // scaled residual of an accepted pose
-  double noise = kSolved;
+  double noise = kSolvedResidual;
   for (const auto& layer : model.layers)
     noise = std::max(noise, layer.tolerance > 0 ? layer.tolerance : LayerDef().tolerance);
   const bool angle = plan.prescribed[at(driven)].coordinate.is_rotation();

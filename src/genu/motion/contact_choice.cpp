@@ -3,13 +3,13 @@
 #include <bit>
 
 #include "genu/equilibrium/contact_inspection.h"
+#include "genu/equilibrium/tolerances.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kImpulseRounding = 1e-9;  // relative, of impulses, rates and accelerations
-
-/// Calls attempt(chosen) for subsets of `count` items, as bits, the largest first, until one succeeds.
+/// Calls attempt(chosen) for sets of `count` things, as bits, the largest sets first, until one does.
 template <typename Attempt>
 bool try_sets(std::size_t count, Attempt attempt) {
   const unsigned most = 1U << count;
@@ -90,7 +90,7 @@ bool settle_forces(const JointModel& model, EquationsOfMotion& equations, Motion
     trial.state.contacts = those(all, chosen);
     if (!equations.complete(trial)) return false;
     for (const ActiveContact& c : trial.state.contacts)
-      if (c.force < -ContactInspector::kForceTolerance * model.scales.force) return false;
+      if (c.force < -kPullTolerance * model.scales.force) return false;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (has(chosen, i)) continue;
       const auto opening = equations.opening(trial, all[i]);

@@ -10,16 +10,10 @@
 
 #include "genu/model/layer_levels.h"
 #include "genu/motion/motion_rates.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kOnConstraints = 1e-14;  // scaled residual: rounding of positions of a few lengths
-constexpr double kLargestResidual = 1e-11;
-constexpr int kMostProjections = 8;
-constexpr double kDependentConstraints = 1e-13;  // reciprocal condition of J J^T: below, constraints are dependent
-constexpr double kPlaceRounding = 1e-15;         // of a position: limit of accuracy for any length scale
-constexpr double kSecond = 1;                    // s: speeds below length / kSecond are small
 
 Eigen::Quaterniond quaternion(OdeSystem::Values y, Eigen::Index from) {
   return {y[from], y[from + 1], y[from + 2], y[from + 3]};
@@ -127,7 +121,7 @@ bool EquationsOfMotion::project(MotionPoint& point) {
   if (row_scale_.size() == 0) return true;
   gram_.compute(J_ * J_.transpose());
   if (gram_.info() != Eigen::Success || !(gram_.rcond() > kDependentConstraints)) return false;
-  for (int k = 0; point.residual > kOnConstraints && k < kMostProjections; ++k) {
+  for (int k = 0; point.residual > kProjectedResidual && k < kMaxProjections; ++k) {
     const VecX step = metric_step(-row_scale_.cwiseProduct(violation_));
     const State before = point.state;
     for (std::size_t i = 0; i < model_.bodies.size(); ++i)
@@ -139,13 +133,13 @@ bool EquationsOfMotion::project(MotionPoint& point) {
     gram_.compute(J_ * J_.transpose());
     point.residual = residual();
     if (point.residual < last) continue;
-    if (last > kLargestResidual) return false;
+    if (last > kMaxProjectedResidual) return false;
     point.state = before;  // rounding
     set_gradient(point);
     point.residual = last;
     break;
   }
-  return point.residual <= kLargestResidual;
+  return point.residual <= kMaxProjectedResidual;
 }
 
 /// The required rate of each constraint.
@@ -348,14 +342,14 @@ bool EquationsOfMotion::rate(double t, OdeSystem::Values y, Eigen::Ref<VecX> out
 void EquationsOfMotion::weights(OdeSystem::Values y, Eigen::Ref<VecX> out) const {
   const int bodies = hinged_ ? 0 : model_.moving_count;
   const double length = model_.scales.length;
-  if (hinged_) hinged_->weights(y, tolerance_, kSecond, out);
+  if (hinged_) hinged_->weights(y, tolerance_, kSpeedTime, out);
   for (int k = 0; k < bodies; ++k) {
     const Eigen::Index speeds = 7 * bodies + 6 * k;
     const double place = std::max(tolerance_ * length, kPlaceRounding * y.segment<3>(7 * k).norm());
     out.segment<3>(7 * k).setConstant(1 / place);
     out.segment<4>(7 * k + 3).setConstant(1 / tolerance_);
-    out.segment<3>(speeds).setConstant(1 / (tolerance_ * (length / kSecond + y.segment<3>(speeds).norm())));
-    out.segment<3>(speeds + 3).setConstant(1 / (tolerance_ * (1 / kSecond + y.segment<3>(speeds + 3).norm())));
+    out.segment<3>(speeds).setConstant(1 / (tolerance_ * (length / kSpeedTime + y.segment<3>(speeds).norm())));
+    out.segment<3>(speeds + 3).setConstant(1 / (tolerance_ * (1 / kSpeedTime + y.segment<3>(speeds + 3).norm())));
   }
   const double energy = length * model_.scales.force;
   for (Eigen::Index i = out.size() - energies_; i < out.size(); ++i)

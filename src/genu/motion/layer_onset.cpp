@@ -1,19 +1,14 @@
 #include "genu/motion/layer_onset.h"
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
-namespace {
-
-constexpr double kOfDepth = 0.1;  // of the rays' reach: motion allowed between two searches
-constexpr int kMostCuts = 60;
-
-}  // namespace
 
 LayerOnset::LayerOnset(const JointModel& model) : model_(model) {
   for (const auto& layer : model.layers) {
     watches_.emplace_back(model, layer.body_a, layer.body_b, *layer.a, *layer.b);
-    watches_.back().unwatched = kOfDepth * layer.search_depth;
+    watches_.back().unwatched = kOnsetTravel * layer.search_depth;
   }
 }
 
@@ -36,7 +31,7 @@ std::optional<MotionPoint> LayerOnset::first(const MotionPoint& from, const Moti
     for (bool all = false, found = false; !all && !found;) {
       pressed = to;
       all = true;
-      for (int i = 0; i < kMostCuts && watch.way(free, pressed) > watch.unwatched; ++i) {
+      for (int i = 0; i < kMaxOnsetCuts && watch.way(free, pressed) > watch.unwatched; ++i) {
         all = false;
         if (!point_at(0.5 * (free.time + pressed.time), pressed)) return first;
       }
@@ -45,7 +40,7 @@ std::optional<MotionPoint> LayerOnset::first(const MotionPoint& from, const Moti
     }
     if (!presses(k, pressed)) continue;
     MotionPoint middle;
-    while (watch.way(free, pressed) > kOfDepth * watch.unwatched) {
+    while (watch.way(free, pressed) > kOnsetTravel * watch.unwatched) {
       if (!point_at(0.5 * (free.time + pressed.time), middle)) return first;
       (presses(k, middle) ? pressed : free) = middle;
     }

@@ -12,19 +12,12 @@
 #include "genu/motion/layer_onset.h"
 #include "genu/motion/motion_contacts.h"
 #include "genu/motion/motion_switches.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr int kMostSwitches = 1000;  // while time advances by less than kStill of the duration
-constexpr double kStill = 1e-9;
-constexpr long kLookAtStiffness = 500;   // steps: 2 evaluations each; one test costs about 30
-constexpr long kLookAtHeadway = 1000;    // steps, of which each costs 2 us to 100 ms
-constexpr double kLeastHeadway = 1e-9;   // of the duration in that many steps: at less, 10^12 steps remain
-constexpr double kStabilityBound = 0.6;  // step times decay rate: Adams of orders 4 to 8 is stable to 0.5 ... 1
-constexpr double kTimeRounding = 1e-12;  // of the output interval: a row this close to the end is the end
-constexpr double kJustAfter = std::numeric_limits<double>::min();  // s: time 0, just past a nonsmooth point there
-constexpr double kLargestDrift = 1e-6;  // from the constraints: beyond it the integration restarts on them
+constexpr double kJustAfterZero = std::numeric_limits<double>::min();  // s: time 0, past a kink there
 
 /// The twists for rates of all coordinates. Each moving body is the child of one joint, so the numbers agree.
 VecX start_twist(const JointModel& model, const State& state, const MotionPlan& plan) {
@@ -43,7 +36,7 @@ VecX start_twist(const JointModel& model, const State& state, const MotionPlan& 
   }
   for (const auto& drive : model.drives)
     if (drive.quantity.combination < 0)
-      rates[6 * drive.quantity.first.joint + drive.quantity.first.index] = drive.course.evaluate(kJustAfter).slope;
+      rates[6 * drive.quantity.first.joint + drive.quantity.first.index] = drive.course.evaluate(kJustAfterZero).slope;
   for (const auto& [c, rate] : plan.start_rates) rates[6 * c.joint + c.index] = rate;
   return gradients.fullPivLu().solve(rates);
 }
@@ -54,7 +47,7 @@ State start_of(const JointModel& model) {
   std::vector<JointValues> values = state.coordinates;
   for (const auto& drive : model.drives)
     if (const CoordinateRef& c = drive.quantity.first; drive.quantity.combination < 0)
-      values[at(c.joint)][at(c.index)] = drive.course.evaluate(kJustAfter).factor;
+      values[at(c.joint)][at(c.index)] = drive.course.evaluate(kJustAfterZero).factor;
   state.poses = poses_from_coordinates(model, values);
   state.coordinates = values;
   state.multipliers.assign(model.drives.size() + model.held.size(), 0.0);
@@ -122,7 +115,7 @@ class Motion {
 
  private:
   static double step_tolerance(const MotionPlan& plan) {
-    return std::max(MotionPlan::kStepShare * plan.tolerance, MotionPlan::kLeastStepTolerance);
+    return std::max(kStepShare * plan.tolerance, kMinStepTolerance);
   }
 
   /// Poses, speeds and contacts at time 0. Returns the reason for a failure; else empty.
@@ -189,7 +182,7 @@ class Motion {
       if (!contacts_->settle(now_, events, result_.why)) return false;
       tell(events);
     } else if (has_drives_ && !equations_.strike(now_, impulses)) {
-      result_.why = fmt::format("what is prescribed cannot be followed at {:.9g} s", now_.time);
+      result_.why = fmt::format("the prescribed coordinates cannot be followed at {:.9g} s", now_.time);
       return false;
     }
     settle_pieces();
@@ -247,11 +240,11 @@ class Motion {
 
   /// Counts events at one moment. True where they do not end, which then stops the motion.
   bool still_switching(const char* what) {
-    if (now_.time > last_switch_ + kStill * plan_.duration) {
+    if (now_.time > last_switch_ + kStillTime * plan_.duration) {
       last_switch_ = now_.time;
       switched_ = 0;
     }
-    if (++switched_ <= kMostSwitches) return false;
+    if (++switched_ <= kMaxSwitches) return false;
     result_.why = fmt::format("{} without end at {:.9g} s", what, now_.time);
     return true;
   }
@@ -259,14 +252,14 @@ class Motion {
   /// Whether steps are too short to reach the end.
   bool creeps() {
     if (model_.safeguards.lacks(Safeguard::headway)) return false;
-    if (++taken_ % kLookAtHeadway != 0) return false;
+    if (++taken_ % kHeadwayLooks != 0) return false;
     const double headway = now_.time - looked_at_;
     looked_at_ = now_.time;
-    if (headway > kLeastHeadway * plan_.duration) return false;
+    if (headway > kMinHeadway * plan_.duration) return false;
     result_.why = fmt::format(
         "the integration makes no headway at {:.9g} s: {} steps took it {:.2g} s on of {:g} s. Look for a course, "
         "spring, damper or mass that changes or swings far faster than that",
-        now_.time, kLookAtHeadway, headway, plan_.duration);
+        now_.time, kHeadwayLooks, headway, plan_.duration);
     return true;
   }
 
@@ -306,14 +299,14 @@ class Motion {
     equations_.continue_from(now_);
     if (taken == OdeIntegrator::Step::root) return switch_over();
     reached = taken == OdeIntegrator::Step::stopped || now_.time >= stop;
-    if (finer || now_.drift > kLargestDrift || found_stiff()) return begin_at(now_.time, equations_.pack(now_));
+    if (finer || now_.drift > kMaxDrift || found_stiff()) return begin_at(now_.time, equations_.pack(now_));
     return true;
   }
 
   /// Whether Adams' steps are limited by stability; then BDF takes over.
   bool found_stiff() {
     if (model_.safeguards.lacks(Safeguard::stiffness)) return false;
-    if (method_ == OdeMethod::bdf || ++steps_ % kLookAtStiffness != 0) return false;
+    if (method_ == OdeMethod::bdf || ++steps_ % kStiffnessLooks != 0) return false;
     if (integrator_.last_step() * integrator_.fastest_decay() < kStabilityBound) return false;
     method_ = OdeMethod::bdf;
     result_.stiff_from = now_.time;

@@ -21,10 +21,7 @@ struct MotionPlan {
   /// or relative, whichever is larger. Steps get kStepShare of it.
   double tolerance = 0;
   std::vector<std::pair<CoordinateRef, double>> start_rates;  ///< rad/s, m/s; others are 0
-  bool from_equilibrium = false;  ///< from the equilibrium at time 0 instead of the joints' start
-
-  static constexpr double kStepShare = 1e-3;
-  static constexpr double kLeastStepTolerance = 1e-14;  ///< steps cannot be much more accurate than rounding
+  bool from_equilibrium = false;  ///< from where it balances at time 0, not from the joints' start
 };
 
 struct MotionResult {

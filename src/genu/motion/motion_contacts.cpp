@@ -6,25 +6,13 @@
 #include <fmt/format.h>
 
 #include "genu/core/bracket.h"
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/uniqueness.h"
 #include "genu/motion/contact_choice.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr int kMostAtOnce = 10;        // contacts whose subsets are tried: 2^10 solves of a small system
-constexpr double kStepErrors = 10;     // smaller gaps, in errors of a step, count as zero
-constexpr double kTouching = 1e-9;     // of the length scale: gap that touches at the start
-constexpr double kOverlapping = 1e-6;  // of the length scale: overlap allowed at the start
-constexpr double kOfClearance = 0.9;   // of the gap between them, allowed motion
-constexpr double kExplained = 1e-6;    // of the length scale: samples may overlap by this more than minima
-constexpr double kMayConform = 3e-3;   // of 1 / spacing: relative curvature below which a contact may be about to split
-constexpr double kSteepAcross = 1.2e-2;           // of the same: in a valley further minima lie along its bottom
-constexpr double kHasTwins = 1.2e-2;              // of the same: below, a new contact may appear beside one in any step
-constexpr double kBeside[] = {0.3, 0.8, 1.6, 3};  // of the spacing: distances of the search beside a contact
-constexpr double kOfTwins = 1e-3;                 // of `touching_`
-constexpr double kLate = 2;  // of `touching_`: after a larger overlap the time of closing is unknown
-constexpr int kMostHalvings = 60;
 
 PathEvent event_of(PathEvent::Kind kind, const MotionPoint& point, std::string what) {
   PathEvent event;
@@ -123,7 +111,7 @@ bool MotionContacts::begin(MotionPoint& point, std::string& why) {
   Findings findings;
   inspector_.inspect(point.state, findings);
   if (findings.final()) {
-    why = findings.doubtful    ? "contact leans on " + findings.where
+    why = findings.doubtful    ? "the contact touches " + findings.where
           : findings.over_edge ? findings.where + " lies past the edge of its surface at the start"
                                : "surfaces overlap at the start: " + findings.where;
     return false;
@@ -133,8 +121,8 @@ bool MotionContacts::begin(MotionPoint& point, std::string& why) {
   const double length = model_.scales.length;
   book_.state = point.state;
   for (const Candidate& c : survey.minima) {
-    if (inspector_.held(book_.state, c) || c.minimum.gap > kTouching * length) continue;
-    if (c.minimum.gap < -kOverlapping * length) {
+    if (inspector_.held(book_.state, c) || c.minimum.gap > kTouchingAtStart * length) continue;
+    if (c.minimum.gap < -kOverlappingAtStart * length) {
       why = fmt::format(
           "surfaces of contact.{} overlap by {:.4g} mm at the start: move the joints' `start`, or begin at equilibrium "
           "(start = \"equilibrium\" in [dynamics])",
@@ -157,7 +145,7 @@ bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
                                   [&](const ActiveContact& c) { return c.pair == k; });
     const double unwatched = held ? watches_[at(k)].unwatched : std::min(watches_[at(k)].unwatched, field_.window());
     if (way <= unwatched) continue;
-    if (held || !field_.is_clear(from.state, k, way / kOfClearance)) return false;
+    if (held || !field_.is_clear(from.state, k, way / kClearanceShare)) return false;
   }
   return true;
 }
@@ -165,12 +153,11 @@ bool MotionContacts::near(const MotionPoint& from, const MotionPoint& to) {
 /// Whether no gap that was open at the last search can have closed since, and no contact pulls: no search is needed.
 bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to) {
   bool clear = model_.layers.empty();
-  for (const ActiveContact& c : to.state.contacts)
-    clear = clear && c.force >= -ContactInspector::kForceTolerance * model_.scales.force;
+  for (const ActiveContact& c : to.state.contacts) clear = clear && c.force >= -kPullTolerance * model_.scales.force;
   for (int k = 0; k < static_cast<int>(watches_.size()); ++k) {
     MotionWatch& watch = watches_[at(k)];
     watch.travelled += watch.way(from, to);
-    clear = clear && watch.travelled < kOfClearance * watch.clearance;
+    clear = clear && watch.travelled < kClearanceShare * watch.clearance;
   }
   return clear && std::none_of(to.state.contacts.begin(), to.state.contacts.end(),
                                [&](const ActiveContact& c) { return born_beside(to.state, c); });
@@ -179,11 +166,11 @@ bool MotionContacts::known_clear(const MotionPoint& from, const MotionPoint& to)
 /// Whether surfaces overlap beside a contact with small relative curvature, or such a contact may be about to split.
 bool MotionContacts::born_beside(const State& state, const ActiveContact& contact) {
   const double spacing = field_.spacing();
-  if (bends_away(model_, state, contact, kHasTwins / spacing)) return false;
-  if (!bends_away(model_, state, contact, kMayConform / spacing)) return true;
+  if (bends_away(model_, state, contact, kTwinCurvature / spacing)) return false;
+  if (!bends_away(model_, state, contact, kSplittingCurvature / spacing)) return true;
   beside_.clear();
-  for (const double radius : kBeside)
-    field_.probe_around(state, contact.pair, contact.geometry, radius * spacing, kSteepAcross / spacing, beside_);
+  for (const double radius : kProbeRadii)
+    field_.probe_around(state, contact.pair, contact.geometry, radius * spacing, kValleyCurvature / spacing, beside_);
   return std::any_of(beside_.begin(), beside_.end(), [&](const LocalMinimum& m) {
     const Candidate candidate{contact.pair, m};
     return m.gap < -allowed_overlap(state, candidate) && !inspector_.held(state, candidate);
@@ -194,9 +181,9 @@ bool MotionContacts::born_beside(const State& state, const ActiveContact& contac
 /// zero: that contact may be about to vanish, and this minimum then takes over its load.
 double MotionContacts::allowed_overlap(const State& state, const Candidate& candidate) const {
   const bool twin = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const ActiveContact& c) {
-    return c.pair == candidate.pair && !bends_away(model_, state, c, kHasTwins / field_.spacing());
+    return c.pair == candidate.pair && !bends_away(model_, state, c, kTwinCurvature / field_.spacing());
   });
-  return twin ? kOfTwins * touching_ : touching_;
+  return twin ? kTwinGap * touching_ : touching_;
 }
 
 /// A search without findings for the inspector; it updates all clearances.
@@ -213,12 +200,12 @@ bool MotionContacts::looks_well(const MotionPoint& point) {
   for (const Candidate& c : survey_.edges)
     if (c.minimum.gap < -touching_ && !inspector_.held(point.state, c)) return false;
   for (std::size_t k = 0; k < explained.size(); ++k)
-    if (survey_.smallest_gap[k] < explained[k] - kExplained * model_.scales.length) return false;
+    if (survey_.smallest_gap[k] < explained[k] - kUnexplainedOverlap * model_.scales.length) return false;
   for (std::size_t i = 0; i < point.state.contacts.size(); ++i) {
     const ActiveContact& c = point.state.contacts[i];
     if (c.force < 0 || field_.edge_distance(c.pair, c.geometry) < 0) return false;
-    const double least = least_curvature(model_, point.state, c), beside = kBeside[3] * field_.spacing();
-    if (least < kMayConform / field_.spacing()) return false;
+    const double least = least_curvature(model_, point.state, c), beside = kProbeRadii[3] * field_.spacing();
+    if (least < kSplittingCurvature / field_.spacing()) return false;
     // At the end of the range searched beside a contact, the gap is about this large.
     watches_[at(c.pair)].clearance = std::min(watches_[at(c.pair)].clearance, 0.5 * least * beside * beside);
     for (std::size_t j = 0; j < i; ++j)
@@ -236,7 +223,7 @@ MotionContacts::Change MotionContacts::first_change(const MotionPoint& from, con
   for (bool all = false; !all;) {
     MotionPoint next = to;
     all = true;
-    for (int k = 0; k < kMostHalvings && !near(here, next); ++k) {
+    for (int k = 0; k < kMaxHalvings && !near(here, next); ++k) {
       all = false;
       const double middle = 0.5 * (here.time + next.time);
       if (!(middle > here.time) || !point_at(middle, next)) break;
@@ -279,8 +266,9 @@ std::optional<MotionPoint> MotionContacts::overlap_between(const MotionPoint& fr
 /// beside a contact since the last search and have closed.
 bool MotionContacts::is_located(const Change& change) const {
   if (change.kind == Change::Kind::ends) return false;
-  return std::all_of(change.candidates.begin(), change.candidates.end(),
-                     [&](const Candidate& c) { return opening_of(model_, c, change.point).gap > -kLate * touching_; });
+  return std::all_of(change.candidates.begin(), change.candidates.end(), [&](const Candidate& c) {
+    return opening_of(model_, c, change.point).gap > -kLateOverlap * touching_;
+  });
 }
 
 /// The change found by a search at `to`. If its time cannot be located from there, searches between `from` and `to`
@@ -290,7 +278,7 @@ MotionContacts::Change MotionContacts::first_seen(const MotionPoint& from, const
   Change change = look(from, to, point_at);
   if (model_.safeguards.lacks(Safeguard::landing)) return change;
   MotionPoint before = from, after = to, middle;
-  for (int k = 0; k < kMostHalvings && change.kind != Change::Kind::none && !is_located(change); ++k) {
+  for (int k = 0; k < kMaxHalvings && change.kind != Change::Kind::none && !is_located(change); ++k) {
     const double t = 0.5 * (before.time + after.time);
     if (!(t > before.time && t < after.time) || !point_at(t, middle)) break;
     (looks_well(middle) ? before : after) = middle;
@@ -323,17 +311,16 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
     if (first.kind == Change::Kind::closes && opening_of(model_, c, first.point).gap < touching_)
       first.candidates.push_back(c);
   for (const int i : findings.pulling) {
-    const double shift = from.state.contacts[at(i)].force > 0 ? 0 : ContactInspector::kForceTolerance;
+    const double shift = from.state.contacts[at(i)].force > 0 ? 0 : kPullTolerance;
     const double scale = model_.scales.force;
     const auto value = [&](const MotionPoint& p) { return p.state.contacts[at(i)].force / scale + shift; };
-    consider(
-        {Change::Kind::opens, i, {}, locate(from, to, point_at, value, 1e-3 * ContactInspector::kForceTolerance), {}});
+    consider({Change::Kind::opens, i, {}, locate(from, to, point_at, value, 1e-3 * kPullTolerance), {}});
   }
   if (first.kind != Change::Kind::none) return first;
   if (!findings.merged.empty()) return {Change::Kind::merges, findings.merged.front().second, {}, to, {}};
   std::string why;
   if (findings.final())
-    why = findings.doubtful    ? "contact leans on " + findings.where
+    why = findings.doubtful    ? "the contact touches " + findings.where
           : findings.over_edge ? "contact " + findings.where + " runs over the edge of its surface"
                                : "surfaces overlap: " + findings.where;
   if (why.empty()) return {};
@@ -368,13 +355,13 @@ bool MotionContacts::settle(MotionPoint& point, std::vector<PathEvent>& events, 
 bool MotionContacts::settle(MotionPoint& point, int leaves, std::vector<PathEvent>& events, std::string& why) {
   const std::vector<ActiveContact> before = point.state.contacts;
   for (MotionWatch& watch : watches_) watch.clearance = 0;
-  if (before.size() > kMostAtOnce) {
-    why = fmt::format("more than {} contacts at once at {:.9g} s", kMostAtOnce, point.time);
+  if (before.size() > kMaxContactsAtOnce) {
+    why = fmt::format("more than {} contacts at once at {:.9g} s", kMaxContactsAtOnce, point.time);
     return false;
   }
   if ((leaves < 0 && !settle_speeds(model_, equations_, touching_, point)) ||
       !settle_forces(model_, equations_, point, leaves)) {
-    why = fmt::format("no set of contacts is possible at {:.9g} s", point.time);
+    why = fmt::format("no active set is possible at {:.9g} s", point.time);
     return false;
   }
   note(before, point, events);

@@ -6,13 +6,10 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/linearization.h"
 #include "genu/model/twist.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kAstray = 1e-11;  // of the length and force scales: rounding and root finding are far more accurate
-
-constexpr double kShift = 1e-12;  // of the same, and in rad: distance past a root before it counts
 
 LigamentPiece* piece_of(State& state, int ligament) {
   const auto found = std::find_if(state.pieces.begin(), state.pieces.end(),
@@ -46,7 +43,7 @@ MotionSwitches::MotionSwitches(const JointModel& model) : model_(model) {
 
 void MotionSwitches::values(const MotionPoint& point, const std::vector<DamperMode>& modes, double* out) const {
   unshifted(point, modes, out);
-  for (std::size_t k = 0; k < sides_.size(); ++k) out[k] += kShift * sides_[k];
+  for (std::size_t k = 0; k < sides_.size(); ++k) out[k] += kRootShift * sides_[k];
 }
 
 /// By their values, or by their rates where the values are close to 0.
@@ -55,9 +52,9 @@ void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<Da
   unshifted(point, modes, now.data());
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     double toward = now[k];
-    if (std::abs(now[k]) <= kAstray && k < watches_.size() && watches_[k].law_break < 0) {
+    if (std::abs(now[k]) <= kSideRounding && k < watches_.size() && watches_[k].law_break < 0) {
       toward = modes[at(watches_[k].ligament)] == DamperMode::relaxed ? -1 : 1;
-    } else if (std::abs(now[k]) <= kAstray) {
+    } else if (std::abs(now[k]) <= kSideRounding) {
       const double rate =
           k < watches_.size()
               ? model_.ligaments[at(watches_[k].ligament)].path.length_rate(point.state.poses, point.twist)
@@ -94,8 +91,8 @@ void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector
     if (w.law_break < 0 || piece == nullptr) continue;
     const double past = l.path.length(state.poses) - l.law.breaks()[at(w.law_break)].length;
     const double rate = l.path.length_rate(state.poses, point.twist);
-    if (std::abs(past) > kAstray * model_.scales.length || rate == 0) continue;
-    const double beside = l.path.length(state.poses) + (rate > 0 ? 2 : -2) * kAstray * model_.scales.length;
+    if (std::abs(past) > kSideRounding * model_.scales.length || rate == 0) continue;
+    const double beside = l.path.length(state.poses) + (rate > 0 ? 2 : -2) * kSideRounding * model_.scales.length;
     piece->piece = l.law.piece_at(beside);
   }
   pieces.pieces = state.pieces;
@@ -142,7 +139,7 @@ std::vector<PathEvent> MotionSwitches::switch_over(const std::vector<int>& roots
 }
 
 bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const std::vector<DamperMode>& modes) const {
-  const double least = kAstray * model_.scales.length;
+  const double least = kSideRounding * model_.scales.length;
   for (const LigamentPiece& p : pieces.pieces) {
     const auto& l = model_.ligaments[at(p.ligament)];
     const auto& sharp = l.law.sharp_breaks();
@@ -159,7 +156,7 @@ bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const
     const double rate = l.path.length_rate(point.state.poses, point.twist);
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     const bool by_length = is == DamperMode::slack || should == DamperMode::slack;
-    if (by_length ? std::abs(past) > least : std::abs(tension) > kAstray * model_.scales.force) return true;
+    if (by_length ? std::abs(past) > least : std::abs(tension) > kSideRounding * model_.scales.force) return true;
   }
   return false;
 }

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "genu/motion/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr double kOfLength = 0.1;    // of the length scale, and
-constexpr double kOfSurface = 0.05;  // of the smaller surface's size: motion of touching bodies between searches
-constexpr double kUnbounded = 10;    // of the length scale: assumed extent of an unbounded surface
-
-/// m: largest distance of a surface's points from its body's origin.
+/// m: how far the points of a surface lie from its body's origin, at most.
 double reach_of(const Surface& surface, double edge) {
   double reach = 0;
   for (const Vec3& v : surface.triangles(edge, Vec3::Zero(), 0).vertices) reach = std::max(reach, v.norm());
@@ -23,10 +21,10 @@ MotionWatch::MotionWatch(const JointModel& model, int body_a, int body_b, const 
     : model_(&model), mover_(b.is_unbounded() ? body_a : body_b), seer_(b.is_unbounded() ? body_b : body_a) {
   const double length = model.scales.length;
   const Surface &moving = b.is_unbounded() ? a : b, &other = b.is_unbounded() ? b : a;
-  const double size = moving.is_unbounded() ? kUnbounded * length : box_diagonal(moving, length);
-  reach_ = moving.is_unbounded() ? kUnbounded * length : reach_of(moving, length);
+  const double size = moving.is_unbounded() ? kUnboundedReach * length : box_diagonal(moving, length);
+  reach_ = moving.is_unbounded() ? kUnboundedReach * length : reach_of(moving, length);
   const double smaller = other.is_unbounded() ? size : std::min(size, box_diagonal(other, length));
-  unwatched = std::min(kOfLength * length, kOfSurface * smaller);
+  unwatched = std::min(kWatchLength * length, kWatchSize * smaller);
 }
 
 /// m/s: upper bound for any point of the surface.

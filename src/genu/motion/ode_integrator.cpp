@@ -10,16 +10,10 @@
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include "genu/core/decompositions.h"
+#include "genu/motion/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr long kMostSteps = 100'000'000;  // CVODE's limit between two returns: here one step
-
-constexpr double kStall = 1e-14;  // of the time: shorter steps do not advance
-constexpr int kMostStalled = 100;
-constexpr double kDifference = 1e-7;  // m, rad, m/s, rad/s, or relative: for the test of stiffness, not for solving
-constexpr double kDamped = 0.1;       // of |lambda|: an eigenvalue with at least this decay rate counts as damped
 
 Eigen::Map<VecX> view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))}; }
 
@@ -113,7 +107,7 @@ struct OdeIntegrator::Impl {
     solver.reset(SUNLinSol_Dense(y.get(), matrix.get(), made));
     CVodeSetErrHandlerFn(m, be_silent, nullptr);
     CVodeSetUserData(m, this);
-    CVodeSetMaxNumSteps(m, kMostSteps);
+    CVodeSetMaxNumSteps(m, kMaxOdeSteps);
     return CVodeWFtolerances(m, weights) == CV_SUCCESS &&
            CVodeSetLinearSolver(m, solver.get(), matrix.get()) == CV_SUCCESS &&
            (system.roots == 0 || CVodeRootInit(m, system.roots, root) == CV_SUCCESS);
@@ -149,9 +143,9 @@ OdeIntegrator::Step OdeIntegrator::step(double stop) {
   CVodeSetStopTime(i.memory.get(), stop);
   const int flag = CVode(i.memory.get(), stop, i.y.get(), &i.time, CV_ONE_STEP);
   i.now = view(i.y.get());
-  i.stalled = i.time > before + kStall * std::abs(before) ? 0 : i.stalled + 1;
-  if (flag >= 0 && i.stalled > kMostStalled) {
-    i.failure = "steps become too short to go on";
+  i.stalled = i.time > before + kStallShare * std::abs(before) ? 0 : i.stalled + 1;
+  if (flag >= 0 && i.stalled > kMaxStalled) {
+    i.failure = "the steps become too short";
     return Step::failed;
   }
   if (flag == CV_ROOT_RETURN) {
@@ -180,7 +174,7 @@ double OdeIntegrator::fastest_decay() const {
   i.system.weights(y, weights);
   if (!i.system.rate(i.time, y, at_y)) return 0;
   for (Eigen::Index k = 0; k < n; ++k) {
-    const double step = std::max(kDifference * std::abs(y[k]), kDifference);
+    const double step = std::max(kDifferenceStep * std::abs(y[k]), kDifferenceStep);
     y[k] += step;
     if (!i.system.rate(i.time, y, beside)) return 0;
     jacobian.col(k) = (beside - at_y) / step;
@@ -189,7 +183,7 @@ double OdeIntegrator::fastest_decay() const {
   double fastest = 0;
   const Eigen::VectorXcd lambdas = general_eigenvalues(jacobian);
   for (const auto& lambda : lambdas)
-    if (lambda.real() < -kDamped * std::abs(lambda)) fastest = std::max(fastest, std::abs(lambda));
+    if (lambda.real() < -kDampedShare * std::abs(lambda)) fastest = std::max(fastest, std::abs(lambda));
   return fastest;
 }
 

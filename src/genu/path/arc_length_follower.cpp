@@ -6,17 +6,9 @@
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/state_difference.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
-namespace {
-
-constexpr double kFirstArc = 0.01, kLongestArc = 0.1,
-                 kShortestArc = 1e-9;  // first, longest and shortest continuation step, in arc length
-constexpr double kSharpest = 0.95;     // least cosine of the angle between the tangents at the ends of a step
-constexpr double kFarthestBack = -10;  // of t: the path is not followed beyond
-constexpr int kMostSubsteps = 100000;
-
-}  // namespace
 
 bool ArcLengthFollower::begin(const StepPlan& plan, const Balanced& pose, double t) {
   plan_ = plan;
@@ -26,7 +18,7 @@ bool ArcLengthFollower::begin(const StepPlan& plan, const Balanced& pose, double
   here_.at.t = t;
   here_.report.status = PoseStatus::ok;
   if (!newton_.forward(plan_, pose.state, t, here_.at.direction)) {
-    failure_.why = "more than one path leads on from here";
+    failure_.why = "more than one path continues from here";
     return false;
   }
   here_.stability = assess(pose.state);
@@ -66,9 +58,8 @@ ArcLengthFollower::Point ArcLengthFollower::solve(const Point& from, double arc)
 }
 
 bool ArcLengthFollower::on_the_path(const Point& from, const Point& point, double arc) const {
-  constexpr double kStrayed = 0.3, kSlack = 1e-7;
-  return newton_.product(from.at.direction, point.at.direction) > kSharpest &&
-         newton_.strayed() <= kStrayed * std::abs(arc) + kSlack;
+  return newton_.product(from.at.direction, point.at.direction) > kMinTurnCosine &&
+         newton_.strayed() <= kArcCorrectionShare * std::abs(arc) + kArcCorrectionSlack;
 }
 
 bool ArcLengthFollower::passes_through(const Point& from, const Point& to) const {
@@ -83,7 +74,7 @@ ArcLengthFollower::End ArcLengthFollower::follow(const StepPlan& plan, const Bal
   double h = kFirstArc;
   while (!end_) {
     if (asked_to_stop(outputs_.cancelled)) return End::cancelled;
-    if (here_.at.t < kFarthestBack || substeps_ > kMostSubsteps) return End::ran_away;
+    if (here_.at.t < kFarthestBack || substeps_ > kMaxArcSubsteps) return End::ran_away;
     h = substep(h) ? std::min(1.5 * h, kLongestArc) : h / 2;
     if (h < kShortestArc) return End::stuck;
   }
@@ -103,8 +94,8 @@ bool ArcLengthFollower::substep(double arc) {
 }
 
 bool ArcLengthFollower::pass_change(double arc, Point violated) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  Bracket bracket(0, kUnknown, arc, violated.findings.worst, options_.event_tolerance);
+  constexpr double kNoSide = std::numeric_limits<double>::infinity();
+  Bracket bracket(0, kNoSide, arc, violated.findings.worst, options_.event_tolerance);
   Point last = here_;
   while (bracket.open()) {
     const double middle = bracket.next();
@@ -117,7 +108,7 @@ bool ArcLengthFollower::pass_change(double arc, Point violated) {
       bracket.move_high(middle, worst);
       violated = std::move(trial);
     } else {
-      bracket.move_high(middle, kUnknown);
+      bracket.move_high(middle, kNoSide);
       failure_ = trial.report;
     }
   }
@@ -131,22 +122,20 @@ bool ArcLengthFollower::pass_change(double arc, Point violated) {
     end_ = End::stuck;
     return true;
   }
-  constexpr int kChanges = 6;
   Point changed = violated;
-  for (int i = 0; i < kChanges; ++i) {
+  for (int i = 0; i < kMaxArcSetChanges; ++i) {
     // The active set that led here leads back along the path and not on.
     if (!change(changed) || same_set(here_.at.pose.state, changed.at.pose.state)) break;
     if (leave(changed)) return true;
   }
   // Several changes at one place: settle(), which also begins steps, finds the set beyond it.
-  constexpr double kNear = 1e-5;
   const PoseReport report = solver_.settle(violated.at.pose, plan_.target(violated.at.t));
   iterations_ += report.iterations;
   if (report.status == PoseStatus::ok &&
-      distance(solver_.model(), here_.at.pose.state, violated.at.pose.state) < kNear &&
+      distance(solver_.model(), here_.at.pose.state, violated.at.pose.state) < kSamePlace &&
       !same_set(here_.at.pose.state, violated.at.pose.state) && leave(violated))
     return true;
-  failure_.why = "no set of contacts leads on from here";
+  failure_.why = "no active set continues from here";
   return false;
 }
 
@@ -228,15 +217,15 @@ std::optional<ArcLengthFollower::Point> ArcLengthFollower::limit_ahead(const Ste
 
 std::optional<ArcLengthFollower::Point> ArcLengthFollower::turn_at_a_change(const StepPlan& plan, const Balanced& pose,
                                                                             const PoseReport& report, double t) {
-  constexpr int kMost = 30;  // continuation steps
   std::optional<Point> out;
   int looks = 0;
   const Cancelled cancelled = outputs_.cancelled;
-  outputs_ = {[](int, const Point&) {},
-              [&out](PathEvent::Kind kind, const Point& p, const std::string&) {
-                if (kind == PathEvent::Kind::limit_point && !out) out = p;
-              },
-              [&out, &looks, cancelled] { return out.has_value() || ++looks > kMost || asked_to_stop(cancelled); }};
+  outputs_ = {
+      [](int, const Point&) {},
+      [&out](PathEvent::Kind kind, const Point& p, const std::string&) {
+        if (kind == PathEvent::Kind::limit_point && !out) out = p;
+      },
+      [&out, &looks, cancelled] { return out.has_value() || ++looks > kMaxLimitLooks || asked_to_stop(cancelled); }};
   follow(plan, pose, report, t);
   return out;
 }

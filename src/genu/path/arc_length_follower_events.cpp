@@ -5,21 +5,19 @@
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/state_difference.h"
 #include "genu/path/arc_length_follower.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
 
 constexpr const char* kFlutter = "complex pair of stiffness eigenvalues";
-constexpr double kNoProgress = 1e-14;  // of t: the path proceeds at constant t
-constexpr double kClosed = 1e-6;       // characteristic lengths, rad: closer than this to its start the path is closed
 
 }  // namespace
 
 bool ArcLengthFollower::turns(const Point& from, const Point& to) {
   // A joint that can slide freely under one load does so at constant t: the sign of dt/ds is then rounding.
-  constexpr double kNone = 1e-12;
   const double before = from.at.direction.parameter, after = to.at.direction.parameter;
-  return opposite(before, after) && std::min(std::abs(before), std::abs(after)) > kNone;
+  return opposite(before, after) && std::min(std::abs(before), std::abs(after)) > kNoDirection;
 }
 
 bool ArcLengthFollower::pass(double arc, Point next) {
@@ -55,18 +53,16 @@ void ArcLengthFollower::hand_over(Feature& row) {
 }
 
 bool ArcLengthFollower::may_hide_turns(double arc, const Point& next) const {
-  // t over the continuation step is interpolated by the cubic of its values and rates. Where that is nearly stationary
-  // between two moving ends, a pair of limit points may be hidden.
-  constexpr double kShare = 0.1;  // of the slower end's rate
-  constexpr double kFine = 1e-6;  // of arc length
-  if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kFine) return false;
+  // t over the substep as the cubic of its values and rates. Where that all but stands still between two ends that move
+  // on, t may turn back and forth there.
+  if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kMinTurnArc) return false;
   const double a = here_.at.direction.parameter, b = next.at.direction.parameter;
   const double mean = (next.at.t - here_.at.t) / arc, bend = 3 * a + 3 * b - 6 * mean;
   if (a * b <= 0 || a * bend <= 0) return false;
   const double u = (2 * a + b - 3 * mean) / bend;
   if (!(u > 0 && u < 1)) return false;
   const double slowest = a * (1 - u) * (1 - 3 * u) + b * u * (3 * u - 2) + 6 * mean * u * (1 - u);
-  return slowest / a < kShare * std::min(1.0, b / a);
+  return slowest / a < kSlowShare * std::min(1.0, b / a);
 }
 
 bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector<Feature>& out) {
@@ -99,8 +95,6 @@ bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector
 
 bool ArcLengthFollower::add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out) {
   if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
-  constexpr double kSame = 1e-6;  // rounding separates a limit point from its zero of the stiffness by up to this
-  constexpr double kFine = 1e-6;  // of arc length: no leap between branches is shorter
   const std::string verdict = to_string(next.stability.verdict);
   if (next.stability.complex_pair && !here_.stability.complex_pair) {
     const Measure complex = [](const Point& p) { return p.stability.complex_pair ? 1.0 : -1.0; };
@@ -116,11 +110,10 @@ bool ArcLengthFollower::add_stability(double arc, const Point& next, double turn
   if (!opposite(before, after)) return true;
   const Measure smallest = [](const Point& p) { return p.stability.smallest; };
   Found there = locate(smallest, 0, here_, arc, next);
-  if (there.leaps && arc > kFine) return false;
+  if (there.leaps && arc > kMinLeapArc) return false;
   // At the end of a load's scale the stiffness may jump and change sign without vanishing.
-  constexpr double kVanishing = 1e-3;
-  const bool vanishes = std::abs(there.value) <= kVanishing * std::max(std::abs(before), std::abs(after));
-  if (std::abs(there.arc - turned) <= kSame)
+  const bool vanishes = std::abs(there.value) <= kVanishingShare * std::max(std::abs(before), std::abs(after));
+  if (std::abs(there.arc - turned) <= kSameTurn)
     there.arc = turned;
   else if (vanishes && !next.stability.flutter)
     out.push_back({there.arc, there.point, PathEvent::Kind::bifurcation, 0, false, verdict});
@@ -142,13 +135,12 @@ void ArcLengthFollower::add_law_events(double arc, const Point& next, std::vecto
 }
 
 void ArcLengthFollower::add_neutral(double arc, const Point& next, std::vector<Feature>& out) {
-  // The sign of a neutral stiffness is rounding. A step may end at a bifurcation; the next step reports it.
-  constexpr double kTurning = 1e-6;  // of dt/ds: the stiffness vanishes at a limit point too
+  // The sign of a stiffness that is none is rounding. A substep may end at a bifurcation; the next one tells.
   if (next.stability.verdict == here_.stability.verdict) return;
   const std::string verdict = to_string(next.stability.verdict);
   const bool passes =
       here_.stability.verdict == Stability::Verdict::neutral && opposite(last_definite_, next.stability.smallest);
-  if (passes && !next.stability.flutter && std::abs(here_.at.direction.parameter) > kTurning)
+  if (passes && !next.stability.flutter && std::abs(here_.at.direction.parameter) > kTurningRate)
     out.push_back({0, here_, PathEvent::Kind::bifurcation, 0, false, verdict});
   out.push_back({passes ? 0 : arc, passes ? here_ : next, PathEvent::Kind::stability_changed, 0, false, verdict});
 }
@@ -209,9 +201,8 @@ std::vector<int> ArcLengthFollower::rows_between(double from, double to) const {
 
 ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, double low, const Point& from, double high,
                                                    const Point& to) {
-  constexpr double kFine = 1e-11, kMeet = 1e-5;  // arc length
   const double after = measure(to);
-  Bracket bracket(low, measure(from), high, after, kFine);
+  Bracket bracket(low, measure(from), high, after, kEventArc);
   Found best{high, to, after, true};
   Balanced before = from.at.pose, behind = to.at.pose;
   while (bracket.open()) {
@@ -232,19 +223,18 @@ ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, doubl
     if (value == 0) before = behind;
     if (value == 0) break;
   }
-  best.leaps = distance(solver_.model(), before.state, behind.state) > kMeet;
+  best.leaps = distance(solver_.model(), before.state, behind.state) > kArcLeap;
   return best;
 }
 
 bool ArcLengthFollower::settle_on(double t, Point& point) {
   // Solves at the row's exact value of t. Near a limit point two poses have that value; the one on this side is kept.
-  constexpr double kSame = 1e-5;
   Balanced pose = point.at.pose;
   Findings findings;
   const PoseReport report = solver_.solve_held(pose, plan_.target(t), findings);
   iterations_ += report.iterations;
   if (report.status != PoseStatus::ok || !findings.none() ||
-      distance(solver_.model(), pose.state, point.at.pose.state) > kSame)
+      distance(solver_.model(), pose.state, point.at.pose.state) > kRowLeap)
     return false;
   solver_.follow_open(pose);
   point.at.pose = std::move(pose);
@@ -255,7 +245,7 @@ bool ArcLengthFollower::settle_on(double t, Point& point) {
 
 bool ArcLengthFollower::closes(const Point& point) const {
   if (solver_.model().safeguards.lacks(Safeguard::closing)) return false;
-  return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kClosed &&
+  return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kLoopClosed &&
          newton_.product(point.at.direction, start_.at.direction) > 0;
 }
 

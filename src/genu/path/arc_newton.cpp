@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "genu/model/layer_levels.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
@@ -70,9 +71,7 @@ bool ArcNewton::forward(const StepPlan& plan, const State& state, double t, Corr
 }
 
 bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint& point, NewtonReport& report) {
-  constexpr int kMost = 12;          // iterations: a prediction that needs more was too far
-  constexpr double kFarthest = 0.5;  // largest correction, in the metric
-  double last = kFarthest;
+  double last = kMaxArcCorrection;
   strayed_ = 0;
   for (report.iterations = 0;; ++report.iterations) {
     linearize_at(plan, point.pose.state, point.t);
@@ -96,7 +95,7 @@ bool ArcNewton::correct(const StepPlan& plan, const Correction& along, ArcPoint&
       continue;
     }
     report.outcome = NewtonReport::Outcome::iterations_used_up;
-    if (report.iterations == kMost) return false;
+    if (report.iterations == kMaxArcIterations) return false;
     step_.solve(here_, correction_);
     const double size = std::sqrt(product(correction_, correction_));
     report.outcome = NewtonReport::Outcome::no_descent;

@@ -4,6 +4,7 @@
 
 #include "genu/model/layer_levels.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 
@@ -25,10 +26,9 @@ bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, co
 
 bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOptions& options,
                         const std::shared_ptr<LayerMemories>& layers, double& t, State& state) {
-  constexpr int kMost = 8;
   here_.layers = layers;
   double last = 1, before = 0;  // of t; of the residual
-  for (int i = 0; i <= kMost; ++i) {
+  for (int i = 0; i <= kMaxEventIterations; ++i) {
     const Target target = plan.target(t);
     linearize(*model_, state, target, here_);
     if (asked_to_stop(options.cancelled)) return false;

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "genu/equilibrium/piece_changes.h"
+#include "genu/equilibrium/tolerances.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kLengthRounding = 1e-12;  // of the characteristic length, as for gaps
 
 /// The cubic with given values and slopes at 0 and 1.
 struct Cubic {
@@ -88,7 +88,6 @@ LawEvents::Node LawEvents::node(const Watched& w, const End& end, double u) cons
 void LawEvents::follow(Watched& w, const Node& from, const Node& to, const State& end) {
   // A ligament may pass a break and return within the step, so extrema are examined. The cubic has an error: an
   // extremum that comes within a hundredth of its rise to the break is examined too, and the pose there decides.
-  constexpr double kNear = 0.01;
   const Cubic cubic(from.past, from.rate, to.past, to.rate);
   std::array<double, 2> extrema{};
   const int count = cubic.extrema(extrema);
@@ -97,7 +96,7 @@ void LawEvents::follow(Watched& w, const Node& from, const Node& to, const State
     const double u = extrema[at(i)], past = cubic.value(u);
     const double rise = std::min(std::abs(past - from.past), std::abs(past - to.past));
     const bool beyond = (past > 0) != (from.past > 0) || (past > 0) != (to.past > 0);
-    if (!beyond && std::abs(past) > kNear * rise) continue;
+    if (!beyond && std::abs(past) > kNearBreakShare * rise) continue;
     Node there{u, past, 0};
     solve(w, u, there.past);
     pass(w, last, there, end);

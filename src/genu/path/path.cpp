@@ -18,14 +18,14 @@
 #include "genu/path/arc_length_follower.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
 
 constexpr const char* kTurnsBack = "the path turns back before this pose";
 
-constexpr int kApproach = 0;  // step number of events on the way to a step's start
-constexpr int kRest = 16;     // fewest rows between two calls of rest()
+constexpr int kApproach = 0;  // the step number of events on the way to the start of a step
 
 PathOptions stoppable_path(PathOptions options, const Cancelled& cancelled) {
   options.newton.cancelled = cancelled;
@@ -52,7 +52,7 @@ class PathRun {
     cereal::BinaryInputArchive archive(in);
     remember(archive);
     const bool in_plan = step_ >= 0 && at(step_) <= steps_.size() && row_ >= 0 && rows_ >= 0;
-    if (!in_plan || !fits(pose_)) throw SavedElsewhere("what was saved is of another scene");
+    if (!in_plan || !fits(pose_)) throw SavedElsewhere("the saved data belong to another scene");
     forget();
   }
 
@@ -144,7 +144,7 @@ class PathRun {
     while (row_ < step.increments && !stopped_) {
       if (asked_to_stop(observer_.cancelled)) return stop();
       advance_to(step, ++row_);
-      if (row_ < step.increments && rows_ - rested_ >= kRest && !stopped_) rest();
+      if (row_ < step.increments && rows_ - rested_ >= kRestRows && !stopped_) rest();
     }
     pose_ = follower_.pose();
     report_ = follower_.report();
@@ -188,7 +188,7 @@ class PathRun {
     report.status = report.status == PoseStatus::ok ? PoseStatus::no_equilibrium : report.status;
     if (end == ArcLengthFollower::End::closed) {
       emit({PathEvent::Kind::closed, step_, last.at.t, step.target(last.at.t), "", last.at.pose.state.coordinates});
-      report.why = "the path closes on itself without reaching the end of the step";
+      report.why = "the path is closed and does not reach the end of the step";
     }
     if (end == ArcLengthFollower::End::ran_away) report.why = "the path runs away from the end of the step";
     where_ = last.at.t;
@@ -222,8 +222,7 @@ class PathRun {
   /// With layers, a pose without equilibrium (forces jump where a ray leaves an edge) says little about the next one:
   /// the joint may settle there from here.
   bool may_skip(const StepPlan& step, int k) {
-    constexpr int kMost = 3;  // in a row
-    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMost;
+    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMaxSkippedRows;
   }
 
   /// Longest gap without solution that may be stepped over, in units of the step's parameter.
@@ -257,7 +256,7 @@ class PathRun {
             fmt::format("to an equilibrium {:.1f} mm and {:.1f} deg away", 1e3 * distance, angle * 180 / M_PI),
             pose_.state.coordinates});
       report.status = PoseStatus::no_equilibrium;
-      report.why = "the equilibrium that was followed ends before this pose; the next one is a jump away";
+      report.why = "the equilibrium path ends before this pose; the next equilibrium is a jump away";
       if (!follower_.law_jump().empty()) report.why += ", as the force drops of ligament " + follower_.law_jump();
     }
     fail(step, k, t, report, "");
@@ -271,9 +270,8 @@ class PathRun {
   /// The limit point: located by arc length if possible, else the last pose. None where the path is nearly vertical and
   /// continues.
   std::optional<PathEvent> limit_point(const StepPlan& step) {
-    constexpr double kReach = 0.5;
     ArcLengthFollower follower(solver_, options_, follower_.law_events(), {});
-    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kReach);
+    const auto limit = follower.limit_ahead(step, follower_.pose(), follower_.t(), kLimitReach);
     result_.iterations += follower.iterations();
     if (limit) return turn_at(step, limit->at.t, limit->at.pose.state);
     if (follower.here().at.t > follower_.t() + options_.smallest_increment) return {};

@@ -8,16 +8,9 @@
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/state_difference.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
-namespace {
-
-// Characteristic lengths plus rad: longest motion in one continuation step. Toward a limit point the tangent grows
-// without bound, and after a longer motion the solution may lie on another branch.
-constexpr double kFarthest = 0.25;
-constexpr double kLongestStep = 0.1;  // of a step: events that cancel within a continuation step are not seen
-
-}  // namespace
 
 void PathFollower::begin(const StepPlan& plan, int step, Balanced pose, const PoseReport& report) {
   plan_ = plan;
@@ -52,7 +45,6 @@ void PathFollower::compute_tangent(const Linearization& at, const State& state, 
 void PathFollower::compute_tangent_of_last(const State& state, double t, Tangent& out) {
   // Factor on the relative error of the Jacobian, of all rates together. A smaller rate of the reaction has a reliable
   // sign only with the Jacobian at the solution.
-  constexpr double kDoubt = 30;
   Newton& newton = solver_.newton();
   compute_tangent(newton.linearization(), state, t, out);
   if (driven_ < 0 || newton.jacobian_error() == 0) return;
@@ -60,7 +52,7 @@ void PathFollower::compute_tangent_of_last(const State& state, double t, Tangent
   const bool rotation = is_rotation(solver_.model(), target, at(driven_));
   const auto& scales = solver_.model().scales;
   const double rate = std::abs(reaction_rate(out)) / (rotation ? scales.force * scales.length : scales.force);
-  if (rate > kDoubt * newton.jacobian_error() * newton.step().norm(out.motion, target)) return;
+  if (rate > kRateMargin * newton.jacobian_error() * newton.step().norm(out.motion, target)) return;
   if (newton.factor_at_solution()) compute_tangent(newton.linearization(), state, t, out);
 }
 
@@ -123,27 +115,24 @@ bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
   // changes by more than kRatio is halved; a very short one is accepted, because a nonsmooth point of a law changes the
   // speed too. Past two neighbouring limit points both prediction and speed may agree by chance. With this ratio one of
   // the two tests fails there if the path is a cubic.
-  constexpr double kRatio = 2, kShortest = 1e-6, kStill = 1e-3;
   const double before = path_speed(solver_.model(), tangent_.motion), after = path_speed(solver_.model(), next.motion);
-  if (h <= kShortest || h * std::max(before, after) <= kStill) return false;
-  return std::max(before, after) > kRatio * std::min(before, after);
+  if (h <= kShortestSpeedStep || h * std::max(before, after) <= kStillMotion) return false;
+  return std::max(before, after) > kSpeedRatio * std::min(before, after);
 }
 
 bool PathFollower::far_from_predicted(const Attempt& attempt) const {
   if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // On one branch the error of the tangent is of second order in the step. A step whose error exceeds half of it is
   // halved.
-  constexpr double kShare = 0.5, kSlack = 1e-5;
   return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
-         kShare * distance(solver_.model(), pose_.state, attempt.predicted) + kSlack;
+         kPredictionShare * distance(solver_.model(), pose_.state, attempt.predicted) + kPredictionSlack;
 }
 
 bool PathFollower::jumped(const State& state, double h) const {
   if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // A pose much farther away than the tangent predicts lies on another branch.
-  constexpr double kFactor = 4, kSlack = 0.02;
   return distance(solver_.model(), pose_.state, state) >
-         std::min(kFactor * h * path_speed(solver_.model(), tangent_.motion), kFarthest) + kSlack;
+         std::min(kMotionFactor * h * path_speed(solver_.model(), tangent_.motion), kLongestMotion) + kMotionSlack;
 }
 
 bool PathFollower::passes_through(const Attempt& trial) {
@@ -155,7 +144,7 @@ bool PathFollower::advance_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min({h, kLongestStep, kFarthest / std::max(path_speed(solver_.model(), tangent_.motion), 1e-300)});
+    h = std::min({h, kLongestSubstep, kLongestMotion / std::max(path_speed(solver_.model(), tangent_.motion), 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
@@ -191,18 +180,16 @@ bool PathFollower::advance_to(double t_end) {
 
 bool PathFollower::events_without_end() {
   // Contacts that change faster and faster do not converge, however many changes are followed.
-  constexpr double kShort = 1e-5;  // of a step
-  constexpr int kMost = 100;
-  if (t_ - crowd_from_ > kShort || t_ < crowd_from_) crowd_from_ = t_, crowd_ = 0;
-  if (++crowd_ <= kMost) return false;
+  if (t_ - crowd_from_ > kCrowdedStep || t_ < crowd_from_) crowd_from_ = t_, crowd_ = 0;
+  if (++crowd_ <= kMaxCrowdedChanges) return false;
   failure_ = {};
   failure_.status = PoseStatus::chatter;
-  failure_.why = "contacts come and go without end";
+  failure_.why = "contacts open and close without end";
   return true;
 }
 
 bool PathFollower::pass_event(double t, Attempt violated) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  constexpr double kNoSide = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
   while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
     // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
@@ -224,7 +211,7 @@ bool PathFollower::pass_event(double t, Attempt violated) {
       t = middle;
       violated = std::move(trial);
     } else {
-      bracket.move_high(middle, kUnknown);
+      bracket.move_high(middle, kNoSide);
       failure_ = trial.report;
     }
   }
@@ -237,9 +224,8 @@ bool PathFollower::pass_event(double t, Attempt violated) {
   }
   PoseReport report;
   if (const std::string drop = dropped_force(solver_.model(), violated.findings, violated.pose.state); !drop.empty()) {
-    constexpr double kRest = 1e-6;
     report = fall(t, drop, next);
-    if (report.status != PoseStatus::ok || distance(solver_.model(), violated.pose.state, next.state) > kRest)
+    if (report.status != PoseStatus::ok || distance(solver_.model(), violated.pose.state, next.state) > kFallMotion)
       emit_at(PathEvent::Kind::jump, t, violated.pose.state, drop);
   } else {
     report = settle_beyond(t, next);
@@ -265,7 +251,7 @@ PoseReport PathFollower::settle_beyond(double t, Balanced& next) {
   if (report.status == PoseStatus::ok && jumped(next.state, t - t_)) {
     snap_ = largest_motion(pose_.state, next.state);
     report.status = PoseStatus::no_equilibrium;
-    report.why = "the equilibrium that was followed ends where its contacts change";
+    report.why = "the equilibrium path ends where its contacts change";
   }
   return report;
 }
@@ -279,7 +265,7 @@ PoseReport PathFollower::fall(double t, const std::string& drop, Balanced& next)
     report = seeded ? solver_.settle_from_seed(next, plan_.target(t), true) : solver_.settle(next, plan_.target(t));
     iterations_ += report.iterations;
     if (report.status != PoseStatus::ok) continue;
-    if (distance(solver_.model(), edge.state, next.state) <= kFarthest) return report;
+    if (distance(solver_.model(), edge.state, next.state) <= kLongestMotion) return report;
     snap_ = largest_motion(pose_.state, next.state);
     report.status = PoseStatus::no_equilibrium;
   }
@@ -304,9 +290,8 @@ bool PathFollower::step_over(double window) {
   const double from = t_;
   // A gap without solution is plausible only where contacts change; elsewhere its start is a limit point. A path with
   // too many gaps is given up.
-  constexpr int kMost = 30;
   if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
-  if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
+  if (pose_.state.contacts.empty() || ++stepped_over_ > kMaxSteppedOver) return false;
   snap_ = {0, 0};
   // Where a contact splits, its two halves separate a millionth of a degree later: start that close.
   for (const double fraction : {1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
@@ -314,9 +299,8 @@ bool PathFollower::step_over(double window) {
     Balanced next;
     PoseReport report;
     if (balance_at(t, next, report)) {
-      constexpr double kRest = 1e-3;  // characteristic lengths, rad
       if (turning_back() && same_contacts(pose_.state, next.state) &&
-          distance(solver_.model(), pose_.state, next.state) > kRest) {
+          distance(solver_.model(), pose_.state, next.state) > kStepOverMotion) {
         // The stiffness vanished and no contact changed: a limit point, beyond which the joint snaps, however near.
         snap_ = largest_motion(pose_.state, next.state);
         return false;
@@ -361,8 +345,7 @@ bool PathFollower::turning_back() const {
   if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
   // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance. The path was followed to
   // a distance of the smallest increment.
-  constexpr double kVanishing = 0.02;
-  return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishing * stiffest_seen_;
+  return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishingStiffness * stiffest_seen_;
 }
 
 }  // namespace genu

@@ -9,6 +9,7 @@
 #include "genu/equilibrium/state_difference.h"
 #include "genu/path/path_cubic.h"
 #include "genu/path/path_follower.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 void PathFollower::emit(PathEvent::Kind kind, const std::string& what) { emit_at(kind, t_, pose_.state, what); }
@@ -26,7 +27,6 @@ std::string PathFollower::reaction_words(const Tangent& after, const State& stat
 }
 
 PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, const State& end) {
-  constexpr double kMeet = 1e-6;  // characteristic lengths, rad
   const double after = measure(next_);
   Bracket bracket(t_, measure(tangent_), t_end, after, options_.event_tolerance);
   Found out{t_end, end, after, true};
@@ -42,7 +42,7 @@ PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, c
     (is_before ? before : behind) = trial.pose.state;
     out = {t, std::move(trial.pose.state), value, true};
   }
-  out.leaps = distance(solver_.model(), before, behind) > kMeet;
+  out.leaps = distance(solver_.model(), before, behind) > kLeapDistance;
   return out;
 }
 
@@ -62,8 +62,7 @@ bool PathFollower::find_stability_change(double t, const State& next, std::vecto
     // branch, possibly beyond a limit point.
     if (there.leaps) return false;
     // At the end of a load's scale the stiffness may jump and change sign without vanishing.
-    constexpr double kVanishing = 1e-3;
-    const bool vanishes = std::abs(there.value) <= kVanishing * std::max(std::abs(before), std::abs(after));
+    const bool vanishes = std::abs(there.value) <= kVanishingShare * std::max(std::abs(before), std::abs(after));
     if (vanishes && !next_.stability.flutter && !stability().flutter)
       turns.push_back({there.t, PathEvent::Kind::bifurcation, there.state, verdict});
     turns.push_back({there.t, PathEvent::Kind::stability_changed, there.state, verdict});
@@ -113,12 +112,11 @@ std::vector<PathFollower::Turn> PathFollower::law_turns(double t, const State& s
   if (!leaps && known(before) && known(after) && held_count(pose_.state) == held_count(state))
     cubic.emplace(solver_.model(), pose_.state, tangent_.motion, state, next_.motion, h);
   // The next requested pose is near the last one, which Newton's method has found.
-  constexpr double kNear = 0.1;
   State last;
   double last_u = -1;
   if (!leaps && known(before))
     solves.pose_at = [&](double u, State& out) {
-      const bool near = std::abs(u - last_u) < kNear;
+      const bool near = std::abs(u - last_u) < kNearLastPose;
       const bool begun = near    ? retract(solver_.model(), last, tangent_.motion, (u - last_u) * h, out)
                          : cubic ? cubic->at(u, out)
                                  : retract(solver_.model(), pose_.state, tangent_.motion, u * h, out);

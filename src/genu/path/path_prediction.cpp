@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "genu/path/tolerances.h"
+
 namespace genu {
 
 double path_speed(const JointModel& model, const Correction& tangent) {
@@ -15,12 +17,11 @@ double path_speed(const JointModel& model, const Correction& tangent) {
 /// A divided difference is known as long as it is small beside the one before it, over the span. Otherwise the path is
 /// nonsmooth or near a limit point, and earlier poses do not predict it.
 void PathPrediction::went_on(double span, const Correction& from, const Correction& to) {
-  constexpr double kSmooth = 0.2;
   if (!from.matches(to)) return forget();
   if (known_ > 0 && !differences_[0].matches(to)) known_ = 0;
-  for (std::size_t i = std::min(known_, kMost - 1); i > 0; --i) behind_[i] = behind_[i - 1] - span;
+  for (std::size_t i = std::min(known_, kMaxDifferences - 1); i > 0; --i) behind_[i] = behind_[i - 1] - span;
   behind_[0] = -span;
-  const std::size_t most = std::min(known_ + 1, kMost);
+  const std::size_t most = std::min(known_ + 1, kMaxDifferences);
   older_ = from;
   newer_ = to;
   double speed = std::min(path_speed(*model_, from), path_speed(*model_, to));
@@ -29,7 +30,7 @@ void PathPrediction::went_on(double span, const Correction& from, const Correcti
     newer_.add(-1, older_);
     newer_.scale(-1 / behind_[known_]);
     const double next = path_speed(*model_, newer_);
-    if (!(next * span <= kSmooth * speed)) return;
+    if (!(next * span <= kSmoothShare * speed)) return;
     speed = next;
     if (known_ + 1 < most) older_ = difference;
     difference = newer_;
@@ -51,7 +52,7 @@ bool PathPrediction::at(const State& state, const Correction& tangent, double h,
   if (known_ == 0) return retract(*model_, state, tangent, h, out);
   way_ = tangent;
   // Newton's polynomials t, t (t - t1), ...: their coefficients, and their means from 0 to h.
-  std::array<double, kMost + 1> factors{0, 1};
+  std::array<double, kMaxDifferences + 1> factors{0, 1};
   for (std::size_t k = 0; k < known_; ++k) {
     double mean = 0, power = h;
     for (std::size_t i = 1; i <= k + 1; ++i, power *= h) mean += factors[i] * power / static_cast<double>(i + 1);

@@ -34,12 +34,12 @@ class PathPrediction {
   }
 
  private:
-  static constexpr std::size_t kMost = 3;
+  static constexpr std::size_t kMaxDifferences = 3;
 
   const JointModel* model_;
-  std::array<Correction, kMost> differences_;  ///< of the tangent: Newton's divided differences, the first one first
-  std::array<double, kMost> behind_{};         ///< t of earlier poses relative to the last (< 0), the nearest first
-  std::size_t known_ = 0;                      ///< number of entries of both
+  std::array<Correction, kMaxDifferences> differences_;  ///< of the tangent: Newton's divided ones, the first one first
+  std::array<double, kMaxDifferences> behind_{};  ///< t of the poses before the last, the nearest first, from it (< 0)
+  std::size_t known_ = 0;                         ///< how many of both
   Correction way_, newer_, older_;
 };
 

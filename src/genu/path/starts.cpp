@@ -4,17 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/uniqueness.h"
 #include "genu/model/potential_energy.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kLeastShare = 1.0 / 8;  // of the way to a start: closer to the first one finds nothing new
-constexpr double kBeside = 0.02;  // rad or 10 mm: displacement of a descent from a saddle along its unstable mode
-constexpr std::size_t kMostSaddles = 100;
-constexpr std::size_t kMostBetween = 10;
-constexpr int kBisections = 8;  // bisections of the way between two stable poses
 
 /// The prime after `prime`: the base of the next coordinate.
 int next_prime(int prime) {
@@ -68,12 +64,12 @@ class StartsSearcher {
     for (int k = 1; k <= options_.count && !stopped(); ++k) try_start(k);
     look_between();
     // An equilibrium found beside a saddle may be a saddle itself: the list grows during the loop.
-    for (std::size_t i = 0; i < out_.equilibria.size() && i < kMostSaddles && !stopped(); ++i) look_beside(i);
+    for (std::size_t i = 0; i < out_.equilibria.size() && i < kMaxSaddles && !stopped(); ++i) look_beside(i);
     return std::move(out_);
   }
 
  private:
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
   struct Settled {
     Balanced pose;
     PoseReport report;
@@ -86,8 +82,8 @@ class StartsSearcher {
     if (stopped()) return;
     ++out_.count;
     std::size_t place = add(by_newton, Equilibrium::Found::newton, k);
-    if (const std::size_t below = add(down, Equilibrium::Found::downhill, k); below != kNone) place = below;
-    if (place == kNone)
+    if (const std::size_t below = add(down, Equilibrium::Found::downhill, k); below != kNoPlace) place = below;
+    if (place == kNoPlace)
       out_.failed.push_back({k, by_newton.report});
     else
       out_.equilibria[place].starts.push_back(k);
@@ -98,7 +94,7 @@ class StartsSearcher {
     Settled out;
     out.pose.last_number.assign(model_.pairs.size(), 0);
     out.report.why = "surfaces overlap";
-    const double least_share = k == 1 ? 1 : kLeastShare;
+    const double least_share = k == 1 ? 1 : kMinStartShare;
     for (double share = 1; share >= least_share; share /= 2) {
       out.pose.state = State();
       out.pose.state.coordinates = start_coordinates(model_, target_, first_, k, share, options_);
@@ -106,7 +102,7 @@ class StartsSearcher {
       if (k > 1 && overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap)) continue;
       // Ligaments would pull separated bodies together, and through each other, before a contact closes. Where surfaces
       // may touch, an elastic foundation comes first, unless start 1 is near.
-      const bool seeded = downhill || (k > 1 && share > kLeastShare && !model_.pairs.empty());
+      const bool seeded = downhill || (k > 1 && share > kMinStartShare && !model_.pairs.empty());
       out.report =
           seeded ? solver_.settle_from_seed(out.pose, target_, downhill) : solver_.settle_cold(out.pose, target_);
       if (out.report.status == PoseStatus::ok) break;
@@ -114,9 +110,9 @@ class StartsSearcher {
     return out;
   }
 
-  /// Index of the equilibrium in the list; kNone where the pose is not one.
+  /// The equilibrium's place in the list; kNoPlace for a pose that is none.
   std::size_t add(const Settled& settled, Equilibrium::Found found, int start) {
-    if (settled.report.status != PoseStatus::ok) return kNone;
+    if (settled.report.status != PoseStatus::ok) return kNoPlace;
     for (std::size_t i = 0; i < out_.equilibria.size(); ++i)
       if (same_pose(model_, out_.equilibria[i].pose.state, settled.pose.state, options_.same_pose)) return i;
     Equilibrium e;
@@ -133,7 +129,7 @@ class StartsSearcher {
   /// Saddles between stable equilibria that are neighbours in the list.
   void look_between() {
     std::vector<std::size_t> stable;
-    for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMostBetween; ++i)
+    for (std::size_t i = 0; i < out_.equilibria.size() && stable.size() < kMaxBetween; ++i)
       if (out_.equilibria[i].stability.verdict == Stability::Verdict::stable) stable.push_back(i);
     for (std::size_t i = 1; i < stable.size() && !stopped(); ++i) look_between(stable[i - 1], stable[i]);
   }
@@ -151,7 +147,7 @@ class StartsSearcher {
     driven.prescribed.push_back({QuantityRef(*c), a});
     double low = 0, high = 1;
     Settled near;
-    for (int k = 0; k < kBisections; ++k) {
+    for (int k = 0; k < kMaxBisections; ++k) {
       const double share = 0.5 * (low + high);
       driven.prescribed.back().value = a + share * (b - a);
       near = settle_between(from, to, share, driven);
@@ -199,7 +195,7 @@ class StartsSearcher {
       const int start = e.first_start;
       Settled beside;
       beside.pose.last_number.assign(model_.pairs.size(), 0);
-      if (!displaced(e, sign * kBeside, beside.pose.state)) continue;
+      if (!displaced(e, sign * kBesideSaddle, beside.pose.state)) continue;
       beside.report = solver_.settle_from_seed(beside.pose, target_, true);
       add(beside, Equilibrium::Found::beside, start);
     }
@@ -215,7 +211,7 @@ class StartsSearcher {
     along.multipliers.setZero();
     along.twist = saddle.stability.mode;
     for (Eigen::Index i = 0; i < along.twist.size(); ++i)
-      if (i % 6 < 3) along.twist[i] *= Stability::kMetricLength;
+      if (i % 6 < 3) along.twist[i] *= kMetricLength;
     return retract(model_, from, along, way, out);
   }
 

@@ -18,10 +18,9 @@
 
 #include "genu/equilibrium/active_set.h"
 #include "genu/equilibrium/stability.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
-
-inline constexpr double kStartSpread = 20 * std::numbers::pi / 180;  ///< rad, default
 
 struct StartOptions {
   int count = 1;

@@ -5,12 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "genu/results/tolerances.h"
+
 namespace genu {
-namespace {
-
-constexpr double kClose = 0.99;  // correlations from here on are told
-
-}  // namespace
 
 ResultTable calibration_table(const CalibrationReport& report) {
   ResultTable table;
@@ -49,8 +46,8 @@ std::string to_text(const CalibrationReport& report) {
   for (std::size_t i = 0; i < report.parameters.size(); ++i)
     for (std::size_t j = i + 1; j < report.parameters.size(); ++j) {
       const double r = report.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      if (std::abs(r) < kClose) continue;
-      line("correlated", fmt::format("{} and {}: {:.4f}; the target hardly tells them apart", report.parameters[i].name,
+      if (std::abs(r) < kCloseCorrelation) continue;
+      line("correlated", fmt::format("{} and {}: {:.4f}; the target hardly separates them", report.parameters[i].name,
                                      report.parameters[j].name, r));
     }
   for (const std::string& what : report.undetermined) line("undetermined", what + ": the target does not depend on it");

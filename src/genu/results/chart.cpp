@@ -23,7 +23,7 @@ constexpr double kChartMargin = 14, kHeader = 40, kLine = 15, kNameDistance = 12
 constexpr int kChartColumns = 2;
 constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
 
-// Okabe and Ito (2008), told apart with every kind of colour vision; without its yellow, too pale for a line on white.
+// Okabe and Ito (2008), distinct for every kind of colour vision; without its yellow, too pale for a line on white.
 constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                  "#56B4E9", "#E69F00", "#000000", "#888888"};
 

@@ -23,7 +23,7 @@ struct CoverageMap {
   std::vector<Vec2> contacts;  ///< mm
 };
 
-/// One panel a map, on one scale of colours: red where the mesh stands out of the surface, blue where it lies below,
+/// One panel a map, on one scale of colours: red where the mesh is above the surface, blue where it is below,
 /// grey where no patch is. The same maps give the same bytes.
 std::string coverage_svg(const std::vector<CoverageMap>& maps);
 

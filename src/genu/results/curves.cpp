@@ -9,6 +9,7 @@
 
 #include "genu/results/columns.h"
 #include "genu/results/ligament_groups.h"
+#include "genu/results/tolerances.h"
 
 namespace genu {
 namespace {
@@ -116,8 +117,7 @@ class Curves {
         const CoordinateRef c{j, i};
         if (!scene_.joints[static_cast<std::size_t>(j)].leaves(i)) continue;
         const std::vector<double> x = column(poses_, coordinate_column(c));
-        constexpr double kLeast = 5;  // deg
-        if (!unilateral(x) || std::abs(x.back() - x.front()) <= std::max(most, kLeast)) continue;
+        if (!unilateral(x) || std::abs(x.back() - x.front()) <= std::max(most, kMinDrivenAngle)) continue;
         most = std::abs(x.back() - x.front());
         x_ = c;
         chart_.x = x;

@@ -6,12 +6,11 @@
 #include <map>
 #include <tuple>
 
+#include "genu/results/tolerances.h"
+
 namespace genu {
 namespace {
 
-constexpr std::size_t kBeside = 1;      // rows
-constexpr double kMeshFactor = 2;       // 1 / (1.5 - 1): Richardson's estimate of an error of first order in the edges
-constexpr double kNoiseDeviations = 2;  // standard deviations
 const double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool is_solved(const ResultTable& poses, std::size_t row) {
@@ -43,7 +42,7 @@ class Spread {
     const auto keys = rows_by_key(poses);
     for (const VariedPoses& v : variants) {
       const auto there = rows_by_key(*v.poses);
-      std::vector<std::size_t>& rows = row_of_.emplace_back(poses.rows(), kNone);
+      std::vector<std::size_t>& rows = row_of_.emplace_back(poses.rows(), kNoRow);
       for (const auto& [key, row] : keys)
         if (const auto it = there.find(key);
             it != there.end() && is_solved(poses, row) && is_solved(*v.poses, it->second))
@@ -53,7 +52,7 @@ class Spread {
 
   int variants_solved(std::size_t row) const {
     return static_cast<int>(
-        std::count_if(row_of_.begin(), row_of_.end(), [&](const auto& rows) { return rows[row] != kNone; }));
+        std::count_if(row_of_.begin(), row_of_.end(), [&](const auto& rows) { return rows[row] != kNoRow; }));
   }
 
   /// By cause, of one column; NaN where no variant of the cause has it.
@@ -67,8 +66,8 @@ class Spread {
     out = single;
     for (std::size_t row = 0; row < poses_.rows(); ++row)
       for (std::size_t c = 0; c < kErrorCauses.size(); ++c)
-        for (std::size_t beside = row - std::min(row, kBeside); beside <= std::min(row + kBeside, poses_.rows() - 1);
-             ++beside)
+        for (std::size_t beside = row - std::min(row, kBesideRows);
+             beside <= std::min(row + kBesideRows, poses_.rows() - 1); ++beside)
           if (single[beside][c] > out[row][c]) out[row][c] = single[beside][c];
     return out;
   }
@@ -76,13 +75,13 @@ class Spread {
   static std::size_t index(ErrorCause cause) { return static_cast<std::size_t>(cause); }
 
  private:
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 
   /// Of variant `v` from the results; where it has no equilibrium any more, or either has no such cell (an open
   /// contact), the distance `before` that: a bar does not shrink because the surfaces that differ most carry the joint
   /// no further.
   double distance(const std::string& column, std::size_t row, std::size_t v, double before) const {
-    if (row_of_[v][row] == kNone) return before;
+    if (row_of_[v][row] == kNoRow) return before;
     if (!variants_[v].poses->has_column(column)) return kUnknown;
     const double there = variants_[v].poses->number(row_of_[v][row], column), here = poses_.number(row, column);
     return std::isfinite(there) && std::isfinite(here) ? std::abs(there - here) : before;

@@ -32,7 +32,7 @@ struct VariedPoses {
 
 struct ErrorBars {
   /// The columns of `poses` that are measures (not the statuses, counts and residuals), same rows, bars in place of
-  /// values; `variants` tells how many variants were solved there. Empty where no variant has had the cell so far.
+  /// values; `variants` is the number of variants solved there. Empty where no variant has had the cell so far.
   ResultTable bars;
   /// step, increment, output, bar and the share of each cause, a row for each bar.
   ResultTable shares;

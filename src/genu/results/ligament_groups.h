@@ -1,4 +1,4 @@
-// Fibres that stand for one ligament, told by their names: ACLam1 ... ACLam6 are ACLam.
+// Fibres of one ligament, recognised by their names: ACLam1 ... ACLam6 are ACLam.
 #pragma once
 
 #include <string>

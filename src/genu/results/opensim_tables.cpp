@@ -11,7 +11,7 @@
 namespace genu {
 namespace {
 
-constexpr double kSquareMillimetre = 1e-6;  // m^2
+constexpr double kAreaUnit = 1e-6;  // m^2
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Column after column, each over all rows.
@@ -69,7 +69,7 @@ void take_layer(const std::string& name, const std::string& centre, OpenSimTable
                          {"moment_x_Nm", "contact_moment_x", 1},
                          {"moment_y_Nm", "contact_moment_y", 1},
                          {"moment_z_Nm", "contact_moment_z", 1},
-                         {"area_mm2", "contact_area", kSquareMillimetre},
+                         {"area_mm2", "contact_area", kAreaUnit},
                          {"mean_pressure_MPa", "pressure_mean", units::kMegapascal},
                          {"max_pressure_MPa", "pressure_max", units::kMegapascal},
                          {"max_depth_mm", "proximity_max", units::kMillimetre}})

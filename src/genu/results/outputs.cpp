@@ -202,7 +202,7 @@ class Outputs {
   std::vector<Output> out_;
 };
 
-constexpr const char* kAskedFor = "is what the scene asks for: nothing in the pose changes it";
+constexpr const char* kAskedFor = "is an input of the scene: no parameter changes it";
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;

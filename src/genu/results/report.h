@@ -10,7 +10,7 @@
 
 namespace genu {
 
-/// The page. All that depends on time or machine stands in one line of it, that of the element `genu-times`: the rest
+/// The page. Everything that depends on time or machine is in one line, the element `genu-times`: the rest
 /// is the same for the same runs.
 std::string report_html(const std::vector<ReportRun>& runs, const std::vector<ReportPicture>& pictures = {});
 

@@ -21,7 +21,7 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 ordered_json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 ordered_json place_json(const Vec3& p) { return vector_json(to::kMillimetre * p); }
 
-/// Where the page has its origin: poses are told from there, so that single precision serves however far away it is.
+/// Origin of the page: poses are relative to it, so that single precision serves however far away it is.
 Vec3 origin_of(const JointModel& model) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i)
     if (model.bodies[i].moving >= 0) return model.reference_poses[i].p;
@@ -142,7 +142,7 @@ ordered_json contacts_json(const std::vector<ReportContact>& contacts) {
   return j;
 }
 
-/// A column of numbers, or of words and which one stands in each row (65535: none).
+/// A column of numbers, or of words with the index of each row's word (65535: none).
 ordered_json column_json(const ResultTable& table, std::size_t column) {
   std::vector<double> numbers(table.rows(), kMissing);
   std::vector<std::uint16_t> places(table.rows(), std::numeric_limits<std::uint16_t>::max());

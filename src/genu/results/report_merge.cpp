@@ -11,7 +11,7 @@
 namespace genu {
 namespace {
 
-/// What stands in the element of this id; empty where there is none.
+/// The content of the element with this id; empty where there is none.
 std::optional<std::string_view> element(std::string_view page, const std::string& id) {
   const std::size_t at = page.find(" id=\"" + id + "\">");
   if (at == std::string_view::npos) return std::nullopt;

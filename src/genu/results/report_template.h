@@ -7,7 +7,7 @@
 
 namespace genu {
 
-/// A piece of the page, and what stands between it and the next: "title", "data", "times", or nothing.
+/// A piece of the page, and the slot between it and the next: "title", "data", "times", or nothing.
 struct ReportTemplatePart {
   std::string_view text;
   std::string_view then;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "genu/results/columns.h"
+#include "genu/results/tolerances.h"
 
 namespace genu {
 namespace {
@@ -45,21 +46,19 @@ std::string number(double value) { return std::isfinite(value) ? fmt::format("{:
 
 /// Whether two parameters do the same to an output at every pose.
 bool alike(const SensitivityRows& rows, std::size_t output, const RankedParameter& a, const RankedParameter& b) {
-  constexpr double kSame = 1e-8;  // of the largest effect
   for (std::size_t row = 0; row < rows.rows(); ++row) {
     const double x = rows.effect(row, output, a.parameter), y = rows.effect(row, output, b.parameter);
-    if (std::isfinite(x) != std::isfinite(y) || std::abs(x - y) > kSame * std::abs(a.largest)) return false;
+    if (std::isfinite(x) != std::isfinite(y) || std::abs(x - y) > kSameEffect * std::abs(a.largest)) return false;
   }
   return true;
 }
 
 std::vector<RankedParameter> grouped(const SensitivityRows& rows, std::size_t output,
                                      const std::vector<RankedParameter>& sorted) {
-  constexpr double kNear = 1 - 1e-6;  // those that are alike stand near each other
   std::vector<RankedParameter> out;
   for (const RankedParameter& r : sorted) {
     const auto same = std::find_if(out.rbegin(), out.rend(), [&](const RankedParameter& group) {
-      return kNear * std::abs(group.largest) <= std::abs(r.largest) && alike(rows, output, group, r);
+      return kNearEffect * std::abs(group.largest) <= std::abs(r.largest) && alike(rows, output, group, r);
     });
     if (same == out.rend())
       out.push_back(r);
@@ -120,9 +119,8 @@ std::vector<RankedParameter> ranking(const SensitivityRows& rows, std::size_t ou
   std::stable_sort(out.begin(), out.end(), [](const RankedParameter& a, const RankedParameter& b) {
     return std::abs(a.largest) > std::abs(b.largest);
   });
-  constexpr double kRounding = 1e-12;  // of the largest effect
-  std::erase_if(out,
-                [&](const RankedParameter& r) { return std::abs(r.largest) < kRounding * std::abs(out[0].largest); });
+  std::erase_if(
+      out, [&](const RankedParameter& r) { return std::abs(r.largest) < kEffectRounding * std::abs(out[0].largest); });
   return grouped(rows, output, out);
 }
 

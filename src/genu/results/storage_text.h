@@ -10,7 +10,7 @@ namespace genu {
 /// A line of the header: which files are genu's to replace.
 inline constexpr const char* kStorageMark = "Written by genu convert.";
 
-/// `table`: column `time` first, all others numbers. `title` stands in the first line. A cell without a number is
+/// `table`: column `time` first, all others numbers. `title` is the first line. A cell without a number is
 /// "nan". `rotations`: the table has angles, and they are in degrees; the header says so.
 std::string storage_text(const ResultTable& table, const std::string& title, bool rotations);
 

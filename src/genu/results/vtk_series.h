@@ -20,7 +20,7 @@ struct VtkRow {
   std::vector<TrianglePressures> pressures = {};
 };
 
-/// Hands over one file after the other, `name` from the series' folder; the empty text goes on, any other stops and
+/// Hands over one file after the other, `name` from the series' folder; an empty text continues, any other stops and
 /// comes back.
 using WriteFile = std::function<std::string(const std::string& name, const std::string& content)>;
 

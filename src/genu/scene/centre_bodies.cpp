@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kFar = 4;           // sizes of the scene: at 10 of them a measured knee took twice the iterations
-constexpr double kLeastSize = 0.01;  // m: of a scene that shows none
 
 /// Calls visit(body, point) for every point that a scene fixes to a body.
 template <typename SceneType, typename Visit>
@@ -60,7 +58,7 @@ Vec3 mean(const std::vector<Vec3>& points) {
 
 /// How large things are: what is farthest from the middle of its body, and the largest of the sizes given as such.
 double size_of(const SceneTables& scene, const std::vector<std::vector<Vec3>>& points) {
-  double size = kLeastSize;
+  double size = kMinSceneSize;
   for (const auto& of_body : points)
     for (const Vec3& p : of_body) size = std::max(size, (p - mean(of_body)).norm());
   for (const SurfaceDef& s : scene.surfaces) size = std::max({size, s.radius, s.radii.maxCoeff(), s.major_radius});
@@ -89,7 +87,7 @@ std::vector<Vec3> middles(const SceneTables& scene, const std::vector<std::vecto
 /// The middles of those bodies that lie far from their origins, 0 for the others.
 std::vector<Vec3> far_middles(const SceneTables& scene, const std::vector<Vec3>& known) {
   const auto points = telling_points(scene, known);
-  const double far = kFar * size_of(scene, points);
+  const double far = kFarFromCentre * size_of(scene, points);
   std::vector<Vec3> centres = middles(scene, points);
   for (Vec3& centre : centres)
     if (centre.norm() <= far) centre.setZero();

@@ -9,6 +9,7 @@
 #include "genu/law/laws.h"
 #include "genu/scene/law_values.h"
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
@@ -69,8 +70,6 @@ Pose reference_pose(const JointDef& joint) {
   return pose;
 }
 
-constexpr double kCoincident = 1e-9;  // m: the rounding of poses is far below, any real distance far above
-
 /// What is wrong with a ligament of more than one line, bodies at `poses`; empty if nothing is.
 std::string path_rule_broken(const LigamentDef& ligament, const std::vector<Pose>& poses) {
   const std::vector<LigamentDef::End> points = ligament.path_points();
@@ -79,7 +78,7 @@ std::string path_rule_broken(const LigamentDef& ligament, const std::vector<Pose
     return k == 0 ? "its first end" : k + 1 == points.size() ? "its last end" : fmt::format("via point {}", k);
   };
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    if ((place(k + 1) - place(k)).norm() <= kCoincident)
+    if ((place(k + 1) - place(k)).norm() <= kCoincidentDistance)
       return fmt::format("{} and {} coincide at the reference pose", name(k), name(k + 1));
   return {};
 }
@@ -90,7 +89,7 @@ std::string length_rule_broken(const LigamentDef& ligament, double length) {
   if (law == nullptr) return {};
   // The direction of the force is undefined at zero length, except for a spring, which may have no force there.
   if (!law->both_ways) {
-    return length > kCoincident
+    return length > kCoincidentDistance
                ? std::string()
                : "the two ends coincide at the reference pose; only law \"spring\" may have zero length";
   }
@@ -121,7 +120,7 @@ void check_directions(ReadContext& context) {
     if (load.kind != LoadDef::Kind::toward || load.body < 0 || load.toward_body < 0) continue;
     const Vec3 from = poses[static_cast<std::size_t>(load.body)] * load.point;
     const Vec3 to = poses[static_cast<std::size_t>(load.toward_body)] * load.toward_point;
-    if ((to - from).norm() > kCoincident) continue;
+    if ((to - from).norm() > kCoincidentDistance) continue;
     context.error(load.where, "load." + load.name, {},
                   "its two points coincide at the reference pose: the force has no direction");
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
@@ -50,7 +51,6 @@ void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
 
 /// How the pressure is summed, and the key that belongs to that way alone.
 void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
-  constexpr double kLeast = 1e-8, kMost = 0.1;
   const Item quadrature = section.find("quadrature");
   std::optional<int> choice = 0;
   if (quadrature) choice = read_choice(context, quadrature, {"smooth", "triangles"});
@@ -65,9 +65,10 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
     read_cast_from(context, cast_from, layer);
   if (!tolerance) return;
   if (triangles) return refuse(context, tolerance, "belongs to quadrature = \"smooth\": triangles have none");
-  layer.tolerance = read_number(context, tolerance, {.unit = 1, .unit_name = {}, .above = {}, .at_least = kLeast})
-                        .value_or(layer.tolerance);
-  if (layer.tolerance > kMost) refuse(context, tolerance, "must be <= 0.1: a relative error of the force");
+  layer.tolerance =
+      read_number(context, tolerance, {.unit = 1, .unit_name = {}, .above = {}, .at_least = kMinLayerTolerance})
+          .value_or(layer.tolerance);
+  if (layer.tolerance > kMaxLayerTolerance) refuse(context, tolerance, "must be <= 0.1: a relative error of the force");
 }
 
 void read_layer(ReadContext& context, Section& section, LayerDef& layer) {

@@ -6,13 +6,11 @@
 #include "genu/scene/read_parts.h"
 
 #include "genu/core/decompositions.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
 namespace {
-
-constexpr double kMostRows = 1'000'000;
-constexpr double kFinestTolerance = 1e-12, kCoarsestTolerance = 1e-2;
 
 /// [xx, yy, zz] or [xx, yy, zz, xy, xz, yz].
 std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
@@ -34,9 +32,8 @@ std::optional<Mat3> read_matrix(ReadContext& context, const Item& item) {
 
 /// What a matrix of inertia breaks that no distribution of mass could break; empty if nothing.
 std::string broken_rule(const Mat3& I) {
-  constexpr double kRounding = 1e-9;
   const Vec3 principal = symmetric_eigenvalues(I);
-  const double rounding = kRounding * principal[2];
+  const double rounding = kInertiaRounding * principal[2];
   if (principal[0] < -rounding)
     return fmt::format("no body has it: the principal moments of inertia must be >= 0, here {:.4g}, {:.4g}, {:.4g}",
                        principal[0], principal[1], principal[2]);
@@ -134,12 +131,12 @@ void read_dynamics(ReadContext& context, Section& root) {
   dynamics.duration = duration.value_or(1);
   dynamics.output_interval = every.value_or(1);
   if (duration && every && *every > *duration) refuse(context, interval, "must be at most the duration");
-  if (duration && every && *duration / *every > kMostRows)
-    refuse(context, interval, fmt::format("asks for more than {:g} rows", kMostRows));
+  if (duration && every && *duration / *every > kMaxMotionRows)
+    refuse(context, interval, fmt::format("asks for more than {:g} rows", kMaxMotionRows));
   const auto error = read_number(context, tolerance, positive(plain_rule({})));
   dynamics.tolerance = error.value_or(dynamics.tolerance);
-  if (error && (*error < kFinestTolerance || *error > kCoarsestTolerance))
-    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kFinestTolerance, kCoarsestTolerance));
+  if (error && (*error < kMinMotionTolerance || *error > kMaxMotionTolerance))
+    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kMinMotionTolerance, kMaxMotionTolerance));
   read_start_rates(context, section.find("start_rates"), dynamics);
   read_drives(context, section.find("prescribe"), dynamics);
   dynamics.from_equilibrium = read_choice(context, section.find("start"), {"given", "equilibrium"}) == 1;

@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 

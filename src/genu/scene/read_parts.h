@@ -5,9 +5,6 @@
 
 namespace genu {
 
-/// Directions closer than this (rad) fix no plane: 6 digits of input say no more.
-inline constexpr double kParallelSine = 1e-6;
-
 void read_header(ReadContext& context, Section& root);  ///< format, title, units
 void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
@@ -18,16 +19,16 @@ SurfaceDef::Patch::Range read_range(ReadContext& context, const Item& item, cons
 }
 
 void check_turn(ReadContext& context, const Item& item, const SurfaceDef& surface, const SurfaceDef::Patch& patch) {
-  constexpr double kHalfTurn = std::numbers::pi, kRounding = 1e-12;
+  constexpr double kHalfTurn = std::numbers::pi;
   if (!patch.theta) return;
   const auto [from, to] = *patch.theta;
-  if (to - from >= (2 - kRounding) * kHalfTurn) {
+  if (to - from >= (2 - kAngleRangeRounding) * kHalfTurn) {
     refuse(context, item, "must be less than a full turn wide; without theta the patch goes all the way round");
     return;
   }
   const bool seam = surface.shape == SurfaceDef::Shape::cylindrical_polynomial &&
                     std::any_of(surface.terms.begin(), surface.terms.end(), [](const auto& t) { return t.i > 0; });
-  if (seam && (from < -(1 + kRounding) * kHalfTurn || to > (1 + kRounding) * kHalfTurn))
+  if (seam && (from < -(1 + kAngleRangeRounding) * kHalfTurn || to > (1 + kAngleRangeRounding) * kHalfTurn))
     refuse(context, item, "must stay within half a turn from 0 to either side, where this polynomial ends");
 }
 

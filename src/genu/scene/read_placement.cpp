@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 namespace {
@@ -103,7 +104,6 @@ void read_part(ReadContext& context, const Item& item, double blend, SolidDef& s
 }  // namespace
 
 void read_solid_shapes(ReadContext& context, Section& root) {
-  constexpr std::size_t kMostParts = 1000;
   for (const Item& item : named_tables(context, root, "solid")) {
     Section section(context, item, "a solid");
     SolidDef solid;
@@ -115,8 +115,8 @@ void read_solid_shapes(ReadContext& context, Section& root) {
     if (!is_array(context, parts, "a list of parts [{ shape = \"sphere\", radius = 20 }, ...]")) continue;
     const std::size_t count = parts.node->children.size();
     if (count == 0) refuse(context, parts, "needs at least one part");
-    if (count > kMostParts) {
-      refuse(context, parts, fmt::format("has {} parts, more than {}", count, kMostParts));
+    if (count > kMaxSolidParts) {
+      refuse(context, parts, fmt::format("has {} parts, more than {}", count, kMaxSolidParts));
       continue;
     }
     for (std::size_t k = 0; k < count; ++k) read_part(context, parts.element(k), blend, solid);

@@ -2,16 +2,9 @@
 #include <fmt/format.h>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
-
-namespace {
-
-// Rounding stops the fall some orders above the finer one. At the coarser one contacts are off by so much that the
-// certificate seldom lets a pose pass.
-constexpr double kFinest = 1e-14, kCoarsest = 1e-3;
-
-}  // namespace
 
 void read_solver(ReadContext& context, Section& root) {
   const Item item = root.find("solver");
@@ -19,8 +12,8 @@ void read_solver(ReadContext& context, Section& root) {
   Section section(context, item, "a solver");
   const Item tolerance = section.find("tolerance");
   const auto value = read_number(context, tolerance, positive(plain_rule({})));
-  if (value && (*value < kFinest || *value > kCoarsest))
-    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kFinest, kCoarsest));
+  if (value && (*value < kMinSolverTolerance || *value > kMaxSolverTolerance))
+    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kMinSolverTolerance, kMaxSolverTolerance));
   else if (value)
     context.scene.solver.tolerance = *value;
   section.finish();

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
 namespace {
-
-constexpr std::int64_t kMaxIncrements = 1'000'000;
 
 void read_prescribed(ReadContext& context, const Item& item, const std::string& name, StepDef& step) {
   const auto coordinate = find_quantity(context, item.node->key_where, item.path, name);
@@ -112,13 +111,12 @@ void read_step(ReadContext& context, const Item& item) {
 
 void check_independent(ReadContext& context, const std::vector<NamedItem>& entries,
                        const std::vector<QuantityRef>& quantities) {
-  constexpr double kDependent = 1e-9;  // of a row's length, left over when what the rows before it tell is taken off
   std::vector<VecX> basis;
   for (const QuantityRef& quantity : quantities) {
     VecX row = factors_of(context.scene, quantity);
     for (int pass = 0; pass < 2; ++pass)
       for (const VecX& known : basis) row -= known.dot(row) * known;
-    if (row.norm() > kDependent) {
+    if (row.norm() > kDependentRowNorm) {
       basis.push_back(row.normalized());
       continue;
     }

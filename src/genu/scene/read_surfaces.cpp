@@ -8,14 +8,13 @@
 
 #include "genu/core/units.h"
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::int64_t kMaxExponent = 20;
 
 void read_ellipsoid(ReadContext& context, Section& section, SurfaceDef& surface) {
   const auto radii = read_vector(context, section.require("radii"), positive(length_rule(context)));

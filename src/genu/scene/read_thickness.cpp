@@ -3,6 +3,7 @@
 
 #include "genu/core/units.h"
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 
 namespace genu {
 namespace {
@@ -75,8 +76,7 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
   layer.search_depth = layer.measured ? 0 : layer.thickness;
   if (!depth) return;
   layer.search_depth = read_number(context, depth, length).value_or(0);
-  constexpr double kDeepest = 1;  // m
-  if (layer.search_depth > kDeepest) refuse(context, depth, "must be at most 1 m");
+  if (layer.search_depth > kMaxSearchDepth) refuse(context, depth, "must be at most 1 m");
 }
 
 void check_thickness_used(ReadContext& context) {

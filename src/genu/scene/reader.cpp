@@ -10,6 +10,7 @@
 
 #include "genu/core/units.h"
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 #include "genu/scene/toml_document.h"
 #include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
@@ -19,8 +20,6 @@ namespace genu {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t kMaxFileBytes = 16u << 20;  // a scene holds no geometry: the largest known is 14 kB
 
 std::shared_ptr<const std::string> read_text(const std::string& path, InputFiles& files, Diagnostics& out) {
   std::error_code failed;
@@ -42,8 +41,8 @@ std::shared_ptr<const std::string> read_text(const std::string& path, InputFiles
     return nullptr;
   }
 
-  if (fs::file_size(path, failed) > kMaxFileBytes && !failed) {
-    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxFileBytes >> 20));
+  if (fs::file_size(path, failed) > kMaxSceneBytes && !failed) {
+    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxSceneBytes >> 20));
     return nullptr;
   }
   auto text = files.bytes(path);

@@ -25,14 +25,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "genu/scene/tolerances.h"
+
 namespace genu {
 
 namespace {
-
-// Deeper than any scene; what lies below is dropped, since the reader refuses the table that holds it.
-constexpr int kMaxDepth = 32;
-// Dotted keys nest without bound and tables are destroyed recursively: bounded here, before the stack is at stake.
-constexpr int kMaxDotsInKey = 250;
 
 SourceLocation location(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
@@ -58,10 +55,10 @@ TomlNode converted(const toml::node& from, int depth) {
   to.where = to.key_where = location(from.source());
   if (const auto* table = from.as_table()) {
     to.kind = TomlNode::Kind::table;
-    if (depth < kMaxDepth) convert_members(*table, to, depth);
+    if (depth < kMaxTomlDepth) convert_members(*table, to, depth);
   } else if (const auto* array = from.as_array()) {
     to.kind = TomlNode::Kind::array;
-    if (depth >= kMaxDepth) return to;
+    if (depth >= kMaxTomlDepth) return to;
     for (auto&& element : *array) to.children.push_back(converted(element, depth + 1));
   } else if (const auto* string = from.as_string()) {
     to.kind = TomlNode::Kind::string;

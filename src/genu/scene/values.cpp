@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
 
 namespace genu {
 
 namespace {
-
-constexpr double kLargestLength = 1e7;  // m
-constexpr double kLargestAngle = 1e5;   // rad
 
 std::string with_unit(double value, const std::string& unit_name) {
   return unit_name.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, unit_name);
@@ -145,7 +143,7 @@ NumberRule length_rule(const ReadContext& context) {
           .unit_name = context.length_name,
           .above = {},
           .at_least = {},
-          .largest = kLargestLength};
+          .largest = kMaxLength};
 }
 
 NumberRule angle_rule(const ReadContext& context) {
@@ -153,7 +151,7 @@ NumberRule angle_rule(const ReadContext& context) {
           .unit_name = context.angle_name,
           .above = {},
           .at_least = {},
-          .largest = kLargestAngle};
+          .largest = kMaxAngle};
 }
 
 NumberRule plain_rule(std::string unit_name) {

@@ -10,6 +10,7 @@
 
 #include "genu/core/types.h"
 #include "genu/scene/read_context.h"
+#include "genu/scene/tolerances.h"
 #include "genu/scene/toml_document.h"
 
 namespace genu {
@@ -30,7 +31,7 @@ struct NumberRule {
   std::string unit_name;           ///< for messages, e.g. "mm"
   std::optional<double> above;     ///< value > above
   std::optional<double> at_least;  ///< value >= at_least
-  double largest = 1e20;  ///< SI: beyond it no joint is described; what is smaller than `smallest` neither, but for 0
+  double largest = kMaxNumber;     ///< SI: larger numbers, and smaller ones than `smallest` but 0, are refused
   double smallest = 1e-30;
 };
 

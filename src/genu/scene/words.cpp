@@ -4,11 +4,11 @@
 #include <cctype>
 #include <numeric>
 
+#include "genu/scene/tolerances.h"
+
 namespace genu {
 
 namespace {
-
-constexpr std::size_t kLongestSuggested = 64;  // keeps the quadratic distance cheap on hostile files
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -30,8 +30,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
-
-constexpr std::size_t kLongestName = 100;  // names of files are made of it
 
 bool is_name(std::string_view word) {
   return !word.empty() && word.size() <= kLongestName && is_letter(word[0]) &&

@@ -8,6 +8,7 @@
 
 #include "genu/core/decompositions.h"
 #include "genu/mesh/vertex_graph.h"
+#include "genu/shape_fit/tolerances.h"
 #include "genu/surface/polynomial_surface.h"
 
 namespace genu {
@@ -74,14 +75,13 @@ std::vector<OrientedPoint> oriented_points(const Mesh& mesh) {
 }
 
 bool wraps_round(const std::vector<OrientedPoint>& points) {
-  constexpr double kInCone = 0.5, kShare = 0.05;  // cos 60 deg
   const Vec3 mean = mean_normal(points).normalized();
   double area = 0, beyond = 0;
   for (const OrientedPoint& q : points) {
     area += q.area;
-    if (!(q.n.dot(mean) > kInCone)) beyond += q.area;
+    if (!(q.n.dot(mean) > kConeMinCosine)) beyond += q.area;
   }
-  return beyond > kShare * area;
+  return beyond > kOutsideConeShare * area;
 }
 
 Pose plane_frame(const std::vector<OrientedPoint>& points) {

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "genu/shape_fit/tolerances.h"
 #include "genu/surface/polynomial_surface.h"
 #include "genu/surface/tessellate.h"
 
 namespace genu {
 namespace {
 
-constexpr int kSamples = 64;    // each way, to see how steep the surface is
-constexpr double kCell = 0.88;  // of the edge: sides of 0.88 and diagonals of 1.24 come to one edge in the mean
+constexpr int kSamples = 64;  // each way, to see how steep the surface is
 
 /// Positions of grid lines in [0, 1], closer where `stretch` (length per unit, at the middles of kSamples cells) is
 /// large: none of the cells is longer than `cell`.
@@ -59,9 +59,9 @@ Mesh chart_mesh(const SurfaceChart& chart, const ChartBox& box, const std::vecto
   for (const double s : along_v) size_v += s / kSamples;
   if (!std::isfinite(size_u * size_v)) return {};  // it rises beyond all numbers
   // The last: a surface as steep as a wall one way has two rows at least the other way.
-  constexpr double kMostLines = kMaxChartTriangles / 4.0;
-  const double cell = std::max(
-      {kCell * edge, std::sqrt(2 * size_u * size_v / kMaxChartTriangles), std::max(size_u, size_v) / kMostLines});
+  constexpr double kMaxGridLines = kMaxChartTriangles / 4.0;
+  const double cell = std::max({kChartCell * edge, std::sqrt(2 * size_u * size_v / kMaxChartTriangles),
+                                std::max(size_u, size_v) / kMaxGridLines});
   const std::vector<double> s = lines(along_u, cell), t = lines(along_v, cell);
 
   const int columns = static_cast<int>(s.size()) - 1, rows = static_cast<int>(t.size()) - 1;

@@ -10,9 +10,6 @@
 
 namespace genu {
 
-/// A finer mesh than this many triangles is not made: its edges become longer.
-inline constexpr double kMaxChartTriangles = 1e6;
-
 /// The polynomial h(u, v) over `box` as triangles whose edges are about `edge` (m) long and hardly longer; the lines of
 /// the grid are closer where the surface is steep. Outward as make_polynomial and make_cylindrical_polynomial have it,
 /// `inside` turns it round.

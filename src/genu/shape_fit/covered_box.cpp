@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/shape_fit/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -99,7 +101,7 @@ std::optional<CoveredBox> covered_box(const Mesh& zone, const SurfaceChart& char
       for (int j0 = 0; j0 <= std::min(bottom, kCells - 1); ++j0) {
         for (int j1 = std::max(j0 + 1, top); j1 <= kCells; ++j1) {
           const int all = (i1 - i0) * (j1 - j0), filled = cells.count(i0, i1, j0, j1);
-          const double score = filled - kBareSpot * (all - filled);
+          const double score = filled - kBareSpotCost * (all - filled);
           if (score <= best_score) continue;
           best_score = score;
           best = {{cells.u(i0), cells.u(i1), cells.v(j0), cells.v(j1)}, static_cast<double>(filled) / all};

@@ -16,11 +16,9 @@ struct CoveredBox {
 };
 
 /// The rectangle inside `limits` (and inside the zone's extent) with the most covered area, where a bare spot costs
-/// kBareSpot times what a covered one brings; it holds `keep` as far as the extent does. An edge that is the zone's own
-/// is its extreme coordinate, to rounding. Empty for a zone without area.
+/// kBareSpotCost times what a covered one brings; it holds `keep` as far as the extent does. An edge that is the zone's
+/// own is its extreme coordinate, to rounding. Empty for a zone without area.
 std::optional<CoveredBox> covered_box(const Mesh& zone, const SurfaceChart& chart,
                                       const std::optional<ChartBox>& limits, const std::optional<ChartBox>& keep);
-
-inline constexpr double kBareSpot = 6;
 
 }  // namespace genu

@@ -9,16 +9,12 @@
 #include "genu/mesh/mesh_part.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/shape_fit/chart_choice.h"
+#include "genu/shape_fit/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kFacing = 0.342;    // cos 70 deg
-constexpr double kSheetShare = 0.1;  // of the area: smaller sheets are crumbs
-constexpr int kSectors = 72;         // of 5 deg round the axis
-constexpr int kArmSectors = 8;       // an arm is at least 40 deg long
-constexpr double kNotch = 0.08;      // of the sheet's extent along the axis: a gap wider than that parts arms
-constexpr double kArmShare = 0.2;    // of the sheet's area: a smaller arm is none
+constexpr int kSectors = 72;  // of 5 deg round the axis
 
 bool is_closed(const Mesh& mesh) {
   const std::vector<MeshEdge> edges = mesh_edges(mesh);
@@ -77,7 +73,7 @@ std::array<double, kSectors> partings(const Mesh& sheet, const SurfaceChart& cha
     const auto below = std::count_if(along[k].begin(), along[k].end(), [m = middle](double v) { return v < m; });
     const auto all = static_cast<std::ptrdiff_t>(along[k].size());
     const bool both = 10 * below > all && 10 * (all - below) > all;
-    parted[k] = width > kNotch * (high - low) && both ? middle : kNaN;
+    parted[k] = width > kNotchWidth * (high - low) && both ? middle : kNaN;
   }
   return parted;
 }
@@ -102,7 +98,7 @@ std::vector<Zone> arms_of(const Mesh& sheet) {
   const SurfaceChart chart{true, axis_frame(points, normal_axes(points).front())};
   const std::array<double, kSectors> parted = partings(sheet, chart);
   const auto [first, last] = longest_run(parted);
-  if (last - first < kArmSectors) return {};
+  if (last - first < kMinArmSectors) return {};
   std::vector<Zone> arms;
   for (const bool above : {false, true}) {
     Mesh arm = part_of(sheet, [&, f = first, l = last](const Vec3& centre, const Vec3&) {
@@ -127,7 +123,7 @@ std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const
     return {};
   }
   const Mesh part = part_of(mesh, [&](const Vec3& centre, const Vec3& normal) {
-    return (!options.facing || normal.dot(options.facing->normalized()) > kFacing) &&
+    return (!options.facing || normal.dot(options.facing->normalized()) > kFacingCosine) &&
            (!options.within || options.within(centre));
   });
   if (part.empty()) {

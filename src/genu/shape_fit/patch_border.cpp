@@ -11,15 +11,10 @@
 #include "genu/core/decompositions.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/shape_fit/chart_choice.h"
+#include "genu/shape_fit/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr std::size_t kFewest = 4;    // points of a side, corners included
-constexpr double kSharpest = 0.5;     // rad: a corner turns by more, a side of a mesh that follows its surface by less
-constexpr double kToldBy = 1e4;       // a side's depth beside its scatter: its plane is told to a ten thousandth
-constexpr double kLeastDepth = 1e-6;  // m
-constexpr double kFansOut = 1e-4;     // square of the angle (rad) that lines spread over: they meet in a point
 
 using BorderSide = std::vector<Vec3>;
 using Sides = std::array<BorderSide, 4>;
@@ -36,13 +31,13 @@ double turning_angle(const std::vector<Vec3>& loop, std::size_t k) {
 std::optional<Sides> four_sides(const std::vector<Vec3>& loop) {
   std::vector<std::size_t> corners;
   for (std::size_t k = 0; k < loop.size(); ++k)
-    if (turning_angle(loop, k) > kSharpest) corners.push_back(k);
+    if (turning_angle(loop, k) > kCornerTurn) corners.push_back(k);
   if (corners.size() != 4) return std::nullopt;
   Sides sides;
   for (std::size_t s = 0; s < 4; ++s) {
     const std::size_t last = s < 3 ? corners[s + 1] : corners[0] + loop.size();
     for (std::size_t k = corners[s]; k <= last; ++k) sides[s].push_back(loop[k % loop.size()]);
-    if (sides[s].size() < kFewest) return std::nullopt;
+    if (sides[s].size() < kMinSidePoints) return std::nullopt;
   }
   return sides;
 }
@@ -74,7 +69,7 @@ std::optional<Vec3> common_normal(const Pair& sides, double allowed) {
   const Vec3 n = solved.vectors.col(0);
   const double off = std::max(scatter(*sides[0], n), scatter(*sides[1], n));
   const double depth = std::sqrt(solved.values[1] / static_cast<double>(count));
-  if (!(off <= allowed) || !(depth > std::max(kLeastDepth, kToldBy * off))) return std::nullopt;
+  if (!(off <= allowed) || !(depth > std::max(kMinSideDepth, kPlaneDepthRatio * off))) return std::nullopt;
   return n;
 }
 
@@ -91,7 +86,7 @@ class Meeting {
 
   std::optional<Vec2> point() const {
     const Vec2 spread = symmetric_eigenvalues(A_);
-    if (!(spread[0] > kFansOut * spread[1])) return std::nullopt;
+    if (!(spread[0] > kMinSpread * spread[1])) return std::nullopt;
     return Vec2(definite_solution(A_, b_));
   }
 
@@ -177,10 +172,9 @@ std::optional<BorderChart> cartesian(const Pair& a, const Pair& b, const Vec3& o
 }
 
 ChartBox round_where_it_is(const BorderChart& border) {
-  constexpr double kForRounding = 1e-4;  // of a step
   const auto nearest = [](double half, double step) {
     const double whole = std::round(half / step);
-    return std::abs(half / step - whole) < kForRounding ? whole * step : half;
+    return std::abs(half / step - whole) < kRoundedStep ? whole * step : half;
   };
   const double a = nearest(border.patch.u1, border.chart.cylindrical ? kRoundAngle : kRoundLength),
                b = nearest(border.patch.v1, kRoundLength);

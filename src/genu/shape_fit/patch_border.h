@@ -15,9 +15,6 @@
 
 namespace genu {
 
-inline constexpr double kRoundLength = 1e-4;                   ///< m: of which half sides of patches are multiples
-inline constexpr double kRoundAngle = std::numbers::pi / 360;  ///< rad, 0.5 deg: the same round an axis
-
 struct BorderChart {
   /// Cartesian: z outward, x along the longer side, its largest component positive. Cylindrical: z along the axis, its
   /// largest component positive, x through the middle of the patch.

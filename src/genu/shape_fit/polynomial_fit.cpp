@@ -5,13 +5,10 @@
 #include <limits>
 
 #include "genu/core/decompositions.h"
+#include "genu/shape_fit/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kIndependent = 1e-7;  // of a column's own length: what must be left of it beside the ones before
-constexpr int kFolds = 10;
-constexpr double kNoTerm = 1e-16;  // m: what a term with less adds nowhere shows
 
 using Index = Eigen::Index;
 
@@ -80,7 +77,7 @@ PolynomialFit::PolynomialFit(const std::vector<HeightSample>& samples, const Cha
   Qh_ = Q_.transpose() * right_;
   const auto determined = [&](int degree) {
     for (Index c = 0; c < column_count(degree); ++c)
-      if (!(std::abs(R_(c, c)) > kIndependent * lengths(c))) return false;
+      if (!(std::abs(R_(c, c)) > kIndependentColumn * lengths(c))) return false;
     return true;
   };
   while (highest >= 0 && !determined(highest)) --highest;
@@ -148,20 +145,18 @@ std::vector<DegreeScore> PolynomialFit::scores(int lowest, double block_u, doubl
 }
 
 int exact_degree(const PolynomialFit& fit, double resolution) {
-  constexpr double kAsGood = 2, kLeft = 1e-15;  // m: of coordinates of some cm, twice their rounding and more
   if (fit.highest() < kLowestFitDegree || !(fit.rms(fit.highest()) <= resolution)) return -1;
   int degree = kLowestFitDegree;
-  while (fit.rms(degree) > kAsGood * fit.rms(fit.highest()) + kLeft) ++degree;
+  while (fit.rms(degree) > kSameResidual * fit.rms(fit.highest()) + kFitRounding) ++degree;
   return degree;
 }
 
 int choose_degree(const std::vector<DegreeScore>& scores, double floor) {
-  constexpr double kAsGood = 1.05;
   if (scores.empty()) return -1;
   double best = std::numeric_limits<double>::infinity();
   for (const DegreeScore& s : scores) best = std::min(best, s.left_out_rms);
   for (const DegreeScore& s : scores)
-    if (s.left_out_rms <= kAsGood * best + floor) return s.degree;
+    if (s.left_out_rms <= kAsGoodScore * best + floor) return s.degree;
   return scores.back().degree;
 }
 

@@ -49,8 +49,6 @@ class PolynomialFit {
   /// Of h, weighted, with the best polynomial of a degree.
   double rms(int degree) const;
 
-  static constexpr int kSamplesForEach = 3;
-
  private:
   const std::vector<HeightSample>& samples_;
   ChartBox box_;

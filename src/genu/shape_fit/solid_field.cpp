@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/shape_fit/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -123,16 +125,14 @@ SolidValue SolidField::operator()(const Vec3& x) const {
 }
 
 bool SolidField::project(Vec3& x, Vec3& normal) const {
-  constexpr int kMostSteps = 60;
-  constexpr double kArrived = 1e-12;  // m
   double last = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxFieldSteps; ++step) {
     const SolidValue v = (*this)(x);
     const double square = v.gradient.squaredNorm();
     if (!(square > 0)) return false;
     normal = v.gradient / std::sqrt(square);
     // Once it has arrived, on to where rounding alone is left: flat faces come out flat.
-    if (v.f == 0 || (step > 0 && std::abs(v.f) < kArrived && !(std::abs(v.f) < 0.5 * last))) return true;
+    if (v.f == 0 || (step > 0 && std::abs(v.f) < kFieldArrived && !(std::abs(v.f) < 0.5 * last))) return true;
     last = std::abs(v.f);
     x -= v.f / square * v.gradient;
   }

@@ -11,13 +11,13 @@
 #include "genu/mesh/mesh_coarsen.h"
 #include "genu/mesh/mesh_part.h"
 #include "genu/mesh_care/mesh_crossings.h"
+#include "genu/shape_fit/tolerances.h"
 #include "genu/surface/surface.h"
 #include "genu/surface/tessellate.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kMostNodes = 3e7;
 
 /// The corners of a cube are numbered by their bits, x being 1, y 2, z 4. Six tetrahedra share the diagonal 0-7: one
 /// for each order in which the three bits can be set.
@@ -95,7 +95,6 @@ class Marching {
   }
 
   int vertex(const Place& in, const Place& out) {
-    constexpr double kFromEnds = 0.1;
     const auto i = static_cast<std::uint64_t>(index(in)), o = static_cast<std::uint64_t>(index(out));
     const auto [entry, fresh] =
         known_.try_emplace((std::min(i, o) << 32) | std::max(i, o), static_cast<int>(mesh_.vertices.size()));
@@ -136,8 +135,8 @@ Mesh uneven_mesh(const SolidField& field, double edge, double cell, std::string&
   box.low.array() -= 1.5 * edge;
   box.high.array() += 1.5 * edge;
   const double nodes = ((box.high - box.low) / cell).array().ceil().prod();
-  if (!(nodes < kMostNodes)) {
-    why = fmt::format("is too large for its edges: more than {:g} points would have to be looked at", kMostNodes);
+  if (!(nodes < kMaxGridNodes)) {
+    why = fmt::format("is too large for its edges: more than {:g} points would have to be looked at", kMaxGridNodes);
     return {};
   }
   Mesh mesh = marching_tetrahedra([&](const Vec3& x) { return field(x).f; }, box, cell);
@@ -151,11 +150,8 @@ Mesh uneven_mesh(const SolidField& field, double edge, double cell, std::string&
   return mesh;
 }
 
-constexpr std::size_t kFewestTriangles = 100;  // triangles: a ball of so many has lost a tenth of its volume
-
 /// The same with edges of about `edge`.
 Mesh even_mesh(const SolidField& field, double edge, double cell, std::string& why) {
-  constexpr double kStretch = 1.25;  // coarser than asked for, so that refine() has edges to split
   Mesh mesh = uneven_mesh(field, edge, cell, why);
   if (!why.empty()) return {};
   const double triangle = kRowSpacing / 2 * edge * edge, whole = area_of(mesh);
@@ -164,10 +160,10 @@ Mesh even_mesh(const SolidField& field, double edge, double cell, std::string& w
                       kMaxTriangles);
     return {};
   }
-  const double vertices = 0.5 * whole / (kStretch * kStretch * triangle);
+  const double vertices = 0.5 * whole / (kSolidStretch * kSolidStretch * triangle);
   mesh = coarsened(mesh, std::sqrt(std::max(1.0, static_cast<double>(mesh.vertices.size()) / vertices)));
   refine(mesh, Projection(field), edge);
-  if (mesh.triangles.size() < kFewestTriangles)
+  if (mesh.triangles.size() < kMinSolidTriangles)
     why =
         fmt::format("would be {} triangles, which are no likeness of it: give it shorter edges", mesh.triangles.size());
   return mesh;

@@ -12,21 +12,12 @@
 #include "genu/shape_fit/covered_box.h"
 #include "genu/shape_fit/patch_border.h"
 #include "genu/shape_fit/tame_degree.h"
+#include "genu/shape_fit/tolerances.h"
 #include "genu/surface/mesh_noise.h"
 #include "genu/surface/polynomial_surface.h"
 
 namespace genu {
 namespace {
-
-constexpr double kSteepestFacet = 0.4226;  // cos 65 deg: facets steeper than that over the chart are left out
-constexpr double kBlock = 0.005;           // m, of cross-validation: noise of a segmentation is alike over less
-constexpr int kLowestChosen = 2, kHighestChosen = 10;  // degrees
-constexpr int kFrameDegree = 6;                        // for the first frames
-constexpr double kBeyond = 0.05;                       // of the patch: how far the samples go on past its edges
-constexpr double kFileRounding = 2e-9;                 // m: float32 at 30 mm
-constexpr double kKeepBeyond = 0.003;                  // m: round points to keep, where the patch may lie bare
-constexpr double kGoodEnough = 2e-5;  // m: among charts that fit better than that, what they see decides
-constexpr double kLongerSide = 0.95;  // the other side of a cartesian patch is shorter than that
 
 /// A chart with what the zone is in it.
 struct PlacedFit {
@@ -149,7 +140,7 @@ bool Fitter::choose_chart(const std::vector<OrientedPoint>& points, const std::v
         area += q.area;
         if (at.patch.contains(c.u, c.v)) seen += q.area;
       }
-      const double cost = (fit.rms(degree) + kGoodEnough) * area * area / (seen * seen);
+      const double cost = (fit.rms(degree) + kGoodEnoughRms) * area * area / (seen * seen);
       if (!best || cost < least) best = &chart, least = cost;
     } else {
       why = fmt::format("has too few vertices ({}) for degree {}", at.samples.size(),
@@ -181,13 +172,13 @@ ChartBox Fitter::keep_box(const SurfaceChart& chart, double beyond) const {
 bool Fitter::place(PlacedFit& at, std::string& why) const {
   const double side = inside_ ? -1 : 1;
   at.part = largest_sheet(part_of(zone_, [&](const Vec3& centre, const Vec3& normal) {
-    return side * normal.dot(at.chart.upward(centre)) > kSteepestFacet;
+    return side * normal.dot(at.chart.upward(centre)) > kMinFacetCosine;
   }));
   if (!patch_is_fixed_) {
     if (!at.chart.cylindrical) align_with_zone(at.part, at.chart);
     std::optional<ChartBox> limits, keep;
     if (!options_.keep.empty())
-      limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, std::min(options_.margin, kKeepBeyond));
+      limits = keep_box(at.chart, options_.margin), keep = keep_box(at.chart, std::min(options_.margin, kKeptBeyond));
     const auto found = covered_box(at.part, at.chart, limits, keep);
     if (!found) {
       why = "holds no surface that one side of a chart sees";
@@ -202,7 +193,7 @@ bool Fitter::place(PlacedFit& at, std::string& why) const {
 }
 
 void Fitter::gather(PlacedFit& at) const {
-  at.sampled = at.patch.grown(kBeyond * at.patch.width(), kBeyond * at.patch.height());
+  at.sampled = at.patch.grown(kSampledBeyond * at.patch.width(), kSampledBeyond * at.patch.height());
   at.samples.clear();
   const double side = inside_ ? -1 : 1;
   for (const OrientedPoint& q : oriented_points(at.part)) {
@@ -217,10 +208,8 @@ void Fitter::gather(PlacedFit& at) const {
 /// Moves a cartesian chart until it is level, the patch with it, again and again: each time what is left shrinks, until
 /// rounding keeps it from doing so. False where it does not: patch and chart may chase each other round a ragged edge.
 bool Fitter::settle(PlacedFit& at, int degree) const {
-  constexpr int kMost = 60, kPatient = 8;
-  constexpr double kStillFalls = 0.8, kSettled = 1e-13, kNearlySettled = 1e-7;  // rad
   double before = std::numeric_limits<double>::infinity(), change = 0;
-  for (int k = 0; k < kMost; ++k) {
+  for (int k = 0; k < kMaxFrameRounds; ++k) {
     const SurfaceChart old = at.chart;
     std::string why;
     if (!place(at, why)) return false;
@@ -229,11 +218,11 @@ bool Fitter::settle(PlacedFit& at, int degree) const {
     at.chart = level_chart(at.chart, fit.terms(std::min(degree, fit.highest())));
     change = chart_difference(old, at.chart, at.patch.width());
     if (!std::isfinite(change)) return false;
-    if (change < kSettled || (k >= kPatient && change > kStillFalls * before)) break;
+    if (change < kFrameSettled || (k >= kPatientRounds && change > kStillFalls * before)) break;
     before = change;
   }
   gather(at);
-  return change < kNearlySettled;
+  return change < kFrameNearlySettled;
 }
 
 /// Settles a copy and takes it where that works; an axis stays where it is.
@@ -245,9 +234,8 @@ void Fitter::settle_if_possible(PlacedFit& at, int degree) const {
 
 /// The patch in round numbers, inside what it was; x along the longer side.
 void Fitter::fix_patch(PlacedFit& at) const {
-  constexpr double kForRounding = 1e-3;  // of a step: what is a round number already stays
   const auto down = [](double half, double step) {
-    const double whole = std::floor(half / step + kForRounding) * step;
+    const double whole = std::floor(half / step + kRoundNumber) * step;
     return whole > 0 ? whole : half;
   };
   double a = 0.5 * at.patch.width(), b = 0.5 * at.patch.height();
@@ -266,16 +254,15 @@ void Fitter::fix_patch(PlacedFit& at) const {
 
 /// Whether much of the patch is covered twice, by faces that look opposite ways.
 bool Fitter::opposed(const PlacedFit& at) const {
-  constexpr double kOpposite = -0.3, kShare = 0.1;
   const double side = inside_ ? -1 : 1;
   double with = 0, against = 0;
   for (const OrientedPoint& q : oriented_points(zone_)) {
     const ChartPoint c = at.chart.coordinates(q.p);
     if (!at.patch.contains(c.u, c.v)) continue;
     const double cosine = side * q.n.dot(at.chart.upward(q.p));
-    (cosine > kOpposite ? with : against) += q.area;
+    (cosine > kOpposedCosine ? with : against) += q.area;
   }
-  return against > kShare * with;
+  return against > kOpposedShare * with;
 }
 
 int Fitter::tame_degree(const PlacedFit& at, const PolynomialFit& fit, int degree) const {
@@ -287,7 +274,8 @@ int Fitter::choose(const PlacedFit& at, std::vector<DegreeScore>& scores) const 
   if (at.samples.empty()) return -1;
   const PolynomialFit fit(at.samples, at.sampled, options_.degree.value_or(kHighestChosen));
   if (options_.degree) return fit.highest() < *options_.degree ? -1 : *options_.degree;
-  scores = fit.scores(kLowestChosen, kBlock / (at.chart.cylindrical ? at.samples.front().h : 1), kBlock);
+  scores =
+      fit.scores(kLowestChosen, kValidationBlock / (at.chart.cylindrical ? at.samples.front().h : 1), kValidationBlock);
   const int degree = choose_degree(scores, kFileRounding);
   return degree < 0 ? fit.highest() : tame_degree(at, fit, degree);
 }

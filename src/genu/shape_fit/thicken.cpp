@@ -7,11 +7,10 @@
 #include <fmt/format.h>
 
 #include "genu/mesh/mesh_topology.h"
+#include "genu/shape_fit/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kMostInWalls = 4e6;  // triangles
 
 int size_of(const Mesh& mesh) { return static_cast<int>(mesh.vertices.size()); }
 
@@ -57,10 +56,10 @@ Mesh thicken(const Mesh& sheet, const Surface& surface, double thickness, double
   std::size_t around = 0;
   for (const auto& loop : loops) around += loop.size();
   const double layers = std::max(1.0, std::round(thickness / edge));
-  if (const double walls = 2 * layers * static_cast<double>(around); walls > kMostInWalls) {
+  if (const double walls = 2 * layers * static_cast<double>(around); walls > kMaxWallTriangles) {
     why = fmt::format(
         "would have walls of {:.3g} million triangles, more than {:.3g}: make it thinner, or its edges longer",
-        1e-6 * walls, 1e-6 * kMostInWalls);
+        1e-6 * walls, 1e-6 * kMaxWallTriangles);
     return {};
   }
   Mesh out = sheet;

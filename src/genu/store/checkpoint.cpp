@@ -22,6 +22,7 @@
 #include "genu/core/file_checksum.h"
 #include "genu/path/fields.h"
 #include "genu/store/input_hash.h"
+#include "genu/store/tolerances.h"
 
 namespace genu {
 
@@ -66,13 +67,11 @@ bool unpack(const std::string& bytes, Fields&... fields) {
   }
 }
 
-/// Whether the file is this run's alone, now or soon: a run that was killed takes a moment to let go of it.
+/// Locks the file. A killed run takes a moment to release it.
 bool locked(int descriptor) {
-  constexpr int kTries = 40;
-  constexpr useconds_t kPause = 50'000;  // us
-  for (int k = 0; k < kTries; ++k) {
+  for (int k = 0; k < kMaxLockTries; ++k) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
-    ::usleep(kPause);
+    ::usleep(kLockPause);
   }
   return false;
 }
@@ -159,9 +158,8 @@ void Checkpoint::add(const std::vector<PoseRecord>& all_records, const std::vect
   if (begun < next_) return;
   write(all_records, all_events, save);
   // Where writing is slow, or fails again and again on ever more rows, it may not take more than its share of the run.
-  constexpr double kShare = 0.05;
   const double now = timer_.seconds();
-  if (every_ > 0 || !problem_.empty()) next_ = std::max(begun + every_, now + (now - begun) / kShare);
+  if (every_ > 0 || !problem_.empty()) next_ = std::max(begun + every_, now + (now - begun) / kCheckpointShare);
 }
 
 void Checkpoint::write(const std::vector<PoseRecord>& all_records, const std::vector<PathEvent>& all_events,
@@ -194,12 +192,12 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
     if (first && program != program_hash())
       out.error(file_,
                 "was written by another build of genu, or with other libraries or on another processor: run "
-                "without --resume to compute anew");
+                "without --resume to compute again");
     for (std::size_t i = 0; first && i < inputs_.size() && !out.has_errors(); ++i)
       if (i >= bound.size() || bound[i].second != inputs_[i].second)
         out.error(inputs_[i].first, "has changed since " + file_ +
-                                        " was written: what was computed belongs to another scene. Run without "
-                                        "--resume to compute anew");
+                                        " was written: its rows belong to another scene. Run without "
+                                        "--resume to compute again");
     if (out.has_errors()) return false;
     records.insert(records.end(), rows.begin(), rows.end());
     events.insert(events.end(), more.begin(), more.end());
@@ -214,8 +212,8 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = fmt::format("its last {} bytes are cut off or garbled and left out: {} rows are taken from it",
-                                 content.size() - size_, records.size())});
+             .rule = fmt::format("its last {} bytes are damaged and left out; {} rows are used", content.size() - size_,
+                                 records.size())});
   return true;
 }
 
@@ -225,7 +223,7 @@ bool Checkpoint::resume(Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = "is not there: nothing to go on from, computed from the start"});
+             .rule = "does not exist: computed from the start"});
     return true;
   }
   if (!open()) {
@@ -243,7 +241,7 @@ bool Checkpoint::resume(Diagnostics& out) {
              .file = file_,
              .key = {},
              .found = {},
-             .rule = "holds no rows: computed from the start"});
+             .rule = "has no rows: computed from the start"});
   return true;
 }
 

@@ -1,6 +1,6 @@
-// A run that may be killed writes down how far it has come: rows, events, and what the walk goes on from.
+// A run that may be killed saves its progress: rows, events, and the state from which the path continues.
 //
-// The file stands beside the results, DIR.checkpoint. It begins with what it is bound to (input_hash.h); after that
+// The file is beside the results, DIR.checkpoint. It begins with what it is bound to (input_hash.h); after that
 // comes one part for each time something was added. Each part has its length and a hash of itself and the hash before
 // it: a part that was cut off or changed, and all behind it, are left out. Parts are added between rows, a second and
 // more apart, so a run of less than a second writes nothing. What a run computes does not depend on any of it.
@@ -33,7 +33,8 @@ class Checkpoint {
   /// Why the file cannot be written from now on: what is there is no checkpoint, or is another run's. Else empty.
   std::string blocked();
 
-  /// What resume() has found: rows and events, and what follow_path() goes on from; empty where it found nothing.
+  /// What resume() has found: rows and events, and the state from which follow_path() continues; empty if it found
+  /// none.
   std::vector<PoseRecord> records;
   std::vector<PathEvent> events;
   std::string path;

@@ -54,7 +54,7 @@ std::optional<ChosenRows> choose_rows(const ResultsRead& read, const ConvertOpti
     chosen.times = column_of(table, options.time, chosen.rows);
     found.time = options.time;
     if (grows(chosen.times)) return chosen;
-    refuse_option(out, "--time", options.time, "does not grow from row to row: no tool could tell the poses apart");
+    refuse_option(out, "--time", options.time, "must grow from row to row");
     return std::nullopt;
   }
   found.time = "time_s";
@@ -66,7 +66,7 @@ std::optional<ChosenRows> choose_rows(const ResultsRead& read, const ConvertOpti
   return chosen;
 }
 
-/// What tells that genu may replace the folder, and what is in it.
+/// The mark that lets genu replace the folder, with its contents.
 std::string mark_text(const ResultsRead& read, const ConvertFound& found, const char* format) {
   const nlohmann::ordered_json j = {{"genu", "convert"},  {"format", format},   {"scene", read.prepared.scene.file},
                                     {"time", found.time}, {"rows", found.rows}, {"rows_left_out", found.left_out}};

@@ -13,9 +13,9 @@ enum class ConvertTo { vtk, opensim, motion, forces };
 
 struct ConvertOptions {
   ConvertTo to = ConvertTo::vtk;
-  std::string out = {};   ///< folder or file
-  std::string time = {};  ///< column of results.csv that stands for the time; empty: time_s, or the row's number
-  int every = 1;          ///< every so many rows, beginning with the first
+  std::string out = {};           ///< folder or file
+  std::string time = {};          ///< column of results.csv used as time; empty: time_s, or the row's number
+  int every = 1;                  ///< every so many rows, beginning with the first
   OpenSimNameOptions names = {};  ///< for OpenSim
 };
 

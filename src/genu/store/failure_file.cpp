@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "genu/core/file_checksum.h"
+#include "genu/store/tolerances.h"
 namespace genu {
 namespace {
 
@@ -40,9 +41,9 @@ std::string text_of(const ordered_json& j) { return j.dump(1, ' ', false, ordere
 
 /// A name that leads out of the folder it is unpacked into is none of ours.
 bool is_plain(const std::string& name) {
-  constexpr std::size_t kLongest = 200;
+  constexpr std::size_t kLongestFileName = 200;
   const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
-  return !name.empty() && name.size() <= kLongest && name[0] != '.' && name.find('/') == std::string::npos &&
+  return !name.empty() && name.size() <= kLongestFileName && name[0] != '.' && name.find('/') == std::string::npos &&
          name != "scene.toml" && std::none_of(name.begin(), name.end(), control);
 }
 
@@ -105,13 +106,11 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
     for (const auto& mesh : j["meshes"]) {
       f.meshes.emplace_back(mesh["name"], bytes(mesh["hex"]));
       if (is_plain(f.meshes.back().first)) continue;
-      out.error(file, "names a mesh that would lie elsewhere");
+      out.error(file, "names a mesh outside of its folder");
       return std::nullopt;
     }
     f.rest = bytes(j["rest_hex"]);
-    constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 26;  // bytes: the program itself needs as much
-    if (f.memory_limit != 0 && f.memory_limit < kLeastMemory)
-      out.error(file, "has a memory limit under which nothing runs");
+    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit) out.error(file, "has a memory limit too small to run");
     if (out.has_errors()) return std::nullopt;
     return f;
   } catch (const ordered_json::exception&) {

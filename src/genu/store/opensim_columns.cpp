@@ -35,7 +35,7 @@ std::string habitual_name(const SceneTables& scene, const CoordinateRef& c, cons
   const std::string& name = joint.rotations[at(c.index)].name;
   const auto cut = kCutShort.find(lower_case(name));
   if (cut == kCutShort.end()) return with(name);
-  // Where the short word could mean something else, the whole one stands.
+  // The whole word, if the short one is ambiguous.
   const std::string brief = with(cut->second);
   return opensim_coordinates(scene, brief) == std::vector<CoordinateRef>{c} ? brief : with(name);
 }
@@ -99,7 +99,7 @@ class OpenSimNamer {
       if (!fresh || lower_case(name) == "time")
         refuse_option(out_, "--columns", name,
                       fresh ? "is what the column of times is called"
-                            : fmt::format("would be the name of both {} and {}: say \"{}=...\"",
+                            : fmt::format("would be the name of both {} and {}: give \"{}=...\"",
                                           coordinate_name(scene_, other->second), coordinate_name(scene_, c),
                                           coordinate_name(scene_, c)));
     }

@@ -9,6 +9,7 @@
 #include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
 #include "genu/results/columns.h"
+#include "genu/store/tolerances.h"
 
 namespace genu {
 namespace {
@@ -77,7 +78,7 @@ class RigidContacts {
                .key = name,
                .found = {},
                .rule = fmt::format("lies off its surface in {} row{}{}", rows, rows == 1 ? "" : "s",
-                                   always ? ", all in which it carries load: is it the scene that these results are of?"
+                                   always ? ", all in which it carries load: do these results belong to this scene?"
                                           : ", and is left out there: has the scene changed?")});
     }
   }
@@ -88,7 +89,6 @@ class RigidContacts {
     if (!table_.has_column(force) || !(table_.number(row, force) > 0)) return;
     ++loaded_[name];
     ActiveContact c{static_cast<int>(pair), number, {}, table_.number(row, force)};
-    constexpr double kNear = 1e-6;  // m: what the surfaces of the same scene cannot be off by
     const JointModel::Pair& both = p_.model.pairs[pair];
     const auto put = [&](bool second, const Surface& surface, int body, SurfacePoint& at_surface) {
       Vec3 x;
@@ -98,7 +98,7 @@ class RigidContacts {
         x[static_cast<Eigen::Index>(i)] = units::kMillimetre * table_.number(row, column);
       }
       x -= p_.model.bodies[at(body)].centre;
-      return x.allFinite() && surface.project(x, at_surface) && (at_surface.p - x).norm() < kNear;
+      return x.allFinite() && surface.project(x, at_surface) && (at_surface.p - x).norm() < kSameSurface;
     };
     if (put(false, *both.a, both.body_a, c.geometry.a) && put(true, *both.b, both.body_b, c.geometry.b))
       found.push_back(c);

@@ -1,4 +1,4 @@
-// A finished run, as far as its folder tells it: what was solved, for those who show it in another way. No second
+// A finished run as read from its folder: what was solved, for those who show it in another way. No second
 // reader of results: the poses come through pose_file and pose_columns, as those of `genu evaluate` do.
 #pragma once
 
@@ -21,7 +21,7 @@ struct ResultsRead {
   std::size_t left_out = 0;          ///< rows without a pose
 };
 
-/// `scene`: path of the scene file; `text`: of results.csv, which stands in `file`. What is wrong with either is said
+/// `scene`: path of the scene file; `text`: of results.csv, the content of `file`. What is wrong with either is said
 /// in `out`. A contact whose place is not on its surface, as where the scene was changed, is left out with a warning.
 std::optional<ResultsRead> read_results(const std::string& scene, const std::string& text, const std::string& file,
                                         Diagnostics& out);

@@ -19,7 +19,7 @@ namespace {
 
 const Vec3 kNowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
-/// The state of each row, solved or not, whose coordinates results.csv tells; null where it tells none.
+/// The state of each row, solved or not, whose coordinates are in results.csv; null without them.
 std::vector<const State*> states_of(const Solution& solution) {
   std::vector<const State*> states;
   for (const PoseRecord& record : solution.records)

@@ -10,7 +10,7 @@
 namespace genu {
 namespace {
 
-constexpr double kAcross = 44;  // edges over the width of a shape that has a formula
+constexpr double kEdgesAcross = 44;  // edges over the width of a shape that has a formula
 
 /// The part of a shape that has something to do with the joint: a ball in the body's frame.
 struct Ball {
@@ -37,9 +37,9 @@ class Places {
 
   Ball around(const SurfaceDef& def, const Surface& surface) const {
     std::vector<Vec3> touched;
-    constexpr double kNear = 2e-3;  // m: of another surface of the body otherwise
+    constexpr double kTouchedDistance = 2e-3;  // m: of another surface of the body otherwise
     for (const Vec3& point : touched_[at(def.body)])
-      if (const auto gap = surface.gap(point); gap && std::abs(*gap) < kNear) touched.push_back(point);
+      if (const auto gap = surface.gap(point); gap && std::abs(*gap) < kTouchedDistance) touched.push_back(point);
     const std::vector<Vec3>& all = touched.empty() ? of_body_[at(def.body)] : touched;
     if (all.empty()) return {def.placement.p, 2 * p_.model.scales.size, false};
     Vec3 low = all.front(), high = low;
@@ -69,17 +69,17 @@ Mesh triangles_of(const Prepared& p, std::size_t i, const Places& places) {
   if (def.shape == SurfaceDef::Shape::mesh) return surface.triangles(0, Vec3::Zero(), 0);
   const Ball ball = places.around(def, surface);
   constexpr double kAcrossFlat = 8;
-  const double across = def.shape == SurfaceDef::Shape::plane ? kAcrossFlat : kAcross;
+  const double across = def.shape == SurfaceDef::Shape::plane ? kAcrossFlat : kEdgesAcross;
   if (surface.is_unbounded()) return surface.triangles(2 * ball.radius / across, ball.centre, ball.radius);
   const double size = box_diagonal(surface, ball.radius / 4);
   constexpr double kHuge = 4;  // times the ball
   if (size <= 2 * kHuge * ball.radius) {
-    Mesh mesh = surface.triangles(size / kAcross, ball.centre, size);
+    Mesh mesh = surface.triangles(size / kEdgesAcross, ball.centre, size);
     // A socket that closes over what it holds would hide it.
     if (def.inside && !def.patch && ball.touched) keep_near(mesh, ball.centre, 0.3 * size);
     return mesh;
   }
-  Mesh mesh = surface.triangles(2 * ball.radius / kAcross, ball.centre, ball.radius);
+  Mesh mesh = surface.triangles(2 * ball.radius / kEdgesAcross, ball.centre, ball.radius);
   keep_near(mesh, ball.centre, ball.radius);
   return mesh;
 }
@@ -102,9 +102,9 @@ std::vector<ReportMesh> report_meshes(const Prepared& p, const ReportRun& run, s
     const SurfaceDef& def = p.scene.surfaces[i];
     out.push_back(shown(def.name, def.body, ReportMesh::Kind::surface, triangles_of(p, i, places), most));
   }
-  std::set<std::pair<int, std::string>> told;  // one bone often lies under several surfaces
+  std::set<std::pair<int, std::string>> added;  // one bone often lies under several surfaces
   const auto add_bone = [&](const std::string& name, int body, const std::string& file, double unit, const Pose& X) {
-    if (!told.emplace(body, file).second) return;
+    if (!added.emplace(body, file).second) return;
     if (auto mesh = mesh_of_file(*p.meshes, file, unit, X))
       out.push_back(shown(name, body, ReportMesh::Kind::bone, std::move(*mesh), most));
   };

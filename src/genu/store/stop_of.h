@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "genu/path/path.h"
+#include "genu/store/tolerances.h"
 
 namespace genu {
 
 /// Does `work`; what ended it before its end in words, else an empty text.
 template <typename Work>
 std::string stop_of(const Work& work) {
-  constexpr std::size_t kReserve = std::size_t{8} << 20;  // bytes, given back for the work of keeping what was found
   std::vector<char> reserve;
   try {
-    reserve.reserve(kReserve);
+    reserve.reserve(kStopReserve);
     work();
     return {};
   } catch (const std::bad_alloc&) {

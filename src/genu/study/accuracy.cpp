@@ -12,12 +12,12 @@
 #include "genu/study/accuracy_choice.h"
 #include "genu/study/accuracy_trials.h"
 #include "genu/study/chosen_scene.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNoisy = 0.25;  // spread of a setting's times, in the median over all settings
+constexpr double kNotTimed = std::numeric_limits<double>::quiet_NaN();
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -95,7 +95,8 @@ AccuracyPoint point_of(const Prepared& p, const Trial& trial, const Trial& fines
     const double off = largest_difference(finest.poses, trial.poses, group.columns, stretch);
     out.errors.push_back(std::hypot(off, group.finest_error));
   }
-  out.pose_seconds = trial.complete() ? median(trial.seconds) : kNaN;  // else most of the time is of poses not found
+  out.pose_seconds =
+      trial.complete() ? median(trial.seconds) : kNotTimed;  // else most of the time is of poses not found
   out.spread = spread(trial.seconds);
   for (std::size_t k = 0; k < kAccuracyEffects; ++k) out.effect_seconds[k] = median(trial.effects[k]);
   return out;
@@ -109,9 +110,9 @@ void compare(const Prepared& p, const std::vector<Trial>& trials, AccuracyReport
   std::vector<double> spreads;
   for (const Trial& trial : trials) {
     report.points.push_back(point_of(p, trial, finest, report.groups));
-    if (trial.seconds.size() >= kFewestRounds) spreads.push_back(report.points.back().spread);
+    if (trial.seconds.size() >= kMinRounds) spreads.push_back(report.points.back().spread);
   }
-  report.noisy = median(spreads) > kNoisy;
+  report.noisy = median(spreads) > kNoisySpread;
   choose(report, has_closed_forms_alone(p), p.scene.solver.tolerance);
 }
 
@@ -131,7 +132,7 @@ std::vector<std::pair<std::string, std::string>> files_of(const AccuracyReport& 
 
 double largest_difference(const ResultTable& reference, const ResultTable& other,
                           const std::vector<std::string>& columns, double stretch) {
-  double largest = kNaN;
+  double largest = kNotTimed;
   for (std::size_t row = 0; row < reference.rows(); ++row) {
     const double there = static_cast<double>(row) * stretch;
     const auto match = static_cast<std::size_t>(std::llround(there));
@@ -152,14 +153,13 @@ void extrapolate(const std::vector<double>& factors, const std::vector<double>& 
   // Without an order, the first coarser mesh is all that is known.
   out.finest_error = out.finest_uncertainty = differences[0];
   // d = C (f^p - 1): of every two differences their own p, and from that C, the finest's error.
-  constexpr double kLeast = 0.5, kMost = 8;
   std::vector<double> errors, orders;
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (std::size_t j = i + 1; j < factors.size(); ++j) {
       const double ratio = differences[j] / differences[i];
       const auto of = [&](double p) { return (std::pow(factors[j], p) - 1) / (std::pow(factors[i], p) - 1); };
-      if (!(ratio >= of(kLeast)) || !(ratio <= of(kMost))) continue;
-      double low = kLeast, high = kMost;
+      if (!(ratio >= of(kMinOrder)) || !(ratio <= of(kMaxOrder))) continue;
+      double low = kMinOrder, high = kMaxOrder;
       for (int k = 0; k < 60; ++k) (of(0.5 * (low + high)) < ratio ? low : high) = 0.5 * (low + high);
       orders.push_back(low);
       errors.push_back(differences[i] / (std::pow(factors[i], low) - 1));

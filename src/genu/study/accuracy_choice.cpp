@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/study/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -30,14 +32,13 @@ std::optional<std::pair<double, std::string>> target_of(const std::string& text)
 
 /// The largest error that is allowed: the target, or without one near the smallest of all.
 double allowed(const AccuracyReport& report, std::size_t group) {
-  constexpr double kWithin = 2, kExact = 1e-6;
   const auto target = report.targets.find(report.groups[group].unit);
   if (target != report.targets.end()) return target->second;
   double smallest = std::numeric_limits<double>::infinity();
   if (!report.targets.empty()) return smallest;
   for (const AccuracyPoint& p : report.points)
     if (p.complete() && p.errors[group] >= 0) smallest = std::min(smallest, p.errors[group]);
-  return std::max(kWithin * smallest, kExact);
+  return std::max(kErrorFactor * smallest, kExactError);
 }
 
 bool keeps(const AccuracyReport& report, const AccuracyPoint& point) {
@@ -89,8 +90,6 @@ bool eligible(const AccuracyReport& report, const AccuracyPoint& p, bool closed_
   return keeps(report, p) && finer_keep_too(report, p);
 }
 
-constexpr double kAsFast = 1.1;  // what times that differ by less are
-
 /// The fastest; of those that are about as fast, the most exact. `tolerances`: among those alone, or without them.
 int best(const AccuracyReport& report, bool closed_forms, bool tolerances) {
   const auto considered = [&](const AccuracyPoint& p) {
@@ -102,7 +101,7 @@ int best(const AccuracyReport& report, bool closed_forms, bool tolerances) {
   int chosen = -1;
   for (std::size_t i = 0; i < report.points.size(); ++i) {
     const AccuracyPoint& p = report.points[i];
-    if (!considered(p) || p.pose_seconds > kAsFast * fastest) continue;
+    if (!considered(p) || p.pose_seconds > kTimeFactor * fastest) continue;
     double product = 1;
     for (const double error : p.errors) product *= error;
     if (chosen >= 0 && product >= smallest) continue;
@@ -124,11 +123,11 @@ int with_tolerance(const AccuracyReport& report, int chosen, bool closed_forms) 
   double fastest = plain.pose_seconds;
   for (const AccuracyPoint& p : report.points)
     if (same(p)) fastest = std::min(fastest, p.pose_seconds);
-  if (plain.pose_seconds <= kAsFast * fastest) return chosen;
+  if (plain.pose_seconds <= kTimeFactor * fastest) return chosen;
   double finest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < report.points.size(); ++i) {
     const AccuracyPoint& p = report.points[i];
-    if (!same(p) || p.pose_seconds > kAsFast * fastest || p.setting.tolerance >= finest) continue;
+    if (!same(p) || p.pose_seconds > kTimeFactor * fastest || p.setting.tolerance >= finest) continue;
     finest = p.setting.tolerance;
     chosen = static_cast<int>(i);
   }

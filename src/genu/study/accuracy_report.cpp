@@ -7,13 +7,13 @@
 
 #include "genu/results/work_precision.h"
 #include "genu/study/accuracy_report.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
 
 constexpr std::array<const char*, kAccuracyEffects> kPartColumns = {"us_search", "us_contact_equations",
                                                                     "us_ligaments"};
-constexpr double kRounding = 1e-9;  // errors below it, in their unit, are drawn and compared as this
 
 /// Degrees have a colour each.
 std::string series_of(const AccuracySetting& s) {
@@ -40,7 +40,7 @@ std::vector<WorkPanel> panels_of(const AccuracyReport& report) {
     for (std::size_t i = 0; i < report.points.size(); ++i) {
       const AccuracyPoint& p = report.points[i];
       if (!p.complete()) continue;
-      const double error = std::isnan(p.errors[g]) ? p.errors[g] : std::max(p.errors[g], kRounding);
+      const double error = std::isnan(p.errors[g]) ? p.errors[g] : std::max(p.errors[g], kErrorRounding);
       panel.points.push_back(
           {p.name, series_of(p.setting), p.pose_seconds, error, static_cast<int>(i) == report.chosen});
     }
@@ -129,7 +129,7 @@ std::string to_text(const AccuracyReport& report) {
     out += fmt::format(
         "  called off: it took {:g} times as long as the scene as it is (another tolerance: {:g} times), "
         "and {:g} s at least\n",
-        kPatience, kPatienceToSaveTime, kShortest);
+        kTrialPatience, kShortPatience, kMinPatience);
   out += "\n";
   for (const AccuracyGroup& g : report.groups)
     if (g.finest_error > 0)
@@ -157,10 +157,10 @@ std::string to_svg(const AccuracyReport& report) {
   if (!report.targets.empty()) picture.words.push_back("dashed: the error that is allowed");
   if (report.chosen >= 0) picture.words.push_back("ring: chosen, " + report.points[at(report.chosen)].name);
   const auto tiny = [](const AccuracyPoint& p) {
-    return p.complete() && std::any_of(p.errors.begin(), p.errors.end(), [](double e) { return e < kRounding; });
+    return p.complete() && std::any_of(p.errors.begin(), p.errors.end(), [](double e) { return e < kErrorRounding; });
   };
   if (std::any_of(report.points.begin(), report.points.end(), tiny))
-    picture.words.push_back(fmt::format("errors below {0:g} are drawn as {0:g}", kRounding));
+    picture.words.push_back(fmt::format("errors below {0:g} are drawn as {0:g}", kErrorRounding));
   picture.words.push_back(fmt::format("{}; medians of {} round{}{}", report.machine, report.rounds,
                                       report.rounds == 1 ? "" : "s",
                                       report.noisy ? "; the machine was too busy to tell times apart" : ""));

@@ -12,14 +12,12 @@
 #include "genu/mesh/mesh_coarsen.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/model/build_model.h"
+#include "genu/study/tolerances.h"
 #include "genu/surface/blend_surface.h"
 #include "genu/surface/facet_surface.h"
 
 namespace genu {
 namespace {
-
-constexpr double kPoisson = 0.45, kThickness = 6e-3;  // m: of a layer in the place of rigid contact
-constexpr double kFinestOfClosedForms = 0.175;        // of mesh_unit()
 
 bool is_mesh(const Prepared& p, std::size_t surface) {
   return p.scene.surfaces[surface].shape == SurfaceDef::Shape::mesh;
@@ -69,9 +67,9 @@ void make_layers(const Prepared& p, double modulus, SceneTables& scene) {
     LayerDef layer;
     layer.pair = pair;
     layer.modulus = modulus;
-    layer.poisson = kPoisson;
-    layer.thickness = kThickness;
-    layer.search_depth = kThickness;
+    layer.poisson = kTrialPoisson;
+    layer.thickness = kTrialThickness;
+    layer.search_depth = kTrialThickness;
     layer.quadrature = LayerDef::Quadrature::triangles;
     layer.cast_from = p.surfaces[at(pair.surface_a)]->is_unbounded() ? pair.surface_b : pair.surface_a;
     scene.layers.push_back(layer);
@@ -122,7 +120,7 @@ std::vector<AccuracySetting> accuracy_settings(const Prepared& p) {
   if (meshes)
     edges = {1, 1.5, 2, 3};
   else if (mesh_unit(p) > 0)
-    edges = {kFinestOfClosedForms, 0.25, 0.35, 0.5, 0.7, 1};
+    edges = {kFinestTrialEdge, 0.25, 0.35, 0.5, 0.7, 1};
   for (const double edge : edges)
     for (const int degree : fits ? std::vector<int>{2, 3, 4} : std::vector<int>{0})
       if (fits || edge > 1) add({.edge_factor = edge, .degree = degree}, Knob::mesh);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "genu/core/timer.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -33,7 +34,7 @@ bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* 
 }
 
 double patience(const AccuracySetting& setting) {
-  return setting.knob == AccuracySetting::Knob::tolerance ? kPatienceToSaveTime : kPatience;
+  return setting.knob == AccuracySetting::Knob::tolerance ? kShortPatience : kTrialPatience;
 }
 
 class Rounds {
@@ -46,7 +47,7 @@ class Rounds {
     for (std::size_t i = first; i < trials_.size(); ++i) {
       Trial& trial = trials_[i];
       if (trial.asked > 0 && !trial.complete()) continue;  // what does not get there need not be timed
-      const double most = own_seconds_ > 0 ? std::max(kShortest, patience(trial.setting) * own_seconds_)
+      const double most = own_seconds_ > 0 ? std::max(kMinPatience, patience(trial.setting) * own_seconds_)
                                            : std::numeric_limits<double>::infinity();
       const Timer timer;
       if (!solve_once(trial, options_, most, own_seconds_ > 0 ? nullptr : &own_)) return false;
@@ -109,7 +110,7 @@ bool solve_all(std::vector<Trial>& trials, const AccuracyChoice& choice, const R
   for (rounds = 0; rounds == 0 || (rounds < choice.rounds && timer.seconds() < choice.seconds); ++rounds) {
     if (!round.run(0)) return rounds > 0;
     const bool last = rounds + 1 >= choice.rounds || timer.seconds() >= choice.seconds;
-    if (joined || (!last && rounds + 1 < kFewestRounds)) continue;
+    if (joined || (!last && rounds + 1 < kMinRounds)) continue;
     joined = true;
     const std::size_t first = trials.size();
     for (Trial& trial : later(trials)) trials.push_back(std::move(trial));

@@ -11,12 +11,6 @@
 
 namespace genu {
 
-inline constexpr int kFewestRounds = 2;  ///< to speak of a spread
-
-/// A setting is called off after so many times as long as the scene as it is takes, but not
-/// within a few seconds: more is of no use to anyone.
-inline constexpr double kPatience = 20, kPatienceToSaveTime = 4, kShortest = 5;  // kShortest: s
-
 /// One setting with all that solving it needs.
 struct Trial {
   AccuracySetting setting;

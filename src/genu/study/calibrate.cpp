@@ -17,6 +17,7 @@
 #include "genu/scene/words.h"
 #include "genu/study/calibration_target.h"
 #include "genu/study/run_motion.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -33,11 +34,10 @@ struct Unknown {
 };
 
 void add_unknown(Scene& scene, const Parameter& p, std::vector<Unknown>& unknowns, Diagnostics& out) {
-  constexpr double kChanges = 10;  // of the standard change of a parameter: 1 cm, 0.1 of strain, 10 N
   const auto same = [&](const Unknown& u) { return u.parameter.name == p.name; };
   if (std::any_of(unknowns.begin(), unknowns.end(), same)) return;
   Unknown u{p, *parameter_number(scene, p), 1, p.positive};
-  if (!u.positive) u.scale = std::max(std::abs(u.start), kChanges * p.change);
+  if (!u.positive) u.scale = std::max(std::abs(u.start), kUnknownScale * p.change);
   if (u.positive && !(u.start > 0))
     refuse_option(out, "--vary", p.name, "is 0: what is fitted as a share of itself must start above 0");
   unknowns.push_back(u);
@@ -144,8 +144,8 @@ class Calibration {
   LeastSquaresResult fit(int most_iterations) const {
     LeastSquaresOptions how;
     how.most_iterations = most_iterations;
-    how.most_step = kMostStep;
-    how.noise = kNoise;
+    how.most_step = kMaxLogStep;
+    how.noise = kDerivativeNoise;
     return least_squares({[this](const VecX& u) { return residuals(u); }, [this](const VecX& u) { return jacobian(u); },
                           options_.cancelled},
                          VecX::Zero(static_cast<Eigen::Index>(unknowns_.size())), how);
@@ -153,7 +153,8 @@ class Calibration {
 
   CalibrationReport report(const LeastSquaresResult& fit, double start_cost) const {
     CalibrationReport out;
-    const LeastSquaresUncertainty uncertainty = least_squares_uncertainty(fit.jacobian, fit.residuals, kNoise);
+    const LeastSquaresUncertainty uncertainty =
+        least_squares_uncertainty(fit.jacobian, fit.residuals, kDerivativeNoise);
     out.correlation = uncertainty.correlation;
     for (std::size_t k = 0; k < unknowns_.size(); ++k) {
       const Unknown& u = unknowns_[k];
@@ -198,9 +199,6 @@ class Calibration {
   }
 
  private:
-  static constexpr double kMostStep = 1;  // a factor of 2.7: stiffer by far, a motion would take for ever
-  static constexpr double kNoise = 1e-6;  // of derivatives, beside the largest: central differences are no better
-
   CalibrationReport::Column column(std::size_t c, const VecX& residuals) const {
     CalibrationReport::Column out{target_.columns[c].name, 0, 0, target_.columns[c].scale};
     for (std::size_t k = 0; k < target_.values.size(); ++k) {
@@ -214,14 +212,13 @@ class Calibration {
 
   /// "j1.damping", or the parameters that change together by which powers of ten.
   std::string direction(const VecX& v) const {
-    constexpr double kTold = 0.05;
     std::string together;
     int count = 0;
     for (Eigen::Index k = 0; k < v.size(); ++k) {
-      if (std::abs(v[k]) < kTold) continue;
+      if (std::abs(v[k]) < kNamedComponent) continue;
       const std::string& name = unknowns_[static_cast<std::size_t>(k)].parameter.name;
       together += (count++ > 0 ? ", " : "") + fmt::format("{} {:+.2f}", name, v[k]);
-      if (std::abs(v[k]) > 1 - kTold * kTold) return name;
+      if (std::abs(v[k]) > 1 - kNamedComponent * kNamedComponent) return name;
     }
     return "a change of " + together + " together (shares of themselves)";
   }

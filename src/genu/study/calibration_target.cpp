@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/pose_file.h"
+#include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
 
 constexpr const char* kTime = "time_s";
-constexpr double kSameTime = 1e-9;  // of the time between rows
 
 /// Counts and words of a results.csv: nothing to follow.
 bool is_no_value(const std::string& name) {
@@ -24,8 +25,7 @@ std::optional<double> to_number(const std::string& text) {
   double value = 0;
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, code] = std::from_chars(first, text.data() + text.size(), value);
-  constexpr double kLargest = 1e20;  // as in scenes
-  if (code != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kLargest)) return std::nullopt;
+  if (code != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kMaxNumber)) return std::nullopt;
   return value;
 }
 
@@ -102,14 +102,13 @@ class TargetReader {
   }
 
   double scale_of(std::size_t column) const {
-    constexpr double kConstant = 1e-9;
     double sum = 0, largest = 0, square = 0, count = 0;
     for (const auto& v : target_.values)
       if (v.column == column) sum += v.value, largest = std::max(largest, std::abs(v.value)), ++count;
     for (const auto& v : target_.values)
       if (v.column == column) square += std::pow(v.value - sum / count, 2);
     const double spread = count > 0 ? std::sqrt(square / count) : 0;
-    return spread > kConstant * largest ? spread : largest > 0 ? largest : 1;
+    return spread > kConstantSpread * largest ? spread : largest > 0 ? largest : 1;
   }
 
   const PoseFile& file_;

@@ -16,6 +16,7 @@
 #include "genu/results/curves.h"
 #include "genu/results/pressure_map.h"
 #include "genu/study/run_motion.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -124,7 +125,7 @@ std::string largest_missing(const JointModel& model, const std::vector<PoseRecor
   return fmt::format("largest force missing {:.4g} N, on {} in row {}", force, body->name, row);
 }
 
-/// "In 3 rows contact leans on a flaw of a mesh, first in row 7: ..."
+/// "In 3 rows the contact touches a flaw of a mesh, first in row 7: ..."
 void say_status(const std::vector<PoseRecord>& records, PoseStatus status, const char* what,
                 std::vector<std::string>& out) {
   const auto has = [&](const PoseRecord& r) { return r.point.report.status == status; };
@@ -136,19 +137,21 @@ void say_status(const std::vector<PoseRecord>& records, PoseStatus status, const
 }
 
 void add_verdict(const Prepared& p, const std::vector<PoseRecord>& records, RunSummary& s) {
-  s.verdict.push_back(
-      fmt::format("{} pose{} evaluated, nothing solved: the residual columns say what is missing to "
-                  "balance ({}).",
-                  records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
-  if (s.smallest_gap < 0)
+  s.verdict.push_back(fmt::format(
+      "{} pose{} evaluated, none solved. The residual columns hold the forces missing for equilibrium ({}).",
+      records.size(), records.size() == 1 ? "" : "s", largest_missing(p.model, records)));
+  if (s.smallest_gap < -kContactRounding)
     s.verdict.push_back(fmt::format("Rigid surfaces overlap by up to {:.4g} mm.", -to::kMillimetre * s.smallest_gap));
-  say_status(records, PoseStatus::flawed_mesh, "contact leans on a flaw of a mesh", s.verdict);
-  say_status(records, PoseStatus::overlap,
-             "a layer's surfaces overlap deeper than its rays look, and carry nothing there", s.verdict);
+  else if (s.smallest_gap < 0)
+    s.verdict.push_back(fmt::format("Rigid surfaces are in contact (smallest gap {:.1g} mm, which is rounding).",
+                                    to::kMillimetre * s.smallest_gap));
+  say_status(records, PoseStatus::flawed_mesh, "the contact touches a flaw of a mesh", s.verdict);
+  say_status(records, PoseStatus::overlap, "a layer overlaps deeper than its search depth and carries no load there",
+             s.verdict);
   say_layer_doubts(p, records, s.verdict);
   for (std::string& sentence : hertz_sentences(s.hertz)) s.verdict.push_back(std::move(sentence));
   if (s.given->left_out > 0)
-    s.verdict.push_back(fmt::format("{} row{} of {} hold{} no pose that was solved: left out.", s.given->left_out,
+    s.verdict.push_back(fmt::format("{} row{} of {} hold{} no solved pose: left out.", s.given->left_out,
                                     s.given->left_out == 1 ? "" : "s", s.given->file,
                                     s.given->left_out == 1 ? "s" : ""));
 }

@@ -172,8 +172,8 @@ bool fails_alike(const Failure& failure, const RunOptions& options, std::string&
 }
 
 void tell_poses(const Prepared& prepared, const Solution& found, Failure& failure) {
-  constexpr std::size_t kLast = 3;
-  for (std::size_t k = found.records.size(); k-- > 0 && failure.last_poses.size() < kLast;) {
+  constexpr std::size_t kPosesKept = 3;
+  for (std::size_t k = found.records.size(); k-- > 0 && failure.last_poses.size() < kPosesKept;) {
     const PosePoint& p = found.records[k].point;
     if (!p.solved()) continue;
     std::string line = fmt::format("row {} step {} increment {} t {:a}:", k + 1, p.step, p.increment, p.t);
@@ -234,7 +234,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
   failure.version = GENU_VERSION;
   failure.program = program_hash();
   failure.scene = file_bytes(scene);
-  if (failure.scene.empty()) return say("is not written: the scene cannot be read, which is all there is to say");
+  if (failure.scene.empty()) return say("is not written: the scene cannot be read");
   failure.scene =
       without_folders(with_mesh_names(failure.scene, [&](const std::string& own) { return names.name_of(own); }));
   failure.rest = found.rest;

@@ -13,18 +13,16 @@
 #include "genu/shape_fit/chart_choice.h"
 #include "genu/shape_fit/fit_zone.h"
 #include "genu/study/run_motion.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kApart = 0.015;  // m: contacts of a pair that stay farther apart are surfaces of their own
-
 /// The axis that a surface turns about as its contacts travel; none where they hardly turn.
 std::optional<Vec3> axis_of(const std::vector<Vec3>& points, const std::vector<Vec3>& normals) {
-  constexpr double kTurned = 0.866;  // cos 30 deg
   double least = 1;
   for (const Vec3& n : normals) least = std::min(least, n.dot(normals.front()));
-  if (least > kTurned) return std::nullopt;
+  if (least > kTurnedCosine) return std::nullopt;
   std::vector<OrientedPoint> path;
   for (std::size_t k = 0; k < points.size(); ++k) path.push_back({points[k], normals[k], 1});
   return normal_axes(path).front();
@@ -36,7 +34,7 @@ class SceneFitter {
       : prepared_(prepared), request_(request), out_(out) {}
 
   bool run(const Solution& solution, SceneFits& result) {
-    const std::vector<ContactZone> zones = contact_zones(prepared_, solution, kApart);
+    const std::vector<ContactZone> zones = contact_zones(prepared_, solution, kSurfacesApart);
     for (const ContactZone& zone : zones) add(zone, zones, result);
     if (result.fits.empty() && !out_.has_errors())
       out_.error(request_.file, "has no contact on a mesh: there is nothing to fit");

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "genu/study/tolerances.h"
+
 namespace genu {
 namespace {
 
@@ -40,12 +42,12 @@ Vec3 unit_along(const Vec3& v, Eigen::Index axis) {
 /// notch there opens backward, and the groove of the patella is in front of it.
 double groove_from_middle(const Mesh& femur, const Vec3& proximal, const Vec3& axis, const Vec3& sideways,
                           double width) {
-  constexpr double kHeight = 0.3, kBand = 0.08;  // parts of the width
-  const Box end = box_near(femur, -proximal, kHeight * width);
+  const Box end = box_near(femur, -proximal, kCondyleHeight * width);
   const double bottom = std::min(end.low.dot(proximal), end.high.dot(proximal));
   Box between;
   for (const Vec3& p : femur.vertices)
-    if (p.dot(proximal) < bottom + kHeight * width && std::abs((p - end.centre()).dot(sideways)) < kBand * width)
+    if (p.dot(proximal) < bottom + kCondyleHeight * width &&
+        std::abs((p - end.centre()).dot(sideways)) < kMiddleBand * width)
       between.add(p);
   return (between.centre() - end.centre()).dot(axis);
 }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "genu/core/units.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -30,30 +31,28 @@ Extent extent_of(const Mesh& mesh, const Vec3& way) {
 
 std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
   if (femur.vertices == tibia.vertices) return {{true, "are the same mesh: name a femur and a tibia"}};
-  constexpr double kMostRatio = 3, kFacing = 0.2, kFarthest = 0.5;
-  constexpr std::size_t kFew = 100;
   std::vector<LayoutDoubt> doubts;
   const std::string up = axis_word(knee.proximal);
   const double wide = extent_of(femur, knee.right).size() / extent_of(tibia, knee.right).size();
-  if (wide > kMostRatio || wide < 1 / kMostRatio)
+  if (wide > kMaxWidthRatio || wide < 1 / kMaxWidthRatio)
     doubts.push_back({true, fmt::format("one is {:.3g} times as wide as the other: are both in one unit?",
                                         std::max(wide, 1 / wide))});
   if (extent_of(femur, knee.proximal).middle() < extent_of(tibia, knee.proximal).middle())
     doubts.push_back({true, fmt::format("the femur lies below the tibia along {}: are the two swapped, or is "
                                         "--proximal the other way?",
                                         up)});
-  else if (knee.facing < kFacing)
+  else if (knee.facing < kMinFacing)
     doubts.push_back(
         {true, fmt::format("the femur lies over {:.0f} % of the tibia, seen along {}: are they in one frame, or is "
                            "--proximal another axis?",
                            100 * knee.facing, up)});
-  else if (std::abs(knee.gap) > kFarthest * knee.width)
+  else if (std::abs(knee.gap) > kMaxStartGap * knee.width)
     doubts.push_back({true, fmt::format("{} {:.0f} mm, a tibia {:.0f} mm wide: are they in one frame and one unit?",
                                         knee.gap > 0 ? "are apart by" : "reach into each other by",
                                         std::abs(knee.gap) / units::kMillimetre, knee.width / units::kMillimetre)});
   if (!doubts.empty()) return doubts;
   for (const auto& [name, mesh] : {std::pair("femur", &femur), std::pair("tibia", &tibia)})
-    if (mesh->triangles.size() < kFew)
+    if (mesh->triangles.size() < kFewKneeTriangles)
       doubts.push_back({false, fmt::format("the {} has {} triangles: what contact is on is made up of them alone", name,
                                            mesh->triangles.size())});
   return doubts;

@@ -163,8 +163,8 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   return out;
 }
 
-constexpr int kFlexion = 30;   // deg: what a start without anatomy can be asked
-constexpr int kSettling = 10;  // rows of the step before it
+constexpr int kStartFlexion = 30;  // deg: what a start without anatomy can be asked
+constexpr int kSettlingRows = 10;  // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
   words["flexion"] = fmt::format("{}", degrees);
@@ -255,7 +255,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   }
   if (!check_layout(femur->mesh, tibia->mesh, *knee, asked, out)) return std::nullopt;
   words.merge(words_of_knee(asked, *knee, *femur, *tibia));
-  ask_for_flexion(words, kFlexion, false);
+  ask_for_flexion(words, kStartFlexion, false);
   return Composed{stl_scene_text(), words, choices_of(asked, *knee, words)};
 }
 
@@ -283,8 +283,8 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   if (error.empty()) {
     auto found = try_out(staged_file, report.file, asked, out);
     const bool stl = asked.kind == NewScene::Kind::stl;
-    if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettling) {
-      ask_for_flexion(composed->words, found->summary.poses_solved - kSettling, true);
+    if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettlingRows) {
+      ask_for_flexion(composed->words, found->summary.poses_solved - kSettlingRows, true);
       write();
       if (error.empty()) found = try_out(staged_file, report.file, asked, out);
     }

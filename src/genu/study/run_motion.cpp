@@ -10,6 +10,7 @@
 #include "genu/motion/motion_rates.h"
 #include "genu/results/motion_table.h"
 #include "genu/store/stop_of.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -42,9 +43,8 @@ int impacts(const std::vector<PathEvent>& events) {
 /// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
 bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
   if (prepared.model.safeguards.lacks(Safeguard::energy_balance)) return true;
-  constexpr double kLeast = 1e-3, kOfTolerance = 1e3, kLayers = 1e-2;
-  double allowed = std::max(kLeast, kOfTolerance * m.tolerance);
-  if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayers);
+  double allowed = std::max(kMinEnergyError, kEnergyOfTolerance * m.tolerance);
+  if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayerEnergyError);
   const JointModel::Scales& scales = prepared.model.scales;
   return m.worst_energy <= allowed * (m.energy_scale + scales.length * scales.force);
 }

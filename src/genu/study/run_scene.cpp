@@ -12,15 +12,15 @@
 #include "genu/core/atomic_output.h"
 #include "genu/core/file_checksum.h"
 #include "genu/core/units.h"
+#include "genu/path/tolerances.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/store/checkpoint.h"
 #include "genu/study/solve_path.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kLargestOverlap = 6e-3;  // m: a start that overlaps more is refused
 
 std::string interrupted_folder(const std::string& folder) { return beside(folder, ".interrupted"); }
 
@@ -28,7 +28,7 @@ std::string interrupted_folder(const std::string& folder) { return beside(folder
 
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary) {
   if (!asked_to_stop(options.cancelled)) return folder;
-  summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved until then are kept.");
+  summary.verdict.insert(summary.verdict.begin(), "Interrupted: the poses solved so far are kept.");
   summary.partial = true;
   std::error_code ignored;
   return std::filesystem::exists(folder, ignored) ? interrupted_folder(folder) : folder;
@@ -80,7 +80,7 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
   bool good = true;
   for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
     const double overlap = field.overlap(start, static_cast<int>(pair));
-    if (overlap <= kLargestOverlap) continue;
+    if (overlap <= kMaxStartOverlap) continue;
     const ContactDef& def = prepared.scene.contacts[pair];
     good = false;
     out.add({.file = prepared.scene.file,
@@ -91,7 +91,7 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
              .rule = fmt::format("the surfaces overlap by {:.4g} mm where the search starts, at most {:.0f} mm can be "
                                  "resolved: move the bodies apart with the joint's `start`, or check the frames and "
                                  "units of the meshes",
-                                 to::kMillimetre * overlap, to::kMillimetre * kLargestOverlap)});
+                                 to::kMillimetre * overlap, to::kMillimetre * kMaxStartOverlap)});
   }
   return good;
 }

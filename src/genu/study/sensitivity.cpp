@@ -13,12 +13,10 @@
 #include "genu/results/curves.h"
 #include "genu/scene/words.h"
 #include "genu/study/run_motion.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr int kMostContacts = 99;           // of one pair that can be named before the run has found them
-constexpr std::size_t kMostRows = 5000000;  // of sensitivity.csv
 
 bool names(const std::string& pattern, const std::string& column) {
   return pattern == "all" || matches(pattern, column) || matches(pattern, without_unit(column));
@@ -95,10 +93,10 @@ std::string no_parameter(const SceneTables& scene, const std::vector<Parameter>&
   }
   std::string out = "is no parameter of this scene" + did_you_mean(pattern, words);
   for (std::size_t k = 0; k < kinds.size() && !key.empty(); ++k) {
-    constexpr std::size_t kMost = 12;
+    constexpr std::size_t kKeysNamed = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min(kMost, keys[k].size()); ++i) list += (i == 0 ? "" : ", ") + keys[k][i];
-    out += fmt::format("; its {} have {}{}", kinds[k], list, keys[k].size() > kMost ? ", ..." : "");
+    for (std::size_t i = 0; i < std::min(kKeysNamed, keys[k].size()); ++i) list += (i == 0 ? "" : ", ") + keys[k][i];
+    out += fmt::format("; its {} have {}{}", kinds[k], list, keys[k].size() > kKeysNamed ? ", ..." : "");
   }
   return out;
 }
@@ -205,13 +203,13 @@ bool too_many(const Prepared& prepared, const SensitivityRows& rows, Diagnostics
   const auto counted =
       std::count_if(rows.outputs.begin(), rows.outputs.end(), [](const Output& o) { return o.contact_number == 0; });
   const std::size_t count = rows_asked(prepared) * static_cast<std::size_t>(counted) * rows.parameters.size();
-  if (count <= kMostRows) return false;
+  if (count <= kMaxSensitivityRows) return false;
   out.add({.file = {},
            .key = {},
            .found = {},
            .rule = fmt::format("{} poses, {} outputs and {} parameters make {} derivatives, at most {} are computed at "
                                "once: ask for fewer",
-                               rows_asked(prepared), counted, rows.parameters.size(), count, kMostRows)});
+                               rows_asked(prepared), counted, rows.parameters.size(), count, kMaxSensitivityRows)});
   return true;
 }
 
@@ -313,7 +311,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
                     const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
   const auto prepared = prepare_run(path, folder, out);
   if (!prepared || refuse_motion(*prepared, "sensitivity", out)) return kExitRefused;
-  const SensitivityRows asked = choose(*prepared, choice, kMostContacts, out);
+  const SensitivityRows asked = choose(*prepared, choice, kMaxNamedContacts, out);
   if (out.has_errors() || too_many(*prepared, asked, out)) return kExitRefused;
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;

@@ -28,7 +28,7 @@ bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnost
   const PoseReport& first = found.records.front().point.report;
   if (first.status != PoseStatus::flawed_mesh) return false;
   out.error(prepared.scene.file,
-            first.why + ": no pose can be trusted. Mend the mesh (genu mesh-check FILE --repair OUT)");
+            first.why + ": no pose can be trusted. Repair the mesh (genu mesh-check FILE --repair OUT)");
   return true;
 }
 
@@ -67,7 +67,7 @@ std::optional<Solution> move_all(const Prepared& prepared, const RunOptions& opt
              .file = prepared.scene.file,
              .key = "dynamics",
              .found = {},
-             .rule = "a motion is computed anew from its start: its integrator cannot go on with the same bits"});
+             .rule = "a motion is computed again from its start: its integrator cannot continue with the same bits"});
   Solution found = solve_motion(prepared, options);
   if (found.stopped.empty() && refused_start(prepared, found, out)) return std::nullopt;
   return found;
@@ -110,10 +110,10 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
       found.summary.verdict.front() = fmt::format("PARTIAL: {} after {} of {} rows, which could not be written.",
                                                   found.stopped, found.poses.rows(), found.summary.poses_asked);
     error += checkpoint.rows() > 0 ? fmt::format(
-                                         "; {} rows are kept in {}: the same command with --resume goes on "
+                                         "; {} rows are kept in {}: the same command with --resume continues "
                                          "from there",
                                          checkpoint.rows(), checkpoint.file())
-                                   : "; nothing of this run is kept, earlier results are untouched";
+                                   : "; no row of this run is kept, earlier results are untouched";
     out.add({.file = {}, .key = {}, .found = {}, .rule = error});
     return kExitFailed;
   }
@@ -131,11 +131,11 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
   const std::size_t rows = checkpoint != nullptr ? checkpoint->rows() : 0;
   std::string said = fmt::format("PARTIAL: {} after {} of {} rows, which are kept in {}. ", found.stopped,
                                  found.poses.rows(), s.poses_asked, beside(folder, ".partial"));
-  std::string goes_on = "computes them anew";
+  std::string goes_on = "computes them again";
   if (rows > 0)
-    goes_on = fmt::format("goes on from row {} and ends with the bytes of an undisturbed run", rows);
+    goes_on = fmt::format("continues from row {} and ends with the bytes of an undisturbed run", rows);
   else if (checkpoint != nullptr && checkpoint->earlier())
-    goes_on = fmt::format("goes on from what a run before has left in {}", checkpoint->file());
+    goes_on = fmt::format("continues from the rows of an earlier run in {}", checkpoint->file());
   said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder), goes_on);
   if (checkpoint != nullptr && !checkpoint->problem().empty())
     said += fmt::format(" {} cannot be written: {}.", checkpoint->file(), checkpoint->problem());
@@ -167,7 +167,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
              .file = checkpoint.file(),
              .key = {},
              .found = {},
-             .rule = why + ": what this run finds is not kept there on the way"});
+             .rule = why + ": the rows of this run are not kept there"});
   auto found = moves ? move_all(*prepared, own, out) : solve_all(*prepared, own, out);
   int code = kExitRefused;
   if (found) code = keep_results(*prepared, folder, own, checkpoint, out, *found);

@@ -1,5 +1,6 @@
 #include "genu/surface/analytic.h"
 #include "genu/surface/analytic_placed.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -12,7 +13,7 @@ struct Cylinder {
 
   bool project(const Vec3& x, SurfacePoint& out) const {
     const double rho = std::hypot(x.x(), x.y());
-    if (!(rho > kAmbiguous * radius) || !x.allFinite()) return false;
+    if (!(rho > kAmbiguousShare * radius) || !x.allFinite()) return false;
     const double c = x.x() / rho, s = x.y() / rho;
     out.n = Vec3(c, s, 0);
     out.p = Vec3(radius * c, radius * s, x.z());

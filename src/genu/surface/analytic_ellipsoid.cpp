@@ -1,5 +1,6 @@
 #include "genu/surface/analytic.h"
 #include "genu/surface/analytic_placed.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -20,8 +21,8 @@ struct Ellipsoid {
     // Each term alone reaches 1 here, so |q| >= 1: at or left of the root.
     const double left = (a.cwiseProduct(x.cwiseAbs()) - a2).maxCoeff();
     t = std::max(left, 0.0);
-    for (int k = 0; k < kMaxIterations; ++k) {
-      if (!(t - pole > kAmbiguous * -pole)) return false;  // x on the flat set of points with two feet
+    for (int k = 0; k < kMaxEllipsoidSteps; ++k) {
+      if (!(t - pole > kAmbiguousShare * -pole)) return false;  // x on the flat set of points with two feet
       const Vec3 d = a2 + Vec3::Constant(t);
       const Vec3 q = a.cwiseProduct(x).cwiseQuotient(d);
       const double q2 = q.squaredNorm();
@@ -30,7 +31,7 @@ struct Ellipsoid {
       const double miss = std::sqrt(q2) - 1;
       // To the left of `left` only rounding, or one step from a start right of the root, can lead.
       t = std::max(t + miss * q2 / slope, left);
-      if (std::abs(miss) <= kTolerance) return true;
+      if (std::abs(miss) <= kEllipsoidTolerance) return true;
     }
     return false;
   }
@@ -67,7 +68,7 @@ struct Ellipsoid {
     double rest = 1;
     for (int i = 0; i < 3; ++i) {
       const double denominator = a[i] * a[i] - c * c;
-      if (i == shortest || denominator <= kAmbiguous * c * c) continue;
+      if (i == shortest || denominator <= kAmbiguousShare * c * c) continue;
       p[i] = a[i] * a[i] * x[i] / denominator;
       rest -= p[i] * p[i] / (a[i] * a[i]);
     }
@@ -80,9 +81,6 @@ struct Ellipsoid {
     const double longest = a.maxCoeff(), area = 4 * kPi * longest * longest;
     return geodesic_mesh(a, affordable_edge(edge, area));
   }
-
-  static constexpr int kMaxIterations = 60;
-  static constexpr double kTolerance = 1e-9;  // on |q| - 1 before the last step; that step squares it
 };
 
 }  // namespace

@@ -18,10 +18,6 @@
 
 namespace genu {
 
-/// Nearer than this to where the closest point is not unique, as a share of the radius there, its direction is left
-/// with fewer than six digits and project() says no.
-inline constexpr double kAmbiguous = 1e-10;
-
 inline constexpr double kPi = std::numbers::pi;
 
 /// A length that can be a radius.

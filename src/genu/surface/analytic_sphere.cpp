@@ -1,5 +1,6 @@
 #include "genu/surface/analytic.h"
 #include "genu/surface/analytic_placed.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -11,7 +12,7 @@ struct Sphere {
 
   bool project(const Vec3& x, SurfacePoint& out) const {
     const double distance = x.norm();
-    if (!(distance > kAmbiguous * radius) || !std::isfinite(distance)) return false;
+    if (!(distance > kAmbiguousShare * radius) || !std::isfinite(distance)) return false;
     out.n = x / distance;
     out.p = radius * out.n;
     out.T = tangent_basis(out.n);

@@ -1,5 +1,6 @@
 #include "genu/surface/analytic.h"
 #include "genu/surface/analytic_placed.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -14,9 +15,9 @@ struct Torus {
 
   bool project(const Vec3& x, SurfacePoint& out) const {
     const double rho = x.head<2>().norm();
-    if (!(rho > kAmbiguous * R) || !x.allFinite()) return false;
+    if (!(rho > kAmbiguousShare * R) || !x.allFinite()) return false;
     const double tube = Vec2(rho - R, x.z()).norm();
-    if (!(tube > kAmbiguous * r)) return false;
+    if (!(tube > kAmbiguousShare * r)) return false;
     const double ex = x.x() / rho, ey = x.y() / rho;
     const double c = (rho - R) / tube, s = x.z() / tube;
     const double around = R + r * c;  // distance of the foot point from the axis
@@ -36,8 +37,8 @@ struct Torus {
     const int rows = 2 * std::max(3, static_cast<int>(std::lround(kPi * r / (kRowSpacing * local))));
     // As many divisions on every parallel: about `local` long in the mean, no longer than refine() lets pass on the
     // outer equator, and not below half of that on the inner one (from R < 3 r on, refine() has to split).
-    constexpr double kLongest = 1.3;
-    const double radius = std::min(std::max(R, (R + r) / kLongest), 2 * (R - r) / kLongest);
+    constexpr double kLongestParallel = 1.3;
+    const double radius = std::min(std::max(R, (R + r) / kLongestParallel), 2 * (R - r) / kLongestParallel);
     const int around = grid_count(2 * kPi * radius, local);
     return grid_mesh({around, true}, {rows, true}, [&](double u, double v) {
       const double phi = 2 * kPi * u, theta = 2 * kPi * v;

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "genu/surface/tolerances.h"
+
 namespace genu {
 namespace {
 
 constexpr int kRecordHeader = 12;
-// On the sheet the weights add up to about 3; half that on its edge; this is the end of the band.
-constexpr double kLeastWeight = 0.02;
-// Nodes to the side count less than nodes across when choosing a sheet: a point beside a node lies on the node's sheet
-// even where the other face of a thin shell is nearer.
-constexpr double kSideways = 0.1;
 
 Vec3 centre_of(const double* record) { return {record[0], record[1], record[2]}; }
 
@@ -59,7 +56,7 @@ int BlendField::nearest_node(const Vec3& x, std::span<const int> candidates) con
     const double across = d.x() * record[9] + d.y() * record[10] + d.z() * record[11];
     const double squared = d.squaredNorm();
     if (squared >= blend_radius_ * blend_radius_) continue;
-    const double score = across * across + kSideways * squared;
+    const double score = across * across + kSidewaysWeight * squared;
     if (score < least) least = score, best = i;
   }
   return best;
@@ -121,7 +118,7 @@ bool BlendField::sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) co
       }
     }
   }
-  if (!(W > kLeastWeight)) return false;
+  if (!(W > kMinBlendWeight)) return false;
   const double scale = 1 / W;
   f = F * scale;
   if constexpr (Order >= 1) {

@@ -9,20 +9,16 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/mesh/cell_lists.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kFacesAlike = 0.3;   // cosine: nodes that face more alike than this thin each other out
-constexpr double kFacesAway = -0.2;   // cosine: nodes that face less alike than this never share a sheet
-constexpr double kWorthwhile = 0.95;  // a fit is repeated only where it gets narrower than this
-constexpr double kTies = 1 - 1e-9;    // equal distances are equal whatever the frame's rounding
 
 /// Accepts points that keep their distance from the accepted ones of the same side and component.
 class Thinner {
  public:
   Thinner(double spacing, std::vector<NodeSeed>& accepted)
-      : limit_(spacing * spacing * kTies), inverse_(1 / spacing), accepted_(accepted) {}
+      : limit_(spacing * spacing * kTieFactor), inverse_(1 / spacing), accepted_(accepted) {}
 
   void offer(const NodeSeed& seed) {
     const std::array<int, 3> c = cell(seed.position);
@@ -104,8 +100,8 @@ std::vector<HeightFit> fit_nodes(const Mesh& mesh, const VertexGraph& graph, std
       fits[i] = fitter.fit(request);
       if (fits[i].degree == 0) continue;
       const double sharpness = fits[i].curvature(fits[i].origin).norm();
-      request.radius = std::max(least_radius, kMostOfCurvature / std::max(sharpness, 1e-300));
-      if (request.radius < kWorthwhile * fit_radius) fits[i] = fitter.fit(request);
+      request.radius = std::max(least_radius, kMaxOfCurvature / std::max(sharpness, 1e-300));
+      if (request.radius < kWorthwhileRadius * fit_radius) fits[i] = fitter.fit(request);
     }
   });
   return fits;

@@ -8,9 +8,6 @@
 
 namespace genu {
 
-constexpr double kBlendRadius = kFitReach;  ///< of the fit radius
-constexpr double kNodeSpacing = 0.25;       ///< of the fit radius
-
 struct NodeSeed {
   Vec3 position = Vec3::Zero();   ///< m, on the mesh
   Vec3 normal = Vec3::UnitZ();    ///< outward

@@ -10,17 +10,10 @@
 
 #include "genu/mesh/mesh_order.h"
 #include "genu/surface/fit_choice.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kNodeReach = 1.4;  // of the blend radius: nodes that one point of the surface may see together
-constexpr double kLinkReach = 2;    // of the spacing
-constexpr int kMaxBlendIterations = 20;
-constexpr double kLongestStep = 0.5;    // of the blend radius
-constexpr double kStepSettled = 1e-11;  // of the blend radius: a step this short leaves the derivatives as they are
-constexpr double kStepNearlySettled = 1e-3;  // of the blend radius: a step this short promises convergence in the next
-constexpr double kLeastSlope = 0.3;          // |grad f| is 1 on a true distance
 
 /// Outward normal, tangents and shape operator where f has this gradient and Hessian.
 void set_derivatives(const Vec3& gradient, const Mat3& hessian, SurfacePoint& out) {
@@ -153,25 +146,25 @@ void BlendSurface::place_nodes(const std::vector<HeightFit>& fits, const VertexG
 }
 
 bool BlendSurface::project(const Vec3& x, SurfacePoint& out) const {
-  const double radius = facts_.blend_radius, longest = kLongestStep * radius;
+  const double radius = facts_.blend_radius, longest = kLongestBlendStep * radius;
   double f;
   Vec3 gradient;
   Mat3 hessian;
   out.p = x;
   bool final_round = false;
-  for (int iteration = 0; iteration < kMaxBlendIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxBlendSteps; ++iteration) {
     if (!(final_round ? implicit(out.p, f, gradient, hessian) : implicit(out.p, f, gradient))) return false;
     const double square = gradient.squaredNorm();
-    if (!(square > kLeastSlope * kLeastSlope)) return false;
+    if (!(square > kMinBlendSlope * kMinBlendSlope)) return false;
     const double step = std::abs(f) / std::sqrt(square);
     const double floor =
-        kStepSettled * radius + 4 * std::numeric_limits<double>::epsilon() * out.p.cwiseAbs().maxCoeff();
+        kBlendSettled * radius + 4 * std::numeric_limits<double>::epsilon() * out.p.cwiseAbs().maxCoeff();
     out.p -= (f / square * std::min(1.0, longest / std::max(step, 1e-300))) * gradient;
     if (final_round && step <= floor) {
       set_derivatives(gradient, hessian, out);
       return true;
     }
-    final_round = step < kStepNearlySettled * radius;
+    final_round = step < kBlendNearlySettled * radius;
   }
   return false;
 }
@@ -181,22 +174,20 @@ std::optional<double> BlendSurface::gap(const Vec3& x) const {
   Vec3 gradient;
   if (!implicit(x, f, gradient)) return std::nullopt;
   const double slope = gradient.norm();
-  if (!(slope > kLeastSlope)) return std::nullopt;
+  if (!(slope > kMinBlendSlope)) return std::nullopt;
   return f / slope;
 }
 
 bool BlendSurface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
-  constexpr double kMet = 2e-6;      // of the blend radius: the step after would be its square
-  constexpr double kGrazing = 1e-3;  // cosine with the normal
-  const double longest = kLongestStep * facts_.blend_radius;
+  const double longest = kLongestBlendStep * facts_.blend_radius;
   double f;
-  for (int iteration = 0; iteration < kMaxBlendIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxBlendSteps; ++iteration) {
     if (!implicit(origin + t * direction, f, normal)) return false;
     const double slope = normal.norm(), along = normal.dot(direction);
-    if (!(slope > kLeastSlope) || !(std::abs(along) > kGrazing * slope)) return false;
+    if (!(slope > kMinBlendSlope) || !(std::abs(along) > kGrazingCosine * slope)) return false;
     const double step = std::clamp(-f / along, -longest, longest);
     t += step;
-    if (std::abs(step) > kMet * facts_.blend_radius) continue;
+    if (std::abs(step) > kBlendRayMet * facts_.blend_radius) continue;
     normal /= slope;
     return true;
   }

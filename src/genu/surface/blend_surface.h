@@ -16,6 +16,7 @@
 #include "genu/surface/blend_nodes.h"
 #include "genu/surface/fit_uncertainty.h"
 #include "genu/surface/surface.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 
@@ -79,8 +80,6 @@ class BlendSurface final : public Surface {
   std::span<const int> node_neighbours(int node) const { return node_links_.of(node); }
 
  private:
-  static constexpr double kEdgeCap = 3;  // blend radii
-
   BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph, const std::vector<NodeSeed>& seeds,
                const std::vector<HeightFit>& fits);
   void place_nodes(const std::vector<HeightFit>& fits, const VertexGraph& graph);

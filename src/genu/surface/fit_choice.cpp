@@ -11,26 +11,12 @@
 #include <tbb/parallel_for.h>
 
 #include "genu/core/units.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/local_fit.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kRadiusWithoutNoise = 3;  // edges: the radius without noise
-constexpr double kSecondRadius = 1.4;      // ratio of the two radii at which disagreement is measured
-constexpr double kPartner = 0.7;           // radii between two fits that are compared
-// From the median disagreement to the error of one fit: white noise of rms sigma then gives 28 sigma h / rho^3 for
-// degree 3, about twice the blend's standard deviation in one direction; correlated noise shows in the disagreement
-// itself.
-constexpr double kGain = 2.8;
-constexpr double kTolerated = 0.15;  // error of the curvature beside the flat parts' mean curvature
-// Quantile of the mean curvature. Measured on knees segmented from MRI: gives 5.5 mm to a femur and 7.4 mm to a tibia,
-// about the radii that served them best (5 and 8 mm).
-constexpr double kFlatPart = 0.1;
-constexpr double kNegligible = 1e-4;  // noise in curvature times the fit radius: single precision shows as much
-constexpr int kRadiusProbes = 200;
-constexpr int kRounds = 4;
-constexpr double kRadiusSettled = 0.05;
 
 double lower_quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
@@ -66,7 +52,8 @@ class Probe {
                             const int v = vertices_[i];
                             const HeightFit a = at(fitter, v, radius);
                             if (a.degree == 0) return false;
-                            const Vec3 target = a.origin + kPartner * radius * toward_neighbour(v, a.axes.col(2));
+                            const Vec3 target =
+                                a.origin + kPartnerDistance * radius * toward_neighbour(v, a.axes.col(2));
                             const int partner = advance_toward(v, target);
                             if ((mesh_.vertices[partner] - target).norm() > 0.3 * radius) return false;
                             const HeightFit b = at(fitter, partner, radius);
@@ -89,7 +76,7 @@ class Probe {
       return fit.degree > 0;
     });
     std::erase(mean, -1);
-    return {lower_quantile(std::move(mean), kFlatPart), lower_quantile(std::move(norm), 0.5)};
+    return {lower_quantile(std::move(mean), kFlatQuantile), lower_quantile(std::move(norm), 0.5)};
   }
 
  private:
@@ -143,7 +130,7 @@ double curvature_noise(Probe& probe, double h, int degree) {
   const double first = probe.disagreement(kRadiusWithoutNoise * h),
                second = probe.disagreement(kSecondRadius * kRadiusWithoutNoise * h);
   const double fall = std::pow(kSecondRadius, -6), growth = std::pow(kSecondRadius, 2 * (degree - 1));
-  return kGain * std::sqrt(std::max(0.0, (growth * first - second) / (growth - fall)));
+  return kDisagreementGain * std::sqrt(std::max(0.0, (growth * first - second) / (growth - fall)));
 }
 
 /// Sets the radius of a choice whose degree is set, and says why.
@@ -152,15 +139,15 @@ void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice
   Probe probe(mesh, graph, choice.degree);
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
-  const double sheet = kMostOfSheet * std::sqrt(graph.area / components);
+  const double sheet = kMaxPatchOfSheet * std::sqrt(graph.area / components);
   choice.radius = choice.least_radius = narrowest;
   choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
-  if (noise * narrowest < kNegligible) return;
+  if (noise * narrowest < kNegligibleNoise) return;
   // The curvature itself is known only as well as the radius is wide: a few rounds settle both.
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRadiusRounds; ++round) {
     const auto [flat, typical] = probe.flat_and_typical(choice.radius);
-    const double wanted = flat > 0 ? narrowest * std::cbrt(noise / (kTolerated * flat)) : sheet;
-    const double cap = std::min(sheet, typical > 0 ? kMostOfCurvature / typical : sheet);
+    const double wanted = flat > 0 ? narrowest * std::cbrt(noise / (kToleratedError * flat)) : sheet;
+    const double cap = std::min(sheet, typical > 0 ? kMaxOfCurvature / typical : sheet);
     const double next = std::max(narrowest, std::min(wanted, cap));
     const bool settled = std::abs(next - choice.radius) < kRadiusSettled * choice.radius;
     choice.radius = next;

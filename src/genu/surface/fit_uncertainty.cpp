@@ -8,13 +8,12 @@
 #include "genu/core/decompositions.h"
 #include "genu/surface/blend_nodes.h"
 #include "genu/surface/height_polynomial.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kEdge = 0.2;           // of the fit radius: the reference mesh's edge
-constexpr double kNodeDistance = 1.15;  // of the spacing: greedy sampling leaves gaps of up to twice the spacing
-const Vec2 kShift(0.31, 0.17);          // of a cell: the point looked at is no special one
+const Vec2 kShift(0.31, 0.17);  // of a cell: the point looked at is no special one
 
 /// Points of a triangular lattice within `reach` of the origin.
 std::vector<Vec2> lattice(double edge, double reach) {
@@ -76,7 +75,7 @@ void add_fit(const std::vector<Vec2>& vertices, const Vec2& node, int degree, co
 
 Functionals reference(int degree) {
   Functionals out;
-  out.vertices = lattice(kEdge, 1 + kBlendRadius);
+  out.vertices = lattice(kReferenceEdge, 1 + kBlendRadius);
   MatX sums = MatX::Zero(3, static_cast<Eigen::Index>(out.vertices.size()));
   Vec3 W = Vec3::Zero();
   for (const Vec2& node : lattice(kNodeDistance * kNodeSpacing, kBlendRadius)) {
@@ -115,9 +114,9 @@ FitUncertainty fit_uncertainty(const MeshNoise& noise, double edge, double fit_r
   const Functionals& f = reference_of(degree);
   const double length = noise.correlation_length / fit_radius;
   Vec3 variance = Vec3::Zero();
-  if (length < kEdge) {
+  if (length < kReferenceEdge) {
     // Finer than the reference mesh resolves: white noise of the same correlated area.
-    const double areas = correlated_area(edge / fit_radius, length) / correlated_area(kEdge, 0);
+    const double areas = correlated_area(edge / fit_radius, length) / correlated_area(kReferenceEdge, 0);
     variance = areas * f.rows.rowwise().squaredNorm();
   } else {
     const auto count = static_cast<Eigen::Index>(f.vertices.size());

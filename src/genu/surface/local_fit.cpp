@@ -5,21 +5,16 @@
 #include <utility>
 
 #include "genu/core/decompositions.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/surface.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kSamplesPerCoefficient = 1.6;
 /// A monomial must keep this fraction of its norm beside the earlier ones. On one side of its centre (at a mesh's edge)
 /// x^3 keeps 0.05, x^4 but 0.014, and less with the kernel: degree 4 needs a finer sieve not to fall back there.
 constexpr double independence(int degree) { return degree <= 3 ? 0.03 : 0.006; }
-constexpr double kRadiusGrowth = 1.2;
-constexpr double kLargestGrowth = 2.6;
-
-/// How often its own size, at most, what the polynomial leaves over may return in its heights, root mean square of the
-/// vertices. On measured knees, edges included, 3 to 30; where vertices stand in rows 3000 to 15000.
-constexpr double kMostLeverage = 50;
 
 constexpr double kDiagonal = 0.70710678118654752;
 constexpr std::pair<double, double> kRound[] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
@@ -60,7 +55,7 @@ HeightFitter::HeightFitter(const Mesh& mesh, const VertexGraph& graph)
 HeightFit HeightFitter::fit(const FitRequest& request) {
   HeightFit fit;
   fit.origin = request.origin;
-  const double last = request.may_adapt ? kLargestGrowth : 1;
+  const double last = request.may_adapt ? kMaxRadiusGrowth : 1;
   for (double growth = 1; growth <= last * 1.0001; growth *= kRadiusGrowth) {
     gather(request, growth * request.radius);
     if (static_cast<double>(gathered_.size()) < kSamplesPerCoefficient * coefficient_count(request.degree)) continue;
@@ -126,7 +121,7 @@ bool HeightFitter::determined(const HeightFit& fit, const Eigen::Ref<const MatX>
         sum += y[k] * y[k];
       }
     }
-    return sum * weight <= kMostLeverage * kMostLeverage;
+    return sum * weight <= kMaxLeverage * kMaxLeverage;
   };
   const auto all_round = [&] {
     for (const auto& [u, v] : kRound)

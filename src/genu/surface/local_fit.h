@@ -36,12 +36,6 @@ struct HeightFit {
   Mat3 curvature(const Vec3& x) const;
 };
 
-/// A fit no wider than this fraction of the radius of curvature (1 / norm of the shape operator) truncates little.
-constexpr double kMostOfCurvature = 0.7;
-
-/// As far from its origin as this fraction of its radius a fit has to give heights.
-constexpr double kFitReach = 0.7;
-
 /// What is wanted of a fit.
 struct FitRequest {
   Vec3 origin = Vec3::Zero();

@@ -12,25 +12,14 @@
 #include <tbb/parallel_for.h>
 #include <Eigen/LU>
 
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/patch_shells.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr double kNarrowestPatch = 3;  // edges: the narrowest patch
-constexpr double kMostCurved = 0.1;    // rms of degree 2 beside the radius, about 0.9 radii of curvature: nor are those
-constexpr int kMostBands = 6;          // each sqrt(2) as wide as the last
-constexpr int kFewestBands = 2;
-constexpr int kNoiseProbes = 64;
-constexpr int kFewestProbes = 5;
-constexpr int kShapeLengths = 18;  // from the narrowest radius up, by sqrt(2)
-constexpr int kNoiseLengths = 24;  // from an eighth of it, by 2^(1/4), and white
-constexpr double kShortest = 1.0 / 8;
-constexpr int kReweightings = 3;
-constexpr double kEvidence = 10;        // the misfit without noise must be larger by this
-constexpr double kAsGood = 1;           // misfits that differ by less are alike
 constexpr std::size_t kFirstShell = 2;  // degrees 0 and 1 are how the patch lies
-constexpr double kTiny = 1e-300;
 
 /// Medians over the mesh of the energies within one radius.
 struct Band {
@@ -69,8 +58,8 @@ Band measure(const Mesh& mesh, const VertexGraph& graph, Fitters& fitters, doubl
     for (std::size_t i = 0; i < count; ++i) {
       if (samples[i] > 0) values.push_back(found[i][shell]);
     }
-    if (values.size() < kFewestProbes) return band;
-    band.energies[shell] = std::max(median(values), kTiny);
+    if (values.size() < kMinProbes) return band;
+    band.energies[shell] = std::max(median(values), kTinyEnergy);
   }
   std::erase(samples, 0);
   band.samples = median(samples);
@@ -80,15 +69,15 @@ Band measure(const Mesh& mesh, const VertexGraph& graph, Fitters& fitters, doubl
 std::vector<Band> measure_all(const Mesh& mesh, const VertexGraph& graph) {
   Fitters fitters([&] { return ShellFitter(mesh, graph); });
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
-  const double widest = kMostOfSheet * std::sqrt(graph.area / std::max(1, components));
+  const double widest = kMaxPatchOfSheet * std::sqrt(graph.area / std::max(1, components));
   std::vector<Band> bands;
-  for (int step = 0; step < kMostBands; ++step) {
+  for (int step = 0; step < kMaxBands; ++step) {
     const double radius = kNarrowestPatch * graph.median_edge * std::pow(2, 0.5 * step);
-    if (step >= kFewestBands && radius > widest) break;
+    if (step >= kMinBands && radius > widest) break;
     Band band = measure(mesh, graph, fitters, radius);
     band.step = step;
     if (band.samples == 0) continue;
-    if (std::sqrt(band.energies[2]) > kMostCurved * radius) break;
+    if (std::sqrt(band.energies[2]) > kMaxPatchCurvature * radius) break;
     bands.push_back(band);
   }
   return bands;
@@ -102,14 +91,14 @@ struct Row {
 
 double misfit(const std::vector<Row>& rows, const Vec3& amplitudes) {
   double sum = 0;
-  for (const Row& r : rows) sum += std::pow(std::log(r.measured / std::max(r.unit.dot(amplitudes), kTiny)), 2);
+  for (const Row& r : rows) sum += std::pow(std::log(r.measured / std::max(r.unit.dot(amplitudes), kTinyEnergy)), 2);
   return sum;
 }
 
 /// The least squares solution of the normal equations with amplitudes >= 0: the best of all subsets.
 Vec3 solve_nonnegative(const Mat3& normal, const Vec3& right) {
   // Columns differ by many orders of magnitude.
-  const Vec3 scale = normal.diagonal().cwiseSqrt().cwiseMax(kTiny).cwiseInverse();
+  const Vec3 scale = normal.diagonal().cwiseSqrt().cwiseMax(kTinyEnergy).cwiseInverse();
   const Mat3 N = scale.asDiagonal() * normal * scale.asDiagonal();
   const Vec3 b = scale.cwiseProduct(right);
   Vec3 best = Vec3::Zero();
@@ -180,7 +169,7 @@ class Mixture {
 
   /// n = 0: white.
   double length(int n) const {
-    return n == 0 ? 0 : first_ * std::pow(2, -0.5 * bands_.front().step) * kShortest * std::pow(2, 0.25 * (n - 1));
+    return n == 0 ? 0 : first_ * std::pow(2, -0.5 * bands_.front().step) * kShortestNoise * std::pow(2, 0.25 * (n - 1));
   }
 
   void set_noise(int n) {
@@ -223,10 +212,10 @@ class Mixture {
 MeshNoise estimate_noise(const Mesh& mesh, const VertexGraph& graph) {
   if (!(graph.median_edge > 0)) return {};
   const std::vector<Band> bands = measure_all(mesh, graph);
-  if (bands.size() < kFewestBands) return {};
+  if (bands.size() < kMinBands) return {};
   Mixture mixture(bands);
   const double without = mixture.best(false).misfit;
-  if (without < kEvidence) return {};
+  if (without < kNoiseEvidence) return {};
   std::vector<Mixture::Fit> fits;
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n <= kNoiseLengths && mixture.length(n) <= bands.back().radius; ++n) {
@@ -234,14 +223,14 @@ MeshNoise estimate_noise(const Mesh& mesh, const VertexGraph& graph) {
     fits.push_back(mixture.best(true));
     least = std::min(least, fits.back().misfit);
   }
-  if (without - least < kEvidence) return {};
+  if (without - least < kNoiseEvidence) return {};
   // Weak noise that is correlated widely does as well as strong noise that is correlated more widely still: of the
   // lengths that do about as well, the middle between the shortest and the best.
   const auto good = [&](double limit) {
     const auto fit = std::find_if(fits.begin(), fits.end(), [&](const auto& f) { return f.misfit <= least + limit; });
     return MeshNoise{fit->noise_rms, mixture.length(static_cast<int>(fit - fits.begin()))};
   };
-  const MeshNoise shortest = good(kAsGood), best = good(0);
+  const MeshNoise shortest = good(kAlikeMisfit), best = good(0);
   if (shortest.correlation_length == 0) return shortest;
   return {std::sqrt(shortest.rms * best.rms), std::sqrt(shortest.correlation_length * best.correlation_length)};
 }

@@ -10,6 +10,7 @@
 
 #include "genu/mesh/mesh_cut.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
@@ -87,12 +88,10 @@ class PatchSurface final : public Surface {
     Extent extent = extent_round(to_own(centre), reach);
     Mesh mesh = cut_out(edge, extent);
     // A patch much narrower than the edges slips through between the vertices.
-    constexpr int kHalvings = 8;
-    for (int k = 0; k < kHalvings && mesh.triangles.empty(); ++k) mesh = cut_out(edge *= 0.5, extent);
+    for (int k = 0; k < kPatchHalvings && mesh.triangles.empty(); ++k) mesh = cut_out(edge *= 0.5, extent);
     if (is_unbounded()) return mesh;
     // Along a steep polynomial the patch may reach farther than the box that limits it is wide.
-    constexpr int kDoublings = 4;
-    for (int k = 0; k < kDoublings && ends_inside(mesh, extent.reach); ++k) {
+    for (int k = 0; k < kPatchDoublings && ends_inside(mesh, extent.reach); ++k) {
       extent.reach *= 2;
       Mesh wider = cut_out(edge, extent);
       const bool grew = mesh_area(wider) > (1 + 1e-6) * mesh_area(mesh);

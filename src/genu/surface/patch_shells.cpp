@@ -5,14 +5,16 @@
 #include <numbers>
 
 #include "genu/core/decompositions.h"
+#include "genu/mesh/tolerances.h"
 #include "genu/surface/height_polynomial.h"
 #include "genu/surface/surface.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
 
-constexpr int kColumns = coefficient_count(kShellDegree);
-constexpr int kFewestSamples = kColumns + 5;
+constexpr int kShellColumns = coefficient_count(kShellDegree);
+constexpr int kFewestSamples = kShellColumns + 5;
 
 /// One weighted row of monomials of (u, v), by degree: 1; u, v; u^2, u v, v^2; ...
 void set_row(double u, double v, double root, Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) {
@@ -50,7 +52,7 @@ void ShellFitter::gather(int v, double radius) {
       if (graph_.normals[w].dot(graph_.normals[v]) >= kConeCosine) gathered_.push_back(w);
     }
   }
-  const std::size_t all = gathered_.size(), most = kShellSamples;
+  const std::size_t all = gathered_.size(), most = kMaxShellSamples;
   if (all <= most) return;
   for (std::size_t i = 0; i < most; ++i) gathered_[i] = gathered_[i * all / most];
   gathered_.resize(most);
@@ -64,7 +66,7 @@ bool ShellFitter::energies(int v, double radius, ShellEnergies& out) {
   if (!(n.norm() > 0)) return false;
   n.normalize();
   const Mat32 T = tangent_basis(n);
-  MatX A(samples(), kColumns);
+  MatX A(samples(), kShellColumns);
   VecX b(samples());
   double total = 0;
   for (int r = 0; r < samples(); ++r) {
@@ -77,7 +79,7 @@ bool ShellFitter::energies(int v, double radius, ShellEnergies& out) {
   reduce_to_triangle(A, b);
   out = {};
   for_columns([&](int column, std::size_t shell) { out[shell] += b[column] * b[column] / total; });
-  out.back() = b.tail(samples() - kColumns).squaredNorm() / total;
+  out.back() = b.tail(samples() - kShellColumns).squaredNorm() / total;
   return true;
 }
 
@@ -85,7 +87,7 @@ NoiseShells::NoiseShells(int samples) {
   samples = std::max(samples, kFewestSamples);
   // A sunflower's seeds: evenly spread, without the symmetries of a grid.
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  MatX A(samples, kColumns), points(samples, 2);
+  MatX A(samples, kShellColumns), points(samples, 2);
   roots_.resize(samples);
   for (int i = 0; i < samples; ++i) {
     const double square = (i + 0.5) / samples, r = std::sqrt(square);

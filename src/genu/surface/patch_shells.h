@@ -17,7 +17,6 @@ namespace genu {
 
 constexpr int kShellDegree = 5;
 constexpr int kShells = kShellDegree + 2;  // 0 .. 5 and the rest
-constexpr int kShellSamples = 56;          // of a patch, at most: wider ones are thinned out
 
 /// Mean square height (m^2, weighted by 1 - r^2 / radius^2) of each part.
 using ShellEnergies = std::array<double, kShells>;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "genu/surface/analytic_placed.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 
@@ -63,10 +64,6 @@ SurfacePoint surface_point(const ChartJet& jet) {
 
 namespace {
 
-constexpr int kMaxProjectionSteps = 100;
-constexpr double kBasin = 1e-7;  // step as a share of the lengths met: its square is about the rounding of a distance
-constexpr double kSufficientDecrease = 1e-4;  // Armijo's constant
-
 /// A surface given by a chart: subclass by Chart with jet(u), coordinates(x) of the point "above" x, side(x) > 0 where
 /// x is outside, and start_mesh.
 template <class Chart>
@@ -89,7 +86,7 @@ struct ChartSurface : Chart {
       const double length = (jet.u * step.x() + jet.v * step.y()).norm();
       const double scale = jet.p.norm() + x.norm();
       if (!std::isfinite(length)) return false;
-      if (length <= kBasin * scale) {
+      if (length <= kProjectionBasin * scale) {
         // Rounding hides what such a step takes off the distance, so no decrease is asked for; quadratic convergence
         // makes the second of them the last.
         u += step;
@@ -126,9 +123,8 @@ struct ChartSurface : Chart {
     const double E = jet.u.dot(jet.u), F = jet.u.dot(jet.v), G = jet.v.dot(jet.v);
     Mat2 H;
     H << E + jet.uu.dot(d), F + jet.uv.dot(d), F + jet.uv.dot(d), G + jet.vv.dot(d);
-    constexpr double kConvex = 1e-3;  // of the metric's determinant: flatter than that, Newton's step is a leap
     const double metric = E * G - F * F;
-    if (!(H.determinant() > kConvex * metric) || !(H(0, 0) > 0)) H << E, F, F, G;
+    if (!(H.determinant() > kConvexShare * metric) || !(H(0, 0) > 0)) H << E, F, F, G;
     const double determinant = H(0, 0) * H(1, 1) - H(0, 1) * H(0, 1);
     return Vec2(H(0, 1) * gradient.y() - H(1, 1) * gradient.x(), H(0, 1) * gradient.x() - H(0, 0) * gradient.y()) /
            determinant;

@@ -4,15 +4,14 @@
 #include <utility>
 
 #include "genu/mesh/cell_lists.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 
 namespace {
 
-constexpr double kSameSide = 0.3;  // cosine of the angle between normals: the same side of a thin sheet
-
 bool same_side(const SampleSet& set, std::size_t i, std::size_t j) {
-  return set.normals[i].dot(set.normals[j]) > kSameSide;
+  return set.normals[i].dot(set.normals[j]) > kSameSideCosine;
 }
 
 /// For each sample the kept one it belongs to, as an index into `kept`.

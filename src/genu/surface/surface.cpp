@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "genu/surface/tolerances.h"
+
 namespace genu {
 
 bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
@@ -14,19 +16,16 @@ bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& ou
 }
 
 bool Surface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
-  constexpr int kMaxIterations = 20;
-  constexpr double kGrazing = 1e-3;  // cosine with the normal
-  constexpr double kSettled = 1e-9;  // m: a step this short leaves an error of its square times the curvature
   SurfacePoint foot;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxRaySteps; ++iteration) {
     const Vec3 x = origin + t * direction;
     if (!project(x, foot)) return false;
     const double along = foot.n.dot(direction);
-    if (!(std::abs(along) > kGrazing)) return false;
+    if (!(std::abs(along) > kGrazingCosine)) return false;
     const double step = foot.n.dot(foot.p - x) / along;
     t += step;
     normal = foot.n;
-    if (std::abs(step) <= kSettled) return true;
+    if (std::abs(step) <= kRaySettled) return true;
   }
   return false;
 }

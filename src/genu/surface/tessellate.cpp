@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "genu/surface/tolerances.h"
+
 namespace genu {
 namespace {
 

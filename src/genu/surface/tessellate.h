@@ -9,9 +9,6 @@
 
 namespace genu {
 
-/// Where a finer mesh would have more triangles than about this, its edges are made longer.
-inline constexpr double kMaxTriangles = 200'000;
-
 /// Distance of the rows of equilateral triangles, per edge length.
 inline constexpr double kRowSpacing = 0.8660254037844386;
 

@@ -9,13 +9,10 @@
 #include "genu/mesh/mesh_part.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/surface/tessellate.h"
+#include "genu/surface/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr double kSplitRatio = 4.0 / 3;  // halves are then nearer to the wanted length than the whole was
-constexpr int kMaxPasses = 60;           // each at least halves the longest edges
-constexpr int kRelaxations = 10;
 
 // The corner of t that is neither end of the edge.
 int opposite(const std::array<int, 3>& t, const MeshEdge& e) { return t[0] + t[1] + t[2] - e.v[0] - e.v[1]; }
@@ -29,7 +26,7 @@ class Refinement {
 
   void run() {
     bool changed = false;
-    for (int pass = 0; pass < kMaxPasses && split(); ++pass) {
+    for (int pass = 0; pass < kMaxRefinePasses && split(); ++pass) {
       changed = true;
       flip();
       relax();

@@ -1,5 +1,4 @@
-// What goes to standard error. Where that cannot be written, nothing is left to say it with: the program goes on, and
-// its exit code tells.
+// Output to standard error. If that cannot be written the program continues; its exit code reports the failure.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +9,7 @@
 namespace genu::cli {
 
 template <typename... T>
-void tell(fmt::format_string<T...> format, T&&... arguments) {
+void print_error(fmt::format_string<T...> format, T&&... arguments) {
   const std::string text = fmt::format(format, std::forward<T>(arguments)...);
   std::fputs(text.c_str(), stderr);
 }

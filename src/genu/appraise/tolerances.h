@@ -1,0 +1,78 @@
+// Every tolerance of the room `appraise`, by the unit that uses it. tools/tolerances-page writes docs/tolerances.md
+// from these headers: [unit], bound, what fails first if the value is wrong.
+#pragma once
+
+#include <cstddef>
+
+namespace genu {
+
+// contact_location
+
+/// [1] Mean curvature over its error below which a contact's place is doubtful. Fails first: if too small, doubtful
+/// places pass.
+inline constexpr double kDoubtfulRatio = 10;
+
+// hertz_check
+
+/// [radius] Contact over the smallest radius up to which Hertz applies (slopes squared are 4 %). Fails first: if too
+/// large, Hertz is compared where it does not hold.
+inline constexpr double kNarrowContact = 0.2;
+
+/// [thickness] Contact over the thickness up to which Hertz applies (at 0.1 a bonded layer is 10 % stiffer). Fails
+/// first: if too large, Hertz is compared where it does not hold.
+inline constexpr double kThickLayer = 1;
+
+/// [1] Relative difference of the area from Hertz' ellipse. Fails first: if too large, Hertz is compared with edge
+/// contact.
+inline constexpr double kEllipseTolerance = 0.2;
+
+// layer_doubts
+
+/// [search depth] How far the other surface is looked for. Fails first: if too small, doubts are not seen.
+inline constexpr double kRaySearch = 2;
+
+/// [m] Least such distance. Fails first: if too small, doubts of thin layers are not seen.
+inline constexpr double kMinRaySearch = 5e-3;
+
+/// [1] Rays that are looked at. Fails first: if too large, time.
+inline constexpr std::size_t kMaxDoubtRays = 4000;
+
+/// [1] Fewest rays that decide which side a layer faces. Fails first: if too small, a stray ray decides.
+inline constexpr std::size_t kMinDeciding = 20;
+
+/// [1] Share of them that must agree. Fails first: if too small, false warnings.
+inline constexpr double kDecidingShare = 0.75;
+
+/// [1] Load through the wrong body over the layer's that is reported. Fails first: if too small, false warnings.
+inline constexpr double kThroughShare = 1e-3;
+
+/// [m] Offset of a ray from its own surface. Fails first: if too small, a ray meets its own start.
+inline constexpr double kClearStart = 1e-9;
+
+/// [1] Rim's neighbourhood over the side of a point's cell. Fails first: if too small, contact at the rim is not
+/// reported.
+inline constexpr double kRimCell = 0.5;
+
+/// [1] Rows that are looked at. Fails first: if too small, doubts between them are missed.
+inline constexpr std::size_t kMaxDoubtRows = 200;
+
+/// [1] Share of peak pressure or load that is reported. Fails first: if too small, warnings about nothing.
+inline constexpr double kReportedShare = 0.01;
+
+// layer_verdict
+
+/// [1] Triangles in contact below which a sum jumps visibly from pose to pose. Fails first: if too large, coarse but
+/// good layers get a warning.
+inline constexpr double kFewLayerTriangles = 50;
+
+/// [search depth] Depth that counts as all of the search depth. Fails first: if too large, truncated layers are not
+/// reported.
+inline constexpr double kNearSearchDepth = 0.95;
+
+// verdict
+
+/// [reach] Distance to a mesh flaw, over its reach, within which contact touches it. Fails first: if too small, contact
+/// on a flaw is not reported.
+inline constexpr double kNearFlaw = 3;
+
+}  // namespace genu

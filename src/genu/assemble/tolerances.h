@@ -1,0 +1,49 @@
+// Every tolerance of the room `assemble`, by the unit that uses it. tools/tolerances-page writes docs/tolerances.md
+// from these headers: [unit], bound, what fails first if the value is wrong.
+#pragma once
+
+#include <cstdint>
+
+namespace genu {
+
+// build_surface
+
+/// [m] Edge of the mesh that shows whether a patch holds any surface, and its size. Fails first: if too large, a small
+/// patch seems empty.
+inline constexpr double kPatchProbeEdge = 0.01;
+
+/// [m] How far that mesh reaches. Fails first: if too small, a patch far out seems empty.
+inline constexpr double kPatchProbeReach = 0.1;
+
+// given_poses
+
+/// [1] Largest number of a step or increment in a table of poses. Fails first: if too large, an int overflows.
+inline constexpr double kMaxStepNumber = 1e9;
+
+// pose_file
+
+/// [B] Largest file of poses. Fails first: if too large, out of memory instead of a refusal.
+inline constexpr std::uintmax_t kMaxPoseFileBytes = std::uintmax_t{1} << 30;
+
+// read_solids
+
+/// [1] Volume over that of the box of the same area below which a solid is flat (a needle 1000 times as long as thick
+/// has 0.05). Fails first: if too large, thin solids are refused.
+inline constexpr double kMinFullness = 1e-4;
+
+// surface_fits
+
+/// [noise] Rms residual of a fit that measured cartilage leaves at most (1 to 3 seen). Fails first: if too small, good
+/// fits get a warning.
+inline constexpr double kFitRmsOfNoise = 4;
+
+/// [m] Rms residual that no scan resolves. Fails first: if too small, good fits get a warning.
+inline constexpr double kFitRmsUnseen = 1e-4;
+
+/// [noise or rms] Largest residual that random noise leaves. Fails first: if too small, good fits get a warning.
+inline constexpr double kFitPeakOfNoise = 8;
+
+/// [m] Largest residual that no scan resolves. Fails first: if too small, good fits get a warning.
+inline constexpr double kFitPeakUnseen = 5e-4;
+
+}  // namespace genu

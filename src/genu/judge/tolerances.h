@@ -1,0 +1,124 @@
+// Every tolerance of the room `judge`, by the unit that uses it. tools/tolerances-page writes docs/tolerances.md
+// from these headers: [unit], bound, what fails first if the value is wrong.
+#pragma once
+
+#include <cstddef>
+
+namespace genu::judge {
+
+// balance
+
+/// [1] Unbalanced force over the sum of all forces' sizes. Fails first: if too small, solved poses are rejected; if too
+/// large, a wrong force passes.
+inline constexpr double kBalanceTolerance = 1e-9;
+
+/// [1] Round-off of moments over forces times levers. Fails first: if too small, models far from their origin are
+/// rejected.
+inline constexpr double kLeverRounding = 3e-12;
+
+/// [1] Damping from which directions of contact forces are sought. Fails first: if too small, the search begins with
+/// leaps.
+inline constexpr double kStiffestHold = 1e6;
+
+/// [1] Damping at which the search ends. Fails first: if too large, cones of facets are not used up.
+inline constexpr double kSoftestHold = 1e-4;
+
+/// [1] Further rounds at the softest damping. Fails first: if too small, balanced poses are rejected.
+inline constexpr int kMaxConeRounds = 30;
+
+/// [deg] Least opening of a cone of facets' normals. Fails first: if too small, round-off of a normal rejects a pose.
+inline constexpr double kMinCone = 1e-6;
+
+// facets
+
+/// [edge] How deep overlap is looked for. Fails first: if too small, deep overlap is missed.
+inline constexpr double kOverlapReach = 2;
+
+/// [edge] Facets this near bound the smooth surface's normal. Fails first: if too small, fitted surfaces are rejected.
+inline constexpr double kLeanReach = 3;
+
+// gaps
+
+/// [1] Lowest samples of a pair that are followed. Fails first: if too small, the smallest gap is missed.
+inline constexpr std::size_t kDescents = 5;
+
+/// [size] Distance of the points that show whether a surface ends. Fails first: if too small, round-off decides.
+inline constexpr double kBesideShare = 1e-5;
+
+/// [1] 1 + cosine of normals that oppose each other (0.1 deg). Fails first: if too small, minima at edges pass for
+/// contacts.
+inline constexpr double kOpposedRounding = 1e-6;
+
+/// [m] How far certified gaps may lie below 0 in results.csv. Fails first: if too small, written digits reject a pose.
+inline constexpr double kWrittenGap = 1e-8;
+
+/// [size] Overhang at a rim that samples may pass. Fails first: if too small, poses near a rim are rejected.
+inline constexpr double kRimPassed = 1e-3;
+
+// joints
+
+/// [rad] Step of the eighth-order difference: error (0.02)^8 / 630. Fails first: if too large, the judge's Jacobian is
+/// inexact.
+inline constexpr double kDifferenceTurn = 0.02;
+
+// layers
+
+/// [thickness] Compression above which the logarithmic law is its tangent (docs/scene-reference.md). Fails first: if
+/// differs from the solver, deep layers are rejected.
+inline constexpr double kTangentFrom = 0.95;
+
+/// [1] Samples in contact that a sum needs. Fails first: if too small, sums scatter.
+inline constexpr double kEnoughSamples = 1000;
+
+/// [1] Finest refinement for it. Fails first: if too small, small contacts are judged by few samples.
+inline constexpr int kFinestSampling = 4;
+
+/// [edge] How far a layer is raised to find where contact would begin. Fails first: if too small, no place is found.
+inline constexpr double kNearlyTouching = 0.25;
+
+/// [1] Samples at the border of contact: a sum of n may be off by this / n. Fails first: if too small, small contacts
+/// are rejected.
+inline constexpr double kBorderSamples = 3;
+
+/// [thickness] Depth that samples may miss, over 100 + n. Fails first: if too small, grazing contacts are rejected.
+inline constexpr double kMissedDepth = 0.1;
+
+/// [force scale] Load below which a layer's tolerance is absolute. Fails first: if too small, grazing contacts are
+/// rejected.
+inline constexpr double kMinLoadShare = 0.01;
+
+/// [1] Error of facets for a smooth surface's load. Fails first: if too small, smooth layers are rejected.
+inline constexpr double kFacetLoadError = 0.05;
+
+// motion
+
+/// [1] Rows on each side of a time difference. Fails first: if too small, motions cannot be judged.
+inline constexpr std::size_t kDifferenceRows = 4;
+
+/// [1] Error of a rate, over the largest, up to which a row is judged. Fails first: if too large, wrong rates are
+/// judged as right.
+inline constexpr double kResolvedRate = 1e-3;
+
+// pose
+
+/// [1] Relative rounding of numbers that follow by a formula. Fails first: if too small, written digits are rejected.
+inline constexpr double kFormulaRounding = 1e-12;
+
+/// [1] Largest residual of a row called solved (docs/scene-reference.md, Solver). Fails first: if too small, good rows
+/// are rejected.
+inline constexpr double kMaxSlack = 1e-8;
+
+/// [1] Ratio of the judge's norm of a residual to the solver's. Fails first: if too small, good rows are rejected.
+inline constexpr double kResidualNorms = 30;
+
+// subject
+
+/// [stiffness] Force of a strain that round-off makes. Fails first: if too small, slack ligaments are rejected.
+inline constexpr double kStrainRounding = 1e-12;
+
+// results_file
+
+/// [1] Errors of results.csv that are listed. Fails first: if too large, a garbage file fills the terminal.
+inline constexpr std::size_t kMaxFileErrors = 20;
+
+}  // namespace genu::judge

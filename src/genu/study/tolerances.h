@@ -1,0 +1,155 @@
+// Every tolerance of the room `study`, by the unit that uses it. tools/tolerances-page writes docs/tolerances.md
+// from these headers: [unit], bound, what fails first if the value is wrong.
+#pragma once
+
+#include <cstddef>
+
+namespace genu {
+
+// accuracy
+
+/// [1] Spread of times, in the median over settings, from which they are called noisy. Fails first: if too small,
+/// warnings about nothing.
+inline constexpr double kNoisySpread = 0.25;
+
+/// [1] Least order of convergence that is believed. Fails first: if too small, errors are far too large.
+inline constexpr double kMinOrder = 0.5;
+
+/// [1] Largest order that is believed. Fails first: if too large, errors are far too small.
+inline constexpr double kMaxOrder = 8;
+
+// accuracy_choice
+
+/// [1] Error allowed without a target, over the smallest of all. Fails first: nothing (choice of a setting).
+inline constexpr double kErrorFactor = 2;
+
+/// [result's unit] Error that counts as none. Fails first: nothing (choice of a setting).
+inline constexpr double kExactError = 1e-6;
+
+/// [1] Ratio of times that count as equal. Fails first: nothing (choice of a setting).
+inline constexpr double kTimeFactor = 1.1;
+
+// accuracy_report
+
+/// [result's unit] Error below which all are equal. Fails first: nothing (charts and choice only).
+inline constexpr double kErrorRounding = 1e-9;
+
+// accuracy_settings
+
+/// [1] Poisson's ratio of a layer in the place of rigid contact. Fails first: nothing (a convention of accuracy
+/// trials).
+inline constexpr double kTrialPoisson = 0.45;
+
+/// [m] Its thickness. Fails first: nothing (a convention of accuracy trials).
+inline constexpr double kTrialThickness = 6e-3;
+
+/// [mesh unit] Finest mesh of formulas. Fails first: nothing (a convention of accuracy trials).
+inline constexpr double kFinestTrialEdge = 0.175;
+
+// accuracy_trials
+
+/// [1] Rounds from which a spread is known. Fails first: if too small, times of one run are believed.
+inline constexpr int kMinRounds = 2;
+
+/// [1] Time of a setting, over the scene's own, at which it is given up. Fails first: if too small, accurate settings
+/// are missing.
+inline constexpr double kTrialPatience = 20;
+
+/// [1] The same for settings that should save time. Fails first: if too small, settings are missing.
+inline constexpr double kShortPatience = 4;
+
+/// [s] No setting is given up before. Fails first: if too small, settings are missing.
+inline constexpr double kMinPatience = 5;
+
+// calibrate
+
+/// [standard change] Scale of a varied number that may be zero: 1 cm, 0.1 of strain, 10 N. Fails first: if too small,
+/// slow fits.
+inline constexpr double kUnknownScale = 10;
+
+/// [1] Largest change of a logarithm in a step (a factor of 2.7). Fails first: if too large, a stiff motion takes for
+/// ever.
+inline constexpr double kMaxLogStep = 1;
+
+/// [1] Error of central differences over the largest derivative. Fails first: if too small, undetermined numbers are
+/// called determined.
+inline constexpr double kDerivativeNoise = 1e-6;
+
+/// [1] Component from which a parameter is named. Fails first: if too small, every parameter is named.
+inline constexpr double kNamedComponent = 0.05;
+
+// calibration_target
+
+/// [interval] Difference of times that is round-off. Fails first: if too small, rows of a curve are interpolated or
+/// refused.
+inline constexpr double kSameTime = 1e-9;
+
+/// [1] Spread of a column over its largest value that is none. Fails first: if too small, a constant column is scaled
+/// by round-off.
+inline constexpr double kConstantSpread = 1e-9;
+
+// evaluate
+
+/// [m] Overlap of rigid surfaces at given poses that is rounding of written numbers: the surfaces are in contact. Fails
+/// first: if too small, solved poses are reported as overlapping; if too large, a small overlap is not reported.
+inline constexpr double kContactRounding = 1e-9;
+
+// fit_scene
+
+/// [m] Distance of contacts of a pair that makes surfaces of their own. Fails first: if too small, one condyle gets two
+/// surfaces.
+inline constexpr double kSurfacesApart = 0.015;
+
+/// [1] Cosine of the turn of a body (30 deg) above which one direction cannot describe a zone. Fails first: if too
+/// small, poor charts.
+inline constexpr double kTurnedCosine = 0.866;
+
+// knee_layout
+
+/// [width] Height of the femur's end in which condyles lie. Fails first: if too large, the shaft moves the layout.
+inline constexpr double kCondyleHeight = 0.3;
+
+/// [width] Half width of the band between them. Fails first: if too large, the notch is missed.
+inline constexpr double kMiddleBand = 0.08;
+
+// layout_doubts
+
+/// [1] Ratio of the widths of femur and tibia. Fails first: if too small, good pairs get a warning.
+inline constexpr double kMaxWidthRatio = 3;
+
+/// [1] How much of the ends must face each other. Fails first: if too large, good pairs get a warning.
+inline constexpr double kMinFacing = 0.2;
+
+/// [width] Gap between them. Fails first: if too small, good pairs get a warning.
+inline constexpr double kMaxStartGap = 0.5;
+
+/// [1] Triangles below which a mesh gets a warning. Fails first: if too large, good meshes get a warning.
+inline constexpr std::size_t kFewKneeTriangles = 100;
+
+// run_motion
+
+/// [1] Energy error that is always allowed. Fails first: if too small, good motions are rejected.
+inline constexpr double kMinEnergyError = 1e-3;
+
+/// [1] Energy error over the tolerance. Fails first: if too small, good motions are rejected.
+inline constexpr double kEnergyOfTolerance = 1e3;
+
+/// [1] Energy error of motions with layers, which sum to a relative error only. Fails first: if too small, good motions
+/// are rejected.
+inline constexpr double kLayerEnergyError = 1e-2;
+
+// run_scene
+
+/// [m] Overlap of a start that is refused above it. Fails first: if too small, starts that solve are refused.
+inline constexpr double kMaxStartOverlap = 6e-3;
+
+// sensitivity
+
+/// [1] Contacts of a pair that can be named before the run has found them. Fails first: if too small, a name is
+/// refused.
+inline constexpr int kMaxNamedContacts = 99;
+
+/// [1] Largest sensitivity.csv. Fails first: if too large, the disk is full.
+inline constexpr std::size_t kMaxSensitivityRows = 5000000;
+
+}  // namespace genu

@@ -1,0 +1,41 @@
+#include "registry.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "commands.h"
+
+namespace genu::cli {
+
+std::string command_list(const std::vector<Command>& commands) {
+  std::size_t width = 0;
+  for (const Command& c : commands) width = std::max(width, usage_of(c).size());
+  std::string out, group;
+  for (const Command& c : commands) {
+    if (c.group != group) out += fmt::format("{}{}\n", out.empty() ? "" : "\n", c.group);
+    group = c.group;
+    out += fmt::format("  {:<{}}  {}\n", usage_of(c), width, c.purpose);
+  }
+  return out;
+}
+
+void add_commands(CLI::App& app, int& exit_code) {
+  using Add = void (*)(CLI::App&, int&);
+  constexpr Add kAdd[] = {
+#define GENU_COMMAND(name, group, synopsis, purpose) add_##name,
+#include "registry.def"
+#undef GENU_COMMAND
+  };
+  const std::vector<Command> commands = registry();
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    CLI::App* command = app.add_subcommand(commands[i].name, commands[i].purpose);
+    command->group("");  // the list of `genu --help` is command_list()
+    kAdd[i](*command, exit_code);
+  }
+}
+
+}  // namespace genu::cli
