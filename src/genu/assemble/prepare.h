@@ -34,9 +34,8 @@ struct Prepared {
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
 };
 
-/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well. Tests
-/// may leave out `safeguards`.
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards = {});
+/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well.
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
 
 /// What a summary of anything done with a scene begins with: names, scales, surfaces and the time taken until now.
 RunSummary begin_summary(const Prepared& prepared);
@@ -44,6 +43,6 @@ RunSummary begin_summary(const Prepared& prepared);
 /// The surfaces of a scene; those that cannot be built are null and said in `out`.
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const Scene& scene, std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
-                                                           Diagnostics& out, const Safeguards& safeguards = {});
+                                                           Diagnostics& out);
 
 }  // namespace genu

@@ -1,7 +1,6 @@
 #include "genu/equilibrium/active_set.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "genu/equilibrium/force_guess.h"
@@ -50,12 +49,11 @@ const char* to_string(PoseStatus status) {
 ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
     : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
   // Contact points far from the world's origin close to rounding only.
-  if (!model.pairs.empty() && model.safeguards.has(Safeguard::gap_rounding))
+  if (!model.pairs.empty())
     options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
 }
 
 int ActiveSetSolver::contact_limit(const Target& target) const {
-  if (model_->safeguards.lacks(Safeguard::contact_limit)) return std::numeric_limits<int>::max();
   return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
 }
 
@@ -65,7 +63,7 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
   report.iterations = newton.iterations;
   report.certificate = inspector_.certify(state, newton.residual);
   report.status = PoseStatus::ok;
-  if (report.certificate.least_opposed > 0 && model_->safeguards.has(Safeguard::opposed)) {
+  if (report.certificate.least_opposed > 0) {
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
@@ -223,8 +221,7 @@ PoseReport ActiveSetSolver::settle_without_one(Balanced& pose, const Balanced& f
                                                const PoseReport& failure) {
   // Contacts that exclude each other (the two feet of a stool whose tilt is prescribed) leave Newton without rank: one
   // of them has to go before the other can come.
-  if (model_->safeguards.lacks(Safeguard::without_one) || failure.newton.full_rank || failed.state.contacts.size() < 2)
-    return failure;
+  if (failure.newton.full_rank || failed.state.contacts.size() < 2) return failure;
   int iterations = failure.iterations;
   for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {
     Balanced trial = failed;
@@ -278,7 +275,6 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
   // Newton knows of no surface that it does not touch: from above a thin sheet it may balance below. Straight from one
   // pose to the other the bodies then overlap, which they do at neither end. So they do, but little, where one rolls
   // over the other, which no straight way follows.
-  if (model_->safeguards.lacks(Safeguard::passing)) return false;
   constexpr int kMost = 200;
   constexpr double kShallow = 0.1;  // of the characteristic length
   const double step = 2 * field_->spacing(),
@@ -307,7 +303,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   const double touching = 0.05 * field_->spacing();
   close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
-  if (report.status == PoseStatus::no_equilibrium && model_->safeguards.has(Safeguard::force_guess)) {
+  if (report.status == PoseStatus::no_equilibrium) {
     // Without a force a contact has no stiffness along the surfaces, and what little else there is leads Newton astray.
     trial = pose;
     close_touching(trial, target, touching);
@@ -321,7 +317,6 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
-  if (model_->safeguards.lacks(Safeguard::seed)) return report;
   // A contact that leans on a flaw here may be one that the joint is not in when it has come to rest.
   // A foundation that is soft for the forces at hand lets a body through a thin surface: then a stiffer one. From far
   // Newton's method on it may wander without end, where the way down has one; and long steps down leap over the ends
@@ -329,7 +324,6 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   PoseReport seeded;
   for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
                              SeedWay{.downhill = true, .stride = Stride::careful}}) {
-    if (way.downhill && model_->safeguards.lacks(Safeguard::downhill)) break;
     trial = pose;
     PoseReport tried = settle_from_seed(trial, target, way);
     tried.iterations += seeded.iterations;

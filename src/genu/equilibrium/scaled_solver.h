@@ -22,9 +22,6 @@ class ScaledSolver {
   /// Pivots below this fraction of the largest count as zero there. 1e-6 or more is known to stall Newton.
   static constexpr double kRankThreshold = 1e-10;
 
-  /// Without: LU alone, however bad the condition.
-  void allow_minimum_norm(bool allowed) { minimum_norm_allowed_ = allowed; }
-
   /// Factors a square matrix. False when it holds anything that is not finite.
   bool factor(const MatX& matrix);
   void solve(const VecX& rhs, VecX& x) const;
@@ -41,7 +38,7 @@ class ScaledSolver {
   Eigen::CompleteOrthogonalDecomposition<MatX> cod_;
   double rcond_ = 0;
   Eigen::Index rank_ = 0;
-  bool minimum_norm_ = false, surely_regular_ = false, minimum_norm_allowed_ = true;
+  bool minimum_norm_ = false, surely_regular_ = false;
 };
 
 }  // namespace genu

@@ -6,8 +6,7 @@
 namespace genu {
 
 /// Looks at a solved pose and its stability; where it or its forces are not determined, PoseStatus::undetermined, why,
-/// and what (PosePoint::undetermined). False then. Nothing is looked at without Safeguard::uniqueness. `solver` is
-/// where it has solved that pose, or one beside it.
+/// and what (PosePoint::undetermined). False then. `solver` is where it has solved that pose, or one beside it.
 bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point);
 
 /// Of a solved pose, what holds one way only looked at the other way too.

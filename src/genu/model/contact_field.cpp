@@ -70,7 +70,6 @@ Proximity ContactField::proximity_of(const Meeting& surfaces) const {
   options.reach = kSamplingReach * model_->scales.length;
   options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
   options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
-  options.safeguards = model_->safeguards;
   return {*surfaces.a, *surfaces.b, options};
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
-#include "genu/core/safeguards.h"
 #include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
@@ -104,7 +103,6 @@ struct JointModel {
   Scales scales;
   /// Counts what is evaluated, where a run asks for it; shared by copies of the model, not by threads.
   std::shared_ptr<EffectMeter> meter;
-  Safeguards safeguards;  ///< all of them, but in tests of what each is good for
 };
 
 /// Calls add(coordinate, factor) for each term of what is prescribed.

@@ -59,7 +59,7 @@ bool ArcLengthFollower::may_hide_turns(double arc, const Point& next) const {
   // on, t may turn back and forth there.
   constexpr double kShare = 0.1;  // of the slower end
   constexpr double kFine = 1e-6;  // of arc length
-  if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kFine) return false;
+  if (arc <= kFine) return false;
   const double a = here_.at.direction.parameter, b = next.at.direction.parameter;
   const double mean = (next.at.t - here_.at.t) / arc, bend = 3 * a + 3 * b - 6 * mean;
   if (a * b <= 0 || a * bend <= 0) return false;
@@ -98,7 +98,6 @@ bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector
 }
 
 bool ArcLengthFollower::add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out) {
-  if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   constexpr double kSame = 1e-6;  // rounding places a limit point and its vanishing stiffness no nearer than this
   constexpr double kFine = 1e-6;  // of arc length: no leap is as short as that
   const std::string verdict = to_string(next.stability.verdict);
@@ -254,7 +253,6 @@ bool ArcLengthFollower::settle_on(double t, Point& point) {
 }
 
 bool ArcLengthFollower::closes(const Point& point) const {
-  if (solver_.model().safeguards.lacks(Safeguard::closing)) return false;
   return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kClosed &&
          newton_.product(point.at.direction, start_.at.direction) > 0;
 }

@@ -118,7 +118,6 @@ PathFollower::Attempt PathFollower::attempt(double t) {
 }
 
 bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // Beyond a limit point the bodies move again as slowly as far before it, on another branch: a step across which the
   // speed changes that much is halved. Where it is that short already, a law's kink changes the speed.
   // Past two limit points near each other the prediction and the speed may both come out well by chance, unless speeds
@@ -130,7 +129,6 @@ bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
 }
 
 bool PathFollower::far_from_predicted(const Attempt& attempt) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // On one branch the tangent errs by the square of the step: half of it at most, or the step is halved.
   constexpr double kShare = 0.5, kSlack = 1e-5;
   return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
@@ -138,7 +136,6 @@ bool PathFollower::far_from_predicted(const Attempt& attempt) const {
 }
 
 bool PathFollower::jumped(const State& state, double h) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // A pose that lies much farther than the tangent leads has left the branch that is followed.
   constexpr double kFactor = 4, kSlack = 0.02;
   return distance(solver_.model(), pose_.state, state) >
@@ -203,7 +200,7 @@ bool PathFollower::events_without_end() {
 bool PathFollower::pass_event(double t, Attempt violated) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
-  while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
+  while (bracket.open()) {
     // A single ligament at a break: its length is smooth there, and the secant says how far behind the break lies.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
@@ -304,7 +301,6 @@ bool PathFollower::step_over(double window) {
   // Only where contacts change can a solution be missing for a stretch; elsewhere its end is a limit point. A path that
   // has to be stepped over again and again is no path.
   constexpr int kMost = 30;
-  if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMost) return false;
   snap_ = {0, 0};
   // Where a contact splits, its two halves can be told apart a millionth of a degree later: begin that near.
@@ -357,7 +353,6 @@ bool PathFollower::snap_beyond(double window) {
 }
 
 bool PathFollower::turning_back() const {
-  if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
   // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance; the path was followed
   // until that distance was the smallest increment.
   constexpr double kVanishing = 0.02;

@@ -41,7 +41,6 @@ int impacts(const std::vector<PathEvent>& events) {
 
 /// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
 bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
-  if (prepared.model.safeguards.lacks(Safeguard::energy_balance)) return true;
   constexpr double kLeast = 1e-3, kOfTolerance = 1e3, kLayers = 1e-2;
   double allowed = std::max(kLeast, kOfTolerance * m.tolerance);
   if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayers);
