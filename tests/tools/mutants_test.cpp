@@ -63,6 +63,12 @@ TEST_F(Mutants, AreNamedByCasesAndCasesNameNoOthers) {
   EXPECT_TRUE(says("tests/hard_cases/mutants/belt.patch is missing")) << said_;
 }
 
+TEST_F(Mutants, AreNotMadeInAFolderOfOtherFiles) {
+  EXPECT_EQ(run("--folder src sign"), 2);
+  EXPECT_TRUE(says("src: holds other files")) << said_;
+  EXPECT_EQ(test::read_file(folder_ / "src/half.cpp"), kSource);
+}
+
 TEST_F(Mutants, OfOtherNamesAreRefused) {
   EXPECT_EQ(run("--check belt"), 2);
   EXPECT_TRUE(says("belt: there is no tests/hard_cases/mutants/belt.patch")) << said_;
