@@ -38,7 +38,8 @@ install(FILES ${PROJECT_BINARY_DIR}/genuConfig.cmake ${PROJECT_BINARY_DIR}/genuC
         DESTINATION ${genu_package_folder})
 
 # Scenes: the catalogue of `genu hard-cases`, and the knees that need no other data.
-install(DIRECTORY tests/hard_cases DESTINATION ${CMAKE_INSTALL_DATADIR}/genu FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY tests/hard_cases DESTINATION ${CMAKE_INSTALL_DATADIR}/genu FILES_MATCHING
+        PATTERN "*.toml" PATTERN "*.patch")
 install(DIRECTORY meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/genu PATTERN lenhart2015 EXCLUDE)
 
 # Licences, those of what is compiled in too: the page of report.html tells its own.

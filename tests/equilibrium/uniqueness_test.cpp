@@ -43,12 +43,5 @@ TEST(Uniqueness, WithAMicrometreToSpareOneOfThemCarriesIt) {
   EXPECT_NEAR(w.points[0].pose.state.contacts[0].force, 7, 1e-9);
 }
 
-TEST(Uniqueness, IsNotLookedAtWhereTheSceneLeavesItOut) {
-  auto s = test::scene_model(between_plates(6, "7"));
-  s.model.safeguards.switch_off(Safeguard::uniqueness);
-  const auto w = test::follow(s);
-  EXPECT_TRUE(w.result.complete) << w.story();
-}
-
 }  // namespace
 }  // namespace genu

@@ -45,12 +45,19 @@ edge = 2
 damage = [{ kind = "fin", near = [0, 0, 20], size = 4 }, { kind = "scale", size = 2 }]
 )";
 
+/// A catalogue of the family "a", with a patch for the safeguard "merging".
+void lay_out_catalogue(const test::TemporaryFolder& folder) {
+  for (const char* part : {"a", "mutants"}) std::filesystem::create_directory(folder / part);
+  folder.write("mutants/merging.patch", "");
+}
+
 TEST(ReadHardCase, AllThatIsExpected) {
   const test::TemporaryFolder folder;
+  lay_out_catalogue(folder);
   Diagnostics out;
-  const auto e = read_expectation(folder.write("a.expect.toml", kExpectation), out);
+  const auto e = read_expectation(folder.write("a/a.expect.toml", kExpectation), out);
   ASSERT_TRUE(e) << (out.items().empty() ? "" : to_string(out.items().front()));
-  EXPECT_EQ(e->safeguard, Safeguard::merging);
+  EXPECT_EQ(e->safeguard, "merging");
   EXPECT_EQ(e->exit_code, 3);
   EXPECT_EQ(e->statuses.size(), 2u);
   EXPECT_EQ(e->events.front().first, "contact_lost");
@@ -72,12 +79,14 @@ TEST(ReadHardCase, AllThatIsExpected) {
 
 TEST(ReadHardCase, EverythingThatIsWrongAtOnce) {
   const test::TemporaryFolder folder;
+  lay_out_catalogue(folder);
   Diagnostics out;
   EXPECT_FALSE(read_expectation(
-      folder.write("a.expect.toml", "why = \"x\"\nexit_code = 7\nsafeguard = \"belt\"\nsaid = 1\n"), out));
+      folder.write("a/a.expect.toml", "why = \"x\"\nexit_code = 7\nsafeguard = \"belt\"\nsaid = 1\n"), out));
   std::string all;
   for (const Diagnostic& d : out.items()) all += to_string(d) + "\n";
-  for (const char* piece : {"exit_code = 7", "safeguard = \"belt\"", "said", "nothing is expected"})
+  for (const char* piece :
+       {"exit_code = 7", "safeguard = \"belt\"", "mutants/belt.patch is missing", "said", "nothing is expected"})
     EXPECT_NE(all.find(piece), std::string::npos) << piece << " is missing in\n" << all;
 }
 
@@ -92,7 +101,8 @@ TEST(ReadHardCase, NumbersNeedASourceAndACaseASafeguard) {
 
 TEST(ReadHardCase, CasesAreFoundByFamilyAndName) {
   const test::TemporaryFolder folder;
-  for (const char* family : {"b", "a"}) std::filesystem::create_directory(folder / family);
+  lay_out_catalogue(folder);
+  std::filesystem::create_directory(folder / "b");
   for (const char* name : {"b/two", "b/one", "a/three"}) {
     folder.write(std::string(name) + ".toml", "format = 1\n");
     folder.write(std::string(name) + ".expect.toml", kExpectation);

@@ -2,6 +2,7 @@
 //   1. find the cases, their meshes' shapes and what is expected of each
 //   2. run them side by side
 //   3. print case, verdict, iterations, worst residual, time, and what was missed
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,8 +28,8 @@ namespace genu::cli {
 namespace {
 
 struct HardCaseArguments {
-  std::string cases, family, name, folder, without, table;
-  bool takes_long = false, bite = false, quiet = false;
+  std::string cases, family, name, safeguard, folder, table;
+  bool takes_long = false, quiet = false;
 };
 
 /// Where the cases are: in the sources that this program was built from, or where it was installed with them.
@@ -43,6 +44,7 @@ std::string cases_folder(const HardCaseArguments& arguments) {
 
 bool chosen(const HardCase& c, const HardCaseArguments& arguments) {
   if (!arguments.family.empty() && c.family != arguments.family) return false;
+  if (!arguments.safeguard.empty() && c.expected.safeguard != arguments.safeguard) return false;
   if (!arguments.name.empty()) return c.name == arguments.name || c.family + "/" + c.name == arguments.name;
   return arguments.takes_long || !c.expected.takes_long;
 }
@@ -63,30 +65,18 @@ int run_catalogue(const HardCaseArguments& arguments) {
   Diagnostics problems;
   std::vector<HardCase> cases = find_hard_cases(folder, problems);
   HardCaseOptions options;
-  options.without_own = arguments.bite;
   if (!arguments.folder.empty()) options.folder = arguments.folder;
-  if (!arguments.without.empty()) {
-    options.without = safeguard_named(arguments.without);
-    std::string known;
-    for (const Safeguard s : all_safeguards()) known += std::string(known.empty() ? "" : ", ") + to_string(s);
-    if (!options.without) problems.error("--without", arguments.without + " is no safeguard; known: " + known);
-  }
   if (problems.has_errors()) return refuse(problems);
   if (!arguments.table.empty()) return write_table(arguments.table, cases);
   std::erase_if(cases, [&](const HardCase& c) { return !chosen(c, arguments); });
-  const bool some = !cases.empty();
-  if (arguments.bite) std::erase_if(cases, [](const HardCase& c) { return !c.expected.safeguard; });
-  if (cases.empty() && some) problems.error("--bite", "of those cases none names a safeguard to leave out");
-  if (!some) problems.error(folder, "has no such case; --table lists all, --cases names another folder");
+  if (cases.empty()) problems.error(folder, "has no such case; --table lists all, --cases names another folder");
   if (problems.has_errors()) return refuse(problems);
   auto progress = std::make_shared<Progress>();
   if (!arguments.quiet) options.progress = [progress](int done, int all) { (*progress)(done, all, "cases"); };
   const std::vector<HardCaseOutcome> outcomes = run_hard_cases(cases, folder, options);
   progress->finish();
   fmt::print("{}", to_text(outcomes));
-  bool good = true;
-  for (const HardCaseOutcome& o : outcomes) good = good && o.met() != arguments.bite;
-  if (arguments.bite && good) fmt::print("all are missed without the safeguard they are about, as they must be\n");
+  const bool good = std::all_of(outcomes.begin(), outcomes.end(), [](const HardCaseOutcome& o) { return o.met(); });
   return good ? kOk : kExitIncomplete;
 }
 
@@ -104,12 +94,8 @@ void add_hard_cases(CLI::App& command, int& exit_code) {
   command.add_flag("--long", arguments->takes_long, "those too that take long");
   command.add_option("--out", arguments->folder, "keep scene, meshes and results of each in DIR/FAMILY/NAME")
       ->check(not_empty());
-  command
-      .add_option("--without", arguments->without,
-                  "switch a safeguard off, to see which cases need it: those are missed")
+  command.add_option("--safeguard", arguments->safeguard, "only the cases that fail without this safeguard")
       ->check(not_empty());
-  command.add_flag("--bite", arguments->bite,
-                   "run each without the safeguard it is about; exit code 0 where all of them are missed then");
   command.add_option("--table", arguments->table, "write what cases there are as Markdown, and run none")
       ->check(not_empty());
   command.add_flag("--quiet", arguments->quiet, "no progress");

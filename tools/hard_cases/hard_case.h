@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
-#include "genu/core/safeguards.h"
 #include "genu/core/types.h"
 #include "genu/mesh_care/mesh_damage.h"
 
@@ -41,10 +40,10 @@ struct MeshRecipe {
 };
 
 struct Expectation {
-  std::string why;     ///< one sentence: why it is hard
-  std::string source;  ///< where the expected numbers come from
-  std::optional<Safeguard> safeguard;
-  std::string cannot_switch;  ///< why no safeguard can be switched off
+  std::string why;            ///< one sentence: why it is hard
+  std::string source;         ///< where the expected numbers come from
+  std::string safeguard;      ///< mutants/NAME.patch takes it out; empty: none can be
+  std::string cannot_switch;  ///< why not
   std::string shortcoming;    ///< what genu still owes here; then the expectation is what it does
   int exit_code = 0;
   std::vector<std::pair<std::string, int>> statuses;  ///< how many rows of each; nothing said where empty
@@ -64,7 +63,8 @@ struct HardCase {
   Expectation expected;
 };
 
-/// Everything that is wrong with it is said in `out`.
+/// Reads CATALOGUE/FAMILY/NAME.expect.toml. Reports every error in `out`; a safeguard without a patch in
+/// CATALOGUE/mutants is one.
 std::optional<Expectation> read_expectation(const std::string& path, Diagnostics& out);
 
 /// The cases of a folder FAMILY/NAME.toml, sorted by family and name.

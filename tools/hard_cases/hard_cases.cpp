@@ -36,13 +36,6 @@ std::string lay_out(const HardCase& hard_case, const std::string& shapes_folder,
   return {};
 }
 
-Safeguards safeguards_for(const HardCase& hard_case, const HardCaseOptions& options) {
-  Safeguards all;
-  if (options.without) all.switch_off(*options.without);
-  if (options.without_own && hard_case.expected.safeguard) all.switch_off(*hard_case.expected.safeguard);
-  return all;
-}
-
 void note_work(const RunSummary& s, HardCaseOutcome& out) {
   out.iterations = work_of(s);
   out.worst_residual = s.motion ? s.motion->worst_residual : s.worst_residual;
@@ -70,7 +63,6 @@ HardCaseOutcome run_hard_case(const HardCase& hard_case, const std::string& shap
       return out;
     }
     RunOptions run;
-    run.safeguards = safeguards_for(hard_case, options);
     run.starts = hard_case.expected.starts;
     const double limit = hard_case.expected.limit;
     run.cancelled = [&timer, limit] { return timer.seconds() > limit; };
@@ -130,7 +122,7 @@ std::string to_markdown(const std::vector<HardCase>& cases) {
       out += fmt::format("\n## {}\n\n| case | why it is hard | it fails without |\n|---|---|---|\n", family);
     }
     const Expectation& e = c.expected;
-    const std::string guard = e.safeguard ? fmt::format("`{}`", to_string(*e.safeguard)) : "(" + e.cannot_switch + ")";
+    const std::string guard = e.safeguard.empty() ? "(" + e.cannot_switch + ")" : "`" + e.safeguard + "`";
     out += fmt::format("| [{}](../tests/hard_cases/{}/{}.toml){} | {}{} | {} |\n", c.name, c.family, c.name,
                        e.takes_long ? " (`--long`)" : "", e.why,
                        e.shortcoming.empty() ? "" : " **Known shortcoming:** " + e.shortcoming, guard);

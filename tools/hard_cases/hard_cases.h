@@ -12,8 +12,6 @@ namespace genu {
 
 struct HardCaseOptions {
   std::optional<std::string> folder;  ///< of the results, FAMILY/NAME each; empty: kept nowhere
-  std::optional<Safeguard> without;   ///< switched off in all of them
-  bool without_own = false;           ///< each case without the safeguard it is about
   std::function<void(int done, int all)> progress;
 };
 

@@ -126,13 +126,13 @@ void read_safeguard(ReadContext& context, Section& root, Expectation& out) {
   out.cannot_switch = read_string(context, root.find("cannot_switch")).value_or("");
   const Item item = root.find("safeguard");
   if (const auto name = read_string(context, item)) {
-    out.safeguard = safeguard_named(*name);
-    if (!out.safeguard) refuse(context, item, "is no safeguard (src/genu/core/safeguards.h lists them)");
+    out.safeguard = *name;
+    std::error_code failed;
+    const fs::path patch = (context.folder / ".." / "mutants" / (*name + ".patch")).lexically_normal();
+    if (!fs::is_regular_file(patch, failed)) refuse(context, item, "has no patch: " + patch.string() + " is missing");
   }
   if (!item && out.cannot_switch.empty())
-    root.error("safeguard",
-               "name the safeguard this case is about, or say why none can be switched off "
-               "(cannot_switch)");
+    root.error("safeguard", "name the safeguard this case is about, or say why none can be taken out (cannot_switch)");
 }
 
 }  // namespace

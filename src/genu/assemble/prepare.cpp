@@ -163,7 +163,7 @@ std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace
 
 std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, const SurfaceDef& def, bool facets,
                                                   MeshLibrary& meshes, SurfaceNote& note, double& read_seconds,
-                                                  const Safeguards& safeguards, Diagnostics& out) {
+                                                  Diagnostics& out) {
   Diagnostics found;
   std::shared_ptr<BlendSurface> surface;
   std::optional<Mesh> mesh;
@@ -173,11 +173,11 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
     mesh = meshes.read(def.file, def.file_unit, found);
     if (mesh) {
       note.mesh = check_mesh(*mesh);
-      if (safeguards.has(Safeguard::scale_doubts)) check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
-      if (safeguards.has(Safeguard::winding)) make_winding_consistent(*mesh, mesh_edges(*mesh));
+      check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
+      make_winding_consistent(*mesh, mesh_edges(*mesh));
       warn_inside_out(*mesh, *note.mesh, def, found);
-      if (safeguards.has(Safeguard::flaws)) doubtful = set_flaws_apart(*mesh, def, found);
-      if (safeguards.has(Safeguard::winding)) warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
+      doubtful = set_flaws_apart(*mesh, def, found);
+      warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
       move_to_body(def, *mesh);
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
@@ -187,10 +187,8 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
     add_at(scene, def, found, out);
     return as_triangles(std::move(*mesh), std::move(doubtful), note);
   }
-  std::optional<double> fit_radius = def.fit_radius;
-  if (mesh && !fit_radius && safeguards.lacks(Safeguard::noise)) fit_radius = 3 * note.mesh->edge_length[2];
   if (mesh && !found.has_errors())
-    surface = BlendSurface::build(std::move(*mesh), {fit_radius, def.degree}, def.file, found);
+    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
   if (surface) {
     note.text = describe(*note.mesh, surface->facts());
     surface->set_doubtful(std::move(doubtful));
@@ -226,7 +224,7 @@ void check_patch(const PlacedScene& scene, const SurfaceDef& def, const Surface*
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& scene, MeshLibrary& meshes,
                                                            std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
-                                                           Diagnostics& out, const Safeguards& safeguards) {
+                                                           Diagnostics& out) {
   std::vector<std::shared_ptr<const Surface>> surfaces;
   double read = 0;
   const Timer timer;
@@ -234,8 +232,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
     const SurfaceDef& def = scene.surfaces[i];
     SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
     if (def.shape == SurfaceDef::Shape::mesh)
-      surfaces.push_back(
-          build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, safeguards, out));
+      surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, out));
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
@@ -298,30 +295,27 @@ std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
 
 }  // namespace
 
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
   const Timer timer;
   auto meshes = std::make_shared<MeshLibrary>();
-  auto scene = read_scene(path, meshes->files(), out, safeguards);
+  auto scene = read_scene(path, meshes->files(), out);
   if (!scene) return std::nullopt;
   const double reading = timer.seconds();
-  auto prepared = prepare(std::move(*scene), std::move(meshes), out, safeguards);
+  auto prepared = prepare(std::move(*scene), std::move(meshes), out);
   if (prepared) prepared->seconds.front().second += reading;
   return prepared;
 }
 
-std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out,
-                                const Safeguards& safeguards) {
+std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out) {
   Prepared p;
   const Timer timer;
   p.source = std::move(scene);
   p.meshes = std::move(meshes);
-  std::vector<Vec3> origins(p.source.bodies.size(), Vec3::Zero());
-  if (safeguards.has(Safeguard::centring))
-    origins = choose_origins(p.source, [&](const SurfaceDef& def) { return middle_of_mesh(*p.meshes, def); });
+  const auto origins = choose_origins(p.source, [&](const SurfaceDef& def) { return middle_of_mesh(*p.meshes, def); });
   p.scene = place(p.source, origins);
   p.seconds.emplace_back("reading scene", timer.seconds());
-  p.surfaces = build_surfaces(p.scene, *p.meshes, p.notes, p.seconds, out, safeguards);
-  if (safeguards.has(Safeguard::flat_pairs)) refuse_flat_pairs(p, out);
+  p.surfaces = build_surfaces(p.scene, *p.meshes, p.notes, p.seconds, out);
+  refuse_flat_pairs(p, out);
   p.bones = read_bones(p.scene, *p.meshes, out);
   p.bodies = read_solids(p.source, *p.meshes, out);
   p.scene = place(p.source, origins);
@@ -330,9 +324,6 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
   warn_thin(p, out);
-  p.model.safeguards = safeguards;
-  if (safeguards.lacks(Safeguard::force_scale)) p.model.scales.force = 1;
-  if (safeguards.lacks(Safeguard::length_scale)) p.model.scales.length = p.model.scales.size = 0.01;
   p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
   return p;

@@ -40,14 +40,12 @@ struct Prepared {
   std::shared_ptr<const ContactField> search;  ///< shared with other numbers (with_numbers.h); null: not shared
 };
 
-/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well. Each
-/// file is opened once. Tests may leave out `safeguards`.
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out, const Safeguards& safeguards = {});
+/// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well.
+std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
 
 /// The same of a scene in memory, as read_scene() or parse_scene() gives it, changed or not. Its meshes come from
 /// `meshes`: files, or meshes in memory under the names that the scene has for files (MeshLibrary::put()).
-std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out,
-                                const Safeguards& safeguards = {});
+std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out);
 
 /// What a summary of anything done with a scene begins with: names, scales, surfaces and the time taken until now.
 RunSummary begin_summary(const Prepared& prepared);
@@ -56,6 +54,6 @@ RunSummary begin_summary(const Prepared& prepared);
 std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& scene, MeshLibrary& meshes,
                                                            std::vector<SurfaceNote>& notes,
                                                            std::vector<std::pair<std::string, double>>& seconds,
-                                                           Diagnostics& out, const Safeguards& safeguards = {});
+                                                           Diagnostics& out);
 
 }  // namespace genu

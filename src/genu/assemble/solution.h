@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "genu/core/cancelled.h"
-#include "genu/core/safeguards.h"
 #include "genu/motion/motion.h"
 #include "genu/path/path_options.h"
 #include "genu/path/starts.h"
@@ -72,7 +71,6 @@ struct RunOptions {
   bool keep_partial = false;  ///< for solve(): where memory ends, what was found before is an answer; else it throws
   bool keep_rest = false;     ///< for solve(): Solution::rest is wanted
   std::string from;           ///< for solve(): a Solution::rest to begin with, in the place of the reference pose
-  Safeguards safeguards;      ///< all of them, but in tests of what each is good for
 };
 
 }  // namespace genu

@@ -23,7 +23,6 @@ std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector
   changed.scene = place(changed.source, prepared.scene.origins);
   auto model = build_model(changed.scene, changed.surfaces, out, changed.bones, {&prepared.scene, &prepared.model});
   if (!model) return std::nullopt;
-  model->safeguards = prepared.model.safeguards;
   model->meter = std::make_shared<EffectMeter>();
   changed.model = std::move(*model);
   changed.steps = plan_steps(changed.scene);

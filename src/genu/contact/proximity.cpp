@@ -44,7 +44,6 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
       queried_(samples_second(a, b) ? &a : &b),
       sampled_(samples_second(a, b) ? &b : &a),
       samples_b_(samples_second(a, b)),
-      safeguards_(options.safeguards),
       spacing_(options.spacing),
       far_(*queried_, options.spacing, samples_b_ ? options.centre_a : options.centre_b, options.reach),
       reserve_(0.5 * options.spacing),
@@ -153,13 +152,12 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
     if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
     if (direction != nullptr) *direction = foot.n;
     const bool same_way = foot.n.dot(normal) > kSameWayCosine, beyond = queried_->edge_distance(foot.p) < 0;
-    if (same_way && !beyond && std::abs(*gap) <= kShallowOverlap * spacing_ && safeguards_.has(Safeguard::swallowed))
+    if (same_way && !beyond && std::abs(*gap) <= kShallowOverlap * spacing_)
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: usually no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
     return *gap;
   }
-  if (safeguards_.lacks(Safeguard::far_side)) return kInfinity;
   const FarDistance::Nearest nearest = far_.nearest(x);
   memory.clearance = far_clearance(nearest, 0, false);
   if (direction != nullptr) *direction = nearest.direction;
@@ -263,7 +261,6 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
 }
 
 void Proximity::find_rims(const Pose& X_qs, ProximityScan& out) {
-  if (safeguards_.lacks(Safeguard::rims)) return;
   rims_.clear();
   if (!rim_of_sampled_.empty()) rim_of_sampled_.scan(X_qs, rims_);
   const std::size_t of_sampled = rims_.size();
@@ -286,7 +283,7 @@ void Proximity::scan(const Pose& X_ab, double window, ProximityScan& out) {
       deepest = sample;
     }
   }
-  out.swallowed = safeguards_.has(Safeguard::swallowed) ? swallowed_->deepest(X_qs.inverse()).gap : 0;
+  out.swallowed = swallowed_->deepest(X_qs.inverse()).gap;
   find_minima(X_qs, window, out);
   find_rims(X_qs, out);
   auto by_gap = [](const LocalMinimum& x, const LocalMinimum& y) { return x.gap < y.gap; };
@@ -303,7 +300,7 @@ double Proximity::smallest_sample_gap(const Pose& X_ab) {
   double smallest = kInfinity;
   const Pose X_qs = query_from_samples(X_ab);
   visit_near(X_qs, 0, [&](int sample) { smallest = std::min(smallest, sample_gap(X_qs, sample, nullptr)); });
-  const double swallowed = safeguards_.has(Safeguard::swallowed) ? swallowed_->deepest(X_qs.inverse()).gap : 0;
+  const double swallowed = swallowed_->deepest(X_qs.inverse()).gap;
   return swallowed < 0 ? std::min(smallest, swallowed) : smallest;
 }
 

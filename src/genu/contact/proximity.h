@@ -16,7 +16,6 @@
 #include "genu/contact/rim.h"
 #include "genu/contact/sample_tree.h"
 #include "genu/contact/swallowed.h"
-#include "genu/core/safeguards.h"
 
 namespace genu {
 
@@ -45,7 +44,6 @@ class Proximity {
     double reach = 0.1;
     Vec3 centre_a = Vec3::Zero();  ///< m: location of the joint, in the frame of a's body
     Vec3 centre_b = Vec3::Zero();  ///< the same in b's
-    Safeguards safeguards = {};
   };
   /// Copies share what was prepared of the surfaces.
   Proximity(const Surface& a, const Surface& b, const Options& options);
@@ -118,7 +116,6 @@ class Proximity {
   const Surface* queried_;
   const Surface* sampled_;
   bool samples_b_;
-  Safeguards safeguards_;
   double spacing_;
   FarDistance far_;
   double reserve_;  // m: largest distance of facets from the smooth surface

@@ -1,7 +1,6 @@
 #include "genu/equilibrium/active_set.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "genu/equilibrium/force_guess.h"
@@ -50,12 +49,11 @@ const char* to_string(PoseStatus status) {
 ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, const NewtonOptions& options)
     : model_(&model), field_(&field), options_(options), newton_(model), inspector_(model, field) {
   // For contact points far from the world's origin, rounding limits the accuracy of a closed gap.
-  if (!model.pairs.empty() && model.safeguards.has(Safeguard::gap_rounding))
+  if (!model.pairs.empty())
     options_.residual_floor = std::max(options_.residual_floor, inspector_.gap_tolerance() / model.scales.length);
 }
 
 int ActiveSetSolver::contact_limit(const Target& target) const {
-  if (model_->safeguards.lacks(Safeguard::contact_limit)) return std::numeric_limits<int>::max();
   return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
 }
 
@@ -65,7 +63,7 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
   report.iterations = newton.iterations;
   report.certificate = inspector_.certify(state, newton.residual);
   report.status = PoseStatus::ok;
-  if (report.certificate.least_opposed > 0 && model_->safeguards.has(Safeguard::opposed)) {
+  if (report.certificate.least_opposed > 0) {
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
@@ -223,8 +221,7 @@ PoseReport ActiveSetSolver::settle_without_one(Balanced& pose, const Balanced& f
                                                const PoseReport& failure) {
   // Contacts that exclude each other (the two feet of a stool with prescribed tilt) make the Jacobian singular. One of
   // them must be released before the other can close.
-  if (model_->safeguards.lacks(Safeguard::without_one) || failure.newton.full_rank || failed.state.contacts.size() < 2)
-    return failure;
+  if (failure.newton.full_rank || failed.state.contacts.size() < 2) return failure;
   int iterations = failure.iterations;
   for (int i = 0; i < static_cast<int>(failed.state.contacts.size()); ++i) {
     Balanced trial = failed;
@@ -278,7 +275,6 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
   // Newton's method sees only surfaces in contact: from above a thin sheet it may find a pose below. On the straight
   // way between the two poses the bodies then overlap, although they do so at neither end. A body that rolls over
   // another also overlaps on that way, but only a little.
-  if (model_->safeguards.lacks(Safeguard::passing)) return false;
   const double step = 2 * field_->spacing(),
                shallow = followed ? step : std::max(step, kPassingOverlap * model_->scales.length);
   for (int pair = 0; pair < static_cast<int>(model_->pairs.size()); ++pair) {
@@ -305,7 +301,7 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   const double touching = 0.05 * field_->spacing();
   close_touching(trial, target, touching);
   PoseReport report = settle(trial, target);
-  if (report.status == PoseStatus::no_equilibrium && model_->safeguards.has(Safeguard::force_guess)) {
+  if (report.status == PoseStatus::no_equilibrium) {
     // A contact without force has no stiffness along the surfaces, and Newton's method may diverge.
     trial = pose;
     close_touching(trial, target, touching);
@@ -319,7 +315,6 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
-  if (model_->safeguards.lacks(Safeguard::seed)) return report;
   // A contact at a flaw is no reason to stop here: the joint may come to rest at another place. A foundation too soft
   // for the forces lets a body pass through a thin surface, so stiffer ones follow. From far away Newton's method may
   // wander where descent converges. Long descent steps may leap over a rim that a body would slide into, so short ones
@@ -327,7 +322,6 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   PoseReport seeded;
   for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
                              SeedWay{.downhill = true, .stride = Stride::careful}}) {
-    if (way.downhill && model_->safeguards.lacks(Safeguard::downhill)) break;
     trial = pose;
     PoseReport tried = settle_from_seed(trial, target, way);
     tried.iterations += seeded.iterations;

@@ -34,7 +34,6 @@ bool same_place(const ContactGeometry& x, const ContactGeometry& y, double dista
 
 ContactInspector::ContactInspector(const JointModel& model, ContactField& field)
     : model_(&model), field_(&field), gap_tolerance_(1e-12 * model.scales.length) {
-  if (model.safeguards.lacks(Safeguard::gap_rounding)) return;
   for (const Pose& pose : model.reference_poses)
     gap_tolerance_ = std::max(gap_tolerance_, kGapRounding * (model.scales.length + pose.p.norm()));
 }
@@ -47,12 +46,11 @@ bool ContactInspector::held(const State& state, const Candidate& candidate) cons
 
 void ContactInspector::inspect(const State& state, Findings& out) {
   out = {};
-  const Safeguards& guards = model_->safeguards;
   inspect_held(state, out);
-  if (guards.has(Safeguard::merging)) look_for_merged(state, out);
-  if (guards.has(Safeguard::survey)) look_everywhere(state, out);
-  if (!model_->layers.empty() && guards.has(Safeguard::buried)) look_for_buried(state, out);
-  if (field_->any_doubtful() && guards.has(Safeguard::flaws)) look_for_doubt(state, out);
+  look_for_merged(state, out);
+  look_everywhere(state, out);
+  if (!model_->layers.empty()) look_for_buried(state, out);
+  if (field_->any_doubtful()) look_for_doubt(state, out);
   for (const Candidate& c : out.overlapping) out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
   std::stable_sort(out.overlapping.begin(), out.overlapping.end(),
                    [](const Candidate& x, const Candidate& y) { return x.minimum.gap < y.minimum.gap; });
@@ -87,19 +85,16 @@ void ContactInspector::look_for_doubt(const State& state, Findings& out) {
 }
 
 void ContactInspector::inspect_held(const State& state, Findings& out) {
-  const Safeguards& guards = model_->safeguards;
   for (int i = 0; i < static_cast<int>(state.contacts.size()); ++i) {
     const ActiveContact& contact = state.contacts[at(i)];
     const double scaled = contact.force / model_->scales.force;
-    if (guards.has(Safeguard::pulling)) {
-      out.worst = std::min(out.worst, scaled);
-      if (scaled < -kPullTolerance) out.pulling.push_back(i);
-    }
-    if (guards.has(Safeguard::edges) && field_->edge_distance(contact.pair, contact.geometry) < 0) {
+    out.worst = std::min(out.worst, scaled);
+    if (scaled < -kPullTolerance) out.pulling.push_back(i);
+    if (field_->edge_distance(contact.pair, contact.geometry) < 0) {
       out.over_edge = true;
       out.where = fmt::format("{}.{}", model_->pairs[at(contact.pair)].name, contact.number);
     }
-    if (guards.has(Safeguard::probes)) look_beside(state, i, out);
+    look_beside(state, i, out);
   }
   std::sort(out.pulling.begin(), out.pulling.end(),
             [&](int i, int j) { return state.contacts[at(i)].force < state.contacts[at(j)].force; });
@@ -150,7 +145,6 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
   }
   for (const Candidate& c : survey_.edges) {
     if (!(c.minimum.gap < -gap_tolerance_) || held(state, c)) continue;
-    if (model_->safeguards.lacks(Safeguard::edges)) continue;
     explained[at(c.pair)] = std::min(explained[at(c.pair)], c.minimum.gap);
     out.worst = std::min(out.worst, c.minimum.gap / model_->scales.length);
     if (std::isfinite(field_->edge_distance(c.pair, c.minimum.contact))) {
@@ -161,7 +155,6 @@ void ContactInspector::look_everywhere(const State& state, Findings& out) {
       out.where = fmt::format("{} by {:.3g} mm", model_->pairs[at(c.pair)].name, -1e3 * c.minimum.gap);
     }
   }
-  if (model_->safeguards.lacks(Safeguard::unexplained)) return;
   for (std::size_t pair = 0; pair < survey_.smallest_gap.size(); ++pair) {
     if (survey_.smallest_gap[pair] >= explained[pair] - kUnexplainedOverlap * model_->scales.length) continue;
     out.deep_overlap = true;

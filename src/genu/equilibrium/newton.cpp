@@ -37,7 +37,6 @@ void NewtonReport::remember(double next, bool simplified) {
 
 double Newton::admissible_fraction(const Correction& correction, const NewtonOptions& options) const {
   double excess = 1;
-  if (model_->safeguards.lacks(Safeguard::step_caps)) return 1;
   const double size = model_->scales.size;
   for (Eigen::Index i = 0; i < correction.twist.size(); i += 6) {
     excess = std::max(excess, correction.twist.segment<3>(i).norm() / (options.max_translation * size));
@@ -101,7 +100,7 @@ bool Newton::advance(const NewtonOptions& options, double& residual, NewtonRepor
     if (!std::isfinite(next)) continue;
     // Accept: converged, below the floor where rounding dominates, or monotone in the natural level function.
     if (next <= options.residual_tolerance || (next <= options.residual_floor && next <= residual) ||
-        model_->safeguards.lacks(Safeguard::monotonicity) || simplified_norm() <= (1 - damping / 4) * full) {
+        simplified_norm() <= (1 - damping / 4) * full) {
       std::swap(current_, trial_);
       std::swap(here_, there_);
       residual = next;
@@ -186,7 +185,6 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
 /// of 1 mN passes for balanced, however soft the part that carries it. The next correction measures the error.
 void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
   const double error = std::max(kMinPolishError, kPolishOfTolerance * options.residual_tolerance);
-  if (model_->safeguards.lacks(Safeguard::polish)) return;
   for (; report.iterations < options.max_iterations; ++report.iterations) {
     const double residual = report.residual;
     if (residual <= kResidualRounding || residual <= error * report.rcond) return;

@@ -27,9 +27,7 @@ class NewtonStep {
  public:
   enum class Route { automatic, dense, eliminated };
 
-  explicit NewtonStep(const JointModel& model) : model_(&model) {
-    solver_.allow_minimum_norm(model.safeguards.has(Safeguard::minimum_norm));
-  }
+  explicit NewtonStep(const JointModel& model) : model_(&model) {}
 
   /// Factors the Jacobian of `at`. False where it is not finite, or where `route` is eliminated and a contact block is
   /// singular.

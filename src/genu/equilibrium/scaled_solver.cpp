@@ -19,7 +19,7 @@ bool ScaledSolver::factor(const MatX& matrix) {
   // A pivot of exactly zero makes rcond() meaningless.
   const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
   rcond_ = smallest > 0 ? lu_.rcond() : 0;
-  if (rcond_ > kTrustLu || !minimum_norm_allowed_) return true;
+  if (rcond_ > kTrustLu) return true;
   minimum_norm_ = true;
   cod_.setThreshold(kRankThreshold);
   cod_.compute(matrix);

@@ -13,9 +13,6 @@ namespace genu {
 
 class ScaledSolver {
  public:
-  /// Without: LU alone, however bad the condition.
-  void allow_minimum_norm(bool allowed) { minimum_norm_allowed_ = allowed; }
-
   /// Factors a square matrix. False when an entry is not finite.
   bool factor(const MatX& matrix);
   void solve(const VecX& rhs, VecX& x) const;
@@ -32,7 +29,7 @@ class ScaledSolver {
   Eigen::CompleteOrthogonalDecomposition<MatX> cod_;
   double rcond_ = 0;
   Eigen::Index rank_ = 0;
-  bool minimum_norm_ = false, surely_regular_ = false, minimum_norm_allowed_ = true;
+  bool minimum_norm_ = false, surely_regular_ = false;
 };
 
 }  // namespace genu

@@ -42,14 +42,12 @@ Stability stability_of(ActiveSetSolver& solver, const Balanced& pose, const Pose
   Linearization at;
   linearize(model, pose.state, target, at);
   Stability out = assess_stability(at, model.scales.length);
-  if (model.safeguards.has(Safeguard::uniqueness))
-    look_at_what_touches(solver, pose, report, target, at.layer_loads, out);
+  look_at_what_touches(solver, pose, report, target, at.layer_loads, out);
   return out;
 }
 
 bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   const JointModel& model = solver.model();
-  if (model.safeguards.lacks(Safeguard::uniqueness)) return true;
   look_at_what_touches(solver, point.pose, point.report, point.target, solver.newton().linearization().layer_loads,
                        point.stability);
   find_self_stress(solver, point.target, point.report.certificate, point.pose, point.stability);

@@ -5,9 +5,8 @@
 
 namespace genu {
 
-/// Examines a solved pose and its stability. Where the pose or its forces are not unique: false, with
-/// PoseStatus::undetermined, the reason, and PosePoint::undetermined. Without Safeguard::uniqueness it returns true at
-/// once. `solver` has solved that pose or one beside it.
+/// Looks at a solved pose and its stability; where it or its forces are not determined, PoseStatus::undetermined, why,
+/// and what (PosePoint::undetermined). False then. `solver` is where it has solved that pose, or one beside it.
 bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point);
 
 /// Stability of a solved pose, unilateral parts included.

@@ -73,7 +73,6 @@ Proximity ContactField::proximity_of(const Meeting& surfaces, const Proximity* p
   options.reach = kSamplingReach * model_->scales.length;
   options.centre_a = model_->reference_poses[at(surfaces.body_a)].inverse() * centre;
   options.centre_b = model_->reference_poses[at(surfaces.body_b)].inverse() * centre;
-  options.safeguards = model_->safeguards;
   if (prepared == nullptr || !prepared->is_of(*surfaces.a, *surfaces.b, options))
     return {*surfaces.a, *surfaces.b, options};
   Proximity shared = *prepared;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
-#include "genu/core/safeguards.h"
 #include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
@@ -105,7 +104,6 @@ struct JointModel {
   Scales scales;
   /// Counts evaluations if a run asks for it. Shared by copies of the model, not by threads.
   std::shared_ptr<EffectMeter> meter;
-  Safeguards safeguards;  ///< all of them, except in tests of single ones
 };
 
 /// Calls add(coordinate, factor) for each term of a prescribed quantity.

@@ -27,7 +27,6 @@ bool jumps(const LigamentLaw& law) {
 
 void reset_pieces(const JointModel& model, State& state) {
   state.pieces.clear();
-  if (model.safeguards.lacks(Safeguard::sharp_breaks)) return;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
     if (l.law.sharp_breaks().empty()) continue;

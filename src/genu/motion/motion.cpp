@@ -68,7 +68,7 @@ std::vector<double> stops_of(const JointModel& model, double duration) {
   std::vector<double> stops;
   for (const LoadScale* course : courses_of(model))
     for (const double t : course->nonsmooth_points_in_time())
-      if (t > 0 && t < duration && model.safeguards.has(Safeguard::kinks)) stops.push_back(t);
+      if (t > 0 && t < duration) stops.push_back(t);
   stops.push_back(duration);
   std::sort(stops.begin(), stops.end());
   stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
@@ -126,8 +126,7 @@ class Motion {
     now_.acceleration.setZero(now_.twist.size());
     switches_.settle(now_, equations_.pieces(), equations_.modes());
     now_.state.pieces = equations_.pieces().pieces;
-    if (model_.safeguards.has(Safeguard::massless) && equations_.massless(now_))
-      return "the bodies have no mass or no inertia against a motion that is free";
+    if (equations_.massless(now_)) return "the bodies have no mass or no inertia against a motion that is free";
     if (!contacts_) return {};
     do {
       if (!contacts_->begin(now_, why)) return why;
@@ -251,7 +250,6 @@ class Motion {
 
   /// Whether steps are too short to reach the end.
   bool creeps() {
-    if (model_.safeguards.lacks(Safeguard::headway)) return false;
     if (++taken_ % kHeadwayLooks != 0) return false;
     const double headway = now_.time - looked_at_;
     looked_at_ = now_.time;
@@ -305,7 +303,6 @@ class Motion {
 
   /// Whether Adams' steps are limited by stability; then BDF takes over.
   bool found_stiff() {
-    if (model_.safeguards.lacks(Safeguard::stiffness)) return false;
     if (method_ == OdeMethod::bdf || ++steps_ % kStiffnessLooks != 0) return false;
     if (integrator_.last_step() * integrator_.fastest_decay() < kStabilityBound) return false;
     method_ = OdeMethod::bdf;

@@ -276,7 +276,6 @@ bool MotionContacts::is_located(const Change& change) const {
 MotionContacts::Change MotionContacts::first_seen(const MotionPoint& from, const MotionPoint& to,
                                                   const PointAt& point_at) {
   Change change = look(from, to, point_at);
-  if (model_.safeguards.lacks(Safeguard::landing)) return change;
   MotionPoint before = from, after = to, middle;
   for (int k = 0; k < kMaxHalvings && change.kind != Change::Kind::none && !is_located(change); ++k) {
     const double t = 0.5 * (before.time + after.time);
@@ -301,8 +300,7 @@ MotionContacts::Change MotionContacts::look(const MotionPoint& from, const Motio
     const auto gap = [&](const MotionPoint& p) { return opening_of(model_, c, p).gap; };
     const double shift = gap(from) > 0 ? 0 : touching_;  // a contact just opened may have a negative gap by rounding
     const auto value = [&](const MotionPoint& p) { return gap(p) + shift; };
-    const bool located = model_.safeguards.has(Safeguard::landing);
-    Change closes{Change::Kind::closes, 0, {c}, located ? locate(from, to, point_at, value, 1e-3 * touching_) : to, {}};
+    Change closes{Change::Kind::closes, 0, {c}, locate(from, to, point_at, value, 1e-3 * touching_), {}};
     if (!is_located(closes)) return closes;  // earlier than any other known change
     consider(std::move(closes));
   }

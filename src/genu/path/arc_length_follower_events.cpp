@@ -55,7 +55,7 @@ void ArcLengthFollower::hand_over(Feature& row) {
 bool ArcLengthFollower::may_hide_turns(double arc, const Point& next) const {
   // t over the substep as the cubic of its values and rates. Where that all but stands still between two ends that move
   // on, t may turn back and forth there.
-  if (solver_.model().safeguards.lacks(Safeguard::limit_points) || arc <= kMinTurnArc) return false;
+  if (arc <= kMinTurnArc) return false;
   const double a = here_.at.direction.parameter, b = next.at.direction.parameter;
   const double mean = (next.at.t - here_.at.t) / arc, bend = 3 * a + 3 * b - 6 * mean;
   if (a * b <= 0 || a * bend <= 0) return false;
@@ -94,7 +94,6 @@ bool ArcLengthFollower::find_features(double arc, const Point& next, std::vector
 }
 
 bool ArcLengthFollower::add_stability(double arc, const Point& next, double turned, std::vector<Feature>& out) {
-  if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   const std::string verdict = to_string(next.stability.verdict);
   if (next.stability.complex_pair && !here_.stability.complex_pair) {
     const Measure complex = [](const Point& p) { return p.stability.complex_pair ? 1.0 : -1.0; };
@@ -244,7 +243,6 @@ bool ArcLengthFollower::settle_on(double t, Point& point) {
 }
 
 bool ArcLengthFollower::closes(const Point& point) const {
-  if (solver_.model().safeguards.lacks(Safeguard::closing)) return false;
   return substeps_ > 0 && distance(solver_.model(), point.at.pose.state, start_.at.pose.state) < kLoopClosed &&
          newton_.product(point.at.direction, start_.at.direction) > 0;
 }

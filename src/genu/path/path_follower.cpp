@@ -110,7 +110,6 @@ PathFollower::Attempt PathFollower::attempt(double t) {
 }
 
 bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // Beyond a limit point, on another branch, the bodies soon move as slowly as before it. A step across which the speed
   // changes by more than kRatio is halved; a very short one is accepted, because a nonsmooth point of a law changes the
   // speed too. Past two neighbouring limit points both prediction and speed may agree by chance. With this ratio one of
@@ -121,7 +120,6 @@ bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
 }
 
 bool PathFollower::far_from_predicted(const Attempt& attempt) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // On one branch the error of the tangent is of second order in the step. A step whose error exceeds half of it is
   // halved.
   return distance(solver_.model(), attempt.predicted, attempt.pose.state) >
@@ -129,7 +127,6 @@ bool PathFollower::far_from_predicted(const Attempt& attempt) const {
 }
 
 bool PathFollower::jumped(const State& state, double h) const {
-  if (solver_.model().safeguards.lacks(Safeguard::branch)) return false;
   // A pose much farther away than the tangent predicts lies on another branch.
   return distance(solver_.model(), pose_.state, state) >
          std::min(kMotionFactor * h * path_speed(solver_.model(), tangent_.motion), kLongestMotion) + kMotionSlack;
@@ -191,7 +188,7 @@ bool PathFollower::events_without_end() {
 bool PathFollower::pass_event(double t, Attempt violated) {
   constexpr double kNoSide = std::numeric_limits<double>::infinity();
   Bracket bracket(t_, inside_, t, violated.findings.worst, options_.event_tolerance);
-  while (bracket.open() && solver_.model().safeguards.has(Safeguard::event_location)) {
+  while (bracket.open()) {
     // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
     const double worst_there = violated.findings.worst;
     if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
@@ -290,7 +287,6 @@ bool PathFollower::step_over(double window) {
   const double from = t_;
   // A gap without solution is plausible only where contacts change; elsewhere its start is a limit point. A path with
   // too many gaps is given up.
-  if (solver_.model().safeguards.lacks(Safeguard::step_over)) return false;
   if (pose_.state.contacts.empty() || ++stepped_over_ > kMaxSteppedOver) return false;
   snap_ = {0, 0};
   // Where a contact splits, its two halves separate a millionth of a degree later: start that close.
@@ -342,7 +338,6 @@ bool PathFollower::snap_beyond(double window) {
 }
 
 bool PathFollower::turning_back() const {
-  if (solver_.model().safeguards.lacks(Safeguard::limit_points)) return false;
   // Toward a limit point the smallest eigenvalue goes to 0 as the square root of the distance. The path was followed to
   // a distance of the smallest increment.
   return std::isfinite(stability().smallest) && std::abs(stability().smallest) < kVanishingStiffness * stiffest_seen_;

@@ -47,7 +47,6 @@ PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, c
 }
 
 bool PathFollower::find_stability_change(double t, const State& next, std::vector<Turn>& turns) {
-  if (solver_.model().safeguards.lacks(Safeguard::bifurcations)) return true;
   const char* verdict = to_string(next_.stability.verdict);
   const double before = stability().smallest, after = next_.stability.smallest;
   // The sign of a neutral stiffness is rounding. A step may end at a bifurcation; the next step reports it.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
-#include "genu/core/safeguards.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -27,7 +26,6 @@ struct ReadContext {
   bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
   bool in_motion = false;  ///< the scene has [dynamics]
-  Safeguards safeguards = {};
 
   void error(SourceLocation where, std::string key, std::string found, std::string rule) {
     out.add({.file = file,

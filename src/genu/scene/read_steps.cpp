@@ -63,7 +63,6 @@ void read_factors(ReadContext& context, const Item& item, StepDef& step) {
 /// Dortmans: with B moving bodies, M prescribed coordinates and N rigid contacts must leave a freedom, M + N < 6 B;
 /// what joints hold counts as prescribed.
 void check_count(ReadContext& context, const Section& section, const StepDef& step) {
-  if (context.safeguards.lacks(Safeguard::freedom)) return;
   int moving = 0;
   for (const BodyDef& body : context.scene.bodies) moving += body.fixed ? 0 : 1;
   const int prescribed = static_cast<int>(step.prescribe.size());

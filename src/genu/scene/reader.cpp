@@ -118,8 +118,7 @@ std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out)
 
 }  // namespace
 
-std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out,
-                                 const Safeguards& safeguards) {
+std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
   const std::optional<TomlNode> document = parse_document(text, path, out);
   if (!document) return std::nullopt;
 
@@ -127,7 +126,6 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   Scene scene;
   scene.file = path;
   ReadContext context(path, found, scene);
-  context.safeguards = safeguards;
   Section root(context, {&*document, ""}, "a scene");
   context.in_motion = root.has("dynamics");
   read_header(context, root);
@@ -146,16 +144,15 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   return finished(std::move(scene), found, out);
 }
 
-std::optional<Scene> read_scene(const std::string& path, Diagnostics& out, const Safeguards& safeguards) {
+std::optional<Scene> read_scene(const std::string& path, Diagnostics& out) {
   InputFiles files;
-  return read_scene(path, files, out, safeguards);
+  return read_scene(path, files, out);
 }
 
-std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out,
-                                const Safeguards& safeguards) {
+std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out) {
   const auto text = read_text(path, files, out);
   if (!text) return std::nullopt;
-  return parse_scene(*text, path, out, safeguards);
+  return parse_scene(*text, path, out);
 }
 
 std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out) {

@@ -42,7 +42,6 @@ int impacts(const std::vector<PathEvent>& events) {
 
 /// Whether energies balance as far as can be expected: elastic layers sum forces to a relative error only.
 bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
-  if (prepared.model.safeguards.lacks(Safeguard::energy_balance)) return true;
   double allowed = std::max(kMinEnergyError, kEnergyOfTolerance * m.tolerance);
   if (!prepared.model.layers.empty()) allowed = std::max(allowed, kLayerEnergyError);
   const JointModel::Scales& scales = prepared.model.scales;

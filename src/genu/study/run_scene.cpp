@@ -75,7 +75,6 @@ std::string write_results(const std::string& folder, const Prepared& prepared, c
 }
 
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out) {
-  if (prepared.model.safeguards.lacks(Safeguard::start_overlap)) return true;
   const State start = start_state(prepared.model);
   bool good = true;
   for (std::size_t pair = 0; pair < prepared.model.pairs.size(); ++pair) {
@@ -175,8 +174,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
 }
 
 std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
-                                    const std::vector<std::string>& inputs, const Safeguards& safeguards) {
-  if (!folder) return prepare(path, out, safeguards);
+                                    const std::vector<std::string>& inputs) {
+  if (!folder) return prepare(path, out);
   {
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe("results");
@@ -194,7 +193,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
     out.error(*folder, "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
-  auto prepared = prepare(path, out, safeguards);
+  auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
   for (const std::string& file : mesh_files(prepared->scene)) {
     if (!folder_holds(*folder, file)) continue;

@@ -16,7 +16,7 @@ namespace genu {
 /// folder cannot be written or holds the input; without a `folder` nothing is to be written. `inputs`: other files that
 /// the folder must not hold.
 std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
-                                    const std::vector<std::string>& inputs = {}, const Safeguards& safeguards = {});
+                                    const std::vector<std::string>& inputs = {});
 
 /// Refuses what cannot be started (surfaces that overlap by more than 6 mm in the reference pose): said in `out`.
 bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);

@@ -149,7 +149,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
       out.add({.file = {}, .key = {}, .found = {}, .rule = kept});
       return kExitRefused;
     }
-  const auto prepared = prepare_run(path, folder, out, {}, options.safeguards);
+  const auto prepared = prepare_run(path, folder, out);
   if (!prepared) {
     if (!options.save_failure.empty()) save_failure(options.save_failure, path, nullptr, {}, options, out);
     return kExitRefused;
