@@ -1,17 +1,17 @@
-// node frames.mjs REPORT FOLDER [options]: a report.html's joint on its way there and back, as PNG frames that make a loop.
-//   --frames N       frames of the loop (60); those of the way back are those of the way there
-//   --seconds S      of the whole loop (6); slow at both ends
+// node frames.mjs REPORT FOLDER [options]: PNG frames of a joint that moves through the rows of its report.html and back.
+//   --frames N       most frames of the loop (60); the way back repeats those of the way there
+//   --seconds S      of the whole loop (6); the motion slows down at both ends
 //   --size WxH       CSS pixels (720x540)
-//   --from F,S,U     where the eye is: shares of the directions front, side and up (0.6,0.78,0.32)
-//   --opacity B=X,…  of bodies (as the page has them)
-//   --bones NAME,…   surfaces to paint as bones, beside those that the page knows as such
-// Prints what img2webp needs: file and milliseconds of each frame, in order.
+//   --from F,S,U     direction of the eye: components along front, side and up (0.6,0.78,0.32)
+//   --opacity B=X,…  0 to 1, of surfaces or bodies (default: as in the page)
+//   --bones NAME,…   surfaces to paint as bones, beside those that the page marks as bones
+// Prints the file and the milliseconds of each frame, in order, for img2webp.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { Browser } from "./browser.mjs";
 
-/** Rows and milliseconds of a loop over `rows` rows that rests at both ends: whole rows, each shown when its time comes. */
+/** Rows and milliseconds of a loop over rows 0 to rows - 1, along a cosine. Rows are whole, so each lasts as long as it should. */
 function loop(rows, frames, seconds) {
   const last = rows - 1, half = Math.max(Math.round(frames / 2), 1), there = new Set();
   for (let k = 0; k <= half; ++k) there.add(Math.round((last * (1 - Math.cos((Math.PI * k) / half))) / 2));
@@ -34,7 +34,8 @@ function stage({ from, opacity, bones }) {
     .view { position: fixed !important; inset: 0; height: 100vh !important; z-index: 100; background: #fff; }
     .compass { left: 0; bottom: 0; }
     .legends { right: 14px; bottom: 12px; font-size: 15px; }
-    #angle { position: absolute; left: 22px; top: 16px; font-size: 26px; font-weight: 600; color: #1c2329; font-variant-numeric: tabular-nums; }
+    #angle { position: absolute; left: 22px; top: 16px; font-size: 26px; font-weight: 600; color: #1c2329; }
+    #angle { font-variant-numeric: tabular-nums; }
     #angle span { font-size: 17px; font-weight: 400; color: #55616c; display: block; }`;
   document.head.append(style);
   view.renderer.setClearColor("#ffffff");
@@ -53,26 +54,27 @@ function stage({ from, opacity, bones }) {
     mesh.material.transparent = share < 1;
     mesh.material.depthWrite = share === 1;
     mesh.visible = share > 0;
-    mesh.renderOrder = share < 1 ? 2 : 0;
+    mesh.renderOrder = share === 1 ? 0 : bone ? 1 : 2;  // cartilage over bone
   }
-  const { up, front, side } = view.known, direction = front.clone().multiplyScalar(from[0]).addScaledVector(side, from[1]).addScaledVector(up, from[2]);
-  view.looked = { direction, up };
+  const { up, front, side } = view.known, direction = front.clone().multiplyScalar(from[0]);
+  view.looked = { direction: direction.addScaledVector(side, from[1]).addScaledVector(up, from[2]), up };
   view.resize();
 }
 
 function show(row) {
-  const { player, view, runs: [run] } = window.genu;
-  player.set(row);
+  const { view, runs: [run] } = window.genu;
+  view.show(row);  // without the curves, which nobody sees here
   const [, name, unit] = /^(.*) \[(.*)\]$/.exec(run.chart.x_title) ?? [null, run.chart.x_title, ""];
   const value = document.createElement("span");
   value.textContent = name.replace(/^.*\./, "");
-  document.getElementById("angle").replaceChildren(value, unit === "deg" ? `${Math.round(run.chart.x[row])}°` : `${run.chart.x[row].toFixed(2)} ${unit}`);
-  view.paintNow();
+  const x = run.chart.x[row], text = unit === "deg" ? `${Math.round(x)}°` : `${x.toFixed(2)} ${unit}`;
+  document.getElementById("angle").replaceChildren(value, text);
 }
 
 const { values: options, positionals: [report, folder] } = parseArgs({ allowPositionals: true, options: {
-  frames: { type: "string", default: "60" }, seconds: { type: "string", default: "6" }, size: { type: "string", default: "720x540" },
-  from: { type: "string", default: "0.6,0.78,0.32" }, opacity: { type: "string", default: "" }, bones: { type: "string", default: "" } } });
+  frames: { type: "string", default: "60" }, seconds: { type: "string", default: "6" },
+  size: { type: "string", default: "720x540" }, from: { type: "string", default: "0.6,0.78,0.32" },
+  opacity: { type: "string", default: "" }, bones: { type: "string", default: "" } } });
 const [width, height] = options.size.split("x").map(Number);
 const call = (f, argument) => `(${f})(${JSON.stringify(argument)})`;
 const browser = await Browser.start();
@@ -80,8 +82,8 @@ try {
   const page = await browser.open(report, { width, height });
   const rows = await page.evaluate("genu.runs[0].rows");
   if (rows < 2) throw new Error(`${report} has ${rows} row(s): nothing moves`);
-  await page.evaluate(call(stage, { from: options.from.split(",").map(Number), bones: options.bones.split(","),
-    opacity: Object.fromEntries(options.opacity.split(",").map((o) => o.split("=")).map(([name, share]) => [name, +share])) }));
+  const opacity = Object.fromEntries(options.opacity.split(",").map((o) => o.split("=")).map(([name, share]) => [name, +share]));
+  await page.evaluate(call(stage, { from: options.from.split(",").map(Number), bones: options.bones.split(","), opacity }));
   await page.settle();
   mkdirSync(folder, { recursive: true });
   const drawn = new Set();
