@@ -13,7 +13,7 @@
 namespace genu {
 namespace {
 
-/// Every kind of load, law and rest, in mm and in m.
+/// Every kind of load, law, rest and number of surfaces, in mm and in m.
 std::string scene_in_units(bool metres) {
   const auto l = [&](double mm) { return std::to_string(metres ? mm / 1000 : mm); };
   return std::string("format = 1\nunits = { length = \"") + (metres ? "m" : "mm") + R"(", angle = "deg" }
@@ -32,6 +32,17 @@ child = "link"
 axis = [0, 0, 1]
 stiffness = 0.5
 damping = 0.25
+limits = { from = -20, to = 30, stiffness = 4 }
+[surface.ring]
+body = "link"
+shape = "torus"
+major_radius = )" +
+         l(15) + "\nminor_radius = " + l(5) + "\norigin = [" + l(1) + ", " + l(2) + ", " + l(3) + R"(]
+[surface.bowl]
+body = "ground"
+shape = "polynomial"
+origin = [0, 0, )" +
+         l(-70) + "]\nterms = [[2, 0, " + (metres ? "10.0" : "0.01") + "], [0, 0, " + l(4) + R"(]]
 [ligament.a]
 from = { body = "ground", point = [)" +
          l(50) + ", 0, " + l(3) + R"(] }
@@ -93,8 +104,8 @@ TEST(ParameterValues, TextAndDataSayTheSame) {
       EXPECT_EQ(p.positive, p.change_text == "1 %") << p.name;
       ++found;
     }
-    // a: 3 + 9, b: 3 + 6, push: 9, pull: 1 + 6, turn: 1, link: 4, h: 2
-    EXPECT_EQ(found, 12 + 9 + 9 + 7 + 1 + 4 + 2);
+    // a: 3 + 9, b: 3 + 6, ring: 2 + 3, bowl: 2 + 3, push: 9, pull: 1 + 6, turn: 1, link: 4, h: 5
+    EXPECT_EQ(found, 12 + 9 + 5 + 5 + 9 + 7 + 1 + 4 + 5);
   }
 }
 

@@ -10,13 +10,11 @@
 namespace genu {
 namespace {
 
-void edit(Load& load, const Parameter& p, double delta) {
-  using Kind = Parameter::Kind;
-  if (p.kind == Kind::force) load.force[p.component] += delta;
-  if (p.kind == Kind::moment) load.moment[p.component] += delta;
-  if (p.kind == Kind::point) load.p_A[p.component] += delta;
-  if (p.kind == Kind::toward_point) load.p_B[p.component] += delta;
-  if (p.kind == Kind::magnitude) load.value += delta;
+/// The load of an edited scene.
+Load edited(Scene scene, const Parameter& p, double delta) {
+  *parameter_number(scene, p) += delta;
+  std::string why;
+  return make_load(scene, scene.loads[static_cast<std::size_t>(p.object)], why).value_or(Load{});
 }
 
 TEST(LoadRates, AreWhatAnEditedLoadExerts) {
@@ -33,19 +31,43 @@ TEST(LoadRates, AreWhatAnEditedLoadExerts) {
     if (!p.of_load() || p.kind == Parameter::Kind::factor) continue;
     const Load& load = s.model.loads[static_cast<std::size_t>(p.object)];
     const Vec12 truth = test::derivative(
-        [&](double share) {
-          Load edited = load;
-          edit(edited, p, share * p.change);
-          return edited.between(X_WA, X_WB).wrench;
-        },
-        0.01);
-    const double error = (p.change * load_wrench_rate(load, p, X_WA, X_WB) - truth).norm() / truth.norm();
+        [&](double share) { return edited(s.scene, p, share * p.change).between(X_WA, X_WB).wrench; }, 0.01);
+    const double error =
+        (p.change * load_wrench_rate(load, load_change(s.scene, p), X_WA, X_WB) - truth).norm() / truth.norm();
     EXPECT_LT(error, 1e-9) << p.name;
     worst = std::max(worst, error);
     ++compared;
   }
   std::printf("%d rates, worst relative error %.2g\n", compared, worst);
   EXPECT_EQ(compared, 9 + 9 + 7);
+}
+
+/// load_change() holds for loads that are affine in each of their numbers.
+TEST(LoadRates, LoadsAreAffineInEachNumber) {
+  const auto s = test::scene_model(
+      test::bone_on_ground() +
+      test::load("dead", "force = [3, -10, -20]\nmoment = [0.05, 0.02, 0.01]\npoint = [3, 4, 10]") +
+      test::load("follow", "force = [2, 5, -30]\npoint = [-5, 2, 8]\nframe = \"body\"") +
+      test::load("pull", "point = [1, 2, 30]\ntoward = { body = \"ground\", point = [5, 40, -60] }\nmagnitude = 15") +
+      "[load.turn]\non = \"j.a\"\nvalue = 0.1\n[load.shift]\non = \"j.x\"\nvalue = 3\n");
+  int compared = 0;
+  for (const Parameter& p : parameters_of(s.scene)) {
+    if (!p.of_load() || p.kind == Parameter::Kind::factor) continue;
+    const Load at = edited(s.scene, p, 0), change = load_change(s.scene, p);
+    for (const double delta : {-0.7, 0.3, 40.0}) {
+      const Load there = edited(s.scene, p, delta);
+      const auto expect = [&](const auto& now, const auto& before, const auto& slope) {
+        EXPECT_LT((now - before - delta * slope).norm(), 1e-12) << p.name << " by " << delta;
+      };
+      expect(there.force, at.force, change.force);
+      expect(there.moment, at.moment, change.moment);
+      expect(there.p_A, at.p_A, change.p_A);
+      expect(there.p_B, at.p_B, change.p_B);
+      EXPECT_NEAR(there.value - at.value, delta * change.value, 1e-12) << p.name << " by " << delta;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 3 * (9 + 9 + 7 + 1 + 1));
 }
 
 }  // namespace

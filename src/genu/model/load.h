@@ -49,10 +49,12 @@ struct Load {
   double largest_force(double length) const;
 };
 
-/// The load that `def` describes; empty where its scale is none, then `why` says what is wrong.
+/// The load that `def` describes; empty where its scale is none, then `why` says what is wrong. Each of its vectors and
+/// its value is affine in each single number of the definition's table: derivatives rely on it (load_rates.h).
 std::optional<Load> make_load(const Scene& scene, const LoadDef& def, std::string& why);
 
-/// Mass times gravity at the centre of mass of a body of a scene with gravity.
-Load make_weight(const Scene& scene, int body);
+/// Mass times gravity at the centre of mass of `def`, the body of that index of a scene with gravity. Affine as
+/// make_load().
+Load make_weight(const Scene& scene, const BodyDef& def, int body);
 
 }  // namespace genu

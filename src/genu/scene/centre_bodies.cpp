@@ -12,19 +12,36 @@ constexpr double kFar = 4;           // sizes of the scene: at 10 of them a meas
 constexpr double kLeastSize = 0.01;  // m: of a scene that shows none
 
 /// Calls visit(body, point) for every point that a scene fixes to a body.
-template <typename SceneType, typename Visit>
-void for_points(SceneType& scene, Visit visit) {
-  for (auto& s : scene.surfaces) visit(s.body, s.placement.p);
+template <typename Visit>
+void for_points(Scene& scene, Visit visit) {
+  const auto of_tables = [&](auto& defs) {
+    for (std::size_t i = 0; i < defs.size(); ++i)
+      for (const auto& number : kind_of(defs[i]).numbers) {
+        if (number.frame == nullptr) continue;
+        const int frame = number.frame(defs[i]);
+        visit(frame == kItself ? static_cast<int>(i) : frame, Eigen::Map<Vec3>(number.values(defs[i])));
+      }
+  };
+  of_tables(scene.surfaces);
+  of_tables(scene.loads);
+  of_tables(scene.joints);
+  of_tables(scene.bodies);
   for (auto& l : scene.ligaments) LigamentDef::for_each_end(l, [&](auto& end) { visit(end.body, end.point); });
-  for (auto& l : scene.loads) {
-    if (l.kind == LoadDef::Kind::coordinate) continue;
-    visit(l.body, l.point);
-    if (l.kind == LoadDef::Kind::toward) visit(l.toward_body, l.toward_point);
-  }
   for (auto& j : scene.joints) {
     if (!j.grood_suntay) continue;
     visit(j.grood_suntay->femur.body, j.grood_suntay->femur.origin);
     visit(j.grood_suntay->tibia.body, j.grood_suntay->tibia.origin);
+  }
+}
+
+/// The points of a load, those of its last numbers first. One that the file may leave out tells nothing where it is 0.
+void add_points(const LoadDef& load, std::vector<std::vector<Vec3>>& points) {
+  const auto numbers = kind_of(load).numbers;
+  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
+    if (number->frame == nullptr) continue;
+    const Vec3 point = Eigen::Map<const Vec3>(number->values_of(load));
+    if (number->row.presence == NumberRow::Presence::required || !point.isZero(0))
+      points[at(number->frame(load))].push_back(point);
   }
 }
 
@@ -40,10 +57,7 @@ std::vector<std::vector<Vec3>> telling_points(const Scene& scene, const std::vec
   }
   for (const LigamentDef& l : scene.ligaments)
     LigamentDef::for_each_end(l, [&](const auto& end) { points[at(end.body)].push_back(end.point); });
-  for (const LoadDef& l : scene.loads) {
-    if (l.kind == LoadDef::Kind::toward) points[at(l.toward_body)].push_back(l.toward_point);
-    if (l.kind != LoadDef::Kind::coordinate && !l.point.isZero(0)) points[at(l.body)].push_back(l.point);
-  }
+  for (const LoadDef& l : scene.loads) add_points(l, points);
   for (const JointDef& j : scene.joints) {
     if (j.type == JointDef::Type::free) continue;  // a hinge is a point of both
     points[at(j.parent)].emplace_back(j.reference[3], j.reference[4], j.reference[5]);
@@ -63,7 +77,10 @@ double size_of(const Scene& scene, const std::vector<std::vector<Vec3>>& points)
   double size = kLeastSize;
   for (const auto& of_body : points)
     for (const Vec3& p : of_body) size = std::max(size, (p - mean(of_body)).norm());
-  for (const SurfaceDef& s : scene.surfaces) size = std::max({size, s.radius, s.radii.maxCoeff(), s.major_radius});
+  for (const SurfaceDef& s : scene.surfaces)
+    for (const NumberOf<SurfaceDef>& number : kind_of(s).numbers)
+      if (number.row.unit == Unit::length && number.frame == nullptr)
+        size = std::max(size, *std::max_element(number.values_of(s), number.values_of(s) + number.row.size));
   return size;
 }
 
@@ -110,11 +127,8 @@ void centre_bodies(Scene& scene, const MeshMiddle& mesh_middle) {
     found = found || middle;
   }
   if (found) centres = far_middles(scene, known);
-  for_points(scene, [&](int body, Vec3& point) { point -= centres[at(body)]; });
-  for (std::size_t b = 0; b < centres.size(); ++b) {
-    scene.bodies[b].centre += centres[b];
-    scene.bodies[b].centre_of_mass -= centres[b];
-  }
+  for_points(scene, [&](int body, auto&& point) { point -= centres[at(body)]; });
+  for (std::size_t b = 0; b < centres.size(); ++b) scene.bodies[b].centre += centres[b];
   const auto move_regions = [&](ContactDef& c) {
     for (RegionDef& region : c.regions)
       for (auto& condition : region.conditions)
