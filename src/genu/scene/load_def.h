@@ -44,37 +44,40 @@ constexpr NumberRow load_row(const char* key, Unit unit, int size, double otherw
           .otherwise = otherwise};
 }
 
-inline constexpr NumberOf<LoadDef> kWrenchNumbers[] = {
-    {.row = load_row("force", Unit::force, 3), .values = [](LoadDef& l) { return l.force.data(); }},
-    {.row = load_row("moment", Unit::moment, 3), .values = [](LoadDef& l) { return l.moment.data(); }},
-    {.row = {.key = "point",
-             .unit = Unit::length,
-             .range = NumberRow::Range::any,
-             .change = NumberRow::Change::absolute,
-             .presence = NumberRow::Presence::optional,
-             .size = 3,
-             .with = "force",
-             .reason = "is where a force acts, and there is no force"},
-     .values = [](LoadDef& l) { return l.point.data(); },
-     .frame = [](const LoadDef& l) { return l.body; }}};
+inline constexpr NumberOf<LoadDef> kForce{.row = load_row("force", Unit::force, 3),
+                                          .values = [](LoadDef& l) { return l.force.data(); }};
+inline constexpr NumberOf<LoadDef> kMoment{.row = load_row("moment", Unit::moment, 3),
+                                           .values = [](LoadDef& l) { return l.moment.data(); }};
+inline constexpr NumberOf<LoadDef> kForcePoint{.row = {.key = "point",
+                                                       .unit = Unit::length,
+                                                       .range = NumberRow::Range::any,
+                                                       .change = NumberRow::Change::absolute,
+                                                       .presence = NumberRow::Presence::optional,
+                                                       .size = 3,
+                                                       .with = "force",
+                                                       .reason = "is where a force acts, and there is no force"},
+                                               .values = [](LoadDef& l) { return l.point.data(); },
+                                               .frame = [](const LoadDef& l) { return l.body; }};
+inline constexpr NumberOf<LoadDef> kWrenchNumbers[] = {kForce, kMoment, kForcePoint};
 
-inline constexpr NumberOf<LoadDef> kTowardNumbers[] = {{.row = {.key = "magnitude",
-                                                                .unit = Unit::force,
-                                                                .range = NumberRow::Range::at_least_zero,
-                                                                .change = NumberRow::Change::absolute},
-                                                        .values = [](LoadDef& l) { return &l.value; }},
-                                                       {.row = load_row("point", Unit::length, 3),
-                                                        .values = [](LoadDef& l) { return l.point.data(); },
-                                                        .frame = [](const LoadDef& l) { return l.body; }},
-                                                       {.row = {.key = "point",
-                                                                .unit = Unit::length,
-                                                                .range = NumberRow::Range::any,
-                                                                .change = NumberRow::Change::absolute,
-                                                                .size = 3,
-                                                                .table = "toward",
-                                                                .name = "toward"},
-                                                        .values = [](LoadDef& l) { return l.toward_point.data(); },
-                                                        .frame = [](const LoadDef& l) { return l.toward_body; }}};
+inline constexpr NumberOf<LoadDef> kMagnitude{.row = {.key = "magnitude",
+                                                      .unit = Unit::force,
+                                                      .range = NumberRow::Range::at_least_zero,
+                                                      .change = NumberRow::Change::absolute},
+                                              .values = [](LoadDef& l) { return &l.value; }};
+inline constexpr NumberOf<LoadDef> kPulledPoint{.row = load_row("point", Unit::length, 3),
+                                                .values = [](LoadDef& l) { return l.point.data(); },
+                                                .frame = [](const LoadDef& l) { return l.body; }};
+inline constexpr NumberOf<LoadDef> kTowardPoint{.row = {.key = "point",
+                                                        .unit = Unit::length,
+                                                        .range = NumberRow::Range::any,
+                                                        .change = NumberRow::Change::absolute,
+                                                        .size = 3,
+                                                        .table = "toward",
+                                                        .name = "toward"},
+                                                .values = [](LoadDef& l) { return l.toward_point.data(); },
+                                                .frame = [](const LoadDef& l) { return l.toward_body; }};
+inline constexpr NumberOf<LoadDef> kTowardNumbers[] = {kMagnitude, kPulledPoint, kTowardPoint};
 
 inline constexpr NumberOf<LoadDef> kMomentNumbers[] = {
     {.row = load_row("value", Unit::moment, 1, 1), .values = [](LoadDef& l) { return &l.value; }}};
