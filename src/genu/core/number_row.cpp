@@ -25,7 +25,8 @@ constexpr Composed kComposed[] = {{Unit::number, "", 0, 0, 0.01},
                                   {Unit::force_per_area, "N", -2},
                                   {Unit::moment_per_angle, "N m", 0, -1},
                                   {Unit::force_per_speed, "N s", -1},
-                                  {Unit::moment_per_rate, "N m s", 0, -1}};
+                                  {Unit::moment_per_rate, "N m s", 0, -1},
+                                  {Unit::time_per_length, "s", -1}};
 
 const Composed& composed(Unit unit) { return kComposed[static_cast<int>(unit)]; }
 

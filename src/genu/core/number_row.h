@@ -21,7 +21,8 @@ enum class Unit {
   force_per_area,
   moment_per_angle,
   force_per_speed,  ///< N s / length
-  moment_per_rate   ///< N m s / angle
+  moment_per_rate,  ///< N m s / angle
+  time_per_length
 };
 
 /// Units of length and angle: those of a scene, or those of results where nothing else is given.

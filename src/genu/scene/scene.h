@@ -54,6 +54,12 @@ struct LayerDef {
   double search_depth = 0;  ///< m: how far rays look; 0: as deep as the layers are thick, where that is measured
 };
 
+inline constexpr NumberRow kLayerDamping{.key = "damping",
+                                        .unit = Unit::time_per_length,
+                                        .range = NumberRow::Range::at_least_zero,
+                                        .presence = NumberRow::Presence::optional,
+                                        .in_motion = true};
+
 struct LigamentDef {
   enum class Rest { slack_length, reference_strain, reference_force };
   struct End {
