@@ -55,10 +55,10 @@ struct LayerDef {
 };
 
 inline constexpr NumberRow kLayerDamping{.key = "damping",
-                                        .unit = Unit::time_per_length,
-                                        .range = NumberRow::Range::at_least_zero,
-                                        .presence = NumberRow::Presence::optional,
-                                        .in_motion = true};
+                                         .unit = Unit::time_per_length,
+                                         .range = NumberRow::Range::at_least_zero,
+                                         .presence = NumberRow::Presence::optional,
+                                         .in_motion = true};
 
 struct LigamentDef {
   enum class Rest { slack_length, reference_strain, reference_force };
