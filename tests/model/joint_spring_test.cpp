@@ -19,6 +19,32 @@ TEST(JointSpring, PushesBackBeyondItsLimitsAlone) {
   EXPECT_EQ(spring.moment(-1), 2 + 5);
 }
 
+TEST(JointSpring, ItsMomentChangesWithEachNumber) {
+  JointSpring spring{.joint = 0, .stiffness = 2, .lower = -0.5, .upper = 1, .stop = 10};
+  const std::pair<double JointSpring::*, double> numbers[] = {
+      {&JointSpring::stiffness, 1}, {&JointSpring::lower, 1}, {&JointSpring::upper, 1}, {&JointSpring::stop, 1}};
+  for (const double angle : {-2.0, -0.6, 0.3, 0.9, 1.4})
+    for (const auto& [number, one] : numbers) {
+      JointSpring change{.joint = 0, .stiffness = 0, .lower = 0, .upper = 0, .stop = 0};
+      change.*number = one;
+      const auto moment = [&](double d) {
+        JointSpring edited = spring;
+        edited.*number += d;
+        return edited.moment(angle);
+      };
+      EXPECT_NEAR(spring.moment_rate(angle, change), test::derivative(moment, 1e-3), 1e-9) << angle;
+    }
+}
+
+TEST(JointSpring, IsMadeOfAJointWithOrWithoutLimits) {
+  JointDef joint;
+  joint.stiffness = 3;
+  EXPECT_EQ(make_spring(joint, 2).joint, 2);
+  EXPECT_EQ(make_spring(joint, 2).moment(5), -15);
+  joint.limits = JointDef::Limits{-1, 1, 10};
+  EXPECT_EQ(make_spring(joint, 2).moment(2), -6 - 10);
+}
+
 TEST(JointSpring, ItsEnergyHasItsMomentAsSlope) {
   JointSpring spring;
   spring.stiffness = 2;

@@ -37,7 +37,7 @@ const Pose kReference{exp_rotation(Vec3(0.1, -0.2, 0.3)), Vec3(0.01, 0.02, 0.03)
 
 void edit(LigamentDef& def, const Parameter& p, double delta) {
   using Kind = Parameter::Kind;
-  if (p.kind == Kind::law_number) def.numbers[static_cast<std::size_t>(p.component)].value += delta;
+  if (p.kind == Kind::law_number) def.numbers[static_cast<std::size_t>(p.number)].value += delta;
   if (p.kind == Kind::slack_length || p.kind == Kind::reference_strain || p.kind == Kind::reference_force)
     def.rest_value += delta;
   if (p.kind == Kind::from_point) def.from.point[p.component] += delta;

@@ -37,7 +37,7 @@ TEST(Load, WeightOnALever) {
   const Pose X_WB{exp_rotation({0, 0, 3.14159265358979312 / 2}), {1, 2, 3}};  // the lever points to +y
   Vec6 expected;
   expected << 0, 0, -20, -4, 0, 0;
-  const Vec12 wrench = make_weight(scene, 0).between(X_WB, {}).wrench;
+  const Vec12 wrench = make_weight(scene, scene.bodies[0], 0).between(X_WB, {}).wrench;
   EXPECT_LT((wrench.head<6>() - expected).norm(), 1e-14);
   EXPECT_EQ(wrench.tail<6>().norm(), 0);
 }

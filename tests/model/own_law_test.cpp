@@ -33,27 +33,27 @@ TEST(OwnLaw, OfTheReadmePullsAsItSays) {
   const int femur = 1, tibia = 0;
   const Vec3 p_femur = Vec3::Zero(), p_tibia(0, 0, -0.02);
   // The example begins.
-  class Exponential final : public genu::ForceLaw {  // F = A (exp(b e) - 1) for e = L / L0 - 1 > 0
+  class PowerLaw final : public genu::ForceLaw {  // F = K e^n for e = L / L0 - 1 > 0: a toe region without an end
    public:
     genu::LawValue evaluate(double L) const override {
       const double e = L / L0 - 1;
       if (e <= 0) return {};
-      return {A * std::expm1(b * e), A * b / L0 * std::exp(b * e)};  // N, N/m; energy (J) if known
+      const double F = K * std::pow(e, n);
+      return {F, n * F / (e * L0), F * e * L0 / (n + 1)};  // N, N/m, J
     }
-    std::vector<genu::LawBreak> breaks() const override { return {{L0, {0, 0, true}, {0, A * b / L0}}}; }
+    std::vector<genu::LawBreak> breaks() const override { return {{L0, {0, 0, true}, {0, 0}}}; }
     std::optional<double> slack_length() const override { return L0; }
-    const double L0 = 0.022, A = 3, b = 8;
+    const double L0 = 0.022, K = 8000, n = 2.5;
   };
 
   std::string why;
-  const auto law =
-      genu::LigamentLaw::custom(std::make_shared<Exponential>(), why);  // checks the breaks; empty: see why
+  const auto law = genu::LigamentLaw::custom(std::make_shared<PowerLaw>(), why);  // checks the breaks; empty: see why
   genu::add_ligament(model, {"own", genu::LigamentPath({{femur, p_femur}, {tibia, p_tibia}}), *law});  // m
   // The example ends.
   const LigamentShown shown = show_ligament(model, reference_state(model), 1);
   EXPECT_NEAR(shown.length, 0.03, 1e-16);
   EXPECT_NEAR(shown.strain, 8.0 / 22, 1e-14);
-  EXPECT_NEAR(shown.force, 3 * std::expm1(8 * 8.0 / 22), 1e-11);
+  EXPECT_NEAR(shown.force, 8000 * std::pow(8.0 / 22, 2.5), 1e-10);
 }
 
 TEST(OwnLaw, OfTheReadmeIsTheOneCompiledHere) {

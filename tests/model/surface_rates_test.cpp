@@ -11,17 +11,6 @@
 namespace genu {
 namespace {
 
-void edit(SurfaceDef& def, const Parameter& p, double delta) {
-  using Kind = Parameter::Kind;
-  const int i = p.component;
-  if (p.kind == Kind::radius) def.radius += delta;
-  if (p.kind == Kind::radii) def.radii[i] += delta;
-  if (p.kind == Kind::major_radius) def.major_radius += delta;
-  if (p.kind == Kind::minor_radius) def.minor_radius += delta;
-  if (p.kind == Kind::term) def.terms[static_cast<std::size_t>(i)].c += delta;
-  if (p.kind == Kind::origin) def.placement.p[i] += delta;
-}
-
 /// A point that stands still sees the gap fall by w and its foot's normal turn by -T grad w.
 TEST(SurfaceRates, AreWhatAPointInSpaceSeesOfTheEditedSurface) {
   const std::string placed = "\norigin = [3, -2, 5]\nx_axis = [1, 2, 0]\nz_axis = [2, -1, 3]";
@@ -53,10 +42,10 @@ TEST(SurfaceRates, AreWhatAPointInSpaceSeesOfTheEditedSurface) {
           const SurfaceChange change = surface_change(def, p, point);
           const auto seen = test::derivative(
               [&](double share) {
-                SurfaceDef edited = def;
-                edit(edited, p, share * p.change);
+                Scene edited = scene;
+                *parameter_number(edited, p) += share * p.change;
                 SurfacePoint foot;
-                EXPECT_TRUE(test::formula_surface(edited)->project(point.p, foot));
+                EXPECT_TRUE(test::formula_surface(edited.surfaces[0])->project(point.p, foot));
                 return Eigen::Vector3d(point.n.dot(foot.p - point.p), point.T.col(0).dot(foot.n),
                                        point.T.col(1).dot(foot.n));
               },

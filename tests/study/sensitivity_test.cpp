@@ -62,7 +62,7 @@ TEST(RunSensitivity, WholePathsOfTheEditedSceneAgree) {
       const auto o = static_cast<std::size_t>(p.object);
       if (p.kind == Parameter::Kind::law_number) edited.ligaments[o].numbers[0].value += share * p.change;
       if (p.kind == Parameter::Kind::reference_strain) edited.ligaments[o].rest_value += share * p.change;
-      if (p.kind == Parameter::Kind::minor_radius) edited.surfaces[o].minor_radius += share * p.change;
+      if (p.kind == Parameter::Kind::surface_number) *parameter_number(edited, p) += share * p.change;
       if (p.kind == Parameter::Kind::to_point) edited.ligaments[o].to.point[p.component] += share * p.change;
       const ResultTable poses = test::solved(edited).poses;
       MatX numbers(static_cast<Eigen::Index>(poses.rows()), 5);

@@ -13,7 +13,7 @@ namespace genu::test {
 inline LigamentDef law_def(const std::string& law, const std::vector<LigamentDef::Number>& numbers) {
   LigamentDef def;
   def.law = law;
-  for (const LawNumber& number : find_law(law)->numbers)
+  for (const NumberRow& number : find_law(law)->numbers)
     for (const LigamentDef::Number& given : numbers)
       if (given.key == number.key) def.numbers.push_back(given);
   return def;

@@ -24,19 +24,33 @@ std::string axis_name(const Vec3& axis) {
   return std::string(axis[i] < 0 ? "-" : "") + "xyz"[i];
 }
 
+/// The numbers of a load, but for vectors: the first as it is, others by their keys where they are given.
+std::string numbers(const LoadDef& load) {
+  std::string out;
+  for (const NumberOf<LoadDef>& number : kind_of(load).numbers) {
+    const NumberRow& row = number.row;
+    const double value = *number.values_of(load);
+    if (row.size > 1 || (!out.empty() && value == row.otherwise)) continue;
+    const std::string unit = unit_name(row.unit);
+    out += fmt::format(", {}{:g}{}{}", out.empty() ? "" : std::string(row.key) + " ", value / si(row.unit),
+                       unit.empty() ? "" : " ", unit);
+  }
+  return out;
+}
+
 /// What a load is, and what that means for the tangent.
 std::string kind_name(const SceneTables& scene, const LoadDef& load) {
   switch (load.kind) {
     case LoadDef::Kind::toward:
-      return fmt::format("toward a point of {}, {:g} N", scene.bodies[at(load.toward_body)].name, load.value);
+      return "toward a point of " + scene.bodies[at(load.toward_body)].name + numbers(load);
     case LoadDef::Kind::coordinate:
-      return fmt::format("on {}, {:g} {}", coordinate_name(scene, load.coordinate), load.value,
-                         load.coordinate.index < 3 ? "N m" : "N");
+      return "on " + coordinate_name(scene, load.coordinate) + numbers(load);
     case LoadDef::Kind::wrench:
       break;
   }
   const std::string body = scene.bodies[at(load.body)].name;
-  return load.frame == LoadDef::Frame::body ? "follows " + body + ": unsymmetric tangent" : "dead, on " + body;
+  return (load.frame == LoadDef::Frame::body ? "follows " + body + ": unsymmetric tangent" : "dead, on " + body) +
+         numbers(load);
 }
 
 std::string scale_name(const SceneTables& scene, const LoadDef& load) {

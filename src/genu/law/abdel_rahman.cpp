@@ -54,9 +54,10 @@ const LawKind& abdel_rahman_law() {
   static const LawKind kind{
       .name = "abdel-rahman",
       .what = "an abdel-rahman ligament",
-      .numbers = {{"stiffness", LawNumber::Unit::force_per_length},
-                  {"toe_stiffness", LawNumber::Unit::force_per_area},
-                  {"transition_strain", LawNumber::Unit::strain, true}},
+      .numbers = {{"stiffness", Unit::force_per_length},
+                  {"toe_stiffness", Unit::force_per_area},
+                  {"transition_strain", Unit::number, NumberRow::Range::above_zero_or_limit,
+                   NumberRow::Change::absolute}},
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<AbdelRahman>(values, slack_length); },
       .slack_length_for = slack_length_for};

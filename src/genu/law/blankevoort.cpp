@@ -39,7 +39,9 @@ const LawKind& blankevoort_law() {
   static const LawKind kind{
       .name = "blankevoort",
       .what = "a blankevoort ligament",
-      .numbers = {{"stiffness", LawNumber::Unit::force}, {"transition_strain", LawNumber::Unit::strain, true}},
+      .numbers = {{"stiffness", Unit::force},
+                  {"transition_strain", Unit::number, NumberRow::Range::above_zero_or_limit,
+                   NumberRow::Change::absolute}},
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<Blankevoort>(values, slack_length); },
       .slack_length_for = [](const LawValues& values, double force, double length) -> std::optional<double> {

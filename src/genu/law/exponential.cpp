@@ -33,7 +33,7 @@ const LawKind& exponential_law() {
   static const LawKind kind{
       .name = "exponential",
       .what = "an exponential ligament",
-      .numbers = {{"force_scale", LawNumber::Unit::force}, {"exponent", LawNumber::Unit::number}},
+      .numbers = {{"force_scale", Unit::force}, {"exponent", Unit::number}},
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<Exponential>(values, slack_length); },
       .slack_length_for = [](const LawValues& values, double force, double length) -> std::optional<double> {

@@ -13,7 +13,7 @@ const LawKind* find_law(const std::string& name) {
 std::vector<std::string> law_keys() {
   std::vector<std::string> keys;
   for (const auto& law : kLaws)
-    for (const LawNumber& number : law().numbers)
+    for (const NumberRow& number : law().numbers)
       if (std::find(keys.begin(), keys.end(), number.key) == keys.end()) keys.push_back(number.key);
   return keys;
 }

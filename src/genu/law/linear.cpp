@@ -29,7 +29,7 @@ const LawKind& linear_law() {
   static const LawKind kind{
       .name = "linear",
       .what = "a linear ligament",
-      .numbers = {{"stiffness", LawNumber::Unit::force}},
+      .numbers = {{"stiffness", Unit::force}},
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<Linear>(values, slack_length); },
       .slack_length_for = [](const LawValues& values, double force, double length) -> std::optional<double> {

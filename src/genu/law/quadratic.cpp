@@ -32,7 +32,7 @@ const LawKind& quadratic_law() {
   static const LawKind kind{
       .name = "quadratic",
       .what = "a quadratic ligament",
-      .numbers = {{"stiffness", LawNumber::Unit::force}},
+      .numbers = {{"stiffness", Unit::force}},
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<Quadratic>(values, slack_length); },
       .slack_length_for = [](const LawValues& values, double force, double length) -> std::optional<double> {

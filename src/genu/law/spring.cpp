@@ -31,7 +31,7 @@ const LawKind& spring_law() {
   static const LawKind kind{
       .name = "spring",
       .what = "a spring",
-      .numbers = {{"stiffness", LawNumber::Unit::force_per_length}},
+      .numbers = {{"stiffness", Unit::force_per_length}},
       .both_ways = true,
       .make = [](const LawValues& values,
                  double slack_length) { return std::make_shared<Spring>(values, slack_length); },

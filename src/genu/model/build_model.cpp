@@ -90,15 +90,7 @@ LigamentPath path_on(const JointModel& model, const LigamentDef& def) {
 void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
   for (int i = 0; i < 6; ++i)
     if (!joint.leaves(i)) model.held.push_back({{index, i}, joint.reference[at(i)]});
-  if (joint.stiffness > 0 || joint.limits) {
-    JointSpring spring{.joint = index, .stiffness = joint.stiffness};
-    if (joint.limits) {
-      spring.lower = joint.limits->lower;
-      spring.upper = joint.limits->upper;
-      spring.stop = joint.limits->stiffness;
-    }
-    model.joint_springs.push_back(spring);
-  }
+  if (joint.stiffness > 0 || joint.limits) model.joint_springs.push_back(make_spring(joint, index));
   if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
 }
 
@@ -134,8 +126,7 @@ bool make_loads(const PlacedScene& scene, JointModel& model, Diagnostics& out) {
              .rule = why});
   }
   for (std::size_t i = 0; scene.gravity && i < scene.bodies.size(); ++i)
-    if (!scene.bodies[i].fixed && scene.bodies[i].mass > 0)
-      model.weights.push_back(make_weight(scene, static_cast<int>(i)));
+    if (scene.bodies[i].has_weight()) model.weights.push_back(make_weight(scene, scene.bodies[i], static_cast<int>(i)));
   return good;
 }
 

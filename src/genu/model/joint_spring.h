@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "genu/scene/joint_def.h"
+
 namespace genu {
 
 struct JointSpring {
@@ -20,6 +22,22 @@ struct JointSpring {
   double energy(double angle) const {                                                        ///< J
     return (stiffness * angle * angle + stop * beyond(angle) * beyond(angle)) / 2;
   }
+
+  /// The change of moment(angle) where the spring's numbers change by those of `change`.
+  double moment_rate(double angle, const JointSpring& change) const {
+    const double limit = angle > upper ? change.upper : angle < lower ? change.lower : 0;
+    return -change.stiffness * angle - change.stop * beyond(angle) + stop * limit;
+  }
 };
+
+/// The spring of the scene's joint `index`. Each of its numbers is affine in each number of the joint's table.
+inline JointSpring make_spring(const JointDef& def, int index) {
+  JointSpring spring{.joint = index, .stiffness = def.stiffness};
+  if (!def.limits) return spring;
+  spring.lower = def.limits->lower;
+  spring.upper = def.limits->upper;
+  spring.stop = def.limits->stiffness;
+  return spring;
+}
 
 }  // namespace genu

@@ -21,7 +21,7 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
   d.axis = parameter.component % 3;
   switch (parameter.kind) {
     case Kind::law_number:
-      d.number = parameter.component;
+      d.number = parameter.number;
       break;
     case Kind::slack_length:
     case Kind::reference_strain:

@@ -96,8 +96,7 @@ std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std:
   return load.scale ? std::optional(load) : std::nullopt;
 }
 
-Load make_weight(const PlacedScene& scene, int body) {
-  const BodyDef& def = scene.bodies[static_cast<std::size_t>(body)];
+Load make_weight(const PlacedScene& scene, const BodyDef& def, int body) {
   Load load;
   load.name = "weight of " + def.name;
   load.body_a = body;

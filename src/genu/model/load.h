@@ -52,7 +52,8 @@ struct Load {
 /// The load of `def`. Empty where its scale is invalid; `why` then gives the reason.
 std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
 
-/// Mass times gravity at the centre of mass of a body of a scene with gravity.
-Load make_weight(const PlacedScene& scene, int body);
+/// Mass times gravity at the centre of mass of `def`, the body of that index of a scene with gravity. Affine as
+/// make_load().
+Load make_weight(const PlacedScene& scene, const BodyDef& def, int body);
 
 }  // namespace genu

@@ -3,25 +3,43 @@
 namespace genu {
 namespace {
 
-using Kind = Parameter::Kind;
-
-/// A load is linear in its force, moment and magnitude: its derivative is the unit load.
-Vec12 unit_wrench(Load load, const Parameter& parameter, const Pose& X_WA, const Pose& X_WB) {
-  load.force.setZero();
-  load.moment.setZero();
-  if (parameter.kind == Kind::force) load.force[parameter.component] = 1;
-  if (parameter.kind == Kind::moment) load.moment[parameter.component] = 1;
-  if (parameter.kind == Kind::magnitude) load.value = 1;
-  return load.between(X_WA, X_WB).wrench;
+/// make(def) with the number at 1 less make(def) with it at 0.
+template <class Def, class Make>
+Load slope(Def def, const Parameter& parameter, const Make& make) {
+  double& number = kind_of(def).numbers[at(parameter.number)].values(def)[parameter.component];
+  number = 0;
+  const Load zero = make(def);
+  number = 1;
+  Load change = make(def);
+  change.force -= zero.force;
+  change.moment -= zero.moment;
+  change.value -= zero.value;
+  change.p_A -= zero.p_A;
+  change.p_B -= zero.p_B;
+  return change;
 }
 
-/// Rate of the force toward a point with a moving end.
-Vec12 moved_end(const Load& load, const Vec3& end_A, const Vec3& end_B, const Pose& X_WA, const Pose& X_WB) {
+Vec12 dead_rate(const Load& load, const Load& change, const Pose& X_WA) {
+  const Vec3 r = X_WA.R * load.p_A, r_rate = X_WA.R * change.p_A;
+  Vec12 out = Vec12::Zero();
+  out.head<6>() << change.force, change.moment + r_rate.cross(load.force) + r.cross(change.force);
+  return out;
+}
+
+Vec12 follower_rate(const Load& load, const Load& change, const Pose& X_WA) {
+  Vec12 out = Vec12::Zero();
+  out.head<6>() << X_WA.R * change.force,
+      X_WA.R * (change.moment + change.p_A.cross(load.force) + load.p_A.cross(change.force));
+  return out;
+}
+
+Vec12 toward_rate(const Load& load, const Load& change, const Pose& X_WA, const Pose& X_WB) {
   const Vec3 r_A = X_WA.R * load.p_A, r_B = X_WB.R * load.p_B;
+  const Vec3 end_A = X_WA.R * change.p_A, end_B = X_WB.R * change.p_B;
   const Vec3 line = (X_WB.p - X_WA.p) + (r_B - r_A), line_rate = end_B - end_A;
   const double length = line.norm();
   const Vec3 u = line / length, pull = load.value * u;
-  const Vec3 pull_rate = load.value / length * (line_rate - u * u.dot(line_rate));
+  const Vec3 pull_rate = change.value * u + load.value / length * (line_rate - u * u.dot(line_rate));
   Vec12 out;
   out << pull_rate, end_A.cross(pull) + r_A.cross(pull_rate), -pull_rate, -end_B.cross(pull) - r_B.cross(pull_rate);
   return out;
@@ -29,16 +47,30 @@ Vec12 moved_end(const Load& load, const Vec3& end_A, const Vec3& end_B, const Po
 
 }  // namespace
 
-Vec12 load_wrench_rate(const Load& load, const Parameter& parameter, const Pose& X_WA, const Pose& X_WB) {
-  const Vec3 axis = Vec3::Unit(parameter.component);
-  const bool near_end = parameter.kind == Kind::point || parameter.kind == Kind::centre_of_mass;
-  if (near_end && load.kind == Load::Kind::toward) return moved_end(load, X_WA.R * axis, Vec3::Zero(), X_WA, X_WB);
-  if (parameter.kind == Kind::toward_point) return moved_end(load, Vec3::Zero(), X_WB.R * axis, X_WA, X_WB);
-  if (!near_end) return unit_wrench(load, parameter, X_WA, X_WB);
-  const Vec3 force = load.kind == Load::Kind::follower ? Vec3(X_WA.R * load.force) : load.force;
-  Vec12 out = Vec12::Zero();
-  out.segment<3>(3) = (X_WA.R * axis).cross(force);
-  return out;
+Load load_change(const PlacedScene& scene, const Parameter& parameter) {
+  if (parameter.of_body())
+    return slope(scene.bodies[at(parameter.object)], parameter,
+                 [&](const BodyDef& def) { return make_weight(scene, def, parameter.object); });
+  LoadDef constant = scene.loads[at(parameter.object)];
+  constant.scale.reset();
+  return slope(std::move(constant), parameter, [&](const LoadDef& def) {
+    std::string none;  // only a scale can be wrong
+    return make_load(scene, def, none).value();
+  });
+}
+
+Vec12 load_wrench_rate(const Load& load, const Load& change, const Pose& X_WA, const Pose& X_WB) {
+  switch (load.kind) {
+    case Load::Kind::dead:
+      return dead_rate(load, change, X_WA);
+    case Load::Kind::follower:
+      return follower_rate(load, change, X_WA);
+    case Load::Kind::toward:
+      return toward_rate(load, change, X_WA, X_WB);
+    case Load::Kind::coordinate:
+      break;
+  }
+  return Vec12::Zero();
 }
 
 }  // namespace genu

@@ -17,8 +17,8 @@ void add_wrench(const JointModel& model, int body_a, int body_b, const Vec12& wr
   }
 }
 
-void add_load_rate(const JointModel& model, const State& state, const Target& target, const Parameter& parameter,
-                   VecX& out) {
+void add_load_rate(const PlacedScene& scene, const JointModel& model, const State& state, const Target& target,
+                   const Parameter& parameter, VecX& out) {
   const Load& load = model.loads[at(parameter.object)];
   const double scale = load_scale(load, state, target.time).factor;
   if (parameter.kind == Kind::factor) {
@@ -26,11 +26,13 @@ void add_load_rate(const JointModel& model, const State& state, const Target& ta
     return;
   }
   const double factor = scale * target.load_factors[at(parameter.object)];
+  const Load change = load_change(scene, parameter);
   Vec12 wrench;
   if (load.kind == Load::Kind::coordinate)
-    wrench = joint_point(model, state, load.coordinate.joint).gradient(load.coordinate.index).transpose();
+    wrench =
+        change.value * joint_point(model, state, load.coordinate.joint).gradient(load.coordinate.index).transpose();
   else
-    wrench = load_wrench_rate(load, parameter, state.poses[at(load.body_a)],
+    wrench = load_wrench_rate(load, change, state.poses[at(load.body_a)],
                               load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
   add_wrench(model, load.body_a, load.body_b, factor * wrench, out);
 }
@@ -39,18 +41,33 @@ void add_weight_rate(const PlacedScene& scene, const JointModel& model, const St
                      VecX& out) {
   for (const Load& weight : model.weights) {
     if (weight.body_a != parameter.object) continue;
-    const Pose& pose = state.poses[at(weight.body_a)];
-    const Vec12 wrench = parameter.kind == Kind::mass
-                             ? Vec12(weight.between(pose, {}).wrench / scene.bodies[at(parameter.object)].mass)
-                             : load_wrench_rate(weight, parameter, pose, {});
+    const Vec12 wrench = load_wrench_rate(weight, load_change(scene, parameter), state.poses[at(weight.body_a)], {});
     add_wrench(model, weight.body_a, -1, wrench, out);
   }
 }
 
-void add_spring_rate(const JointModel& model, const State& state, const Parameter& parameter, VecX& out) {
+/// The spring of the joint at 1 less that at 0 of the number: the change by the number.
+JointSpring spring_change(JointDef def, const Parameter& parameter) {
+  double& number = kind_of(def).numbers[at(parameter.number)].values(def)[parameter.component];
+  number = 0;
+  const JointSpring zero = make_spring(def, parameter.object);
+  number = 1;
+  const JointSpring one = make_spring(def, parameter.object);
+  const auto change = [](double a, double b) { return a == b ? 0 : a - b; };  // of infinite limits, too
+  return {.joint = one.joint,
+          .stiffness = change(one.stiffness, zero.stiffness),
+          .lower = change(one.lower, zero.lower),
+          .upper = change(one.upper, zero.upper),
+          .stop = change(one.stop, zero.stop)};
+}
+
+void add_spring_rate(const PlacedScene& scene, const JointModel& model, const State& state, const Parameter& parameter,
+                     VecX& out) {
   const auto& joint = model.joints[at(parameter.object)];
   const JointPoint point = joint_point(model, state, parameter.object);
-  add_wrench(model, joint.parent, joint.child, -point.values()[0] * point.gradient(0).transpose(), out);
+  const JointDef& def = scene.joints[at(parameter.object)];
+  const double rate = make_spring(def, parameter.object).moment_rate(point.values()[0], spring_change(def, parameter));
+  add_wrench(model, joint.parent, joint.child, rate * point.gradient(0).transpose(), out);
 }
 
 void add_contact_rates(const PlacedScene& scene, const JointModel& model, const State& state,
@@ -94,11 +111,11 @@ void residual_rate(const PlacedScene& scene, const JointModel& model, const Stat
   } else if (parameter.of_surface()) {
     add_contact_rates(scene, model, state, parameter, out);
   } else if (parameter.of_load()) {
-    add_load_rate(model, state, target, parameter, out.wrench);
-  } else if (parameter.kind == Kind::mass || parameter.kind == Kind::centre_of_mass) {
+    add_load_rate(scene, model, state, target, parameter, out.wrench);
+  } else if (parameter.of_body()) {
     add_weight_rate(scene, model, state, parameter, out.wrench);
-  } else if (parameter.kind == Kind::joint_stiffness) {
-    add_spring_rate(model, state, parameter, out.wrench);
+  } else if (parameter.of_joint()) {
+    add_spring_rate(scene, model, state, parameter, out.wrench);
   } else {
     for (std::size_t m = 0; m < target.prescribed.size(); ++m)
       if (target.prescribed[m].coordinate == parameter.quantity) out.constraint[static_cast<Eigen::Index>(m)] = -1;

@@ -16,26 +16,33 @@ namespace {
 using Kind = Parameter::Kind;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
+constexpr double kPerCent = 0.01;
+constexpr double kTermReach = 10e-3;  // m
 
 class Parameters {
  public:
   explicit Parameters(const SceneTables& scene) : scene_(scene) {}
 
   std::vector<Parameter> list() {
-    for (object_ = 0; object_ < static_cast<int>(scene_.ligaments.size()); ++object_)
-      add_ligament(scene_.ligaments[index()]);
-    for (object_ = 0; object_ < static_cast<int>(scene_.surfaces.size()); ++object_)
-      add_surface(scene_.surfaces[index()]);
-    for (object_ = 0; object_ < static_cast<int>(scene_.loads.size()); ++object_) add_load(scene_.loads[index()]);
-    for (object_ = 0; object_ < static_cast<int>(scene_.bodies.size()); ++object_) add_weight(scene_.bodies[index()]);
-    for (object_ = 0; object_ < static_cast<int>(scene_.joints.size()); ++object_) add_joint(scene_.joints[index()]);
+    for_each(scene_.ligaments, [&](const LigamentDef& l) { add_ligament(l); });
+    for_each(scene_.surfaces, [&](const SurfaceDef& s) { add_surface(s); });
+    for_each(scene_.loads, [&](const LoadDef& l) { add_load(l); });
+    for_each(scene_.bodies, [&](const BodyDef& b) { add_numbers(b, Kind::body_number); });
+    for_each(scene_.joints, [&](const JointDef& j) { add_numbers(j, Kind::joint_number); });
     add_prescribed();
     tell_apart();
     return std::move(out_);
   }
 
  private:
-  std::size_t index() const { return static_cast<std::size_t>(object_); }
+  template <class Defs, class Add>
+  void for_each(const Defs& defs, const Add& add) {
+    object_ = 0;
+    for (const auto& def : defs) {
+      add(def);
+      ++object_;
+    }
+  }
 
   Parameter& add(const std::string& name, Kind kind, const std::string& unit, double si, double change,
                  const std::string& change_text) {
@@ -60,24 +67,40 @@ class Parameters {
   void add_share(const std::string& name, Kind kind, const std::string& unit, double si, double value) {
     add(name, kind, unit, si, kRelativeChange * value, "1 %").positive = true;
   }
-  void add_strain(const std::string& name, Kind kind) { add(name, kind, "1", 1, kStrainChange, "0.01"); }
-  void add_force(const std::string& name, Kind kind, int component = 0) {
-    add(name, kind, "N", 1, 1, "1 N").component = component;
+
+  /// One number of a row, by the row's own standard change.
+  Parameter& add_number(const std::string& name, Kind kind, const NumberRow& row, double value) {
+    if (row.change == NumberRow::Change::share)
+      add_share(name, kind, unit_in_results(row.unit), si(row.unit), value);
+    else
+      add(name, kind, unit_in_results(row.unit), si(row.unit), standard_change(row.unit),
+          standard_change_text(row.unit));
+    return out_.back();
   }
-  void add_moment(const std::string& name, Kind kind, int component = 0) {
-    add(name, kind, "Nm", 1, kMomentChange, "0.01 Nm").component = component;
+
+  /// The numbers of an object's table, but for those whose change has no effect and shares of 0.
+  template <class Def>
+  void add_numbers(const Def& def, Kind kind) {
+    int k = -1;
+    for (const NumberOf<Def>& number : kind_of(def).numbers) {
+      ++k;
+      const NumberRow& row = number.row;
+      const double* values = number.values_of(def);
+      if (values == nullptr || (number.has_effect != nullptr && !number.has_effect(def))) continue;
+      for (int i = 0; i < row.size; ++i) {
+        if (!std::isfinite(values[i]) || (row.change == NumberRow::Change::share && !(values[i] > 0))) continue;
+        Parameter& p = add_number(def.name + "." + row.parameter() + (row.size > 1 ? std::string(".") + kAxes[i] : ""),
+                                  kind, row, values[i]);
+        p.number = k;
+        p.component = i;
+      }
+    }
   }
 
   void add_law_numbers(const LigamentDef& l) {
     for (std::size_t k = 0; k < l.numbers.size(); ++k) {
-      const LawNumber& number = find_law(l.law)->numbers[k];
-      const std::string name = l.name + "." + number.key;
-      const std::string unit = number.unit == LawNumber::Unit::number ? "1" : number.unit_name("mm");
-      if (number.unit == LawNumber::Unit::strain)
-        add_strain(name, Kind::law_number);
-      else
-        add_share(name, Kind::law_number, unit, number.si(units::kMillimetre), l.numbers[k].value);
-      out_.back().component = static_cast<int>(k);
+      const NumberRow& row = find_law(l.law)->numbers[k];
+      add_number(l.name + "." + row.key, Kind::law_number, row, l.numbers[k].value).number = static_cast<int>(k);
     }
   }
 
@@ -88,13 +111,14 @@ class Parameters {
         add_share(l.name + ".slack_length", Kind::slack_length, "mm", units::kMillimetre, l.rest_value);
         break;
       case LigamentDef::Rest::reference_strain:
-        add_strain(l.name + ".reference_strain", Kind::reference_strain);
+        add(l.name + ".reference_strain", Kind::reference_strain, "1", 1, standard_change(Unit::number),
+            standard_change_text(Unit::number));
         break;
       case LigamentDef::Rest::reference_force:
-        add_force(l.name + ".reference_force", Kind::reference_force);
+        add(l.name + ".reference_force", Kind::reference_force, "N", 1, 1, "1 N");
         break;
     }
-    if (l.damping > 0) add_share(l.name + ".damping", Kind::damping, "N s/mm", 1e3, l.damping);
+    if (l.damping > 0) add_number(l.name + ".damping", Kind::damping, kLigamentDamping, l.damping);
     add_point(l.name + ".from", Kind::from_point);
     add_point(l.name + ".to", Kind::to_point);
     for (int k = 0; k < 3 * static_cast<int>(l.via.size()); ++k)
@@ -102,15 +126,8 @@ class Parameters {
   }
 
   void add_surface(const SurfaceDef& s) {
-    using Shape = SurfaceDef::Shape;
-    if (s.shape == Shape::sphere || s.shape == Shape::cylinder) add_length(s.name + ".radius", Kind::radius);
-    if (s.shape == Shape::ellipsoid) add_point(s.name + ".radii", Kind::radii);
-    if (s.shape == Shape::torus) {
-      add_length(s.name + ".major_radius", Kind::major_radius);
-      add_length(s.name + ".minor_radius", Kind::minor_radius);
-    }
-    if (s.shape == Shape::polynomial || s.shape == Shape::cylindrical_polynomial) add_terms(s);
-    add_point(s.name + ".origin", Kind::origin);
+    add_terms(s);
+    add_numbers(s, Kind::surface_number);
     add_length(s.name + ".offset", Kind::offset);
   }
 
@@ -128,35 +145,8 @@ class Parameters {
   }
 
   void add_load(const LoadDef& l) {
-    switch (l.kind) {
-      case LoadDef::Kind::wrench:
-        for (int i = 0; i < 3; ++i) add_force(l.name + ".force." + kAxes[i], Kind::force, i);
-        for (int i = 0; i < 3; ++i) add_moment(l.name + ".moment." + kAxes[i], Kind::moment, i);
-        add_point(l.name + ".point", Kind::point);
-        break;
-      case LoadDef::Kind::toward:
-        add_force(l.name + ".magnitude", Kind::magnitude);
-        add_point(l.name + ".point", Kind::point);
-        add_point(l.name + ".toward", Kind::toward_point);
-        break;
-      case LoadDef::Kind::coordinate:
-        l.coordinate.index < 3 ? add_moment(l.name + ".value", Kind::magnitude)
-                               : add_force(l.name + ".value", Kind::magnitude);
-        break;
-    }
+    add_numbers(l, Kind::load_number);
     add_share(l.name + ".factor", Kind::factor, "1", 1, 1);
-  }
-
-  void add_weight(const BodyDef& b) {
-    if (!(scene_.gravity || scene_.dynamics) || b.fixed || !(b.mass > 0)) return;
-    add_share(b.name + ".mass", Kind::mass, "kg", 1, b.mass);
-    add_point(b.name + ".centre_of_mass", Kind::centre_of_mass);
-  }
-
-  void add_joint(const JointDef& j) {
-    if (j.stiffness > 0)
-      add_share(j.name + ".stiffness", Kind::joint_stiffness, "Nm/deg", 1 / units::kDegree, j.stiffness);
-    if (j.damping > 0) add_share(j.name + ".damping", Kind::joint_damping, "Nm s/deg", 1 / units::kDegree, j.damping);
   }
 
   void add_prescribed() {
@@ -198,8 +188,61 @@ class Parameters {
   std::vector<Parameter> out_;
 };
 
+/// f(object) for the object whose table the parameter names a row of; `none` where there is no table.
+template <class SceneType, class F, class None>
+auto with_table(SceneType& scene, const Parameter& p, const F& f, None none) {
+  switch (p.kind) {
+    case Kind::surface_number:
+      return f(scene.surfaces[at(p.object)]);
+    case Kind::load_number:
+      return f(scene.loads[at(p.object)]);
+    case Kind::body_number:
+      return f(scene.bodies[at(p.object)]);
+    case Kind::joint_number:
+      return f(scene.joints[at(p.object)]);
+    default:
+      return none;
+  }
+}
+
+double* ligament_number(LigamentDef& l, const Parameter& p) {
+  switch (p.kind) {
+    case Kind::law_number:
+      return &l.numbers[at(p.number)].value;
+    case Kind::slack_length:
+    case Kind::reference_strain:
+    case Kind::reference_force:
+      return &l.rest_value;
+    case Kind::damping:
+      return &l.damping;
+    case Kind::from_point:
+      return &l.from.point[p.component];
+    case Kind::to_point:
+      return &l.to.point[p.component];
+    case Kind::via_point:
+      return &l.via[at(p.component / 3)].point[p.component % 3];
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(const SceneTables& scene) { return Parameters(scene).list(); }
+
+double* parameter_number(SceneTables& scene, const Parameter& p) {
+  if (p.of_ligament()) return ligament_number(scene.ligaments[at(p.object)], p);
+  if (p.kind == Kind::term) return &scene.surfaces[at(p.object)].terms[at(p.component)].c;
+  double* none = nullptr;
+  return with_table(
+      scene, p, [&](auto& def) { return kind_of(def).numbers[at(p.number)].values(def) + p.component; }, none);
+}
+
+const NumberRow* parameter_row(const SceneTables& scene, const Parameter& p) {
+  if (p.kind == Kind::law_number) return &find_law(scene.ligaments[at(p.object)].law)->numbers[at(p.number)];
+  const NumberRow* none = nullptr;
+  return with_table(
+      scene, p, [&](const auto& def) { return &kind_of(def).numbers[at(p.number)].row; }, none);
+}
 
 }  // namespace genu

@@ -16,7 +16,7 @@ namespace genu {
 struct Parameter {
   enum class Kind {
     // of a ligament
-    law_number,  ///< component: its index in the table of the law's numbers (law/law_kind.h)
+    law_number,  ///< a row of the law's table (law/law_kind.h)
     slack_length,
     reference_strain,
     reference_force,
@@ -25,26 +25,14 @@ struct Parameter {
     to_point,
     via_point,  ///< component: 3 times the point's index + axis
     // of a surface
-    radius,
-    radii,
-    major_radius,
-    minor_radius,
-    term,
-    origin,
-    offset,  ///< the whole surface moved along its outward normal; no key of a scene
+    surface_number,  ///< a row of the table of its shape (scene/surface_def.h)
+    term,            ///< component: its index
+    offset,          ///< the whole surface moved along its outward normal; no key of a scene
     // of a load
-    force,
-    moment,
-    point,
-    toward_point,
-    magnitude,  ///< toward: `magnitude`; on a coordinate: `value`
-    factor,     ///< the step's factor
-    // of a body with weight, or in motion
-    mass,
-    centre_of_mass,
-    // of a revolute joint
-    joint_stiffness,
-    joint_damping,  ///< in motion
+    load_number,   ///< a row of the table of its kind (scene/load_def.h)
+    factor,        ///< the step's factor
+    body_number,   ///< a row of scene/body_def.h
+    joint_number,  ///< a row of the table of its type (scene/joint_def.h)
     // of the steps
     prescribed
   };
@@ -52,7 +40,8 @@ struct Parameter {
   std::string name;
   Kind kind = Kind::law_number;
   int object = -1;       ///< index of the ligament, surface, load, body or joint
-  int component = 0;     ///< 0 x, 1 y, 2 z; index of the number or term
+  int number = 0;        ///< row of the table
+  int component = 0;     ///< 0 x, 1 y, 2 z; index of the term
   QuantityRef quantity;  ///< prescribed
   std::string unit;      ///< unit in results: mm, deg, N, Nm, 1 ..., whatever the scene's units are
   double si = 1;         ///< SI per unit
@@ -64,13 +53,19 @@ struct Parameter {
   bool positive = false;    ///< a stiffness, damping, mass, ...: > 0, with a relative `change`
 
   bool of_ligament() const { return kind <= Kind::via_point; }
-  bool of_surface() const { return kind >= Kind::radius && kind <= Kind::offset; }
-  bool of_joint() const { return kind == Kind::joint_stiffness || kind == Kind::joint_damping; }
-  bool of_load() const { return kind >= Kind::force && kind <= Kind::factor; }
+  bool of_surface() const { return kind >= Kind::surface_number && kind <= Kind::offset; }
+  bool of_load() const { return kind == Kind::load_number || kind == Kind::factor; }
+  bool of_body() const { return kind == Kind::body_number; }
+  bool of_joint() const { return kind == Kind::joint_number; }
 };
 
 /// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, prescribed values. Numbers that the
 /// scene does not give are omitted, such as a slack length where a reference strain is given.
 std::vector<Parameter> parameters_of(const SceneTables& scene);
+
+/// The number (SI) in the scene; null where it is none: an offset, a load's factor in steps, a prescribed value.
+double* parameter_number(SceneTables& scene, const Parameter& parameter);
+/// The row of the table that a parameter names; null where it names none.
+const NumberRow* parameter_row(const SceneTables& scene, const Parameter& parameter);
 
 }  // namespace genu

@@ -40,44 +40,38 @@ VelocityField cylindrical_term(const Vec3& x, const SurfaceDef::Term& term) {
   return radial_field(x, ti * zj, gradient);
 }
 
-/// Velocity of the points of a shape, in its own frame, per unit of one of its parameters.
-VelocityField shape_field(const SurfaceDef& def, const Parameter& parameter, const Vec3& x) {
+/// Of the points of a shape, in its own frame, per unit of a coefficient.
+VelocityField term_field(const SurfaceDef& def, int k, const Vec3& x) {
+  const SurfaceDef::Term& term = def.terms[static_cast<std::size_t>(k)];
+  return def.shape == SurfaceDef::Shape::polynomial ? cartesian_term(x, term) : cylindrical_term(x, term);
+}
+
+/// The same per unit of an ellipsoid's radius.
+VelocityField radii_field(const SurfaceDef& def, int k, const Vec3& x) {
   VelocityField out;
-  const int k = parameter.component;
-  switch (parameter.kind) {
-    case Kind::radii:
-      out.V[k] = x[k] / def.radii[k];
-      out.dV(k, k) = 1 / def.radii[k];
-      break;
-    case Kind::major_radius:
-      return radial_field(x, 1, Vec3::Zero());
-    case Kind::term: {
-      const SurfaceDef::Term& term = def.terms[static_cast<std::size_t>(k)];
-      return def.shape == SurfaceDef::Shape::polynomial ? cartesian_term(x, term) : cylindrical_term(x, term);
-    }
-    default:
-      break;
-  }
+  out.V[k] = x[k] / def.radii[k];
+  out.dV(k, k) = 1 / def.radii[k];
   return out;
+}
+
+/// The change by a field in the surface's own frame.
+SurfaceChange in_frame(const SurfaceDef& def, const SurfacePoint& point, const VelocityField& field) {
+  const Mat3& R = def.placement.R;
+  return change_of_field(point, R * field.V, R * field.dV * R.transpose());
 }
 
 }  // namespace
 
 SurfaceChange surface_change(const SurfaceDef& def, const Parameter& parameter, const SurfacePoint& point) {
-  switch (parameter.kind) {
-    case Kind::offset:
-      return {1, Vec2::Zero()};
-    case Kind::radius:
-    case Kind::minor_radius:  // the outward side of a socket is the concave one
-      return {def.inside ? -1.0 : 1.0, Vec2::Zero()};
-    case Kind::origin:
-      return change_of_field(point, Vec3::Unit(parameter.component), Mat3::Zero());
-    default: {
-      const Mat3& R = def.placement.R;
-      const VelocityField field = shape_field(def, parameter, R.transpose() * (point.p - def.placement.p));
-      return change_of_field(point, R * field.V, R * field.dV * R.transpose());
-    }
-  }
+  if (parameter.kind == Kind::offset) return {1, Vec2::Zero()};
+  const int k = parameter.component;
+  const Vec3 x = def.placement.R.transpose() * (point.p - def.placement.p);  // in its own frame
+  if (parameter.kind == Kind::term) return in_frame(def, point, term_field(def, k, x));
+  const double* number = kind_of(def).numbers[static_cast<std::size_t>(parameter.number)].values_of(def);
+  if (number == &def.radius || number == &def.minor_radius)
+    return {def.inside ? -1.0 : 1.0, Vec2::Zero()};  // the outward side of a socket is the hollow one
+  if (number == def.placement.p.data()) return change_of_field(point, Vec3::Unit(k), Mat3::Zero());
+  return in_frame(def, point, number == &def.major_radius ? radial_field(x, 1, Vec3::Zero()) : radii_field(def, k, x));
 }
 
 }  // namespace genu

@@ -10,19 +10,36 @@ namespace genu {
 namespace {
 
 /// Calls visit(body, point) for every point that a scene fixes to a body.
-template <typename SceneType, typename Visit>
-void for_points(SceneType& scene, Visit visit) {
-  for (auto& s : scene.surfaces) visit(s.body, s.placement.p);
+template <typename Visit>
+void for_points(PlacedScene& scene, Visit visit) {
+  const auto of_tables = [&](auto& defs) {
+    for (std::size_t i = 0; i < defs.size(); ++i)
+      for (const auto& number : kind_of(defs[i]).numbers) {
+        if (number.frame == nullptr) continue;
+        const int frame = number.frame(defs[i]);
+        visit(frame == kItself ? static_cast<int>(i) : frame, Eigen::Map<Vec3>(number.values(defs[i])));
+      }
+  };
+  of_tables(scene.surfaces);
+  of_tables(scene.loads);
+  of_tables(scene.joints);
+  of_tables(scene.bodies);
   for (auto& l : scene.ligaments) LigamentDef::for_each_end(l, [&](auto& end) { visit(end.body, end.point); });
-  for (auto& l : scene.loads) {
-    if (l.kind == LoadDef::Kind::coordinate) continue;
-    visit(l.body, l.point);
-    if (l.kind == LoadDef::Kind::toward) visit(l.toward_body, l.toward_point);
-  }
   for (auto& j : scene.joints) {
     if (!j.grood_suntay) continue;
     visit(j.grood_suntay->femur.body, j.grood_suntay->femur.origin);
     visit(j.grood_suntay->tibia.body, j.grood_suntay->tibia.origin);
+  }
+}
+
+/// The points of a load, those of its last numbers first. One that the file may leave out tells nothing where it is 0.
+void add_points(const LoadDef& load, std::vector<std::vector<Vec3>>& points) {
+  const auto numbers = kind_of(load).numbers;
+  for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {
+    if (number->frame == nullptr) continue;
+    const Vec3 point = Eigen::Map<const Vec3>(number->values_of(load));
+    if (number->row.presence == NumberRow::Presence::required || !point.isZero(0))
+      points[at(number->frame(load))].push_back(point);
   }
 }
 
@@ -38,10 +55,7 @@ std::vector<std::vector<Vec3>> telling_points(const SceneTables& scene, const st
   }
   for (const LigamentDef& l : scene.ligaments)
     LigamentDef::for_each_end(l, [&](const auto& end) { points[at(end.body)].push_back(end.point); });
-  for (const LoadDef& l : scene.loads) {
-    if (l.kind == LoadDef::Kind::toward) points[at(l.toward_body)].push_back(l.toward_point);
-    if (l.kind != LoadDef::Kind::coordinate && !l.point.isZero(0)) points[at(l.body)].push_back(l.point);
-  }
+  for (const LoadDef& l : scene.loads) add_points(l, points);
   for (const JointDef& j : scene.joints) {
     if (j.type == JointDef::Type::free) continue;  // a hinge is a point of both
     points[at(j.parent)].emplace_back(j.reference[3], j.reference[4], j.reference[5]);
@@ -61,7 +75,10 @@ double size_of(const SceneTables& scene, const std::vector<std::vector<Vec3>>& p
   double size = kMinSceneSize;
   for (const auto& of_body : points)
     for (const Vec3& p : of_body) size = std::max(size, (p - mean(of_body)).norm());
-  for (const SurfaceDef& s : scene.surfaces) size = std::max({size, s.radius, s.radii.maxCoeff(), s.major_radius});
+  for (const SurfaceDef& s : scene.surfaces)
+    for (const NumberOf<SurfaceDef>& number : kind_of(s).numbers)
+      if (number.row.unit == Unit::length && number.frame == nullptr)
+        size = std::max(size, *std::max_element(number.values_of(s), number.values_of(s) + number.row.size));
   return size;
 }
 
@@ -113,8 +130,7 @@ std::vector<Vec3> choose_origins(const Scene& scene, const MeshMiddle& mesh_midd
 
 PlacedScene place(const Scene& scene, const std::vector<Vec3>& origins) {
   PlacedScene placed{scene, origins};
-  for_points(placed, [&](int body, Vec3& point) { point -= origins[at(body)]; });
-  for (std::size_t b = 0; b < origins.size(); ++b) placed.bodies[b].centre_of_mass -= origins[b];
+  for_points(placed, [&](int body, auto&& point) { point -= origins[at(body)]; });
   const auto move_regions = [&](ContactDef& c) {
     for (RegionDef& region : c.regions)
       for (auto& condition : region.conditions)

@@ -9,7 +9,7 @@ namespace genu {
 /// `kind` is the law that the ligament names.
 inline LawValues law_values(const LawKind& kind, const LigamentDef& ligament) {
   LawValues values{{}, ligament.points};
-  for (const LawNumber& number : kind.numbers) values.numbers.push_back(ligament.number(number.key));
+  for (const NumberRow& number : kind.numbers) values.numbers.push_back(ligament.number(number.key));
   return values;
 }
 

@@ -22,20 +22,14 @@ void refuse_key(ReadContext& context, const Item& item, std::string rule) {
   context.error(item.node->key_where, item.path, literal(*item.node), std::move(rule));
 }
 
-/// `mass` and `centre_of_mass`, or `solid`, where only gravity asks for them.
+/// Numbers that give a body weight, or `solid`, where only gravity asks for them.
 void read_weight(ReadContext& context, Section& section, bool gravity, BodyDef& body) {
-  if (!gravity) {
-    for (const char* key : {"mass", "centre_of_mass", "solid"})
-      if (const Item item = section.find(key)) refuse_key(context, item, kNoUse);
+  if (gravity) {
+    if (!read_solid(context, section, body)) read_mass(context, section, {.none_required = true}, body);
     return;
   }
-  if (read_solid(context, section, body)) return;
-  const Item mass = section.find("mass"), centre = section.find("centre_of_mass");
-  body.mass =
-      read_number(context, mass, positive({.unit = 1, .unit_name = "kg", .above = {}, .at_least = {}})).value_or(0);
-  body.centre_of_mass = read_vector(context, centre, length_rule(context)).value_or(Vec3::Zero());
-  if (mass && body.fixed) refuse(context, mass, "is of a fixed body, whose weight moves nothing");
-  if (centre && !mass) refuse(context, centre, "is where the mass acts, and there is no mass");
+  for (const Item& item : given_numbers(section, kind_of(body))) refuse_key(context, item, kNoUse);
+  if (const Item solid = section.find("solid")) refuse_key(context, solid, kNoUse);
 }
 
 void check_gravity(ReadContext& context, const Item& gravity, const std::vector<Item>& tables) {
@@ -46,6 +40,14 @@ void check_gravity(ReadContext& context, const Item& gravity, const std::vector<
 }
 
 }  // namespace
+
+void read_mass(ReadContext& context, Section& section, const NumbersOf& how, BodyDef& body) {
+  read_numbers(context, section, kind_of(body), body, how);
+  for (const NumberOf<BodyDef>& number : kind_of(body).numbers)
+    if (const Item item = section.find(number.row.key);
+        item && body.fixed && !lacks_other(section, kind_of(body), number.row, how))
+      refuse(context, item, "is of a fixed body, which nothing moves");
+}
 
 void read_bodies(ReadContext& context, Section& root) {
   const Item gravity = root.find("gravity");

@@ -83,8 +83,7 @@ void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   if (const Item law = section.find("law"))
     layer.law = static_cast<LayerDef::Law>(read_choice(context, law, {"linear", "logarithmic"}).value_or(0));
   read_quadrature(context, section, layer);
-  layer.damping =
-      read_damping(context, section, "cartilage", 1 / context.scene.length_unit, "s/" + context.length_name);
+  read_number_row(context, section, kLayerDamping, {.objects = "cartilage"}, &layer.damping);
 }
 
 }  // namespace

@@ -93,30 +93,13 @@ void refuse_locked(ReadContext& context, const Item& item) {
 void read_inertia(ReadContext& context, Section& section, BodyDef& body) {
   if (read_solid(context, section, body)) return;
   const bool needed = !body.fixed;
-  const Item mass = needed ? section.require("mass") : section.find("mass");
-  const Item centre = section.find("centre_of_mass");
+  read_mass(context, section, {.none_required = !needed}, body);
   const Item inertia = needed ? section.require("inertia") : section.find("inertia");
-  body.mass = read_number(context, mass, positive(plain_rule("kg"))).value_or(0);
-  body.centre_of_mass = read_vector(context, centre, length_rule(context)).value_or(Vec3::Zero());
   if (const auto matrix = inertia ? read_matrix(context, inertia) : std::nullopt) {
     body.inertia = *matrix;
     if (const std::string rule = broken_rule(*matrix); !rule.empty()) refuse(context, inertia, rule);
   }
-  for (const Item& item : {mass, centre, inertia})
-    if (item && body.fixed) refuse(context, item, "is of a fixed body, which nothing moves");
-}
-
-double read_damping(ReadContext& context, Section& section, const char* what, double unit,
-                    const std::string& unit_name) {
-  const Item item = section.find("damping");
-  if (!item) return 0;
-  if (!context.in_motion) {
-    context.error(item.node->key_where, item.path, literal(*item.node),
-                  fmt::format("damping of {} has an effect only in a scene with [dynamics]", what));
-    return 0;
-  }
-  const NumberRule rule{.unit = unit, .unit_name = unit_name, .above = {}, .at_least = 0};
-  return read_number(context, item, rule).value_or(0);
+  if (inertia && body.fixed) refuse(context, inertia, "is of a fixed body, which nothing moves");
 }
 
 void read_dynamics(ReadContext& context, Section& root) {

@@ -143,6 +143,12 @@ std::string held_rule(const JointDef& joint) {
   return {};
 }
 
+std::vector<std::string> joint_words() {
+  std::vector<std::string> words;
+  for (const KindOf<JointDef>& kind : kJointKinds) words.emplace_back(kind.word);
+  return words;
+}
+
 }  // namespace
 
 void read_joints(ReadContext& context, Section& root) {
@@ -153,17 +159,15 @@ void read_joints(ReadContext& context, Section& root) {
     joint.where = item.node->key_where;
     read_bodies_of(context, section, joint);
     read_grood_suntay(context, section.find("grood_suntay"), joint);
-    const auto type = read_choice(context, section.require("type"), {"free", "revolute", "fixed"});
+    const auto type = read_choice(context, section.require("type"), joint_words());
     bool understood = false;
     if (!type) {
-      for (const char* key :
-           {"rotations", "translations", "reference", "start", "origin", "axis", "stiffness", "damping", "limits"})
-        section.find(key);
-    } else if (*type == 0) {
-      understood = read_coordinates(context, section, joint);
+      for (const char* key : {"rotations", "translations", "reference", "start", "origin", "axis"}) section.find(key);
+      for (const KindOf<JointDef>& kind : kJointKinds) know_numbers(section, kind);
     } else {
-      joint.type = *type == 1 ? JointDef::Type::revolute : JointDef::Type::fixed;
-      understood = read_held_joint(context, section, joint);
+      joint.type = static_cast<JointDef::Type>(*type);
+      understood = joint.type == JointDef::Type::free ? read_coordinates(context, section, joint)
+                                                      : read_held_joint(context, section, joint);
     }
     section.finish();
     context.scene.joints.push_back(joint);

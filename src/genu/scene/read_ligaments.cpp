@@ -45,13 +45,6 @@ void read_ends(ReadContext& context, Section& section, LigamentDef& ligament) {
   }
 }
 
-NumberRule rule_of(const ReadContext& context, const LawNumber& number) {
-  return positive({.unit = number.si(context.scene.length_unit),
-                   .unit_name = number.unit_name(context.length_name),
-                   .above = {},
-                   .at_least = {}});
-}
-
 void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
   if (!is_array(context, item, "points [[strain, N], ...]")) return;
   if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [strain, N]");
@@ -85,9 +78,9 @@ const LawKind* read_law(ReadContext& context, Section& section, LigamentDef& lig
   ligament.law = law.name;
   section.rename(law.what);
   if (law.points) read_force_table(context, section.require("points"), ligament);
-  for (const LawNumber& number : law.numbers) {
-    const auto value = read_number(context, section.require(number.key.c_str()), rule_of(context, number));
-    ligament.numbers.push_back({number.key, value.value_or(1)});
+  for (const NumberRow& number : law.numbers) {
+    ligament.numbers.push_back({number.key, 1});
+    read_number_row(context, section, number, {.objects = "ligaments"}, &ligament.numbers.back().value);
   }
   return &law;
 }
@@ -149,8 +142,7 @@ void read_ligaments(ReadContext& context, Section& root) {
     const LawKind* law = read_law(context, section, ligament);
     read_rest(context, section, ligament, law);
     section.not_built({"wrap"}, "ligaments that wrap");
-    ligament.damping =
-        read_damping(context, section, "ligaments", 1 / context.scene.length_unit, "N s/" + context.length_name);
+    read_number_row(context, section, kLigamentDamping, {.objects = "ligaments"}, &ligament.damping);
     section.finish();
     context.scene.ligaments.push_back(ligament);
   }

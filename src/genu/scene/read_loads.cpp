@@ -17,15 +17,13 @@ void read_wrench(ReadContext& context, Section& section, LoadDef& load) {
   const Item body = section.require("body");
   load.body = read_body(context, body);
   if (is_fixed(context, load.body)) refuse(context, body, "is fixed: a load on it moves nothing");
-  const Item force = section.find("force"), moment = section.find("moment"), point = section.find("point");
-  load.force = read_vector(context, force, plain_rule("N")).value_or(Vec3::Zero());
-  load.moment = read_vector(context, moment, plain_rule("N m")).value_or(Vec3::Zero());
-  load.point = read_vector(context, point, length_rule(context)).value_or(Vec3::Zero());
+  read_numbers(context, section, kind_of(load), load);
   const auto frame = read_choice(context, section.find("frame"), {"world", "body"});
   load.frame = frame == 1 ? LoadDef::Frame::body : LoadDef::Frame::world;
-  if (point && !force) refuse(context, point, "is where a force acts, and there is no force");
-  for (const char* other : {"toward", "on"}) section.find(other);  // the keys of the other kinds, for messages
-  if (!force && !moment) section.error("force", "is missing: a load needs a force, a moment, `toward` or `on`");
+  for (const KindOf<LoadDef>& other : kLoadKinds)
+    if (*other.word != 0) section.find(other.word);  // for messages
+  if (!section.has("force") && !section.has("moment"))
+    section.error("force", "is missing: a load needs a force, a moment, `toward` or `on`");
 }
 
 /// The other end of a force between two bodies.
@@ -34,7 +32,7 @@ void read_end(ReadContext& context, const Item& item, LoadDef& load) {
   Section section(context, item, "the point a load is directed at");
   const Item body = section.require("body");
   load.toward_body = read_body(context, body);
-  load.toward_point = read_vector(context, section.require("point"), length_rule(context)).value_or(Vec3::Zero());
+  read_numbers(context, section, kind_of(load), load, {.table = "toward"});
   section.finish();
   if (load.body < 0 || load.toward_body < 0) return;
   if (load.body == load.toward_body) {
@@ -45,24 +43,22 @@ void read_end(ReadContext& context, const Item& item, LoadDef& load) {
 }
 
 void read_toward(ReadContext& context, Section& section, LoadDef& load) {
-  section.rename("a load toward a point");
   load.kind = LoadDef::Kind::toward;
+  section.rename(kind_of(load).what);
   load.body = read_body(context, section.require("body"));
-  load.point = read_vector(context, section.find("point"), length_rule(context)).value_or(Vec3::Zero());
+  read_numbers(context, section, kind_of(load), load);
   read_end(context, section.find("toward"), load);
-  load.value = read_number(context, section.require("magnitude"), non_negative(plain_rule("N"))).value_or(0);
 }
 
 void read_on(ReadContext& context, Section& section, LoadDef& load) {
-  section.rename("a load on a joint coordinate");
   load.kind = LoadDef::Kind::coordinate;
+  section.rename(kind_of(load).what);
   const Item on = section.find("on");
   const auto name = read_string(context, on);
   const auto coordinate =
       name ? find_coordinate(context, on.node->where, on.path, *name, literal(*on.node)) : std::nullopt;
   load.coordinate = coordinate.value_or(CoordinateRef{});
-  const bool translation = coordinate && coordinate->index >= 3;
-  load.value = read_number(context, section.find("value"), plain_rule(translation ? "N" : "N m")).value_or(1);
+  read_numbers(context, section, kind_of(load), load);
 }
 
 }  // namespace

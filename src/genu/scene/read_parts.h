@@ -1,7 +1,7 @@
 // The parts of a scene, in the order in which they are read: each may refer to those before it.
 #pragma once
 
-#include "genu/scene/section.h"
+#include "genu/scene/read_numbers.h"
 
 namespace genu {
 
@@ -26,15 +26,17 @@ void check_scene(ReadContext& context);
 /// `solid` of a body, in the place of the next three keys. False where there is none.
 bool read_solid(ReadContext& context, Section& section, BodyDef& body);
 
-/// `mass`, `centre_of_mass` and `inertia` of a body, in a scene with dynamics.
+/// The numbers of a body's table; a fixed body may have none.
+void read_mass(ReadContext& context, Section& section, const NumbersOf& how, BodyDef& body);
+
+/// The numbers of a body and `inertia`, in a scene with dynamics.
 void read_inertia(ReadContext& context, Section& section, BodyDef& body);
 
-/// `damping`, N s per `unit` (SI) of what it damps; only a scene with dynamics may have it.
-double read_damping(ReadContext& context, Section& section, const char* what, double unit,
-                    const std::string& unit_name);
+/// `x_axis`, `z_axis` of a surface. Without x_axis, x is the body's x made orthogonal to z_axis; where z_axis lies
+/// along the body's x, the axes are the body's in cyclic order (x = the body's y).
+Mat3 read_axes(ReadContext& context, Section& section);
 
-/// `origin`, `x_axis`, `z_axis` of a surface. Without x_axis, x is the body's x made orthogonal to z_axis; where z_axis
-/// lies along the body's x, the axes are the body's in cyclic order (x = the body's y).
+/// The same with `origin` before them.
 Pose read_placement(ReadContext& context, Section& section);
 
 /// The file of a mesh, which must exist, as it is to be opened. `where` gets the value's place.

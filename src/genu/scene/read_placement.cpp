@@ -26,26 +26,30 @@ Vec3 read_axis(ReadContext& context, const Item& item, const Vec3& fallback, boo
 
 }  // namespace
 
-Pose read_placement(ReadContext& context, Section& section) {
-  Pose pose;
-  pose.p = read_vector(context, section.find("origin"), length_rule(context)).value_or(Vec3::Zero());
+Mat3 read_axes(ReadContext& context, Section& section) {
+  Mat3 R = Mat3::Identity();
   const Item x_item = section.find("x_axis"), z_item = section.find("z_axis");
   bool good = true;
   Vec3 x = read_axis(context, x_item, Vec3::UnitX(), good);
   const Vec3 z = read_axis(context, z_item, Vec3::UnitZ(), good);
-  if (!good) return pose;
+  if (!good) return R;
   if (x.cross(z).norm() < kParallelSine) {
     if (x_item) {
       refuse(context, x_item, z_item ? "is parallel to z_axis" : "is parallel to the default z_axis [0, 0, 1]");
-      return pose;
+      return R;
     }
     x = Vec3::UnitY();
   }
   x = (x - x.dot(z) * z).normalized();
-  pose.R.col(0) = x;
-  pose.R.col(1) = z.cross(x);
-  pose.R.col(2) = z;
-  return pose;
+  R.col(0) = x;
+  R.col(1) = z.cross(x);
+  R.col(2) = z;
+  return R;
+}
+
+Pose read_placement(ReadContext& context, Section& section) {
+  const auto origin = read_vector(context, section.find("origin"), length_rule(context));
+  return {read_axes(context, section), origin.value_or(Vec3::Zero())};
 }
 
 }  // namespace genu

@@ -7,9 +7,10 @@ namespace genu {
 bool read_solid(ReadContext& context, Section& body_section, BodyDef& body) {
   const Item item = body_section.find("solid");
   if (!item) return false;
-  for (const char* key : {"mass", "centre_of_mass", "inertia"})
-    if (const Item other = body_section.find(key); other && (context.in_motion || other.node->key != "inertia"))
-      refuse(context, other, "follows from `solid`: leave one of the two out");
+  std::vector<Item> others = given_numbers(body_section, kind_of(body));
+  if (context.in_motion) others.push_back(body_section.find("inertia"));
+  for (const Item& other : others)
+    if (other) refuse(context, other, "follows from `solid`: leave one of the two out");
   if (body.fixed) refuse(context, item, "is of a fixed body, which nothing moves");
   if (!is_table(context, item)) return true;
   Section section(context, item, "a solid");

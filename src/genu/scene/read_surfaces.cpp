@@ -16,21 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void read_ellipsoid(ReadContext& context, Section& section, SurfaceDef& surface) {
-  const auto radii = read_vector(context, section.require("radii"), positive(length_rule(context)));
-  surface.radii = radii.value_or(Vec3::Ones());
-}
-
-void read_torus(ReadContext& context, Section& section, SurfaceDef& surface) {
-  const NumberRule rule = positive(length_rule(context));
-  surface.major_radius = read_number(context, section.require("major_radius"), rule).value_or(1);
-  const Item minor = section.require("minor_radius");
-  const auto radius = read_number(context, minor, rule);
-  surface.minor_radius = radius.value_or(1);
-  if (radius && *radius >= surface.major_radius)
-    refuse(context, minor, "must be < major_radius: a tube that meets itself is no surface");
-}
-
 /// 0, 1, 2, ...; whole floating numbers pass, for the sake of arrays of one type.
 std::optional<int> read_exponent(ReadContext& context, const Item& item) {
   const TomlNode& node = *item.node;
@@ -91,43 +76,47 @@ void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
   if (degree) surface.degree = static_cast<int>(*degree);
 }
 
-void read_round(ReadContext& context, Section& section, SurfaceDef& surface) {
-  surface.radius = read_number(context, section.require("radius"), positive(length_rule(context))).value_or(1);
-}
-
-void read_plane(ReadContext&, Section&, SurfaceDef&) {}
-
-struct SurfaceShapeReader {
-  const char* word;
-  const char* what;
+/// What shapes have beside numbers.
+struct OtherKeys {
   SurfaceDef::Shape shape;
+  std::array<const char*, 4> keys;
   void (*read)(ReadContext&, Section&, SurfaceDef&);
 };
-constexpr std::array<SurfaceShapeReader, 7> kSurfaceShapes = {{
-    {"plane", "a plane", SurfaceDef::Shape::plane, read_plane},
-    {"sphere", "a sphere", SurfaceDef::Shape::sphere, read_round},
-    {"ellipsoid", "an ellipsoid", SurfaceDef::Shape::ellipsoid, read_ellipsoid},
-    {"cylinder", "a cylinder", SurfaceDef::Shape::cylinder, read_round},
-    {"torus", "a torus", SurfaceDef::Shape::torus, read_torus},
-    {"polynomial", "a polynomial surface", SurfaceDef::Shape::polynomial, read_polynomial},
-    {"mesh", "a mesh surface", SurfaceDef::Shape::mesh, read_mesh},
-}};
+constexpr OtherKeys kOtherKeys[] = {
+    {SurfaceDef::Shape::polynomial, {"chart", "terms"}, read_polynomial},
+    {SurfaceDef::Shape::mesh, {"file", "units", "fit_radius", "degree"}, read_mesh},
+};
 
-void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
+/// The words of all shapes, each once.
+std::vector<std::string> shape_words() {
   std::vector<std::string> words;
-  for (const SurfaceShapeReader& shape : kSurfaceShapes) words.emplace_back(shape.word);
-  if (const auto k = read_choice(context, section.require("shape"), words)) {
-    const SurfaceShapeReader& shape = kSurfaceShapes[static_cast<std::size_t>(*k)];
-    surface.shape = shape.shape;
-    section.rename(shape.what);
-    shape.read(context, section, surface);
+  for (const KindOf<SurfaceDef>& kind : kSurfaceKinds)
+    if (std::find(words.begin(), words.end(), kind.word) == words.end()) words.emplace_back(kind.word);
+  return words;
+}
+
+/// The shape, the keys that only it has, and the numbers of any surface.
+void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
+  const std::vector<std::string> words = shape_words();
+  const auto k = read_choice(context, section.require("shape"), words);
+  if (!k) {
+    // Without a shape no key of any shape can be called wrong.
+    for (const OtherKeys& other : kOtherKeys)
+      for (const char* key : other.keys)
+        if (key != nullptr) section.find(key);
+    for (const KindOf<SurfaceDef>& kind : kSurfaceKinds) know_numbers(section, kind);
     return;
   }
-  // Without a shape no key of any shape can be called wrong.
-  for (const char* key :
-       {"radius", "radii", "major_radius", "minor_radius", "chart", "terms", "file", "units", "fit_radius", "degree"}) {
-    section.find(key);
-  }
+  const auto* kind = std::find_if(std::begin(kSurfaceKinds), std::end(kSurfaceKinds),
+                                  [&](const auto& each) { return each.word == words[static_cast<std::size_t>(*k)]; });
+  surface.shape = static_cast<SurfaceDef::Shape>(kind - std::begin(kSurfaceKinds));
+  section.rename(kind->what);
+  for (const OtherKeys& other : kOtherKeys)
+    if (other.shape == surface.shape) {
+      other.read(context, section, surface);
+      break;
+    }
+  read_numbers(context, section, kind_of(surface), surface);
 }
 
 }  // namespace
@@ -161,7 +150,7 @@ void read_surfaces(ReadContext& context, Section& root) {
     surface.where = item.node->key_where;
     surface.body = read_reference(context, section.require("body"), "body", bodies).value_or(-1);
     read_shape(context, section, surface);
-    surface.placement = read_placement(context, section);
+    surface.placement.R = read_axes(context, section);
     surface.inside = read_bool(context, section.find("inside")).value_or(false);
     surface.patch = read_patch(context, section.find("patch"), surface);
     surface.thickness = read_surface_thickness(context, section.find("thickness"));

@@ -1,129 +1,20 @@
 // A scene as data: what a scene file says, checked, in SI units. See docs/scene-reference.md for the file format.
 #pragma once
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "genu/core/pose.h"
 #include "genu/core/types.h"
+#include "genu/scene/body_def.h"
+#include "genu/scene/joint_def.h"
+#include "genu/scene/load_def.h"
 #include "genu/scene/solid_def.h"
+#include "genu/scene/surface_def.h"
 
 namespace genu {
-
-struct BodyDef {
-  /// A closed mesh full of a material.
-  struct Solid {
-    std::string file;      ///< path as opened
-    double file_unit = 1;  ///< m per unit of the file
-    Pose placement;        ///< X_body_mesh
-    double density = 0;    ///< kg/m^3
-    SourceLocation where, file_where;
-  };
-  std::string name;
-  bool fixed = false;
-  /// Where mass, centre of mass and inertia come from: they are 0 as read, and known once its mesh is
-  /// (assemble/read_solids.h).
-  std::optional<Solid> solid;
-  double mass = 0;                     ///< kg; 0 has no weight
-  Vec3 centre_of_mass = Vec3::Zero();  ///< m, in the body
-  Mat3 inertia = Mat3::Zero();         ///< kg m^2, about the centre of mass, axes of the body; only with dynamics
-  SourceLocation where;
-};
-
-/// The anatomical axes of a knee for the description of Grood and Suntay (model/grood_suntay.h). Unit vectors, anterior
-/// perpendicular to proximal.
-struct GroodSuntayDef {
-  struct Bone {
-    int body = -1;
-    Vec3 proximal = Vec3::UnitZ();
-    Vec3 anterior = Vec3::UnitY();
-    Vec3 origin = Vec3::Zero();  ///< m
-  };
-  bool right = true;  ///< a right knee
-  Bone femur, tibia;
-};
-
-/// The six coordinates of `child` in `parent`: R_parent_child = R1 R2 R3 (successive rotations about the child's own
-/// axes); x = child's origin in the parent's axes. A free joint names all six and constrains nothing. A revolute joint
-/// leaves the first rotation, `angle` about its axis, a fixed joint none: they hold the others at `reference`, and
-/// these have no names.
-struct JointDef {
-  enum class Type { free, revolute, fixed };
-  struct Rotation {
-    std::string name;
-    Vec3 axis = Vec3::UnitX();  ///< signed unit axis: "flexion -z" is (0, 0, -1)
-  };
-  std::string name;
-  int parent = -1;  ///< index into Scene::bodies
-  int child = -1;
-  std::array<Rotation, 3> rotations;
-  std::array<std::string, 3> translations;
-  std::array<double, 6> reference{};  ///< rotations (rad), then translations (m): the pose reference_strain means
-  std::optional<std::array<double, 6>> start;  ///< the same: where the search for equilibrium begins, if not there
-  Type type = Type::free;
-  double stiffness = 0;  ///< revolute: N m / rad, at rest at angle 0
-  double damping = 0;    ///< revolute: N m s / rad; only with dynamics
-  struct Limits {
-    double lower = -std::numeric_limits<double>::infinity();  ///< rad
-    double upper = std::numeric_limits<double>::infinity();
-    double stiffness = 0;  ///< N m / rad, of what lies beyond
-  };
-  std::optional<Limits> limits;  ///< revolute
-  std::optional<GroodSuntayDef> grood_suntay;
-  SourceLocation where;
-
-  /// Whether coordinate i (0..2 rotations, 3..5 translations) may change.
-  bool leaves(int i) const { return type == Type::free || (type == Type::revolute && i == 0); }
-};
-
-struct SurfaceDef {
-  enum class Shape { plane, sphere, ellipsoid, cylinder, torus, polynomial, cylindrical_polynomial, mesh };
-  struct Term {
-    int i = 0, j = 0;  ///< z = sum c x^i y^j, or r = sum c theta^i z^j
-    double c = 0;      ///< SI
-  };
-  /// Where contact is meant, in the surface's own frame: what is left empty is not limited.
-  struct Patch {
-    using Range = std::optional<std::pair<double, double>>;  ///< first < second
-    std::array<Range, 3> box;                                ///< x, y, z, m
-    Range theta;                                             ///< about z from x toward y, rad
-    SourceLocation where;
-  };
-  /// Of the cartilage on the surface: a number, or what lies between it and the mesh of a bone.
-  struct Thickness {
-    bool measured = false;
-    double constant = 0;    ///< m, where it is not measured
-    std::string bone;       ///< mesh: path as opened
-    double bone_unit = 1;   ///< m per unit of that file
-    double least = 0.5e-3;  ///< m: what is thinner counts as this thick
-    double most = 10e-3;    ///< m: how far the bone is looked for
-    SourceLocation where, bone_where;
-  };
-  std::string name;
-  int body = -1;
-  Shape shape = Shape::plane;
-  Pose placement;                    ///< X_body_surface
-  bool inside = false;               ///< the outward side turned round (a socket)
-  double radius = 0;                 ///< sphere, cylinder: m
-  Vec3 radii = Vec3::Zero();         ///< ellipsoid: m
-  double major_radius = 0;           ///< torus: m
-  double minor_radius = 0;           ///< torus: m
-  std::vector<Term> terms;           ///< polynomial
-  std::string file;                  ///< mesh: path as opened (already relative to the scene's folder)
-  double file_unit = 1;              ///< mesh: m per unit of the file
-  std::optional<double> fit_radius;  ///< mesh: m
-  std::optional<int> degree;         ///< mesh: 2 to 4
-  std::optional<Patch> patch;
-  std::optional<Thickness> thickness;  ///< where the surface has one of its own
-  SourceLocation where;
-  SourceLocation file_where;
-  SourceLocation fit_radius_where;  ///< where one is given
-};
 
 /// A half space or an intersection of some, in the frame of the second surface's body: "z < 0", "z >= 0 and x < 5".
 struct RegionDef {
@@ -169,6 +60,12 @@ struct LayerDef {
   bool operator==(const LayerDef&) const = default;
 };
 
+inline constexpr NumberRow kLayerDamping{.key = "damping",
+                                         .unit = Unit::time_per_length,
+                                         .range = NumberRow::Range::at_least_zero,
+                                         .presence = NumberRow::Presence::optional,
+                                         .in_motion = true};
+
 struct LigamentDef {
   enum class Rest { slack_length, reference_strain, reference_force };
   struct End {
@@ -203,12 +100,11 @@ struct LigamentDef {
   double number(std::string_view key) const;
 };
 
-/// One of a joint's six coordinates: 0..2 rotations, 3..5 translations.
-struct CoordinateRef {
-  int joint = -1;
-  int index = 0;
-  bool operator==(const CoordinateRef&) const = default;
-};
+inline constexpr NumberRow kLigamentDamping{.key = "damping",
+                                            .unit = Unit::force_per_speed,
+                                            .range = NumberRow::Range::at_least_zero,
+                                            .presence = NumberRow::Presence::optional,
+                                            .in_motion = true};
 
 /// sum of factor * coordinate, over coordinates of any joints; all are rotations or all are translations.
 struct CombinationDef {
@@ -232,41 +128,6 @@ struct QuantityRef {
   QuantityRef(int joint, int index) : first{joint, index} {}
   bool is_rotation() const { return first.index < 3; }
   bool operator==(const QuantityRef&) const = default;
-};
-
-/// What multiplies a load besides its factor in a step; or the course of a coordinate that is driven.
-struct ScaleDef {
-  enum class Kind { over_coordinate, over_time, sine, step };
-  Kind kind = Kind::over_time;
-  CoordinateRef coordinate;                      ///< over_coordinate
-  std::vector<std::pair<double, double>> table;  ///< (rad, m or s, factor), the first strictly increasing
-  double amplitude = 0;                          ///< sine
-  double frequency = 0;                          ///< sine: Hz
-  double start = 0;                              ///< sine, step: s
-  double offset = 0;                             ///< sine: about which it swings, and before its start
-  double from = 0, to = 1;                       ///< step
-  double rise = 0;                               ///< step: s, from one value to the other
-};
-
-struct LoadDef {
-  enum class Kind { wrench, toward, coordinate };
-  enum class Frame { world, body };
-  std::string name;
-  Kind kind = Kind::wrench;
-  int body = -1;                     ///< wrench, toward
-  Vec3 force = Vec3::Zero();         ///< wrench: N
-  Vec3 moment = Vec3::Zero();        ///< wrench: N m
-  Vec3 point = Vec3::Zero();         ///< wrench, toward: m, in the body
-  Frame frame = Frame::world;        ///< wrench
-  int toward_body = -1;              ///< toward: the body pulled to, and pulled on as much
-  Vec3 toward_point = Vec3::Zero();  ///< m, in that body
-  double value = 0;                  ///< toward: N; coordinate: N m or N
-  CoordinateRef coordinate;          ///< coordinate: where the generalised moment or force acts
-  std::optional<ScaleDef> scale;
-  SourceLocation where;
-
-  /// Whether it changes with time by itself.
-  bool in_time() const { return scale && scale->kind != ScaleDef::Kind::over_coordinate; }
 };
 
 struct StepDef {

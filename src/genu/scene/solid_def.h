@@ -7,16 +7,9 @@
 
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
+#include "genu/scene/source_location.h"
 
 namespace genu {
-
-/// Where in the scene file something was said (1-based), for messages of later stages.
-struct SourceLocation {
-  int line = 0;
-  int column = 0;
-
-  bool operator==(const SourceLocation&) const = default;
-};
 
 struct SolidDef {
   struct Part {

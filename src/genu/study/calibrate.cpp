@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "genu/assemble/parameter_values.h"
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/scene_values.h"
 #include "genu/assemble/with_numbers.h"
@@ -46,14 +45,16 @@ void add_unknown(Scene& scene, const Parameter& p, std::vector<Unknown>& unknown
 std::vector<Unknown> choose_unknowns(Scene& scene, const std::vector<std::string>& patterns, Diagnostics& out) {
   std::vector<Unknown> unknowns;
   const std::vector<Parameter> all = parameters_of(scene);
+  // Surfaces are made once, before the fit.
+  const auto can_vary = [&](const Parameter& p) { return !p.of_surface() && parameter_number(scene, p) != nullptr; };
   std::vector<std::string> known;
   for (const Parameter& p : all)
-    if (parameter_number(scene, p) != nullptr) known.push_back(p.name);
+    if (can_vary(p)) known.push_back(p.name);
   for (const std::string& pattern : patterns) {
     bool found = false, fixed = false;
     for (const Parameter& p : all) {
       if (!matches(pattern, p.name)) continue;
-      const bool can = parameter_number(scene, p) != nullptr;
+      const bool can = can_vary(p);
       found = found || can;
       fixed = fixed || !can;
       if (can) add_unknown(scene, p, unknowns, out);

@@ -62,6 +62,19 @@ const char* kind_of_object(const Parameter& p) {
   return p.kind == Parameter::Kind::prescribed ? "" : "bodies";
 }
 
+/// Calls f(row) for each number of surfaces, loads, bodies and joints.
+template <class F>
+void for_tables(const F& f) {
+  const auto of = [&](const auto& kinds) {
+    for (const auto& kind : kinds)
+      for (const auto& number : kind.numbers) f(number.row);
+  };
+  of(kSurfaceKinds);
+  of(kLoadKinds);
+  of(kBodyKinds);
+  of(kJointKinds);
+}
+
 /// Why a pattern names no parameter: what the objects that it names have, those of ligaments alone where it asks for a
 /// key that only ligaments can have.
 std::string no_parameter(const SceneTables& scene, const std::vector<Parameter>& known, const std::string& pattern) {
@@ -70,7 +83,7 @@ std::string no_parameter(const SceneTables& scene, const std::vector<Parameter>&
       return fmt::format("matches {}, on a surface that the elastic layer {} presses: there are no derivatives to it",
                          p.name, layer->pair.name);
   std::vector<std::string> of_ligaments = law_keys();
-  std::erase(of_ligaments, "stiffness");  // a revolute joint has it too
+  for_tables([&](const NumberRow& row) { std::erase(of_ligaments, row.key); });  // others have it too
   for (const char* word : {"slack_length", "reference_strain", "reference_force", "from", "to", "via"})
     of_ligaments.emplace_back(word);
   const auto object_of = [](const std::string& name) { return name.substr(0, name.find('.')); };
