@@ -67,7 +67,7 @@ double Load::largest_force(double length) const {
   return (scale ? scale->largest() : 1) * largest;
 }
 
-std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why) {
+Load make_unscaled_load(const PlacedScene& scene, const LoadDef& def) {
   Load load;
   load.name = def.name;
   load.body_a = def.body;
@@ -91,6 +91,11 @@ std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std:
       load.body_b = scene.joints[static_cast<std::size_t>(def.coordinate.joint)].child;
       break;
   }
+  return load;
+}
+
+std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why) {
+  Load load = make_unscaled_load(scene, def);
   if (!def.scale) return load;
   load.scale = LoadScale::make(*def.scale, why);
   return load.scale ? std::optional(load) : std::nullopt;

@@ -52,8 +52,11 @@ struct Load {
 /// The load of `def`. Empty where its scale is invalid; `why` then gives the reason.
 std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
 
+/// The same without its scale: affine in each single number of `def`.
+Load make_unscaled_load(const PlacedScene& scene, const LoadDef& def);
+
 /// Mass times gravity at the centre of mass of `def`, the body of that index of a scene with gravity. Affine as
-/// make_load().
+/// make_unscaled_load().
 Load make_weight(const PlacedScene& scene, const BodyDef& def, int body);
 
 }  // namespace genu

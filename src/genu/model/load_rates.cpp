@@ -51,12 +51,8 @@ Load load_change(const PlacedScene& scene, const Parameter& parameter) {
   if (parameter.of_body())
     return slope(scene.bodies[at(parameter.object)], parameter,
                  [&](const BodyDef& def) { return make_weight(scene, def, parameter.object); });
-  LoadDef constant = scene.loads[at(parameter.object)];
-  constant.scale.reset();
-  return slope(std::move(constant), parameter, [&](const LoadDef& def) {
-    std::string none;  // only a scale can be wrong
-    return make_load(scene, def, none).value();
-  });
+  return slope(scene.loads[at(parameter.object)], parameter,
+               [&](const LoadDef& def) { return make_unscaled_load(scene, def); });
 }
 
 Vec12 load_wrench_rate(const Load& load, const Load& change, const Pose& X_WA, const Pose& X_WB) {
