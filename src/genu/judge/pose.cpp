@@ -181,7 +181,7 @@ void add_loads(const PoseCase& pose, PoseForces& out) {
     if (load.kind == LoadDef::Kind::toward) {
       const Vec3 to = pose.poses[at(load.toward_body)] * load.toward_point;
       if ((to - point).norm() < 1e-9) continue;
-      const Vec3 pull = factor * load.value * (to - point).normalized();
+      const Vec3 pull = factor * load.activation * load.value * (to - point).normalized();
       out.forces.push_back({load.body, point, pull, Vec3::Zero()});
       out.forces.push_back({load.toward_body, to, -pull, Vec3::Zero()});
       continue;

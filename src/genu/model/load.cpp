@@ -74,7 +74,7 @@ Load make_unscaled_load(const PlacedScene& scene, const LoadDef& def) {
   load.p_A = def.point;
   load.force = def.force;
   load.moment = def.moment;
-  load.value = def.value;
+  load.value = def.activation * def.value;
   load.coordinate = def.coordinate;
   switch (def.kind) {
     case LoadDef::Kind::wrench:

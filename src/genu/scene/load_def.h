@@ -24,6 +24,7 @@ struct LoadDef {
   int toward_body = -1;              ///< toward: the body pulled to, and pulled on as much
   Vec3 toward_point = Vec3::Zero();  ///< m, in that body
   double value = 0;                  ///< toward: N; coordinate: N m or N
+  double activation = 1;             ///< toward: the share of the value that acts
   CoordinateRef coordinate;          ///< coordinate: where the generalised moment or force acts
   std::optional<ScaleDef> scale;
   SourceLocation where;
@@ -65,6 +66,12 @@ inline constexpr NumberOf<LoadDef> kMagnitude{.row = {.key = "magnitude",
                                                       .range = NumberRow::Range::at_least_zero,
                                                       .change = NumberRow::Change::absolute},
                                               .values = [](LoadDef& l) { return &l.value; }};
+inline constexpr NumberOf<LoadDef> kActivation{.row = {.key = "activation",
+                                                       .range = NumberRow::Range::at_least_zero,
+                                                       .change = NumberRow::Change::absolute,
+                                                       .presence = NumberRow::Presence::optional,
+                                                       .otherwise = 1},
+                                               .values = [](LoadDef& l) { return &l.activation; }};
 inline constexpr NumberOf<LoadDef> kPulledPoint{.row = load_row("point", Unit::length, 3),
                                                 .values = [](LoadDef& l) { return l.point.data(); },
                                                 .frame = [](const LoadDef& l) { return l.body; }};
@@ -77,7 +84,7 @@ inline constexpr NumberOf<LoadDef> kTowardPoint{.row = {.key = "point",
                                                         .name = "toward"},
                                                 .values = [](LoadDef& l) { return l.toward_point.data(); },
                                                 .frame = [](const LoadDef& l) { return l.toward_body; }};
-inline constexpr NumberOf<LoadDef> kTowardNumbers[] = {kMagnitude, kPulledPoint, kTowardPoint};
+inline constexpr NumberOf<LoadDef> kTowardNumbers[] = {kMagnitude, kActivation, kPulledPoint, kTowardPoint};
 
 inline constexpr NumberOf<LoadDef> kMomentNumbers[] = {
     {.row = load_row("value", Unit::moment, 1, 1), .values = [](LoadDef& l) { return &l.value; }}};
