@@ -47,7 +47,8 @@ TEST(LayerVerdict, SaysNothingWhereAllIsWell) {
 TEST(LayerVerdict, FewTrianglesAreTooFew) {
   const auto said = layer_sentences(scene_with_layer(), model_with_layer(), poses({{0.1, 60}, {0.1, 49}, {0.1, 12}}));
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_NE(said[0].find("in 2 of 3 rows fewer than 50 triangles of tibia carry the load (12 in row 3)"), std::string::npos)
+  EXPECT_NE(said[0].find("in 2 of 3 rows fewer than 50 triangles of tibia carry the load (12 in row 3)"),
+            std::string::npos)
       << said[0];
 }
 
