@@ -5,8 +5,8 @@
 namespace genu {
 namespace {
 
-Scene scene_with_layer() {
-  Scene scene;
+PlacedScene scene_with_layer() {
+  PlacedScene scene;
   LayerDef layer;
   layer.pair.name = "tf";
   layer.quadrature = LayerDef::Quadrature::triangles;

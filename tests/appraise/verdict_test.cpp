@@ -13,7 +13,7 @@ class Verdict : public testing::Test {
  protected:
   void SetUp() override {
     Diagnostics out;
-    prepared.scene = *read_scene(test::dortmans_file(), out);
+    prepared.scene = place(*read_scene(test::dortmans_file(), out));
     prepared.steps = plan_steps(prepared.scene);
     target.prescribed.push_back({{0, 0}, 41.2 * M_PI / 180});
     summary.poses_asked = 3;

@@ -171,7 +171,7 @@ TEST(PoseColumns, RefusesWithAWayOut) {
 }
 
 TEST(PoseColumns, SidesOfOneJointNeedAWord) {
-  const Scene scene = test::scene_model(test::bone_on_ground()).scene;
+  const PlacedScene scene = test::scene_model(test::bone_on_ground()).scene;
   const std::string names = "j_tx_r,j_tx_l,j_ty_r,j_tz_r,j.a,j.b,j.c", row = "1,2,3,4,5,6,7";
   const Result both = match(scene, names + "\n" + row + "\n");
   EXPECT_NE(both.said.find("p.csv:1:1: j.x: j_tx_r and j_tx_l may both be it"), std::string::npos) << both.said;

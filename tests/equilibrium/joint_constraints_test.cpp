@@ -126,10 +126,7 @@ load = { weight = [0, 1] }
   EXPECT_EQ(w.points.back().stability.verdict, Stability::Verdict::stable);
 
   // Poses of other origins: the reaction is told about the hand's own.
-  Scene moved = s.scene;
-  moved.bodies[1].centre = Vec3(0.02, -0.03, 0.04);
-  moved.bodies[2].centre = Vec3(-0.05, 0.01, 0.03);
-  moved.loads[0].point -= moved.bodies[2].centre;
+  const PlacedScene moved = place(s.source, {Vec3::Zero(), Vec3(0.02, -0.03, 0.04), Vec3(-0.05, 0.01, 0.03)});
   Diagnostics out;
   const auto model = build_model(moved, {}, out);
   ASSERT_TRUE(model.has_value());

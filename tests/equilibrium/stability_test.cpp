@@ -71,9 +71,8 @@ TEST(Stability, IsAboutTheBodysOwnOriginWhereverItIsSolvedFrom) {
                           (unstable ? load("w", "force = [0, 0, -1000]\npoint = [1400, 0, 0]") +
                                           load("l", "force = [0, 0, 1000]\npoint = [1400, 0, -80]")
                                     : std::string()));
-    Scene centred = s.scene;
-    centre_bodies(centred);
-    ASSERT_GT(centred.bodies[1].centre.x(), 1.3);
+    const PlacedScene centred = place(s.source, choose_origins(s.source));
+    ASSERT_GT(centred.origins[1].x(), 1.3);
     Diagnostics out;
     const auto model = build_model(centred, {}, out);
     ASSERT_TRUE(model.has_value());

@@ -12,7 +12,8 @@ void read_as_scene(const std::string& text) {
   auto scene = parse_scene(text, "scene.toml", out);
   require_result_or_reason(scene.has_value(), out);
   if (!scene) return;
-  centre_bodies(*scene);
+  const PlacedScene placed = place(*scene, choose_origins(*scene));
+  require(placed.origins.size() == scene->bodies.size(), "each body has an origin");
   for (const JointDef& joint : scene->joints)
     for (const double value : joint.reference) require(std::isfinite(value), "a joint starts at numbers");
   require(plan_steps(*scene).size() == scene->steps.size(), "each step has a plan");

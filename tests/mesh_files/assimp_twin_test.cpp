@@ -1,6 +1,7 @@
 // The readers of genu's own against assimp's, which keeps single precision; and what only assimp reads.
 #include <gtest/gtest.h>
 
+#include "genu/core/file_text.h"
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "support/data.h"
@@ -17,10 +18,13 @@ std::vector<Vec3> corners(const Mesh& mesh) {
   return out;
 }
 
-void expect_same(const std::string& path, std::string (*own)(const std::string&, Mesh&)) {
+void expect_same(const std::string& path, std::string (*own)(std::string_view, Mesh&)) {
   Mesh a, b;
-  ASSERT_EQ(own(path, a), "");
-  ASSERT_EQ(read_by_assimp(path, b), "");
+  std::string why;
+  const auto bytes = text_of_file(path, why);
+  ASSERT_TRUE(bytes) << why;
+  ASSERT_EQ(own(*bytes, a), "");
+  ASSERT_EQ(read_by_assimp(path, *bytes, b), "");
   const std::vector<Vec3> x = corners(a), y = corners(b);
   ASSERT_EQ(x.size(), y.size()) << path;
   double worst = 0, largest = 0;

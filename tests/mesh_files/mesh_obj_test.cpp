@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "genu/mesh_files/mesh_formats.h"
-#include "support/temporary_folder.h"
 #include "support/text.h"
 
 namespace genu {
@@ -13,15 +12,13 @@ using test::with_first;
 const std::string kObj = "# made by hand\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 1\nvn 0 0 1\nusemtl x\nf 1/2/3 2//3 3\n";
 
 std::string problem(const std::string& text) {
-  const test::TemporaryFolder folder;
   Mesh mesh;
-  return read_obj(folder.write("a.obj", text), mesh);
+  return read_obj(text, mesh);
 }
 
 Mesh good_obj(const std::string& text) {
-  const test::TemporaryFolder folder;
   Mesh mesh;
-  EXPECT_EQ(read_obj(folder.write("a.obj", text), mesh), "");
+  EXPECT_EQ(read_obj(text, mesh), "");
   return mesh;
 }
 

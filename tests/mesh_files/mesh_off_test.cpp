@@ -1,15 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "genu/mesh_files/mesh_formats.h"
-#include "support/temporary_folder.h"
 
 namespace genu {
 namespace {
 
-std::string read_off_text(const std::string& text, Mesh& mesh) {
-  const test::TemporaryFolder folder;
-  return read_off(folder.write("a.off", text), mesh);
-}
+std::string read_off_text(const std::string& text, Mesh& mesh) { return read_off(text, mesh); }
 
 const std::string kSquare = "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 

@@ -13,10 +13,7 @@ namespace {
 const std::string kFacet =
     "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
 
-std::string read_stl_text(const std::string& text, Mesh& mesh) {
-  const test::TemporaryFolder folder;
-  return read_stl(folder.write("a.stl", text), mesh);
-}
+std::string read_stl_text(const std::string& text, Mesh& mesh) { return read_stl(text, mesh); }
 
 TEST(MeshStl, ReadsWhatExportersWrite) {
   const std::string texts[] = {"solid\n" + kFacet + "endsolid\n",

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "genu/mesh_files/mesh_formats.h"
-#include "support/temporary_folder.h"
 #include "support/vtp_text.h"
 
 namespace genu {
@@ -51,10 +50,7 @@ Arrays ascii() {
           element("Int64", "offsets", "ascii", whole(kOffsets))};
 }
 
-std::string read_vtp_text(const std::string& text, Mesh& mesh) {
-  const test::TemporaryFolder folder;
-  return read_vtp(folder.write("a.vtp", text), mesh);
-}
+std::string read_vtp_text(const std::string& text, Mesh& mesh) { return read_vtp(text, mesh); }
 
 void expect_square(const std::string& text, const std::string& what) {
   Mesh mesh;

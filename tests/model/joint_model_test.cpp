@@ -72,7 +72,7 @@ TEST(JointModel, LawsThatCannotBeAreReportedByName) {
   auto scene = parse_scene(text, "scene.toml", out);
   ASSERT_TRUE(scene);
   scene->ligaments[0].numbers[0].value = -1;  // no reader lets this pass; a program may
-  EXPECT_FALSE(build_model(*scene, {}, out));
+  EXPECT_FALSE(build_model(place(*scene), {}, out));
   ASSERT_EQ(out.items().size(), 1u);
   EXPECT_EQ(out.items()[0].key, "ligament.odd");
   EXPECT_GT(out.items()[0].line, 0);

@@ -48,7 +48,7 @@ void edit(LigamentDef& def, const Parameter& p, double delta) {
 using Shown = Eigen::Matrix<double, 15, 1>;
 
 struct Bench {
-  Scene scene;
+  PlacedScene scene;
   Pose reference_A, reference_B = kReference, X_WA{exp_rotation(Vec3(-0.2, 0.1, 0.4)), Vec3(0.02, -0.01, 0.01)}, X_WB;
 
   /// On [a; b], in the bodies 0 and 1.

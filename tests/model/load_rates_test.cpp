@@ -12,7 +12,7 @@ namespace genu {
 namespace {
 
 /// The load of an edited scene.
-Load edited(Scene scene, const Parameter& p, double delta) {
+Load edited(PlacedScene scene, const Parameter& p, double delta) {
   *parameter_number(scene, p) += delta;
   std::string why;
   return make_load(scene, scene.loads[static_cast<std::size_t>(p.object)], why).value_or(Load{});

@@ -29,7 +29,7 @@ Load some_load(Load::Kind kind) {
 constexpr Load::Kind kWithPoints[] = {Load::Kind::dead, Load::Kind::follower, Load::Kind::toward};
 
 TEST(Load, WeightOnALever) {
-  Scene scene;
+  PlacedScene scene;
   scene.gravity = Vec3(0, 0, -10);
   scene.bodies.resize(1);
   scene.bodies[0].mass = 2;

@@ -8,10 +8,10 @@
 namespace genu {
 namespace {
 
-Scene scene_with_bone() {
-  Scene scene;
+PlacedScene scene_with_bone() {
+  PlacedScene scene;
   scene.bodies.resize(1);
-  scene.bodies[0].centre = Vec3(0, 0, 1);  // m: places are told as the file has them
+  scene.origins = {Vec3(0, 0, 1)};  // m: reported places are in the frame of the file
   scene.surfaces.resize(1);
   scene.surfaces[0].name = "tibia";
   scene.surfaces[0].body = 0;
@@ -39,7 +39,7 @@ TEST(MeasuredThickness, SilentWhereAllIsWell) {
 TEST(MeasuredThickness, NothingToMeasure) {
   Diagnostics out;
   std::shared_ptr<const ThicknessField> field;
-  Scene scene = scene_with_bone();
+  PlacedScene scene = scene_with_bone();
   scene.surfaces[0].thickness->measured = false;
   EXPECT_TRUE(thickness_on(scene, {}, 0, test::sheet(10e-3, 10), field, out));
   EXPECT_FALSE(field);

@@ -56,7 +56,7 @@ int expect_derivatives(const test::SceneModel& s, const Target& target, const St
     using Kind = Parameter::Kind;
     const auto residual = [&](double share) {
       const double delta = share * p.change;
-      Scene scene = s.scene;
+      PlacedScene scene = s.scene;
       Target aim = target;
       const auto o = static_cast<std::size_t>(std::max(p.object, 0));
       if (double* number = parameter_number(scene, p)) *number += delta;

@@ -57,7 +57,7 @@ TEST(StepPlan, VariesNothingWhereOnlyTimePasses) {
 }
 
 TEST(PlanSteps, LoadsThatAreNotNamedKeepTheFactorOne) {
-  Scene scene;
+  PlacedScene scene;
   scene.loads.resize(3);
   scene.steps.resize(2);
   scene.steps[0].factors = {{1, 0, 0.5}};
@@ -74,7 +74,7 @@ TEST(PlanSteps, LoadsThatAreNotNamedKeepTheFactorOne) {
 }
 
 TEST(PlanSteps, TimeGoesOnFromStepToStep) {
-  Scene scene;
+  PlacedScene scene;
   scene.steps.resize(3);
   scene.steps[0].duration = 0.25;
   scene.steps[2].duration = 4;

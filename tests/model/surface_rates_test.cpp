@@ -29,7 +29,7 @@ TEST(SurfaceRates, AreWhatAPointInSpaceSeesOfTheEditedSurface) {
   int compared = 0;
   for (const auto& [shape, sizes] : shapes) {
     for (const char* side : {"", "\ninside = true"}) {
-      const Scene scene =
+      const PlacedScene scene =
           test::scene_model(test::bone_on_ground() + test::surface("s", "bone", shape, sizes + placed + side)).scene;
       const SurfaceDef& def = scene.surfaces[0];
       for (int k = 0; k < 5; ++k) {
@@ -42,7 +42,7 @@ TEST(SurfaceRates, AreWhatAPointInSpaceSeesOfTheEditedSurface) {
           const SurfaceChange change = surface_change(def, p, point);
           const auto seen = test::derivative(
               [&](double share) {
-                Scene edited = scene;
+                PlacedScene edited = scene;
                 *parameter_number(edited, p) += share * p.change;
                 SurfacePoint foot;
                 EXPECT_TRUE(test::formula_surface(edited.surfaces[0])->project(point.p, foot));

@@ -78,15 +78,9 @@ TEST(Unbalanced, DoesNotDependOnWhereTheModelPutsItsOrigins) {
   const std::vector<JointValues> q = {{0.3, -0.4, 0.7, 0.01, 0.02, -0.015}, scene->joints[1].reference};
   std::vector<Unbalanced> found;
   for (const double x : {0.0, 0.4}) {
-    Scene moved = *scene;
-    if (x > 0) {
-      for (std::size_t b = 0; b < moved.bodies.size(); ++b) EXPECT_TRUE(moved.bodies[b].centre.isZero(0));
-      moved.bodies[1].centre = Vec3(x, -x, 2 * x);  // what centre_bodies() does: points are told from there
-      for (LigamentDef& l : moved.ligaments)
-        for (auto* end : {&l.from, &l.to})
-          if (end->body == 1) end->point -= moved.bodies[1].centre;
-      for (LoadDef& l : moved.loads) l.point -= moved.bodies[1].centre;
-    }
+    std::vector<Vec3> origins(scene->bodies.size(), Vec3::Zero());
+    origins[1] = Vec3(x, -x, 2 * x);
+    const PlacedScene moved = place(*scene, origins);
     const auto model = build_model(moved, {}, out);
     ASSERT_TRUE(model);
     Linearization memory;

@@ -55,7 +55,7 @@ struct Balls {
     for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
     std::vector<std::shared_ptr<const Surface>> surfaces;
     for (const SurfaceDef& s : scene->surfaces) surfaces.push_back(test::formula_surface(s));
-    model = *build_model(*scene, surfaces, out);
+    model = *build_model(place(*scene), surfaces, out);
     point.state = start_state(model);
     ActiveContact contact;
     contact.number = 1;

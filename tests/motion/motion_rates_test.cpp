@@ -64,7 +64,7 @@ struct Moving {
     Diagnostics out;
     auto scene = parse_scene(kChain, "s", out);
     for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
-    model = *build_model(*scene, {}, out);
+    model = *build_model(place(*scene), {}, out);
     state = start_state(model);
     state.multipliers.assign(model.held.size(), 0);
     twist.resize(12);

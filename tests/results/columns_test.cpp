@@ -8,9 +8,10 @@ namespace genu {
 namespace {
 
 TEST(Columns, AreNamedAfterTheSceneWithTheirUnits) {
-  const Scene scene = test::scene_model(test::knee("[combination.both]\nterms = { \"knee.x\" = 1, \"knee.y\" = 2 }\n" +
-                                                   test::step("prescribe = { \"knee.flexion\" = 0 }")))
-                          .scene;
+  const PlacedScene scene =
+      test::scene_model(test::knee("[combination.both]\nterms = { \"knee.x\" = 1, \"knee.y\" = 2 }\n" +
+                                   test::step("prescribe = { \"knee.flexion\" = 0 }")))
+          .scene;
   EXPECT_EQ(coordinate_column(scene, {0, 0}), "knee.flexion_deg");
   EXPECT_EQ(coordinate_column(scene, {{0, 3}, 0}), "both_mm");
   EXPECT_EQ(reaction_column(scene, {0, 0}), "knee.flexion.reaction_Nm");

@@ -5,8 +5,8 @@
 namespace genu {
 namespace {
 
-Scene knee() {
-  Scene scene;
+PlacedScene knee() {
+  PlacedScene scene;
   scene.title = "knee";
   scene.bodies.resize(2);
   scene.bodies[0].name = "tibia";
@@ -104,7 +104,7 @@ TEST(Curves, TwoEndsOfAWindowAreOneBand) {
 }
 
 TEST(Curves, RunOverTimeWhereOnlyLoadsInTimeDriveTheJoint) {
-  Scene scene = knee();
+  PlacedScene scene = knee();
   scene.loads.resize(1);
   scene.loads[0].scale.emplace();
   ResultTable poses;

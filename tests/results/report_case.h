@@ -6,7 +6,7 @@
 namespace genu::test {
 
 struct ReportCase {
-  Scene scene;
+  PlacedScene scene;
   JointModel model;
   RunSummary summary;
   ResultTable poses, events;

@@ -14,7 +14,7 @@ const ChartPanel* panel_titled(const Chart& chart, const std::string& title) {
 }
 
 TEST(ReportPlots, ShowTheMeanStrainOfLigamentsWhoseForceIsDrawn) {
-  Scene scene;
+  PlacedScene scene;
   for (const char* name : {"ACL1", "ACL2", "PCL", "spring"}) {
     LigamentDef l;
     l.name = name;
@@ -42,7 +42,7 @@ TEST(ReportPlots, ShowTheMeanStrainOfLigamentsWhoseForceIsDrawn) {
 }
 
 TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {
-  Scene scene;
+  PlacedScene scene;
   JointDef knee;
   knee.name = "knee";
   knee.grood_suntay = GroodSuntayDef{};

@@ -14,7 +14,7 @@ namespace {
 
 /// Two outputs, three parameters, three rows; the last row has no derivatives.
 struct Sample {
-  Scene scene = test::scene_model(test::bone_on_ground() + test::step("prescribe = { \"j.z\" = [0, 2] }")).scene;
+  PlacedScene scene = test::scene_model(test::bone_on_ground() + test::step("prescribe = { \"j.z\" = [0, 2] }")).scene;
   std::vector<StepPlan> steps{1};
   ResultTable poses;
   SensitivityRows rows;

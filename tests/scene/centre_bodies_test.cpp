@@ -1,5 +1,7 @@
 #include "genu/scene/centre_bodies.h"
 
+#include <type_traits>
+
 #include "genu/scene/read_parts.h"
 #include "scene/scene_text.h"
 
@@ -15,25 +17,29 @@ Scene shifted(const Vec3& by) {
   return scene;
 }
 
+PlacedScene placed(const Scene& scene) { return place(scene, choose_origins(scene)); }
+
+/// Nothing that takes one kind of scene takes the other.
+static_assert(!std::is_convertible_v<Scene, PlacedScene> && !std::is_convertible_v<PlacedScene, Scene>);
+static_assert(!std::is_assignable_v<Scene&, const PlacedScene&> && !std::is_assignable_v<PlacedScene&, const Scene&>);
+
 TEST(CentreBodies, LeavesOrdinaryScenesAlone) {
-  Scene scene = good(kGoodScene);
-  const Scene before = scene;
-  centre_bodies(scene);
-  for (const BodyDef& body : scene.bodies) EXPECT_EQ(body.centre, Vec3::Zero());
+  const Scene before = good(kGoodScene);
+  const PlacedScene scene = placed(before);
+  for (const Vec3& origin : scene.origins) EXPECT_EQ(origin, Vec3::Zero());
   EXPECT_EQ(scene.surfaces[0].placement.p, before.surfaces[0].placement.p);
 }
 
 TEST(CentreBodies, EveryPointOfAFarBodyMovesWithItsOrigin) {
   const Vec3 by(1000, -200, 30);
-  Scene scene = shifted(by);
-  scene.joints[0].grood_suntay = GroodSuntayDef{true, {1, Vec3::UnitZ(), Vec3::UnitY(), by}, {0}};
-  scene.bodies[1].centre_of_mass = by;
-  scene.ligaments[0].via = {{1, by + Vec3(0.01, 0, 0)}, {0, Vec3(0, 0.02, 0)}};
-  const Scene before = scene;
-  centre_bodies(scene);
-  const Vec3 centre = scene.bodies[1].centre;
+  Scene before = shifted(by);
+  before.joints[0].grood_suntay = GroodSuntayDef{true, {1, Vec3::UnitZ(), Vec3::UnitY(), by}, {0}};
+  before.bodies[1].centre_of_mass = by;
+  before.ligaments[0].via = {{1, by + Vec3(0.01, 0, 0)}, {0, Vec3(0, 0.02, 0)}};
+  const PlacedScene scene = placed(before);
+  const Vec3 centre = scene.origins[1];
   EXPECT_LT((centre - by).norm(), 0.05);
-  EXPECT_EQ(scene.bodies[0].centre, Vec3::Zero());
+  EXPECT_EQ(scene.origins[0], Vec3::Zero());
   EXPECT_EQ(scene.surfaces[0].placement.p, before.surfaces[0].placement.p - centre);
   EXPECT_EQ(scene.ligaments[0].from.point, before.ligaments[0].from.point - centre);
   EXPECT_EQ(scene.ligaments[0].to.point, before.ligaments[0].to.point);
@@ -50,9 +56,9 @@ TEST(CentreBodies, RegionsMoveWithTheSecondSurfacesBody) {
   const Vec3 by(0, 50, 700);
   scene.surfaces[1].placement.p += by;
   scene.ligaments[0].to.point += by;
-  centre_bodies(scene);
-  EXPECT_DOUBLE_EQ(scene.contacts[0].regions[0].conditions[0].value, -scene.bodies[0].centre.z());
-  EXPECT_GT(scene.bodies[0].centre.z(), 690);
+  const PlacedScene moved = placed(scene);
+  EXPECT_DOUBLE_EQ(moved.contacts[0].regions[0].conditions[0].value, -moved.origins[0].z());
+  EXPECT_GT(moved.origins[0].z(), 690);
 }
 
 TEST(CentreBodies, ABodyWithoutPointsHasThemWhereTheOthersAre) {
@@ -62,9 +68,9 @@ TEST(CentreBodies, ABodyWithoutPointsHasThemWhereTheOthersAre) {
   scene.contacts.clear();
   scene.loads.clear();
   scene.ligaments[0].to.body = 1;
-  centre_bodies(scene);
-  EXPECT_NEAR(scene.bodies[0].centre.x(), 2000, 0.1);
-  EXPECT_EQ(scene.bodies[1].centre, Vec3::Zero());
+  const std::vector<Vec3> origins = choose_origins(scene);
+  EXPECT_NEAR(origins[0].x(), 2000, 0.1);
+  EXPECT_EQ(origins[1], Vec3::Zero());
 }
 
 TEST(CentreBodies, AMeshThatItsPlacementBringsBackIsWhereItsFileAndThatLeaveIt) {
@@ -74,7 +80,6 @@ TEST(CentreBodies, AMeshThatItsPlacementBringsBackIsWhereItsFileAndThatLeaveIt) 
   mesh.shape = SurfaceDef::Shape::mesh;
   scene.ligaments.clear();
   scene.loads.clear();
-  const Scene before = scene;
   int asked = 0;
   const auto in_its_file = [&](const Vec3& middle) {
     return [&asked, middle](const SurfaceDef& s) -> std::optional<Vec3> {
@@ -83,11 +88,10 @@ TEST(CentreBodies, AMeshThatItsPlacementBringsBackIsWhereItsFileAndThatLeaveIt) 
       return middle;
     };
   };
-  centre_bodies(scene, in_its_file(Vec3(0, 4000, 0.01)));
-  EXPECT_EQ(scene.bodies[1].centre, Vec3::Zero()) << "the file has it 4 km the other way";
-  scene = before;
-  centre_bodies(scene, in_its_file(Vec3(0, 0, 0.01)));
-  EXPECT_LT((scene.bodies[1].centre - Vec3(0, -4000, 0)).norm(), 0.1) << "the file has it at its origin";
+  EXPECT_EQ(choose_origins(scene, in_its_file(Vec3(0, 4000, 0.01)))[1], Vec3::Zero())
+      << "the file has it 4 km the other way";
+  EXPECT_LT((choose_origins(scene, in_its_file(Vec3(0, 0, 0.01)))[1] - Vec3(0, -4000, 0)).norm(), 0.1)
+      << "the file has it at its origin";
   EXPECT_EQ(asked, 2);
 }
 

@@ -18,7 +18,8 @@ TEST(InputHash, OfTheSceneAndItsMeshesInTheirOrder) {
   scene.surfaces.push_back(mesh);
   const std::vector<std::pair<std::string, std::string>> expected = {{scene.file, checksum("knee").xxh128},
                                                                      {mesh.file, ""}};
-  EXPECT_EQ(input_hashes(scene), expected);
+  InputFiles files;
+  EXPECT_EQ(input_hashes(scene, files), expected);
 }
 
 TEST(InputHash, OfTheProgramStaysTheSame) {

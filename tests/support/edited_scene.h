@@ -17,12 +17,12 @@
 namespace genu::test {
 
 /// Adds `delta` (SI) to a number that a scene says; `offset`, `factor` and `prescribed` are none.
-inline void edit(Scene& scene, const Parameter& p, double delta) {
+inline void edit(SceneTables& scene, const Parameter& p, double delta) {
   if (double* number = parameter_number(scene, p)) *number += delta;
 }
 
 /// The surface of an edited scene: rebuilt where it has a formula, else the one it had; moved where it is the offset.
-inline std::shared_ptr<const Surface> edited_surface(const Scene& scene, std::size_t k,
+inline std::shared_ptr<const Surface> edited_surface(const SceneTables& scene, std::size_t k,
                                                      const std::shared_ptr<const Surface>& before, const Parameter& p,
                                                      double delta) {
   const bool own = p.of_surface() && p.object == static_cast<int>(k);
@@ -34,7 +34,7 @@ inline std::shared_ptr<const Surface> edited_surface(const Scene& scene, std::si
 }
 
 /// Numbers of results.csv for a pose, by column.
-inline std::map<std::string, double> numbers_of(const Scene& scene, const JointModel& model,
+inline std::map<std::string, double> numbers_of(const PlacedScene& scene, const JointModel& model,
                                                 const std::vector<StepPlan>& steps, const PosePoint& point) {
   PoseRecord record{point, std::vector<double>(model.pairs.size(), std::numeric_limits<double>::quiet_NaN())};
   for (const ActiveContact& c : point.pose.state.contacts) record.pair_gap[static_cast<std::size_t>(c.pair)] = 0;
@@ -53,7 +53,7 @@ inline std::map<std::string, double> numbers_of(const Scene& scene, const JointM
 
 /// The numbers of a solved pose of `scene` after `delta` (SI) is added to a parameter: the same contacts, Newton's
 /// method to rounding from where the pose was.
-inline std::map<std::string, double> solved_again(Scene scene,
+inline std::map<std::string, double> solved_again(PlacedScene scene,
                                                   const std::vector<std::shared_ptr<const Surface>>& surfaces,
                                                   const std::vector<StepPlan>& steps, PosePoint point,
                                                   const Parameter& p, double delta) {

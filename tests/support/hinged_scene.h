@@ -109,7 +109,7 @@ inline JointModel hinged_model(const std::string& text = kHingedTree) {
   if (!scene) return {};
   std::vector<std::shared_ptr<const Surface>> surfaces;
   for (const SurfaceDef& s : scene->surfaces) surfaces.push_back(formula_surface(s));
-  auto model = build_model(*scene, surfaces, out);
+  auto model = build_model(place(*scene), surfaces, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   return model.value_or(JointModel{});
 }

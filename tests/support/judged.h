@@ -14,7 +14,7 @@
 
 namespace genu::test {
 
-/// The same of a scene that was prepared: from its file where there is one, as it is where no origin was moved.
+/// The same of a scene that was prepared: from its file where there is one, else as it was read.
 inline void expect_judged_ok(const Prepared& prepared, const ResultTable& poses) {
   Diagnostics out;
   std::error_code none;
@@ -23,9 +23,7 @@ inline void expect_judged_ok(const Prepared& prepared, const ResultTable& poses)
     ASSERT_TRUE(scene.has_value()) << prepared.scene.file;
     return expect_judged_ok(*scene, poses);
   }
-  for (const BodyDef& body : prepared.scene.bodies)
-    ASSERT_TRUE(body.centre.isZero(0)) << "judge the scene that was read, not the one with its origins moved";
-  expect_judged_ok(prepared.scene, poses);
+  expect_judged_ok(prepared.source, poses);
 }
 
 /// A solution, judged on its way to the test.

@@ -36,7 +36,7 @@ inline JointModel one_bone() {
   Diagnostics out;
   const auto scene = parse_scene(bone_on_ground() + step("prescribe = { \"j.a\" = [0, 1] }\nincrements = 1"), "s", out);
   EXPECT_TRUE(scene);
-  return *build_model(*scene, {}, out);
+  return *build_model(place(*scene), {}, out);
 }
 
 }  // namespace genu::test

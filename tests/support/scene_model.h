@@ -9,6 +9,7 @@
 
 #include "genu/model/build_model.h"
 #include "genu/model/state.h"
+#include "genu/scene/centre_bodies.h"
 #include "genu/scene/reader.h"
 #include "genu/surface/analytic.h"
 
@@ -40,8 +41,9 @@ inline std::shared_ptr<const Surface> formula_surface(const SurfaceDef& def) {
 }
 
 struct SceneModel {
-  Scene scene;
+  PlacedScene scene;
   JointModel model;
+  Scene source;
 };
 
 /// Fails the test where the text is no good scene. A scene without a step gets one that prescribes nothing.
@@ -52,7 +54,7 @@ inline SceneModel scene_model(std::string text) {
   if (scene) {
     std::vector<std::shared_ptr<const Surface>> surfaces;
     for (const SurfaceDef& def : scene->surfaces) surfaces.push_back(formula_surface(def));
-    if (auto model = build_model(*scene, surfaces, out)) return {std::move(*scene), std::move(*model)};
+    if (auto model = build_model(place(*scene), surfaces, out)) return {place(*scene), std::move(*model), *scene};
   }
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   return {};
@@ -113,7 +115,7 @@ inline std::string load(const std::string& name, const std::string& more) {
 inline std::string step(const std::string& more) { return "[[step]]\n" + more + "\n"; }
 
 /// What the first step of a scene asks at its beginning (t = 0) or end (t = 1).
-inline Target target_of(const Scene& scene, double t = 0, std::size_t index = 0) {
+inline Target target_of(const SceneTables& scene, double t = 0, std::size_t index = 0) {
   Target target;
   target.load_factors.assign(scene.loads.size(), 1);
   if (scene.steps.empty()) return target;

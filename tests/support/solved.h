@@ -55,7 +55,7 @@ inline void expect_judged_ok(const SceneModel& s, const std::vector<PosePoint>& 
       records.back().pair_gap = pair_gaps(p.pose.state, s.model, field, records.back().point.pose.open);
   }
   constexpr int kSamples = 30;  // each way: tests of the solver are many, and look over some poses
-  expect_judged_ok(s.scene, pose_table(s.scene, s.model, plan_steps(s.scene), records),
+  expect_judged_ok(s.source, pose_table(s.scene, s.model, plan_steps(s.scene), records),
                    {.samples = kSamples, .every = points.size()});
 }
 

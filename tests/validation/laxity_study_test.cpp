@@ -99,7 +99,7 @@ struct Balance {
 };
 
 Balance balance_at(const SolvedScene& solved, std::size_t row) {
-  const Scene& scene = solved.prepared.scene;
+  const PlacedScene& scene = solved.prepared.scene;
   const ResultTable& t = solved.solution.poses;
   const auto angle = [&](const char* name) { return t.number(row, std::string("knee.") + name + "_deg") * M_PI / 180; };
   const Mat3 R =

@@ -85,7 +85,7 @@ TEST(PolynomialKnee, IsWhatFitMakesOfTheMeasuredKnee) {
   Diagnostics out;
   const auto fits = fit_scene(request, folder / "out", out);
   ASSERT_TRUE(fits);
-  const Scene& shipped = polynomial_knee().prepared->scene;
+  const PlacedScene& shipped = polynomial_knee().prepared->scene;
   ASSERT_EQ(fits->fits.size(), shipped.surfaces.size());
   double worst = 0;
   for (const NamedFit& named : fits->fits) {

@@ -7,6 +7,7 @@
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/study/run_scene.h"
+#include "genu/scene/reader.h"
 
 namespace genu::peers {
 namespace {
@@ -15,7 +16,7 @@ Point point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// What in a scene the programs do not know; empty for a knee that all can solve.
 std::string unknown_part(const Prepared& p) {
-  const Scene& s = p.scene;
+  const PlacedScene& s = p.scene;
   if (s.bodies.size() != 2 || s.joints.size() != 1) return "two bodies and a joint";
   const JointDef& joint = s.joints[0];
   if (joint.type != JointDef::Type::free || !s.bodies[static_cast<std::size_t>(joint.parent)].fixed)
@@ -47,11 +48,11 @@ std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
     out.error(prepared.scene.file, "is no knee that can be compared, which has " + part);
     return std::nullopt;
   }
-  const Scene& scene = prepared.scene;
+  const PlacedScene& scene = prepared.scene;
   const JointModel& model = prepared.model;
   const JointDef& joint = scene.joints[0];
-  const Vec3 femur = scene.bodies[static_cast<std::size_t>(joint.child)].centre;
-  const Vec3 tibia = scene.bodies[static_cast<std::size_t>(joint.parent)].centre;
+  const Vec3 femur = scene.origins[static_cast<std::size_t>(joint.child)];
+  const Vec3 tibia = scene.origins[static_cast<std::size_t>(joint.parent)];
   Knee knee;
   knee.start = joint.start.value_or(joint.reference);
   knee.length = model.scales.length;

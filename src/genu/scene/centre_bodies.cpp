@@ -141,4 +141,6 @@ PlacedScene place(const Scene& scene, const std::vector<Vec3>& origins) {
   return placed;
 }
 
+PlacedScene place(const Scene& scene) { return place(scene, std::vector<Vec3>(scene.bodies.size(), Vec3::Zero())); }
+
 }  // namespace genu

@@ -23,4 +23,7 @@ std::vector<Vec3> choose_origins(const Scene& scene, const MeshMiddle& mesh_midd
 /// meaning, for the origins of the file.
 PlacedScene place(const Scene& scene, const std::vector<Vec3>& origins);
 
+/// The scene with the origins of its file.
+PlacedScene place(const Scene& scene);
+
 }  // namespace genu
