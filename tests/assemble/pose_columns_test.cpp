@@ -56,7 +56,7 @@ struct Result {
   std::string said;
 };
 
-Result match(const Scene& scene, const std::string& text, const PoseColumnOptions& options = {},
+Result match(const SceneTables& scene, const std::string& text, const PoseColumnOptions& options = {},
              const std::string& path = "p.csv") {
   Diagnostics out;
   Result r;

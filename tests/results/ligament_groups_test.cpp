@@ -19,7 +19,7 @@ TEST(LigamentGroups, AreFibresWithOneName) {
   EXPECT_EQ(groups[1].name, "MCL");
   EXPECT_EQ(groups[2].name, "7");  // nothing but a number is a name
   EXPECT_EQ(groups[3].name, "2MCL");
-  EXPECT_TRUE(ligament_groups(Scene{}).empty());
+  EXPECT_TRUE(ligament_groups(SceneTables{}).empty());
 }
 
 }  // namespace

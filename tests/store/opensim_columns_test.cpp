@@ -12,14 +12,14 @@
 namespace genu {
 namespace {
 
-Scene named_scene(const std::string& text) {
+PlacedScene named_scene(const std::string& text) {
   Diagnostics out;
   const auto scene = parse_scene(text, "scene.toml", out);
   EXPECT_TRUE(scene.has_value()) << test::messages(out);
   return *scene;
 }
 
-std::vector<std::string> names_of(const Scene& scene, const OpenSimNameOptions& options) {
+std::vector<std::string> names_of(const PlacedScene& scene, const OpenSimNameOptions& options) {
   Diagnostics out;
   std::vector<std::string> found;
   const auto names = opensim_column_names(scene, options, out);
@@ -35,7 +35,7 @@ std::vector<std::string> names_of(const Scene& scene, const OpenSimNameOptions& 
 
 TEST(OpenSimColumns, AreThoseOfThePublishedKnee) {
   GENU_NEEDS_DATA("lenhart2015/lenhart_passive_flexion.csv");
-  const Scene scene = named_scene(test::published_scene(test::data_path("lenhart2015/ACLC01-R-femur-cart.stl")));
+  const PlacedScene scene = named_scene(test::published_scene(test::data_path("lenhart2015/ACLC01-R-femur-cart.stl")));
   const test::PublishedTable published("lenhart_passive_flexion.csv");
   const auto names = names_of(scene, {"", "r"});
   EXPECT_EQ(names.size(), 12u);
@@ -55,7 +55,7 @@ TEST(OpenSimColumns, ReadBackWhateverTheNamesAre) {
 }
 
 TEST(OpenSimColumns, MayBeTheUsersOwnAndRefuseWhatCannotBe) {
-  const Scene scene = named_scene(test::kBall);
+  const PlacedScene scene = named_scene(test::kBall);
   EXPECT_EQ(names_of(scene, {"knee.flexion = knee_angle_r ,knee.z=up", "r"})[0], "knee_angle_r");
   const auto why = [&](const OpenSimNameOptions& options) {
     Diagnostics out;

@@ -23,7 +23,9 @@ TEST(CliRegistry, HasEachNameOnceAndGroupsTogether) {
   std::string group;
   for (const cli::Command& c : cli::registry()) {
     EXPECT_TRUE(names.insert(c.name).second) << c.name;
-    if (c.group != group) EXPECT_TRUE(groups.insert(c.group).second) << c.group << " comes twice";
+    if (c.group != group) {
+      EXPECT_TRUE(groups.insert(c.group).second) << c.group << " comes twice";
+    }
     group = c.group;
     EXPECT_FALSE(c.purpose.empty() || c.purpose.ends_with(".")) << c.name;
     EXPECT_LE(c.purpose.size(), 60u) << c.name;
