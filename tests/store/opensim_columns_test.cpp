@@ -16,7 +16,7 @@ PlacedScene named_scene(const std::string& text) {
   Diagnostics out;
   const auto scene = parse_scene(text, "scene.toml", out);
   EXPECT_TRUE(scene.has_value()) << test::messages(out);
-  return *scene;
+  return place(*scene);
 }
 
 std::vector<std::string> names_of(const PlacedScene& scene, const OpenSimNameOptions& options) {
