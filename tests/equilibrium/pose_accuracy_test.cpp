@@ -56,6 +56,9 @@ TEST(PoseAccuracy, BoundsTheErrorOfAPoseStoppedAtAnyResidual) {
   away.resize(s.model.moving_count, static_cast<int>(constraint_count(s.model, target)),
               static_cast<int>(start.contacts.size()));
   away.twist << 2e-4, 1e-4, 0, 0, 0, 0;
+  away.multipliers.setZero();
+  away.forces.setZero();
+  for (Vec4& slide : away.surface) slide.setZero();
   ASSERT_TRUE(retract(s.model, exact, away, 1, start));
   int looked_at = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {

@@ -56,15 +56,15 @@ class Activation : public testing::Test {
 };
 
 TEST_F(Activation, ScalesTheMagnitude) {
-  const ResultTable poses = run(lever(muscle(800, 0.25)));
+  const ResultTable poses = run(lever(muscle(400, 0.25)));
   for (std::size_t row = 0; row < poses.rows(); ++row) {
     const double angle = poses.number(row, "h.angle_deg") * M_PI / 180;
     const Vec3 from(-kArm * std::sin(angle), kArm * std::cos(angle), 0), to(0.06, 0.02, 0);
-    const double force = 0.25 * 800 * poses.number(row, "muscle.factor");
+    const double force = 0.25 * 400 * poses.number(row, "muscle.factor");
     const double moment = from.cross(force * (to - from).normalized()).z();
     EXPECT_NEAR(moment, kStiffness * angle, 1e-9 * std::abs(moment));
   }
-  const ResultTable weaker = run(lever("magnitude = 200\n")), idle = run(lever(muscle(800, 0)));
+  const ResultTable weaker = run(lever("magnitude = 100\n")), idle = run(lever(muscle(400, 0)));
   EXPECT_DOUBLE_EQ(weaker.number(9, "h.angle_deg"), poses.number(9, "h.angle_deg"));
   EXPECT_EQ(idle.number(9, "h.angle_deg"), 0);
 }
@@ -73,7 +73,7 @@ TEST_F(Activation, HasTheSensitivitiesOfEditedScenes) {
   for (const double activation : {0.25, 0.05}) {
     SensitivityResult r;
     Diagnostics out;
-    ASSERT_EQ(run_sensitivity(folder_.write("scene.toml", lever(muscle(800, activation))), {},
+    ASSERT_EQ(run_sensitivity(folder_.write("scene.toml", lever(muscle(400, activation))), {},
                               {{"h.angle"}, {"muscle.activation"}}, {}, out, r),
               kExitOk)
         << test::messages(out);
@@ -81,8 +81,8 @@ TEST_F(Activation, HasTheSensitivitiesOfEditedScenes) {
     EXPECT_EQ(r.rows.parameters[0].unit, "1");
     EXPECT_EQ(r.rows.parameters[0].change_text, "0.01");
     constexpr double kStep = 1e-4;
-    const ResultTable up = run(lever(muscle(800, activation + kStep))),
-                      down = run(lever(muscle(800, activation - kStep)));
+    const ResultTable up = run(lever(muscle(400, activation + kStep))),
+                      down = run(lever(muscle(400, activation - kStep)));
     for (std::size_t row = 0; row < up.rows(); ++row) {
       const double truth =
           0.01 * (up.number(row, "h.angle_deg") - down.number(row, "h.angle_deg")) / (2 * kStep);  // per 0.01
@@ -93,11 +93,11 @@ TEST_F(Activation, HasTheSensitivitiesOfEditedScenes) {
 }
 
 TEST_F(Activation, IsFoundByCalibration) {
-  run(lever(muscle(800, 0.25)));
+  run(lever(muscle(400, 0.25)));
   std::filesystem::copy_file(folder_ / "out/results.csv", folder_ / "target.csv");
   Diagnostics out;
   CalibrationResult result;
-  ASSERT_EQ(run_calibration(folder_.write("start.toml", lever(muscle(800, 0.4))), folder_ / "fitted",
+  ASSERT_EQ(run_calibration(folder_.write("start.toml", lever(muscle(400, 0.4))), folder_ / "fitted",
                             {folder_ / "target.csv", {"muscle.activation"}, {"h.angle_deg"}}, {}, out, result),
             kExitOk)
       << test::messages(out);
@@ -108,10 +108,10 @@ TEST_F(Activation, IsFoundByCalibration) {
 
 TEST_F(Activation, IsExplainedAndMustNotBeNegative) {
   Diagnostics out;
-  const auto scene = parse_scene(lever(muscle(800, 0.25)), "scene.toml", out);
+  const auto scene = parse_scene(lever(muscle(400, 0.25)), "scene.toml", out);
   ASSERT_TRUE(scene) << test::messages(out);
-  EXPECT_NE(explain(*scene).find("toward a point of ground, 800 N, activation 0.25"), std::string::npos);
-  EXPECT_FALSE(parse_scene(lever(muscle(800, -0.1)), "scene.toml", out));
+  EXPECT_NE(explain(*scene).find("toward a point of ground, 400 N, activation 0.25"), std::string::npos);
+  EXPECT_FALSE(parse_scene(lever(muscle(400, -0.1)), "scene.toml", out));
   ASSERT_EQ(out.items().size(), 1u) << test::messages(out);
   EXPECT_EQ(to_string(out.items()[0]), "scene.toml:17:14: load.muscle.activation = -0.1: must be >= 0");
 }
