@@ -9,6 +9,7 @@
 #include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
+#include "support/knee_scene.h"
 #include "support/leskovar.h"
 #include "support/scenes.h"
 #include "support/text.h"
@@ -33,7 +34,7 @@ TEST(WithNumbers, SolveToTheSameBytesAsASceneReadWithThem) {
   auto original = prepare(test::dortmans_file(), out);
   ASSERT_TRUE(original) << test::messages(out);
   share_search(*original);
-  const Parameter stiffness = named(*original, "AAC.stiffness"), point = named(*original, "PMC.from.point.y");
+  const Parameter stiffness = named(*original, "AAC.stiffness"), point = named(*original, "PMC.from.y");
   Scene scene = *read_scene(test::dortmans_file(), out);
   const double k = 0.5 * *parameter_number(scene, stiffness), y = *parameter_number(scene, point) + 1e-3;
   *parameter_number(scene, stiffness) = k;
@@ -47,9 +48,11 @@ TEST(WithNumbers, SolveToTheSameBytesAsASceneReadWithThem) {
 }
 
 TEST(WithNumbers, ShareElasticLayersThatTheyDoNotChange) {
-  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.obj");
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart-coarse.stl");
   Diagnostics out;
-  const auto knee = prepare(genu::test::source_folder() + "/meshes/lenhart2015/scene.toml", out);
+  const auto scene_read = parse_scene(test::lenhart_scene("-coarse", 0, 10, 1), "scene.toml", out);
+  ASSERT_TRUE(scene_read) << test::messages(out);
+  const auto knee = prepare(*scene_read, std::make_shared<MeshLibrary>(), out);
   ASSERT_TRUE(knee) << test::messages(out);
   ASSERT_FALSE(knee->model.layers.empty());
   for (const Parameter& p : parameters_of(knee->source)) {

@@ -6,8 +6,8 @@
 #include "genu/core/units.h"
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
-#include "genu/study/run_scene.h"
 #include "genu/scene/reader.h"
+#include "genu/study/run_scene.h"
 
 namespace genu::peers {
 namespace {

@@ -60,7 +60,7 @@ std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Di
            .file = def.file,
            .key = {},
            .found = {},
-           .rule = "has flaws, left out of its surface; poses whose contact leans on one are refused: " + told});
+           .rule = "has flaws, left out of its surface; a pose whose contact touches one is refused: " + told});
   return places;
 }
 

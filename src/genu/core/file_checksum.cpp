@@ -21,7 +21,7 @@ FileChecksum checksum(std::string_view bytes) {
 }
 
 std::optional<FileChecksum> file_checksum(const std::string& path) {
-  constexpr std::size_t kBlock = std::size_t{1} << 16;  // bytes read at a time
+  constexpr std::size_t kBytesAtOnce = std::size_t{1} << 16;  // bytes read at a time
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
@@ -29,8 +29,8 @@ std::optional<FileChecksum> file_checksum(const std::string& path) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
   XXH3_128bits_reset(state.get());
   FileChecksum sum;
-  std::vector<char> block(kBlock);
-  while (stream.read(block.data(), kBlock) || stream.gcount() > 0) {
+  std::vector<char> block(kBytesAtOnce);
+  while (stream.read(block.data(), kBytesAtOnce) || stream.gcount() > 0) {
     const auto count = static_cast<std::size_t>(stream.gcount());
     XXH3_128bits_update(state.get(), block.data(), count);
     sum.bytes += count;

@@ -43,8 +43,8 @@ bool is_status(std::string_view word) {
 
 /// Removes the byte-order mark and carriage returns that other programs add.
 std::string as_written(std::string_view text) {
-  constexpr std::string_view kMark = "\xef\xbb\xbf";
-  std::string out(text.substr(text.starts_with(kMark) ? kMark.size() : 0));
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  std::string out(text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0));
   for (std::size_t at = 0; (at = out.find("\r\n", at)) != std::string::npos;) out.erase(at, 1);
   return out;
 }

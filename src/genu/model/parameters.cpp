@@ -17,7 +17,6 @@ using Kind = Parameter::Kind;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr double kPerCent = 0.01;
-constexpr double kTermReach = 10e-3;  // m
 
 class Parameters {
  public:

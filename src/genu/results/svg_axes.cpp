@@ -98,7 +98,7 @@ SvgAxis log_axis(double smallest, double largest, SvgEnds ends, const std::funct
 }
 
 std::string draw_axes(const SvgAxis& x, const SvgAxis& y, const std::string& x_title) {
-  constexpr double kMark = 4, kBeside = 6, kBelow = 16, kTitle = 31;  // pixels off the axis
+  constexpr double kMark = 4, kBeside = 6, kBelowAxis = 16, kBelowNumbers = 31;  // pixels off the axis
   constexpr double kHalfLetter = 3.5;
   const double bottom = y.at_low;
   std::string out;
@@ -111,11 +111,11 @@ std::string draw_axes(const SvgAxis& x, const SvgAxis& y, const std::string& x_t
     const double at = x(t.value);
     if (x.logarithmic) out += svg_line(at, bottom, at, y.at_high, "grid");
     out += svg_line(at, bottom, at, bottom + kMark, "axis");
-    if (!t.label.empty()) out += svg_text(at, bottom + kBelow, t.label, "class=\"tick\" text-anchor=\"middle\"");
+    if (!t.label.empty()) out += svg_text(at, bottom + kBelowAxis, t.label, "class=\"tick\" text-anchor=\"middle\"");
   }
   out += svg_line(x.at_low, bottom, x.at_high, bottom, "axis");
-  return out +
-         svg_text(0.5 * (x.at_low + x.at_high), bottom + kTitle, x_title, "class=\"tick\" text-anchor=\"middle\"");
+  return out + svg_text(0.5 * (x.at_low + x.at_high), bottom + kBelowNumbers, x_title,
+                        "class=\"tick\" text-anchor=\"middle\"");
 }
 
 }  // namespace genu

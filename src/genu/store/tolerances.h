@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <sys/types.h>
-
 namespace genu {
 
 // checkpoint
@@ -16,7 +14,7 @@ namespace genu {
 inline constexpr int kMaxLockTries = 40;
 
 /// [us] Pause between them. Fails first: if too small, --resume is refused.
-inline constexpr useconds_t kLockPause = 50'000;
+inline constexpr unsigned kLockPause = 50'000;
 
 /// [1] Share of a run's time that checkpoints may take. Fails first: if too large, slow runs on slow disks.
 inline constexpr double kCheckpointShare = 0.05;
