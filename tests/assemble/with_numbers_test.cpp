@@ -9,8 +9,8 @@
 #include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
-#include "support/knee_scene.h"
 #include "support/leskovar.h"
+#include "support/published_knee.h"
 #include "support/scenes.h"
 #include "support/text.h"
 
@@ -50,7 +50,8 @@ TEST(WithNumbers, SolveToTheSameBytesAsASceneReadWithThem) {
 TEST(WithNumbers, ShareElasticLayersThatTheyDoNotChange) {
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart-coarse.stl");
   Diagnostics out;
-  const auto scene_read = parse_scene(test::lenhart_scene("-coarse", 0, 10, 1), "scene.toml", out);
+  const auto scene_read = parse_scene(
+      test::published_scene(test::data_path("lenhart2015/ACLC01-R-femur-cart-coarse.stl")), "scene.toml", out);
   ASSERT_TRUE(scene_read) << test::messages(out);
   const auto knee = prepare(*scene_read, std::make_shared<MeshLibrary>(), out);
   ASSERT_TRUE(knee) << test::messages(out);
