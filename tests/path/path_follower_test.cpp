@@ -1,6 +1,8 @@
 // One step of the path by itself: substeps, located events, and the end of a path.
 #include "genu/path/path_follower.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/solved.h"
@@ -66,6 +68,46 @@ TEST(PathFollower, PredictionFollowsASmoothPathInFewIterations) {
   // A degree each, and what it takes to locate where a ligament becomes taut or slack.
   EXPECT_LE(w.follower.iterations() - before, 4 * 60 + 20 * static_cast<int>(w.events.size()));
   EXPECT_FALSE(w.follower.turning_back());
+}
+
+/// The angle (rad) of a lever of 50 mm on a spring, which `force` (N) pulls toward a point of the ground: by bisection.
+double lever_angle(double force) {
+  const auto moment = [force](double angle) {
+    const double x = -0.05 * std::sin(angle), y = 0.05 * std::cos(angle);
+    return force * (x * (0.02 - y) - y * (0.06 - x)) / std::hypot(0.06 - x, 0.02 - y) - 0.2 * 180 / M_PI * angle;
+  };
+  double low = -1.2, high = 0;
+  for (int i = 0; i < 60; ++i) (moment(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+  return 0.5 * (low + high);
+}
+
+TEST(PathFollower, RowsAboutASubstepApartLeaveNoSubstepOfRoundingLength) {
+  for (const double force : {100.0, 145.0, 160.0, 400.0}) {
+    Walking w(R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.ground]
+fixed = true
+[body.lever]
+[joint.hinge]
+type = "revolute"
+parent = "ground"
+child = "lever"
+axis = [0, 0, 1]
+stiffness = 0.2
+[load.muscle]
+body = "lever"
+point = [0, 50, 0]
+toward = { body = "ground", point = [60, 20, 0] }
+magnitude = )" + std::to_string(force) +
+              "\n[[step]]\nload = { muscle = [0.1, 1] }\n");
+    const int before = w.follower.iterations();
+    for (int row = 1; row <= 10; ++row) {
+      ASSERT_TRUE(w.follower.advance_to(row == 10 ? 1 : row * 0.1)) << force << " N, row " << row;
+      const Mat3& R = w.follower.pose().state.poses.back().R;
+      EXPECT_NEAR(std::atan2(R(1, 0), R(0, 0)), lever_angle(force * (0.1 + 0.09 * row)), 1e-9) << force;
+    }
+    EXPECT_LE(w.follower.iterations() - before, 8 * 10) << force;
+  }
 }
 
 TEST(PathFollower, LocatesABifurcationInsideItsStep) {

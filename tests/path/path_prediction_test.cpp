@@ -55,6 +55,24 @@ TEST(PathPrediction, ForgetsAndDoesNotGoOnWithAKink) {
   EXPECT_EQ(one.poses, third.poses);
 }
 
+TEST(PathPrediction, DoesNotEnlargeRounding) {
+  const JointModel model = test::one_bone();
+  const double h = 0.02;
+  // Tangents known to 1e-12, over spans that end a row: 1e-16 and the like.
+  for (const double span : {1e-16, 1e-12, 1e-8, 1e-6}) {
+    const KnownMotion before(model, 0.4 - h - span), near(model, 0.4 - span), here(model, 0.4), there(model, 0.4 + h);
+    PathPrediction fresh(model), told(model);
+    Correction inexact = near.tangent;
+    inexact.twist *= 1 + 1e-12;
+    told.went_on(h, before.tangent, inexact);
+    told.went_on(span, inexact, here.tangent);
+    State plain, found;
+    ASSERT_TRUE(fresh.at(here.state, here.tangent, h, plain));
+    ASSERT_TRUE(told.at(here.state, here.tangent, h, found));
+    EXPECT_LE(distance(there, found), 1.01 * distance(there, plain)) << span;
+  }
+}
+
 TEST(PathPrediction, ForgetsWhereOtherUnknownsAreHeld) {
   const JointModel model = test::one_bone();
   const double h = 0.02;

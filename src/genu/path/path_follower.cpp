@@ -147,7 +147,7 @@ bool PathFollower::advance_to(double t_end) {
       failure_.why = "the path becomes infinitely steep";
       return false;
     }
-    const double t = std::min(t_end, t_ + h);
+    const double t = t_ + h * (1 + kRestShare) < t_end ? t_ + h : t_end;
     Attempt trial = attempt(t);
     const bool solved = trial.report.newton.converged();
     const bool followed = solved && !far_from_predicted(trial) && !passes_through(trial);

@@ -18,6 +18,8 @@ double path_speed(const JointModel& model, const Correction& tangent) {
 /// nonsmooth or near a limit point, and earlier poses do not predict it.
 void PathPrediction::went_on(double span, const Correction& from, const Correction& to) {
   if (!from.matches(to)) return forget();
+  // Over a span of rounding length a difference is the rounding of the tangents, enlarged.
+  if (span < kShortestSpan) return forget();
   if (known_ > 0 && !differences_[0].matches(to)) known_ = 0;
   for (std::size_t i = std::min(known_, kMaxDifferences - 1); i > 0; --i) behind_[i] = behind_[i - 1] - span;
   behind_[0] = -span;
@@ -49,11 +51,14 @@ void add_turn_of_axis(double h, const VecX& tangent, const VecX& slope, VecX& wa
 }  // namespace
 
 bool PathPrediction::at(const State& state, const Correction& tangent, double h, State& out) {
-  if (known_ == 0) return retract(*model_, state, tangent, h, out);
+  // Terms that grow over the step are no series: the step is much longer than what the differences were taken over.
+  if (known_ == 0 || h * path_speed(*model_, differences_[0]) > path_speed(*model_, tangent))
+    return retract(*model_, state, tangent, h, out);
   way_ = tangent;
   // Newton's polynomials t, t (t - t1), ...: their coefficients, and their means from 0 to h.
   std::array<double, kMaxDifferences + 1> factors{0, 1};
   for (std::size_t k = 0; k < known_; ++k) {
+    if (k > 0 && h * path_speed(*model_, differences_[k]) > path_speed(*model_, differences_[k - 1])) break;
     double mean = 0, power = h;
     for (std::size_t i = 1; i <= k + 1; ++i, power *= h) mean += factors[i] * power / static_cast<double>(i + 1);
     way_.add(mean, differences_[k]);

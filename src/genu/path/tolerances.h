@@ -129,6 +129,9 @@ inline constexpr double kLongestMotion = 0.25;
 /// [step] Longest substep. Fails first: if too large, contacts that come and go are missed.
 inline constexpr double kLongestSubstep = 0.1;
 
+/// [substep] Rest of a way that is no substep of its own. Fails first: if too small, substeps of rounding length.
+inline constexpr double kRestShare = 1e-6;
+
 /// [1] Rate over the Jacobian's error above which its sign is certain. Fails first: if too small, events of round-off.
 inline constexpr double kRateMargin = 30;
 
@@ -195,6 +198,9 @@ inline constexpr double kVanishingShare = 1e-3;
 inline constexpr double kNearLastPose = 0.1;
 
 // path_prediction
+
+/// [step] Shortest substep whose tangents are differentiated. Fails first: if too small, predictions of rounding.
+inline constexpr double kShortestSpan = 1e-7;
 
 /// [1] Difference of the tangent over the last one, above which extrapolation stops. Fails first: if too large, poor
 /// predictions at breaks (time).
