@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/solved.h"
@@ -112,6 +113,57 @@ TEST(ActiveSet, ColdStartsMeet) {
     EXPECT_LT((bench.pose.state.poses[1].p - Vec3(0, 0, 0.02)).norm(), 1e-9) << z;
     EXPECT_NEAR(bench.pose.state.contacts[0].force, kLiftOff - 30, 1e-8) << z;
   }
+}
+
+TEST(ActiveSet, ABallInACupHardlyLargerSettlesAlongItsLoad) {
+  // Concentric at the start, with the same gap everywhere; only the contact's force gives the ball a stiffness. At
+  // equilibrium its centre lies one clearance along the load.
+  for (const double clearance : {0.001, 0.2, 4.0})
+    for (const double force : {1.5, 1500.0, 150000.0}) {
+      const Vec3 load = force * Vec3(0.2, 0.9, -0.3);
+      const auto k = test::scene_model(fmt::format(R"(format = 1
+units = {{ length = "mm", angle = "deg" }}
+[body.pelvis]
+fixed = true
+[body.femur]
+[joint.hip]
+type = "free"
+parent = "pelvis"
+child = "femur"
+rotations = ["flexion z", "adduction x", "rotation y"]
+translations = ["x", "y", "z"]
+[surface.head]
+body = "femur"
+shape = "sphere"
+radius = 24
+[surface.cup]
+body = "pelvis"
+shape = "sphere"
+radius = {}
+inside = true
+z_axis = [0.2, 0.8, -0.55]
+patch = {{ z = [2, 30] }}
+[contact.hip]
+surfaces = ["head", "cup"]
+model = "rigid"
+[load.weight]
+body = "femur"
+force = [{}, {}, {}]
+[[step]]
+prescribe = {{ "hip.flexion" = 0, "hip.adduction" = 0, "hip.rotation" = 0 }}
+)",
+                                                   24 + clearance, load.x(), load.y(), load.z()));
+      ContactField field(k.model);
+      ActiveSetSolver solver(k.model, field, {});
+      Balanced pose;
+      pose.state = reference_state(k.model);
+      pose.last_number.assign(1, 0);
+      const PoseReport report = solver.settle_cold(pose, test::target_of(k.scene));
+      ASSERT_EQ(report.status, PoseStatus::ok) << clearance << " mm, " << force << " N: " << report.why;
+      ASSERT_EQ(pose.state.contacts.size(), 1u);
+      EXPECT_NEAR(pose.state.contacts[0].force, load.norm(), 1e-9 * load.norm());
+      EXPECT_LT((pose.state.poses[1].p - 1e-3 * clearance * load.normalized()).norm(), 1e-11) << clearance;
+    }
 }
 
 TEST(ActiveSet, KneeFromManyStartsMeets) {

@@ -98,8 +98,8 @@ stiffness = 0.2
 body = "lever"
 point = [0, 50, 0]
 toward = { body = "ground", point = [60, 20, 0] }
-magnitude = )" + std::to_string(force) +
-              "\n[[step]]\nload = { muscle = [0.1, 1] }\n");
+magnitude = )" +
+              std::to_string(force) + "\n[[step]]\nload = { muscle = [0.1, 1] }\n");
     const int before = w.follower.iterations();
     for (int row = 1; row <= 10; ++row) {
       ASSERT_TRUE(w.follower.advance_to(row == 10 ? 1 : row * 0.1)) << force << " N, row " << row;

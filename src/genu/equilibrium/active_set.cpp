@@ -247,6 +247,18 @@ void ActiveSetSolver::close_touching(Balanced& pose, const Target& target, doubl
     if (c.minimum.gap < below && static_cast<int>(pose.state.contacts.size()) < contact_limit(target)) close(pose, c);
 }
 
+PoseReport ActiveSetSolver::settle_or_guess(Balanced& pose, const Target& target) {
+  // A contact without force has no stiffness along the surfaces, and Newton's method may diverge: a ball in a cup that
+  // is hardly larger has the whole of its stiffness from the force.
+  Balanced guessed = pose;
+  PoseReport report = settle(pose, target);
+  if (report.status != PoseStatus::no_equilibrium || !guess_forces(*model_, target, guessed.state)) return report;
+  pose = std::move(guessed);
+  PoseReport again = settle(pose, target);
+  again.iterations += report.iterations;
+  return again;
+}
+
 PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, bool downhill) {
   return settle_from_seed(pose, target, SeedWay{.downhill = downhill});
 }
@@ -265,7 +277,7 @@ PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& targe
   }
   follow_open(trial);
   close_touching(trial, target, 0);
-  report = settle(trial, target);
+  report = settle_or_guess(trial, target);
   report.iterations += seed.iterations;
   if (report.status == PoseStatus::ok) pose = std::move(trial);
   return report;
@@ -298,15 +310,8 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
 
 PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   Balanced trial = pose;
-  const double touching = 0.05 * field_->spacing();
-  close_touching(trial, target, touching);
-  PoseReport report = settle(trial, target);
-  if (report.status == PoseStatus::no_equilibrium) {
-    // A contact without force has no stiffness along the surfaces, and Newton's method may diverge.
-    trial = pose;
-    close_touching(trial, target, touching);
-    if (guess_forces(*model_, target, trial.state)) report = settle(trial, target);
-  }
+  close_touching(trial, target, 0.05 * field_->spacing());
+  PoseReport report = settle_or_guess(trial, target);
   if (report.status == PoseStatus::ok) {
     if (!passes_through(pose.state, trial.state)) {
       pose = std::move(trial);

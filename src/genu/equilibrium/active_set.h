@@ -99,6 +99,8 @@ class ActiveSetSolver {
     Stride stride = Stride::usual;
   };
   PoseReport settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way);
+  /// settle(), with contact forces guessed where that fails.
+  PoseReport settle_or_guess(Balanced& pose, const Target& target);
   PoseReport settle_without_one(Balanced& pose, const Balanced& failed, const Target& target,
                                 const PoseReport& failure);
   PoseReport judge(const State& state, const NewtonReport& newton, const Findings& findings) const;
