@@ -12,18 +12,15 @@ target_compile_definitions(genu_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 # No fused or reordered floating point: the same input gives the same bytes.
 target_compile_options(genu_options INTERFACE -ffp-contract=off)
 if(GENU_SANITIZE)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "GENU_SANITIZE needs Clang, which has libFuzzer: cmake --preset sanitizers")
+  endif()
   # Left out of `undefined`: what the address sanitizer or the processor stops at anyway, a third of the time to build.
-  target_compile_options(genu_options INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
-                         -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-  target_link_options(genu_options INTERFACE -fsanitize=address,undefined)
-endif()
-if(GENU_FUZZ)
-  # Beside the address and undefined-behaviour sanitizers' checks, of which the same are left out as above: a number too
-  # large for the integer it becomes.
-  set(genu_fuzz_checks -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=null,alignment,object-size,vptr)
-  target_compile_options(genu_options INTERFACE -fsanitize=fuzzer-no-link ${genu_fuzz_checks}
-                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(genu_options INTERFACE ${genu_fuzz_checks})
+  # Added: a number too large for the integer it becomes.
+  set(genu_checks -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=null,alignment,object-size,vptr)
+  target_compile_options(genu_options INTERFACE -fsanitize=fuzzer-no-link ${genu_checks} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
+  target_link_options(genu_options INTERFACE ${genu_checks})
 endif()
 if(GENU_TSAN)
   target_compile_options(genu_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)

@@ -4,9 +4,9 @@ set(genu_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <l
     <optional> <string> <vector> <Eigen/Core> <Eigen/Geometry> <Eigen/LU>)
 
 # genu_position_independent(TARGET): its objects may become part of libgenu.so (cmake/install.cmake). Calls inside a file
-# stay as direct as they are in a program. Not for fuzzing: its programs share the headers read once for all.
+# stay as direct as they are in a program. Not with the sanitizers: fuzzing programs share the headers read once for all.
 function(genu_position_independent target)
-  if(GENU_FUZZ)
+  if(GENU_SANITIZE)
     return()
   endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)

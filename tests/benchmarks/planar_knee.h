@@ -45,7 +45,7 @@ struct Run {
   long steps = 0;
 };
 
-/// From rest to `end` (s), with the kink at 1 s met exactly.
+/// From rest to `end` (s), with the nonsmooth point at 1 s met exactly.
 inline Run run(double end, double tolerance, int method) {
   SUNContext context = nullptr;
   SUNContext_Create(nullptr, &context);

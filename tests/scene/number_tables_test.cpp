@@ -23,7 +23,7 @@ void for_kinds(const F& f) {
   for (int type = 0; type < static_cast<int>(std::size(kJointKinds)); ++type) {
     JointDef def;
     def.type = static_cast<JointDef::Type>(type);
-    def.limits.emplace();
+    def.limits = JointDef::Limits{};
     f(kJointKinds[type], def);
   }
   for (int kind = 0; kind < static_cast<int>(std::size(kLoadKinds)); ++kind) {

@@ -181,8 +181,8 @@ Certificate ContactInspector::certify(const State& state, double residual) const
   Certificate c;
   c.residual = residual;
   c.smallest_force = c.smallest_gap = c.edge_distance = std::numeric_limits<double>::infinity();
-  c.barring = static_cast<int>(touching(state, Touching::all, residual * model_->scales.length).size());
-  c.touching = c.barring == 0 ? 0 : static_cast<int>(touching(state).size());
+  c.blocking = static_cast<int>(touching(state, Touching::all, residual * model_->scales.length).size());
+  c.touching = c.blocking == 0 ? 0 : static_cast<int>(touching(state).size());
   for (const double gap : survey_.smallest_gap) c.smallest_gap = std::min(c.smallest_gap, gap);
   for (const ActiveContact& contact : state.contacts) {
     const auto& pair = model_->pairs[at(contact.pair)];

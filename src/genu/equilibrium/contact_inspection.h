@@ -17,7 +17,7 @@ struct Certificate {
   double smallest_gap = 0;    ///< m, minimum over all pairs; +infinity when all are clear
   double least_opposed = -1;  ///< largest n_A . n_B of any contact; -1: exactly opposed
   double edge_distance = 0;   ///< m: least distance of a contact point to the edge of its patch
-  int barring = 0;   ///< as `touching`, and along valleys of pairs without a contact: places that block a motion
+  int blocking = 0;  ///< as `touching`, and along valleys of pairs without a contact: places that block a motion
   int touching = 0;  ///< places where surfaces touch (gap 0 to rounding) without an active contact
 };
 

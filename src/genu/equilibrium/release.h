@@ -11,11 +11,11 @@ namespace genu {
 /// * wrench * gradient^T, with different slopes on the two sides. drop: a force falls beyond it, and a motion that
 /// crosses it continues.
 struct ReleasedPlane {
-  enum class Kind { kink, closed, drop };
+  enum class Kind { slope_change, closed, drop };
   VecX gradient;                ///< rate at which a twist crosses it
   VecX wrench = {};             ///< of a change of stiffness
   double below = 0, above = 0;  ///< slopes of a change of stiffness
-  Kind kind = Kind::kink;
+  Kind kind = Kind::slope_change;
 };
 
 struct Released {

@@ -65,8 +65,8 @@ bool may_jump(const JointModel& model, const State& state, const Target& target,
     return std::any_of(breaks.begin(), breaks.end(), jumps_up);
   });
   if (!some) return false;
-  const auto kinks = nonsmooth_points_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
-  return std::any_of(kinks.begin(), kinks.end(), [](const NonsmoothPoint& k) { return k.jump > 0; });
+  const auto points = nonsmooth_points_near(model, state, target, PoseAccuracy::widest_reach(model, residual));
+  return std::any_of(points.begin(), points.end(), [](const NonsmoothPoint& k) { return k.jump > 0; });
 }
 
 /// The motions that prescribed and held coordinates leave, in the metric of stability.

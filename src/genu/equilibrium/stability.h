@@ -20,7 +20,7 @@ struct Stability {
   bool flutter = false;       ///< the smallest eigenvalue is one of a complex pair
   VecX mode;  ///< 6B: its motion in that metric, twist about the origins of the poses, unit norm (real part)
   bool unilateral = false;  ///< a unilateral or nonsmooth part takes part (unilateral_stability.h)
-  std::string untold;       ///< why the verdict is unknown; it is neutral then. Empty: it is known
+  std::string unknown_why;  ///< why the verdict is unknown; it is neutral then. Empty: it is known
   MatX neutral;             ///< 6B x k: all motions at no cost, of an unstable pose too
   int free_motions = 0;
   /// Constraints (index) and contacts (M + index) with statically indeterminate forces: members of some self-stress.

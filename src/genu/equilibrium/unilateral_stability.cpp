@@ -173,15 +173,15 @@ void take(const JointModel& model, const State& state, const Released& released,
   const bool falls = out.verdict == Verdict::unstable;
   out.smallest = out.verdict == Verdict::neutral ? 0 : smallest(released, free, found);
   if (!least.told)
-    out.untold = "too many ligaments, contacts and stops are about to change at once";
+    out.unknown_why = "too many ligaments, contacts and stops are about to change at once";
   else if (found.drops && found.closed)
-    out.untold = "the force of a ligament drops where a contact holds no force";
+    out.unknown_why = "the force of a ligament drops where a contact holds no force";
   else if (depends_on_extent(released, free, found))
-    out.untold = "surfaces touch without force along a line or an area of unknown size";
+    out.unknown_why = "surfaces touch without force along a line or an area of unknown size";
   else if (barred(layers, found))
-    out.untold = kPressesAtOnce;
+    out.unknown_why = kPressesAtOnce;
   else if (std::isnan(out.smallest))
-    out.untold = "the origins of the bodies are too far from the joint";
+    out.unknown_why = "the origins of the bodies are too far from the joint";
   out.mode = VecX::Zero(free.basis.rows());
   if (out.neutral.cols() > 0 && !falls)
     out.mode = out.neutral.col(0);
@@ -191,7 +191,7 @@ void take(const JointModel& model, const State& state, const Released& released,
     out.verdict = Verdict::unstable;
     out.smallest = -std::numeric_limits<double>::infinity();
   }
-  if (out.untold.empty()) return;
+  if (out.unknown_why.empty()) return;
   out.verdict = Verdict::neutral;
   out.smallest = 0;
 }
@@ -204,7 +204,7 @@ void look_at_layers(const JointModel& model, const State& state, const std::vect
   bool some = stability.mode.norm() > 0 && bars(stability.mode);
   for (Eigen::Index k = 0; k < stability.neutral.cols(); ++k) some = some || bars(stability.neutral.col(k));
   if (!some) return;
-  stability.untold = kPressesAtOnce;
+  stability.unknown_why = kPressesAtOnce;
   stability.unilateral = true;
   stability.verdict = Verdict::neutral;
   stability.smallest = 0;

@@ -17,8 +17,8 @@ namespace genu {
 /// is set. Where that cost is zero the motion is in Stability::neutral and the smallest eigenvalue is 0.
 ///
 /// Laws with a toe and layers between nonconforming surfaces hold nothing in either direction to first order.
-/// Stability::untold is set where the answer depends on the extent of a contact without force along a line or an area,
-/// or on a layer that presses at once.
+/// Stability::unknown_why is set where the answer depends on the extent of a contact without force along a line or an
+/// area, or on a layer that presses at once.
 ///
 /// `touching`: contacts at gap 0 without force that are not in `state`. `layer_loads` (N): of this pose or of one
 /// beside it. `residual`: of the pose, scaled. These and the nearest nonsmooth points decide at little cost whether

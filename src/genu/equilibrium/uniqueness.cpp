@@ -26,7 +26,7 @@ bool singular_at(const JointModel& model, const State& state, const Target& targ
 void look_at_what_touches(ActiveSetSolver& solver, const Balanced& pose, const PoseReport& report, const Target& target,
                           const std::vector<double>& layer_loads, Stability& stability) {
   Balanced closed = pose;
-  if (report.certificate.barring > 0)
+  if (report.certificate.blocking > 0)
     for (const Candidate& c : solver.touching(pose.state, ContactInspector::Touching::all,
                                               report.certificate.residual * solver.model().scales.length))
       solver.close(closed, c);
@@ -58,8 +58,8 @@ bool judge_uniqueness(ActiveSetSolver& solver, PosePoint& point) {
   if (!motion && point.stability.redundant.empty()) return true;
   point.undetermined = find_undetermined(model, point.pose.state, point.target, point.stability);
   point.report.status = PoseStatus::undetermined;
-  point.report.why = !point.stability.untold.empty()
-                         ? point.stability.untold + ": whether the pose is stable is not known"
+  point.report.why = !point.stability.unknown_why.empty()
+                         ? point.stability.unknown_why + ": whether the pose is stable is not known"
                      : unilateral ? "a motion costs no force, at least one way: the equilibrium is not unique"
                      : motion     ? "a motion costs no force: the equilibrium is not unique"
                                   : "the same motion is constrained twice: the forces are statically indeterminate";

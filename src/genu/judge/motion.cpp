@@ -147,7 +147,7 @@ void MotionRows::check_rates(std::size_t k, const PoseCase& pose, Findings& out)
   double h = 0;
   if (!smooth(k, kDifferenceRows, h))
     return out.skip(
-        "rates, and balance with inertia, within four rows of an end, a kink of a load or course, or a "
+        "rates, and balance with inertia, within four rows of an end, a nonsmooth point of a load or course, or a "
         "change of contacts or of a ligament's formula");
   const Scene& scene = subject_.scene;
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)

@@ -42,10 +42,10 @@ class Finder {
   }
 
   /// Several points within reach become one: the stiffness below the first and above the last.
-  void meet(double below, double above, std::optional<NonsmoothPoint>& kink) {
+  void meet(double below, double above, std::optional<NonsmoothPoint>& point) {
     met_ = true;
-    if (!kink) kink = NonsmoothPoint{.gradient = {}, .wrench = {}, .below = below};
-    kink->above = above;
+    if (!point) point = NonsmoothPoint{.gradient = {}, .wrench = {}, .below = below};
+    point->above = above;
   }
 
   void add_ligament(std::size_t i) {
@@ -59,7 +59,7 @@ class Finder {
     if (!by_length && piece->held) return;
     const int on = by_length ? law.piece_at(length) : piece->piece;
     const LawValue pull = law.evaluate(length, by_length ? LigamentLaw::kByLength : on);
-    std::optional<NonsmoothPoint> kink;
+    std::optional<NonsmoothPoint> point;
     VecX gradient;
     int sharp = 0;  // sharp breaks before this one
     for (const LawBreak& b : law.breaks()) {
@@ -77,40 +77,40 @@ class Finder {
                         .ligament = static_cast<int>(i),
                         .law_break = pieces});
       else
-        meet(b.below.stiffness, b.above.stiffness, kink);
+        meet(b.below.stiffness, b.above.stiffness, point);
     }
-    if (kink && (kink->below != kink->above || kink->below == 0)) add(*kink, pull.stiffness, gradient, -gradient);
+    if (point && (point->below != point->above || point->below == 0)) add(*point, pull.stiffness, gradient, -gradient);
   }
 
   void add_stops(const JointSpring& spring) {
     const double angle = state_.coordinates[at(spring.joint)][0], within = -spring.stiffness,
                  beyond = within - spring.stop;
-    std::optional<NonsmoothPoint> kink;
+    std::optional<NonsmoothPoint> point;
     VecX gradient;
     const auto look = [&](double stop, double below, double above) {
       if (!(std::abs(angle - stop) <= reach_.most)) return;
       if (gradient.size() == 0) gradient = gradient_of({spring.joint, 0});
-      if (std::abs(angle - stop) <= reach(1, gradient)) meet(below, above, kink);
+      if (std::abs(angle - stop) <= reach(1, gradient)) meet(below, above, point);
     };
     look(spring.lower, beyond, within);
     look(spring.upper, within, beyond);
-    if (kink && kink->below != kink->above) add(*kink, spring.slope(angle), gradient, gradient);
+    if (point && point->below != point->above) add(*point, spring.slope(angle), gradient, gradient);
   }
 
   void add_scale(const Load& load, double factor) {
     if (!load.scale || !load.scale->coordinate()) return;
     const CoordinateRef q = *load.scale->coordinate();
     const double value = state_.coordinates[at(q.joint)][at(q.index)], unit = q.index < 3 ? 1 : model_.scales.length;
-    std::optional<NonsmoothPoint> kink;
+    std::optional<NonsmoothPoint> point;
     VecX gradient;
     for (const LoadScale::NonsmoothPoint& k : load.scale->nonsmooth_points_over_coordinate()) {
       if (std::abs(value - k.x) > reach_.most * unit) continue;
       if (gradient.size() == 0) gradient = gradient_of(q);
-      if (std::abs(value - k.x) <= reach(unit, gradient)) meet(factor * k.below, factor * k.above, kink);
+      if (std::abs(value - k.x) <= reach(unit, gradient)) meet(factor * k.below, factor * k.above, point);
     }
-    if (!kink || kink->below == kink->above) return;
+    if (!point || point->below == point->above) return;
     const VecX wrench = scattered(load_wrench(model_, state_, load).wrench, load.body_a, load.body_b);
-    add(*kink, factor * load.scale->evaluate(value).slope, gradient, wrench);
+    add(*point, factor * load.scale->evaluate(value).slope, gradient, wrench);
   }
 
   VecX scattered(const Vec12& of_two, int body_a, int body_b) const {
@@ -127,11 +127,11 @@ class Finder {
     return scattered(joint_point(model_, state_, q.joint).gradient(q.index).transpose(), joint.parent, joint.child);
   }
 
-  void add(NonsmoothPoint kink, double here, const VecX& gradient, const VecX& wrench) {
-    kink.here = here;
-    kink.gradient = gradient;
-    kink.wrench = wrench;
-    out_.push_back(std::move(kink));
+  void add(NonsmoothPoint point, double here, const VecX& gradient, const VecX& wrench) {
+    point.here = here;
+    point.gradient = gradient;
+    point.wrench = wrench;
+    out_.push_back(std::move(point));
   }
 
   const JointModel& model_;

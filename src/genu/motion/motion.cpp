@@ -17,7 +17,7 @@
 namespace genu {
 namespace {
 
-constexpr double kJustAfterZero = std::numeric_limits<double>::min();  // s: time 0, past a kink there
+constexpr double kJustAfterZero = std::numeric_limits<double>::min();  // s: time 0, past a nonsmooth point there
 
 /// The twists for rates of all coordinates. Each moving body is the child of one joint, so the numbers agree.
 VecX start_twist(const JointModel& model, const State& state, const MotionPlan& plan) {

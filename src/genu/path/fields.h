@@ -83,7 +83,7 @@ void serialize(Archive& a, NewtonReport& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Certificate& x) {
-  a(x.residual, x.smallest_force, x.smallest_gap, x.least_opposed, x.edge_distance, x.barring, x.touching);
+  a(x.residual, x.smallest_force, x.smallest_gap, x.least_opposed, x.edge_distance, x.blocking, x.touching);
 }
 template <typename Archive>
 void serialize(Archive& a, PoseReport& x) {
@@ -91,7 +91,7 @@ void serialize(Archive& a, PoseReport& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Stability& x) {
-  a(x.verdict, x.smallest, x.complex_pair, x.flutter, x.mode, x.unilateral, x.untold, x.neutral, x.free_motions,
+  a(x.verdict, x.smallest, x.complex_pair, x.flutter, x.mode, x.unilateral, x.unknown_why, x.neutral, x.free_motions,
     x.redundant);
 }
 template <typename Archive>

@@ -25,7 +25,7 @@ void read_angle(ReadContext& context, const Item& item, const char* what, double
 void read_limits(ReadContext& context, const Item& item, JointDef& joint) {
   if (!is_table(context, item)) return;
   Section section(context, item, "the limits of a revolute joint");
-  joint.limits.emplace();
+  joint.limits = JointDef::Limits{};
   read_numbers(context, section, kind_of(joint), joint, {.objects = "joints", .table = "limits"});
   if (!section.has("from") && !section.has("to")) section.error("", "says nothing: give `from`, `to` or both");
   section.finish();
