@@ -27,7 +27,7 @@ add_custom_target(installed_files DEPENDS genu genu_library)
 
 install(TARGETS genu DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS genu_library EXPORT genuTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/genu DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY src/genu DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 
 set(genu_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/genu)
 configure_package_config_file(cmake/genuConfig.cmake.in ${PROJECT_BINARY_DIR}/genuConfig.cmake

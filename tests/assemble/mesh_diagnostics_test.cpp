@@ -9,8 +9,8 @@ TEST(MeshDiagnostics, StandAtTheKeyThatNamesTheFile) {
   Scene scene;
   scene.file = "scene.toml";
   Diagnostics found, out;
-  found.error("bone.stl", "is empty");
-  found.error("other.mtl", "is missing");
+  found.error(Code::mesh_unreadable, "bone.stl", "is empty");
+  found.error(Code::no_such_file, "other.mtl", "is missing");
   add_at_key(scene, {4, 7}, "body.tibia.solid.file", "bone.stl", found, out);
   ASSERT_EQ(out.items().size(), 2u);
   EXPECT_EQ(to_string(out.items()[0]), "scene.toml:4:7: body.tibia.solid.file = \"bone.stl\": is empty");

@@ -51,7 +51,8 @@ output_interval = 0.5
     write(mesh);
     EXPECT_FALSE(prepared("units = \"mm\", density = 1100"));
     EXPECT_EQ(out_.items().size(), 1u) << test::messages(out_);
-    const Diagnostic d = out_.items().empty() ? Diagnostic{} : out_.items().front();
+    if (out_.items().empty()) return {};
+    const Diagnostic& d = out_.items().front();
     EXPECT_EQ(d.key, "body.link.solid.file");
     EXPECT_EQ(d.line, 6);
     EXPECT_EQ(d.column, 18);

@@ -1,17 +1,15 @@
 #include "genu/core/diagnostics.h"
 
+#include <type_traits>
+
 #include <gtest/gtest.h>
 
 namespace genu {
 namespace {
 
 TEST(Diagnostics, OneLineEach) {
-  Diagnostic d{.file = "scene.toml",
-               .line = 41,
-               .column = 13,
-               .key = "ligament.AAC.stiffness",
-               .found = "-2",
-               .rule = "must be > 0 N"};
+  Diagnostic d =
+      error_at({"scene.toml", {41, 13}}, Code::out_of_range, "ligament.AAC.stiffness", "-2", "must be > 0 N");
   EXPECT_EQ(to_string(d), "scene.toml:41:13: ligament.AAC.stiffness = -2: must be > 0 N");
   d.found.clear();
   EXPECT_EQ(to_string(d), "scene.toml:41:13: ligament.AAC.stiffness: must be > 0 N");
@@ -29,19 +27,31 @@ TEST(Diagnostics, OneLineEach) {
 TEST(Diagnostics, WarningsAreNoErrors) {
   Diagnostics out;
   EXPECT_FALSE(out.has_errors());
-  out.add({.severity = Diagnostic::Severity::warning, .file = "f", .key = {}, .found = {}, .rule = "w"});
+  out.warning(Code::mesh_repaired, "f", "w");
   EXPECT_FALSE(out.has_errors());
-  out.error("f", "no such file");
+  out.error(Code::no_such_file, "f", "no such file");
   EXPECT_TRUE(out.has_errors());
   EXPECT_EQ(out.count(Diagnostic::Severity::error), 1u);
   EXPECT_EQ(out.count(Diagnostic::Severity::warning), 1u);
   EXPECT_EQ(to_string(out.items()[1]), "f: no such file");
 }
 
+TEST(Diagnostics, HaveACodeHoweverTheyAreMade) {
+  static_assert(!std::is_default_constructible_v<Diagnostic>);
+  Diagnostics out;
+  out.error(Code::no_such_file, "f", "is not there");
+  out.warning(Code::mesh_flawed, "m", "has flaws");
+  out.add(warning_at({"f", {2, 3}}, Code::no_effect, "k", "v", "r"));
+  EXPECT_EQ(out.items()[0].code, Code::no_such_file);
+  EXPECT_EQ(out.items()[1].code, Code::mesh_flawed);
+  EXPECT_EQ(out.items()[2].code, Code::no_effect);
+  EXPECT_EQ(to_string(out.items()[2]), "f:2:3: warning: k = v: r");
+}
+
 TEST(Diagnostics, SortedByPlaceAndStable) {
   Diagnostics out;
   const auto add = [&](const char* file, int line, int column, const char* rule) {
-    out.add({.file = file, .line = line, .column = column, .key = {}, .found = {}, .rule = rule});
+    out.add(error_at({file, {line, column}}, Code::wrong_form, {}, {}, rule));
   };
   add("b", 1, 1, "6");
   add("a", 10, 1, "5");

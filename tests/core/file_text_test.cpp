@@ -13,15 +13,18 @@ namespace {
 
 TEST(FileText, ReadsWhatAFileHoldsAndNothingWithoutEnd) {
   const test::TemporaryFolder folder;
-  std::string why;
-  EXPECT_EQ(text_of_file(folder.write("a", std::string("x\0y", 3)), why), std::string("x\0y", 3));
-  EXPECT_TRUE(why.empty());
+  Diagnostics none;
+  EXPECT_EQ(text_of_file(folder.write("a", std::string("x\0y", 3)), none), std::string("x\0y", 3));
+  EXPECT_TRUE(none.items().empty());
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  for (const auto& [path, reason] :
-       {std::pair(folder / "none", "is not there"), std::pair(folder / ".", "is a folder"),
-        std::pair(folder / "pipe", "is no regular file"), std::pair(std::string("/dev/zero"), "is no regular file")}) {
-    EXPECT_FALSE(text_of_file(path, why)) << path;
-    EXPECT_EQ(why.rfind(reason, 0), 0U) << path << ": " << why;
+  for (const auto& [path, code] :
+       {std::pair(folder / "none", Code::no_such_file), std::pair(folder / ".", Code::is_folder),
+        std::pair(folder / "pipe", Code::cannot_read), std::pair(std::string("/dev/zero"), Code::cannot_read)}) {
+    Diagnostics out;
+    EXPECT_FALSE(text_of_file(path, out)) << path;
+    ASSERT_EQ(out.items().size(), 1U) << path;
+    EXPECT_EQ(out.items()[0].code, code) << to_string(out.items()[0]);
+    EXPECT_EQ(out.items()[0].file, path);
   }
 }
 

@@ -13,7 +13,7 @@ mv "$work/first" "$work/prefix" # an installation may be moved
 
 # What headers include: themselves, Eigen, the standard library (a word without . or /).
 foreign=$(grep -rhoE '^ *# *include *[<"][^>"]+[>"]' "$work/prefix/include" | sed -E 's/.*[<"]([^>"]+)[>"]/\1/' | sort -u |
-          grep -vE '^(genu/[a-z_/]+\.h|Eigen/[A-Za-z]+|[a-z_]+)$' || true)
+          grep -vE '^(genu/[a-z_/]+\.(h|def)|Eigen/[A-Za-z]+|[a-z_]+)$' || true)
 [ -z "$foreign" ] || fail "installed headers include $foreign"
 [ "$(find "$work/prefix/include" -name '*.h' | wc -l)" -gt 100 ] || fail "headers are missing"
 for file in bin/genu lib/libgenu.so lib/cmake/genu/genuConfig.cmake lib/cmake/genu/genuConfigVersion.cmake \

@@ -20,9 +20,9 @@ std::vector<Vec3> corners(const Mesh& mesh) {
 
 void expect_same(const std::string& path, std::string (*own)(std::string_view, Mesh&)) {
   Mesh a, b;
-  std::string why;
-  const auto bytes = text_of_file(path, why);
-  ASSERT_TRUE(bytes) << why;
+  Diagnostics out;
+  const auto bytes = text_of_file(path, out);
+  ASSERT_TRUE(bytes) << path;
   ASSERT_EQ(own(*bytes, a), "");
   ASSERT_EQ(read_by_assimp(path, *bytes, b), "");
   const std::vector<Vec3> x = corners(a), y = corners(b);

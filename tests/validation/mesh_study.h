@@ -129,7 +129,7 @@ class MeshStudy {
       if (!becomes_mesh(def, options)) continue;
       const std::string file = folder / (def.name + ".stl");
       if (const std::string error = write_stl(cut(def, edge), file, units::kMillimetre, def.name); !error.empty())
-        problems.error(file, error);
+        problems.error(Code::cannot_write, file, error);
       def.shape = SurfaceDef::Shape::mesh;
       def.placement = Pose{};
       def.file = file;

@@ -12,7 +12,8 @@ class Validator;
 }  // namespace CLI
 namespace genu {
 class Diagnostics;
-}
+enum class Code;
+}  // namespace genu
 
 namespace genu::cli {
 
@@ -32,7 +33,7 @@ void print(const Diagnostics& diagnostics, bool computed = false);
 
 /// The errors alone on standard error, one or all of them. Always kRefused.
 int refuse(const Diagnostics& problems);
-int refuse(const std::string& rule);
+int refuse(Code code, const std::string& rule);
 
 /// Last of all, on standard error: what to do next, where a command does not end well.
 void print_advice(int exit_code);

@@ -41,13 +41,14 @@ std::string choose_target(const std::string& to, const std::string& out, Convert
   return {};
 }
 
-/// Why the target must not be written; empty if it may. Asked before the work.
-std::string why_not_written(const ConvertArguments& arguments, const std::string& scene) {
+/// Why the target must not be written; none if it may. Asked before the work.
+std::optional<Fault> why_not_written(const ConvertArguments& arguments, const std::string& scene) {
   const bool folder = arguments.options.to == ConvertTo::vtk || arguments.options.to == ConvertTo::opensim;
   const std::string& out = arguments.options.out;
   if (!folder) return why_not_replaced(out, kStorageMark);
   for (const std::string& input : {(fs::path(arguments.folder) / "results.csv").string(), scene})
-    if (folder_holds(out, input)) return out + ": holds " + input + ", which would be lost: choose another folder";
+    if (folder_holds(out, input))
+      return Fault{Code::would_lose_input, out + ": holds " + input + ", which would be lost: choose another folder"};
   StagedFolder probe("converted results");
   return probe.open(out);
 }
@@ -80,13 +81,13 @@ int convert(ConvertArguments& arguments) {
   };
   if (const std::string error = choose_target(arguments.to, arguments.options.out, arguments.options.to);
       !error.empty()) {
-    diagnostics.error({}, error);
+    diagnostics.error(Code::usage, {}, error);
     return refused();
   }
   const auto folder = judge::read_run_folder(arguments.folder, arguments.scene, diagnostics, true);
   if (!folder) return refused();
-  if (const std::string error = why_not_written(arguments, folder->scene); !error.empty()) {
-    diagnostics.error({}, error);
+  if (const auto refusal = why_not_written(arguments, folder->scene)) {
+    diagnostics.error(refusal->code, {}, refusal->text);
     return refused();
   }
   const std::string table = (fs::path(arguments.folder) / "results.csv").string();

@@ -53,8 +53,8 @@ int explain_word(const CLI::App& app, const std::string& word) {
     text = explain_topic(topics, dashed);
   }
   if (text.empty())
-    return refuse(
-        fmt::format("{} is no topic and no scene file{}", with_quotes(word), did_you_mean(word, known_topics(topics))));
+    return refuse(Code::unknown_name, fmt::format("{} is no topic and no scene file{}", with_quotes(word),
+                                                  did_you_mean(word, known_topics(topics))));
   fmt::print("{}", text);
   return kOk;
 }

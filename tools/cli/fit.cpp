@@ -76,12 +76,15 @@ std::optional<KnownPatch> read_like(const std::string& text, Diagnostics& out) {
     if (s.name == name || (!named && scene->surfaces.size() == 1)) found = &s;
   }
   if (!found) {
-    out.error(file, named ? "there is no surface \"" + name + "\"; known:" + known
-                          : "has several surfaces: name one, FILE:NAME, of" + known);
+    out.error(Code::unknown_name, file,
+              named ? "there is no surface \"" + name + "\"; known:" + known
+                    : "has several surfaces: name one, FILE:NAME, of" + known);
     return std::nullopt;
   }
   auto like = known_patch(*found);
-  if (!like) out.error(file, "surface \"" + found->name + "\" is no polynomial with a patch of both chart coordinates");
+  if (!like)
+    out.error(Code::not_applicable, file,
+              "surface \"" + found->name + "\" is no polynomial with a patch of both chart coordinates");
   return like;
 }
 
@@ -105,14 +108,15 @@ int written(const std::string& error, const FitOptions& options) {
 bool can_write(const std::string& folder, const std::vector<std::string>& inputs, Diagnostics& out) {
   {
     StagedFolder probe("results");
-    if (const std::string error = probe.open(folder); !error.empty()) {
-      out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    if (const auto refused = probe.open(folder)) {
+      out.error(refused->code, {}, refused->text);
       return false;
     }
   }
   for (const std::string& file : inputs) {
     if (!folder_holds(folder, file)) continue;
-    out.error(folder, "holds " + file + ", which would be lost with the folder: choose another folder");
+    out.error(Code::would_lose_input, folder,
+              "holds " + file + ", which would be lost with the folder: choose another folder");
     return false;
   }
   return true;
@@ -120,7 +124,7 @@ bool can_write(const std::string& folder, const std::vector<std::string>& inputs
 
 void check_name(const std::string& option, const std::string& name, Diagnostics& out) {
   if (!name.empty() && !is_name(name))
-    out.error(option + " \"" + name + "\"", "a name is a letter or _, then letters, digits, _ or -");
+    out.error(Code::wrong_form, option + " \"" + name + "\"", "a name is a letter or _, then letters, digits, _ or -");
 }
 
 int fit_one(const FitOptions& options) {
@@ -135,7 +139,8 @@ int fit_one(const FitOptions& options) {
   if (options.degree > 0) request.degree = options.degree;
   if (!options.facing.empty()) {
     request.facing = direction(options.facing);
-    if (!request.facing) problems.error("--facing " + options.facing, "must be an axis such as -y, or x,y,z");
+    if (!request.facing)
+      problems.error(Code::wrong_form, "--facing " + options.facing, "must be an axis such as -y, or x,y,z");
   }
   check_name("--name", options.name, problems);
   check_name("--body", options.body, problems);
@@ -230,7 +235,7 @@ void add_fit(CLI::App& command, int& exit_code) {
                 "look at the lines marked DOUBTFUL; another --degree, --chart or a smaller patch may fit better");
   command.callback([options, &exit_code] {
     if (options->mesh.empty() == options->scene.empty()) {
-      exit_code = refuse("genu fit: name a mesh file or --scene SCENE");
+      exit_code = refuse(Code::usage, "genu fit: name a mesh file or --scene SCENE");
     } else {
       exit_code = options->scene.empty() ? fit_one(*options) : fit_all(*options);
     }

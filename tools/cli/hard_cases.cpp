@@ -69,7 +69,8 @@ int run_catalogue(const HardCaseArguments& arguments) {
   if (problems.has_errors()) return refuse(problems);
   if (!arguments.table.empty()) return write_table(arguments.table, cases);
   std::erase_if(cases, [&](const HardCase& c) { return !chosen(c, arguments); });
-  if (cases.empty()) problems.error(folder, "has no such case; --table lists all, --cases names another folder");
+  if (cases.empty())
+    problems.error(Code::unknown_name, folder, "has no such case; --table lists all, --cases names another folder");
   if (problems.has_errors()) return refuse(problems);
   auto progress = std::make_shared<Progress>();
   if (!arguments.quiet) options.progress = [progress](int done, int all) { (*progress)(done, all, "cases"); };

@@ -42,9 +42,10 @@ int judge_folder(const JudgeArguments& arguments) {
   const bool csv = arguments.out.ends_with(".csv");
   if (!arguments.out.empty()) {
     if (!csv && !arguments.out.ends_with(".json"))
-      diagnostics.error(arguments.out, "the table of checks is .json or .csv: choose one of these endings");
-    const std::string kept = why_not_replaced(arguments.out, csv ? "check,numbers,poses,worst" : "\"accepted\":");
-    if (!kept.empty()) diagnostics.add({.file = {}, .key = {}, .found = {}, .rule = kept});
+      diagnostics.error(Code::usage, arguments.out,
+                        "the table of checks is .json or .csv: choose one of these endings");
+    if (const auto kept = why_not_replaced(arguments.out, csv ? "check,numbers,poses,worst" : "\"accepted\":"))
+      diagnostics.error(kept->code, {}, kept->text);
     if (diagnostics.has_errors()) return refused(diagnostics);
   }
   const auto folder = judge::read_run_folder(arguments.folder, arguments.scene, diagnostics);
@@ -54,9 +55,10 @@ int judge_folder(const JudgeArguments& arguments) {
   const std::string table = (std::filesystem::path(arguments.folder) / "results.csv").string();
   const auto found = judge::judge_results(*scene, folder->results, table, arguments.options, diagnostics);
   if (found && folder->ok_rows && *folder->ok_rows != found->judged)
-    diagnostics.error(table, fmt::format("has {} rows that are ok where summary.json counts {}: it was cut or changed "
-                                         "since the run",
-                                         found->judged, *folder->ok_rows));
+    diagnostics.error(Code::results_changed, table,
+                      fmt::format("has {} rows that are ok where summary.json counts {}: it was cut or changed "
+                                  "since the run",
+                                  found->judged, *folder->ok_rows));
   if (!found || diagnostics.has_errors()) return refused(diagnostics);
   print(diagnostics);
   if (!arguments.quiet) fmt::print("{}", judge::to_text(*found));

@@ -70,11 +70,13 @@ int run_command(int argc, char** argv) {
   if (const std::string word = argv[1]; !word.empty() && word.front() != '-') {
     const std::vector<std::string> names = names_of_commands();
     if (std::find(names.begin(), names.end(), word) == names.end())
-      return genu::cli::refuse(fmt::format("genu: there is no command \"{}\"{}; known: {}", word,
+      return genu::cli::refuse(genu::Code::unknown_command,
+                               fmt::format("genu: there is no command \"{}\"{}; known: {}", word,
                                            genu::did_you_mean(word, names), fmt::join(names, ", ")));
     genu::cli::advice().command(word);
   }
-  if (const std::string problem = name_forgotten(argc, argv); !problem.empty()) return genu::cli::refuse(problem);
+  if (const std::string problem = name_forgotten(argc, argv); !problem.empty())
+    return genu::cli::refuse(genu::Code::usage, problem);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -62,15 +62,17 @@ void check_names(const Scene& scene, const MeshOptions& options, Diagnostics& ou
     const auto surface = std::find_if(scene.surfaces.begin(), scene.surfaces.end(), named(name));
     const bool solid = std::any_of(scene.solids.begin(), scene.solids.end(), named(name));
     if (surface != scene.surfaces.end() && solid)
-      out.error(scene.file, "\"" + name + "\" is both a surface and a solid: give one of them another name");
+      out.error(Code::duplicate, scene.file,
+                "\"" + name + "\" is both a surface and a solid: give one of them another name");
     else if (surface == scene.surfaces.end() && !solid)
-      out.error(scene.file, "there is no surface \"" + name + "\"; " + known);
+      out.error(Code::unknown_name, scene.file, "there is no surface \"" + name + "\"; " + known);
     else if (!solid && surface->shape == SurfaceDef::Shape::mesh)
-      out.error(scene.file, "surface \"" + name + "\" is a mesh already");
+      out.error(Code::not_applicable, scene.file, "surface \"" + name + "\" is a mesh already");
   }
   const bool formula = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                    [](const SurfaceDef& s) { return s.shape != SurfaceDef::Shape::mesh; });
-  if (!formula && scene.solids.empty()) out.error(scene.file, "has no surface with a formula and no solid");
+  if (!formula && scene.solids.empty())
+    out.error(Code::not_applicable, scene.file, "has no surface with a formula and no solid");
 }
 
 /// Empty, with what is wrong in `out`, where not all of them can be meshed.
@@ -82,7 +84,7 @@ std::vector<Meshed> mesh_surfaces(const Scene& scene, const MeshOptions& options
     chosen.push_back(&def);
     surfaces.push_back(within_patch(make_analytic_surface(def), def));
     if (!surfaces.back())
-      out.error(scene.file, "surface \"" + def.name + "\" has sizes or a patch that make no surface");
+      out.error(Code::no_surface, scene.file, "surface \"" + def.name + "\" has sizes or a patch that make no surface");
   }
   std::vector<Meshed> meshes;
   if (out.has_errors()) return meshes;
@@ -92,7 +94,7 @@ std::vector<Meshed> mesh_surfaces(const Scene& scene, const MeshOptions& options
     if (options.thickness > 0) {
       std::string why;
       mesh = thicken(mesh, *surfaces[k], options.thickness * unit, options.edge * unit, why);
-      if (!why.empty()) out.error(scene.file, "surface \"" + chosen[k]->name + "\" " + why);
+      if (!why.empty()) out.error(Code::no_surface, scene.file, "surface \"" + chosen[k]->name + "\" " + why);
     }
     meshes.push_back({chosen[k]->name, std::move(mesh)});
   }
@@ -105,13 +107,7 @@ void mesh_solids(const Scene& scene, const MeshOptions& options, double unit, st
     if (!asked_for(def.name, options)) continue;
     std::string why;
     meshes.push_back({def.name, solid_mesh(make_solid(def), options.edge * unit, why)});
-    if (!why.empty())
-      out.add({.file = scene.file,
-               .line = def.where.line,
-               .column = def.where.column,
-               .key = "solid." + def.name,
-               .found = {},
-               .rule = why});
+    if (!why.empty()) out.add(error_at({scene.file, def.where}, Code::no_surface, "solid." + def.name, {}, why));
   }
 }
 
@@ -119,7 +115,8 @@ void mesh_solids(const Scene& scene, const MeshOptions& options, double unit, st
 void refuse_foreign(const std::string& path, Diagnostics& out) {
   std::error_code code;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, code)) || has_title(path, kTitle)) return;
-  out.error(path, "is there already and was not written by genu mesh: it will not be replaced; choose another folder");
+  out.error(Code::would_overwrite, path,
+            "is there already and was not written by genu mesh: it will not be replaced; choose another folder");
 }
 
 void describe_file(const std::string& path, const Mesh& mesh, double wanted, const MeshOptions& options, double unit) {
@@ -146,12 +143,12 @@ int mesh_scene(const MeshOptions& options) {
 
   const auto path_of = [&](const Meshed& m) { return options.folder + "/" + m.name + "." + options.format; };
   for (const Meshed& m : meshes) refuse_foreign(path_of(m), problems);
-  if (options.folder.empty()) problems.error("--out", "names no folder");
+  if (options.folder.empty()) problems.error(Code::no_output_folder, "--out", "names no folder");
   if (problems.has_errors()) return refuse(problems);
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) {
-    problems.error(options.folder, "cannot be made a folder: " + failure.message());
+    problems.error(Code::cannot_write, options.folder, "cannot be made a folder: " + failure.message());
     return refuse(problems);
   }
   for (const Meshed& m : meshes) {

@@ -40,16 +40,18 @@ void print_findings(const MeshExamination& examination) {
   }
 }
 
-/// Why the repaired mesh cannot be written to the file of --repair; empty if it can.
-std::string why_not_there(const std::string& from, const std::string& to) {
-  if (to.empty()) return "genu mesh-check: --repair names no file";
-  if (std::string why = why_not_writable(to); !why.empty()) return why;
+/// Why the repaired mesh cannot be written to the file of --repair; none if it can.
+std::optional<Fault> why_not_there(const std::string& from, const std::string& to) {
+  if (to.empty()) return Fault{Code::usage, "genu mesh-check: --repair names no file"};
+  if (std::string why = why_not_writable(to); !why.empty()) return Fault{Code::cannot_write, why};
   std::error_code ignored;
-  if (std::filesystem::equivalent(from, to, ignored)) return to + ": is the file to repair: give --repair another";
+  if (std::filesystem::equivalent(from, to, ignored))
+    return Fault{Code::would_lose_input, to + ": is the file to repair: give --repair another"};
   std::error_code code;
   if (std::filesystem::exists(std::filesystem::symlink_status(to, code)) && !has_title(to, kRepaired))
-    return to +
-           ": is there already and was not written by genu mesh-check: it will not be replaced; choose another name";
+    return Fault{
+        Code::would_overwrite,
+        to + ": is there already and was not written by genu mesh-check: it will not be replaced; choose another name"};
   return {};
 }
 
@@ -84,9 +86,7 @@ int repair(const std::string& from, Mesh mesh, double unit, const std::string& t
 
 int check_file(const std::string& file, const CheckOptions& options) {
   if (options.repairs)
-    if (const std::string why = why_not_there(file, options.repaired); !why.empty()) {
-      return refuse(why);
-    }
+    if (const auto why = why_not_there(file, options.repaired)) return refuse(why->code, why->text);
   Diagnostics problems;  // the warnings among them are said below, a line each
   MeshFileFacts facts;
   const Timer timer;
@@ -104,7 +104,7 @@ int check_file(const std::string& file, const CheckOptions& options) {
 
 int check_files(const CheckOptions& options) {
   if (options.repairs && options.files.size() > 1) {
-    return refuse("genu mesh-check: --repair takes one file at a time");
+    return refuse(Code::usage, "genu mesh-check: --repair takes one file at a time");
   }
   // What is refused counts most, then what could not be written, then flaws.
   int worst = kOk;

@@ -30,7 +30,7 @@ bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diag
   if (asked.kind == NewScene::Kind::stl) return false;
   for (const char* option : {"--femur", "--tibia", "--units", "--side", "--proximal", "--anterior"})
     if (command.count(option) > 0)
-      out.add({.file = {}, .key = option, .found = {}, .rule = "belongs to a scene of meshes: --femur F --tibia T"});
+      out.add(error_at({}, Code::meshes_needed, option, {}, "belongs to a scene of meshes: --femur F --tibia T"));
   return out.has_errors();
 }
 

@@ -28,9 +28,9 @@ int refuse(const Diagnostics& problems) {
   return kRefused;
 }
 
-int refuse(const std::string& rule) {
+int refuse(Code code, const std::string& rule) {
   Diagnostics problems;
-  problems.error({}, rule);
+  problems.error(code, {}, rule);
   return refuse(problems);
 }
 

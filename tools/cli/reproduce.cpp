@@ -41,19 +41,17 @@ bool make_empty(const std::string& folder, Diagnostics& out) {
   std::error_code code;
   fs::create_directories(folder, code);
   if (!code && fs::is_empty(folder, code) && !code) return true;
-  out.error(folder, "is no new or empty folder");
+  out.error(Code::no_output_folder, folder, "is no new or empty folder");
   return false;
 }
 
 int reproduce_file(const std::string& file, const std::string& asked) {
   Diagnostics out;
-  std::string why;
-  const auto text = text_of_file(file, why);
-  if (!text) out.error(file, why);
+  const auto text = text_of_file(file, out);
   const auto failure = text ? read_failure(*text, file, out) : std::nullopt;
   std::optional<ScratchFolder> scratch;
   if (failure && asked.empty()) scratch.emplace("genu-reproduce");
-  if (scratch && !scratch->problem().empty()) out.error("", scratch->problem());
+  if (scratch && !scratch->problem().empty()) out.error(Code::cannot_write, "", scratch->problem());
   const bool ready = failure && !out.has_errors() && (scratch || make_empty(asked, out));
   print(out);
   if (!ready) return kRefused;
@@ -74,7 +72,7 @@ int reproduce_file(const std::string& file, const std::string& asked) {
   try {
     found = reproduce(*failure, folder, options);
   } catch (const SavedElsewhere&) {
-    out.error(file, "holds a state that its scene cannot be in");
+    out.error(Code::broken_file, file, "holds a state that its scene cannot be in");
     print(out);
     return kRefused;
   }

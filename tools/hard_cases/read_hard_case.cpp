@@ -67,7 +67,7 @@ void read_value(ReadContext& context, const Item& item, Expectation& out) {
   v.column = read_string(context, section.require("column")).value_or("");
   constexpr int kMost = 1'000'000;
   if (const auto row = read_integer(context, section.find("row"), -kMost, kMost)) v.row = static_cast<int>(*row);
-  if (v.row == 0) section.error("row", "rows count from 1, from the end -1");
+  if (v.row == 0) section.error(Code::out_of_range, "row", "rows count from 1, from the end -1");
   v.is_word = section.has("word");
   if (v.is_word) {
     v.value = read_string(context, section.find("word")).value_or("");
@@ -90,7 +90,7 @@ void read_damage(ReadContext& context, const Item& item, MeshRecipe& out) {
     if (known)
       d.kind = *known;
     else
-      refuse(context, kind, "is no damage that is known");
+      refuse(context, kind, Code::unknown_name, "is no damage that is known");
   }
   const NumberRule length = {
       .unit = units::kMillimetre, .unit_name = "mm", .above = {}, .at_least = {}, .largest = 1e9};
@@ -107,7 +107,7 @@ void read_recipe(ReadContext& context, const Item& item, Expectation& out) {
   MeshRecipe recipe;
   recipe.file = read_string(context, section.require("file")).value_or("");
   if (recipe.file.empty() || recipe.file.find('/') != std::string::npos)
-    section.error("file", "is a name, in no folder");
+    section.error(Code::wrong_form, "file", "is a name, in no folder");
   recipe.text = read_string(context, section.find("text")).value_or("");
   if (recipe.text.empty()) {
     recipe.shape = read_string(context, section.require("shape")).value_or("");
@@ -129,10 +129,12 @@ void read_safeguard(ReadContext& context, Section& root, Expectation& out) {
     out.safeguard = *name;
     std::error_code failed;
     const fs::path patch = (context.folder / ".." / "mutants" / (*name + ".patch")).lexically_normal();
-    if (!fs::is_regular_file(patch, failed)) refuse(context, item, "has no patch: " + patch.string() + " is missing");
+    if (!fs::is_regular_file(patch, failed))
+      refuse(context, item, Code::no_such_file, "has no patch: " + patch.string() + " is missing");
   }
   if (!item && out.cannot_switch.empty())
-    root.error("safeguard", "name the safeguard this case is about, or say why none can be taken out (cannot_switch)");
+    root.error(Code::missing_key, "safeguard",
+               "name the safeguard this case is about, or say why none can be taken out (cannot_switch)");
 }
 
 }  // namespace
@@ -140,7 +142,7 @@ void read_safeguard(ReadContext& context, Section& root, Expectation& out) {
 std::optional<Expectation> read_expectation(const std::string& path, Diagnostics& out) {
   std::ifstream in(path, std::ios::binary);
   if (!in) {
-    out.error(path, "cannot be read: each case has one");
+    out.error(Code::cannot_read, path, "cannot be read: each case has one");
     return std::nullopt;
   }
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -169,9 +171,10 @@ std::optional<Expectation> read_expectation(const std::string& path, Diagnostics
   e.limit = read_number(context, root.find("limit"), positive(plain_rule("s"))).value_or(e.limit);
   for (const Item& item : tables_of(context, root.find("value"))) read_value(context, item, e);
   for (const Item& item : tables_of(context, root.find("mesh"))) read_recipe(context, item, e);
-  if (!e.values.empty() && e.source.empty()) root.error("source", "say where the expected values come from");
+  if (!e.values.empty() && e.source.empty())
+    root.error(Code::missing_key, "source", "say where the expected values come from");
   if (e.values.empty() && e.says.empty() && e.statuses.empty() && e.events.empty())
-    root.error("why", "nothing is expected: name values, statuses, events or words");
+    root.error(Code::missing_key, "why", "nothing is expected: name values, statuses, events or words");
   root.finish();
   for (const Diagnostic& d : found.items()) out.add(d);
   return found.has_errors() ? std::nullopt : std::optional(e);
@@ -195,7 +198,7 @@ std::vector<HardCase> find_hard_cases(const std::string& folder, Diagnostics& ou
       cases.push_back(std::move(c));
     }
   }
-  if (failed) out.error(folder, "cannot be read as a folder of hard cases: " + failed.message());
+  if (failed) out.error(Code::cannot_read, folder, "cannot be read as a folder of hard cases: " + failed.message());
   std::sort(cases.begin(), cases.end(), [](const HardCase& a, const HardCase& b) {
     return std::pair(a.family, a.name) < std::pair(b.family, b.name);
   });

@@ -45,7 +45,7 @@ std::string unknown_part(const Prepared& p) {
 
 std::optional<Knee> make_knee(const Prepared& prepared, Diagnostics& out) {
   if (const std::string part = unknown_part(prepared); !part.empty()) {
-    out.error(prepared.scene.file, "is no knee that can be compared, which has " + part);
+    out.error(Code::not_applicable, prepared.scene.file, "is no knee that can be compared, which has " + part);
     return std::nullopt;
   }
   const PlacedScene& scene = prepared.scene;

@@ -17,7 +17,7 @@ Files bones_files(const std::string& folder, Diagnostics& problems) {
   for (const SolidDef& def : scene->solids) {
     std::string why;
     meshes.push_back(solid_mesh(make_solid(def), kEdge, why));
-    if (!why.empty()) problems.error(folder + "/bones.toml", "solid." + def.name + " " + why);
+    if (!why.empty()) problems.error(Code::no_surface, folder + "/bones.toml", "solid." + def.name + " " + why);
   }
   std::vector<PictureMesh> shown;
   for (std::size_t i = 0; i < meshes.size(); ++i)

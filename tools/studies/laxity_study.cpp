@@ -147,7 +147,7 @@ std::optional<LaxityStudy> solve_laxity(const std::string& file, Diagnostics& ou
   const std::size_t steps = scene->prepared.steps.size();
   if (drawer == loads.end() || steps == 0 || steps % kSteps != 0 ||
       !scene->solution.poses.has_column("medial.force_N")) {
-    out.add({.file = file, .key = {}, .found = {}, .rule = "is no drawer test: a load drawer, steps in fours"});
+    out.error(Code::not_applicable, file, "is no drawer test: a load drawer, steps in fours");
     return std::nullopt;
   }
   LaxityStudy study;

@@ -61,7 +61,7 @@ std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out, 
   for (const std::string& text : request.regions) {
     const auto conditions = parse_region(text, unit);
     if (!conditions)
-      out.error("region \"" + text + "\"", kRegionForm);
+      out.error(Code::wrong_form, "region \"" + text + "\"", kRegionForm);
     else
       wanted.push_back({request.facing, within(*conditions), false});
   }

@@ -34,7 +34,7 @@ class GivenPosesReader {
     }
     if (errors_.count() > 0) return std::nullopt;
     if (given_.poses.empty()) {
-      out_.error(file_.path, "holds no pose that was solved: the status of every row says so");
+      out_.error(Code::not_solved, file_.path, "holds no pose that was solved: the status of every row says so");
       return std::nullopt;
     }
     return std::move(given_);
@@ -44,8 +44,9 @@ class GivenPosesReader {
   bool time_is_known() const {
     const auto load = std::find_if(scene_.loads.begin(), scene_.loads.end(), [](const auto& l) { return l.in_time(); });
     if (columns_.time || load == scene_.loads.end()) return true;
-    out_.error(file_.path, "has no column time, over which load." + load->name +
-                               " changes: name it so, or say --columns \"time=COLUMN\"");
+    out_.error(
+        Code::missing_key, file_.path,
+        "has no column time, over which load." + load->name + " changes: name it so, or say --columns \"time=COLUMN\"");
     return false;
   }
 
@@ -54,14 +55,14 @@ class GivenPosesReader {
     const PoseFile::Cell& cell = row.cells[column];
     const std::string& name = file_.names.cells[column].text;
     double value = 0;
-    const auto refuse = [&](const std::string& rule) {
-      errors_.add(row.line, cell.column, name, in_quotes(cell.text), rule);
+    const auto refuse = [&](Code code, const std::string& rule) {
+      errors_.add({row.line, cell.column}, code, name, in_quotes(cell.text), rule);
       return kNone;
     };
-    if (cell.text.empty()) return refuse("is empty: a number is expected");
-    if (!TextWords::number(cell.text, value)) return refuse("is no number");
-    if (!std::isfinite(value)) return refuse("must be a finite number");
-    if (!(std::abs(unit * value) <= largest)) return refuse("is too large for a joint");
+    if (cell.text.empty()) return refuse(Code::wrong_form, "is empty: a number is expected");
+    if (!TextWords::number(cell.text, value)) return refuse(Code::wrong_form, "is no number");
+    if (!std::isfinite(value)) return refuse(Code::out_of_range, "must be a finite number");
+    if (!(std::abs(unit * value) <= largest)) return refuse(Code::out_of_range, "is too large for a joint");
     return unit * value;
   }
 
@@ -92,8 +93,8 @@ class GivenPosesReader {
   void check_time(const PoseFile::Row& row, double time) {
     if (!columns_.time || columns_.own_results()) return;
     if (!given_.poses.empty() && time <= given_.poses.back().time)
-      errors_.add(row.line, row.cells[*columns_.time].column, file_.names.cells[*columns_.time].text,
-                  row.cells[*columns_.time].text,
+      errors_.add({row.line, row.cells[*columns_.time].column}, Code::out_of_range,
+                  file_.names.cells[*columns_.time].text, row.cells[*columns_.time].text,
                   fmt::format("must be > {:g}, the time before it", given_.poses.back().time));
   }
 

@@ -75,7 +75,7 @@ class Matcher {
     for (const std::string& part : split(text, ',')) {
       const Unit* unit = unit_called(std::string(trimmed(part)));
       if (unit == nullptr) {
-        refuse_option(out_, "--units", text,
+        refuse_option(out_, Code::wrong_form, "--units", text,
                       "must be an angle's unit (deg or rad), a length's (mm or m), or both: deg,mm");
         return;
       }
@@ -114,7 +114,7 @@ class Matcher {
     for (const std::string& part : split(text, ',')) {
       const std::size_t equals = part.find('=');
       if (equals == std::string::npos)
-        refuse_option(out_, "--columns", std::string(trimmed(part)),
+        refuse_option(out_, Code::wrong_form, "--columns", std::string(trimmed(part)),
                       "must be QUANTITY=COLUMN, such as knee.flexion=knee_flex_r[rad]");
       else
         add_explicit(std::string(trimmed(part.substr(0, equals))), std::string(trimmed(part.substr(equals + 1))));
@@ -124,7 +124,7 @@ class Matcher {
   void add_explicit(const std::string& quantity, std::string column) {
     const CoordinateRef* coordinate = coordinate_called(quantity);
     if (coordinate == nullptr && quantity != "time")
-      return refuse_option(out_, "--columns", quantity,
+      return refuse_option(out_, Code::unknown_name, "--columns", quantity,
                            "is no coordinate that a column can give" + did_you_mean(quantity, known_quantities()) +
                                " (known: " + quoted_list(known_quantities()) + ")");
     const Unit* unit = nullptr;
@@ -133,7 +133,7 @@ class Matcher {
       const std::string word = column.substr(bracket + 1, column.size() - bracket - 2);
       unit = unit_called(word);
       if (coordinate == nullptr || unit == nullptr || unit->angle != (coordinate->index < 3))
-        return refuse_option(out_, "--columns", quantity + "=" + column,
+        return refuse_option(out_, Code::wrong_form, "--columns", quantity + "=" + column,
                              coordinate == nullptr   ? "time has no unit: it is in s"
                              : coordinate->index < 3 ? "the unit of an angle is [deg] or [rad]"
                                                      : "the unit of a length is [mm] or [m]");
@@ -141,15 +141,15 @@ class Matcher {
     }
     const auto c = column_called(column);
     if (!c)
-      return refuse_option(out_, "--columns", column,
+      return refuse_option(out_, Code::unknown_name, "--columns", column,
                            "is no column of " + file_.path + did_you_mean(column, names()) + ", or that of several");
     if (coordinate == nullptr) {
-      if (found_.time) return refuse_option(out_, "--columns", quantity, "is given twice");
+      if (found_.time) return refuse_option(out_, Code::duplicate, "--columns", quantity, "is given twice");
       found_.time = c;
       return;
     }
     if (!explicit_.emplace(std::pair{coordinate->joint, coordinate->index}, std::pair{*c, unit}).second)
-      refuse_option(out_, "--columns", quantity, "is given twice");
+      refuse_option(out_, Code::duplicate, "--columns", quantity, "is given twice");
   }
 
   std::vector<std::string> names() const {
@@ -204,12 +204,9 @@ class Matcher {
 
   void refuse_several(const CoordinateRef& c, const std::string& column, const std::string& what) {
     out_.add(
-        {.file = file_.path,
-         .line = file_.names.line,
-         .column = file_.names.cells[by_name_.at(column)].column,
-         .key = coordinate_name(scene_, c),
-         .found = {},
-         .rule = fmt::format("{} {}: say which by --columns \"{}=...\"", column, what, coordinate_name(scene_, c))});
+        error_at({file_.path, {file_.names.line, file_.names.cells[by_name_.at(column)].column}}, Code::conflict,
+                 coordinate_name(scene_, c), {},
+                 fmt::format("{} {}: say which by --columns \"{}=...\"", column, what, coordinate_name(scene_, c))));
   }
 
   void match_rest() {
@@ -239,16 +236,12 @@ class Matcher {
     const std::size_t more = all.size() > kPoseColumnsListed ? all.size() - kPoseColumnsListed : 0;
     all.resize(all.size() - more);
     out_.add(
-        {.file = file_.path,
-         .line = file_.names.line,
-         .column = 1,
-         .key = {},
-         .found = {},
-         .rule = fmt::format("no column gives {}: name it so (or {}), or say --columns \"{}=COLUMN[{}]\"; the columns "
+        error_at({file_.path, {file_.names.line, 1}}, Code::missing_key, {}, {},
+                 fmt::format("no column gives {}: name it so (or {}), or say --columns \"{}=COLUMN[{}]\"; the columns "
                              "here: {}{}",
                              quoted_list(missing_), coordinate_column(scene_, *coordinate_called(missing_[0])),
                              missing_[0], coordinate_called(missing_[0])->index < 3 ? "rad" : "m", quoted_list(all),
-                             more > 0 ? fmt::format(" and {} more", more) : "")});
+                             more > 0 ? fmt::format(" and {} more", more) : "")));
   }
 
   const SceneTables& scene_;

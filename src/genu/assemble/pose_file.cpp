@@ -94,7 +94,7 @@ class PoseFileReader {
 
  private:
   std::optional<PoseFile> nothing(const std::string& rule) {
-    out_.error(file_.path, rule);
+    out_.error(Code::broken_file, file_.path, rule);
     return std::nullopt;
   }
 
@@ -107,7 +107,8 @@ class PoseFileReader {
     storage_ = end != lines_.end();
     if (!storage_) {
       if ((extension == ".sto" || extension == ".mot") && !lines_.empty())
-        errors_.add(lines_.front().number, 1, {}, {}, "a storage file has a line \"endheader\", which is missing");
+        errors_.add({lines_.front().number, 1}, Code::broken_file, {}, {},
+                    "a storage file has a line \"endheader\", which is missing");
       if (!lines_.empty()) separator_ = separator_of(lines_.front().text);
       return 0;
     }
@@ -122,13 +123,14 @@ class PoseFileReader {
     const std::string value = lower_case(std::string(trimmed(line.text.substr(equals + 1))));
     const int column = static_cast<int>(equals) + 2;
     if (key == "indegrees") {
-      if (value != "yes" && value != "no") errors_.add(line.number, column, "inDegrees", value, "must be yes or no");
+      if (value != "yes" && value != "no")
+        errors_.add({line.number, column}, Code::unknown_name, "inDegrees", value, "must be yes or no");
       file_.in_degrees = value == "yes";
     }
     if (key == "nrows") read_promise(line.number, column, "nRows", value, promised_rows_);
     if (key == "ncolumns") read_promise(line.number, column, "nColumns", value, promised_columns_);
     if (key == "datatype" && value != "double")
-      errors_.add(line.number, column, "DataType", value, "must be double: one number a cell");
+      errors_.add({line.number, column}, Code::unknown_name, "DataType", value, "must be double: one number a cell");
   }
 
   /// A number of rows or columns that a storage's header gives.
@@ -140,14 +142,14 @@ class PoseFileReader {
   void read_promise(int line, int column, const char* key, const std::string& value, std::optional<Promise>& out) {
     constexpr std::size_t kMostDigits = 9;
     if (value.empty() || value.size() > kMostDigits || value.find_first_not_of("0123456789") != std::string::npos)
-      errors_.add(line, column, key, value, "must be a whole number >= 0");
+      errors_.add({line, column}, Code::wrong_form, key, value, "must be a whole number >= 0");
     else
       out = {static_cast<std::size_t>(std::stol(value)), line, column};
   }
 
   void check_promise(const std::optional<Promise>& promise, const char* key, std::size_t found, const char* what) {
     if (promise && promise->count != found)
-      errors_.add(promise->line, promise->column, key, fmt::format("{}", promise->count),
+      errors_.add({promise->line, promise->column}, Code::broken_file, key, fmt::format("{}", promise->count),
                   fmt::format("the file holds {} {}: copy or export it again", found, what));
   }
 
@@ -162,7 +164,7 @@ class PoseFileReader {
     if (storage_)
       split_blanks(line.text, row.cells);
     else if (!split_separated(line.text, separator_, row.cells))
-      errors_.add(line.number, row.cells.empty() ? 1 : row.cells.back().column, {}, {},
+      errors_.add({line.number, row.cells.empty() ? 1 : row.cells.back().column}, Code::broken_file, {}, {},
                   "has a quote that is not closed");
     return row;
   }
@@ -170,21 +172,21 @@ class PoseFileReader {
   void add_row(PoseFile::Row row) {
     const std::size_t found = row.cells.size(), wanted = file_.names.cells.size();
     if (found != wanted)
-      errors_.add(row.line,
-                  found > wanted      ? row.cells[wanted].column
-                  : row.cells.empty() ? 1
-                                      : row.cells.back().column,
-                  {}, {}, fmt::format("has {} cells where there are {} columns", found, wanted));
+      errors_.add({row.line, found > wanted      ? row.cells[wanted].column
+                             : row.cells.empty() ? 1
+                                                 : row.cells.back().column},
+                  Code::broken_file, {}, {}, fmt::format("has {} cells where there are {} columns", found, wanted));
     file_.rows.push_back(std::move(row));
   }
 
   void check_names() {
     std::map<std::string, int> seen;
     for (const PoseFile::Cell& name : file_.names.cells) {
-      if (name.text.empty()) errors_.add(file_.names.line, name.column, {}, {}, "a column has no name");
+      if (name.text.empty())
+        errors_.add({file_.names.line, name.column}, Code::missing_key, {}, {}, "a column has no name");
       const auto [first, fresh] = seen.emplace(name.text, name.column);
       if (!fresh && !name.text.empty())
-        errors_.add(file_.names.line, name.column, "column", '"' + name.text + '"',
+        errors_.add({file_.names.line, name.column}, Code::duplicate, "column", '"' + name.text + '"',
                     fmt::format("is the name of the column at {} as well", first->second));
     }
   }
@@ -201,35 +203,38 @@ class PoseFileReader {
 }  // namespace
 
 LongErrors::~LongErrors() {
-  if (count_ > kProblemsListed) out_->error(path_, fmt::format("{} more errors like these", count_ - kProblemsListed));
+  if (count_ > kProblemsListed)
+    out_->error(Code::broken_file, path_, fmt::format("{} more errors like these", count_ - kProblemsListed));
 }
 
-void LongErrors::add(int line, int column, const std::string& key, const std::string& found, const std::string& rule) {
+void LongErrors::add(SourceLocation where, Code code, const std::string& key, const std::string& found,
+                     const std::string& rule) {
   if (++count_ > kProblemsListed) return;
-  out_->add({.file = path_, .line = line, .column = column, .key = key, .found = found, .rule = rule});
+  out_->add(error_at({path_, where}, code, key, found, rule));
 }
 
 std::optional<PoseFile> parse_pose_file(const std::string& text, const std::string& path, Diagnostics& out) {
   if (trimmed(text).find_first_not_of("\r\n \t") == std::string_view::npos) {
-    out.error(path, "is empty: poses are expected, in columns with names");
+    out.error(Code::broken_file, path, "is empty: poses are expected, in columns with names");
     return std::nullopt;
   }
   return PoseFileReader(text, path, out).read();
 }
 
 std::optional<PoseFile> read_pose_file(const std::string& path, Diagnostics& out) {
-  std::error_code code;
-  const auto refuse = [&](const std::string& rule) {
-    out.error(path, rule);
+  std::error_code failed;
+  const auto refuse = [&](Code code, const std::string& rule) {
+    out.error(code, path, rule);
     return std::nullopt;
   };
-  if (!std::filesystem::exists(path, code)) return refuse("there is no such file");
-  if (!std::filesystem::is_regular_file(path, code)) return refuse("is no regular file");
-  if (std::filesystem::file_size(path, code) > kMaxPoseFileBytes) return refuse("is larger than 1 GB");
+  if (!std::filesystem::exists(path, failed)) return refuse(Code::no_such_file, "there is no such file");
+  if (!std::filesystem::is_regular_file(path, failed)) return refuse(Code::cannot_read, "is no regular file");
+  if (std::filesystem::file_size(path, failed) > kMaxPoseFileBytes)
+    return refuse(Code::too_large, "is larger than 1 GB");
   std::ifstream in(path, std::ios::binary);
-  if (!in) return refuse("cannot be read");
+  if (!in) return refuse(Code::cannot_read, "cannot be read");
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) return refuse("cannot be read to its end");
+  if (in.bad()) return refuse(Code::cannot_read, "cannot be read to its end");
   return parse_pose_file(text, path, out);
 }
 

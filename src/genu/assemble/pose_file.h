@@ -41,7 +41,7 @@ class LongErrors {
   LongErrors(const LongErrors&) = delete;
   LongErrors& operator=(const LongErrors&) = delete;
 
-  void add(int line, int column, const std::string& key, const std::string& found, const std::string& rule);
+  void add(SourceLocation where, Code code, const std::string& key, const std::string& found, const std::string& rule);
   std::size_t count() const { return count_; }
 
  private:

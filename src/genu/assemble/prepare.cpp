@@ -56,21 +56,15 @@ std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Di
   if (count == 0) return places;
   if (count > kFlawsInMessage)
     told += fmt::format("; and {} more (genu mesh-check lists them)", count - kFlawsInMessage);
-  out.add({.severity = Diagnostic::Severity::warning,
-           .file = def.file,
-           .key = {},
-           .found = {},
-           .rule = "has flaws, left out of its surface; a pose whose contact touches one is refused: " + told});
+  out.warning(Code::mesh_flawed, def.file,
+              "has flaws, left out of its surface; a pose whose contact touches one is refused: " + told);
   return places;
 }
 
 void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
   if (turned == 0) return;
-  out.add({.severity = Diagnostic::Severity::warning,
-           .file = def.file,
-           .key = {},
-           .found = {},
-           .rule = fmt::format("has {} triangles wound against the rest of it: turned round", turned)});
+  out.warning(Code::mesh_repaired, def.file,
+              fmt::format("has {} triangles wound against the rest of it: turned round", turned));
 }
 
 /// A closed mesh tells its outward side by its volume. An open sheet cannot be judged.
@@ -80,11 +74,8 @@ void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDe
   const auto from_corner = [&](int i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(i)] - report.box.low; };
   for (const auto& t : mesh.triangles) volume += from_corner(t[0]).dot(from_corner(t[1]).cross(from_corner(t[2]))) / 6;
   if (volume < 0)
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = def.file,
-             .key = {},
-             .found = {},
-             .rule = "is inside out: its normals point into the volume it closes; inside = true turns them round"});
+    out.warning(Code::mesh_repaired, def.file,
+                "is inside out: its normals point into the volume it closes; inside = true turns them round");
 }
 
 /// m: what lies across a closed form at its thinnest; +infinity where it is a socket, has no back, or is a mesh.
@@ -111,15 +102,10 @@ void warn_thin(const Prepared& p, Diagnostics& out) {
       const SurfaceDef& def = p.scene.surfaces[at(k)];
       const double thick = thickness_of(def);
       if (thick >= spacing || !told.insert(k).second) continue;
-      out.add({.severity = Diagnostic::Severity::warning,
-               .file = p.scene.file,
-               .line = def.where.line,
-               .column = def.where.column,
-               .key = "surface." + def.name,
-               .found = {},
-               .rule = fmt::format("is {:.3g} mm thick, and surfaces are looked at every {:.3g} mm: that nothing "
-                                   "crosses it is not certain",
-                                   to::kMillimetre * thick, to::kMillimetre * spacing)});
+      out.add(warning_at({p.scene.file, def.where}, Code::no_surface, "surface." + def.name, {},
+                         fmt::format("is {:.3g} mm thick, and surfaces are looked at every {:.3g} mm: that nothing "
+                                     "crosses it is not certain",
+                                     to::kMillimetre * thick, to::kMillimetre * spacing)));
     }
 }
 
@@ -211,12 +197,7 @@ void check_patch(const PlacedScene& scene, const SurfaceDef& def, const Surface*
         "are in the file's units",
         size, kMaxDiagonal);
   }
-  out.add({.file = scene.file,
-           .line = def.patch->where.line,
-           .column = def.patch->where.column,
-           .key = "surface." + def.name + ".patch",
-           .found = {},
-           .rule = rule});
+  out.add(error_at({scene.file, def.patch->where}, Code::no_surface, "surface." + def.name + ".patch", {}, rule));
 }
 
 }  // namespace
@@ -236,12 +217,8 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
     else
       surfaces.push_back(make_analytic_surface(def));
     if (!surfaces.back() && def.shape != SurfaceDef::Shape::mesh)
-      out.add({.file = scene.file,
-               .line = def.where.line,
-               .column = def.where.column,
-               .key = "surface." + def.name,
-               .found = {},
-               .rule = "has sizes that make no surface"});
+      out.add(error_at({scene.file, def.where}, Code::no_surface, "surface." + def.name, {},
+                       "has sizes that make no surface"));
     if (surfaces.back() && def.patch) {
       note.text += "; limited to a patch";
       surfaces.back() = within_patch(surfaces.back(), def);
@@ -267,12 +244,7 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
     return flat(surface) && built && built->is_unbounded();
   };
   const auto refuse = [&](const ContactDef& c, const char* rule) {
-    out.add({.file = p.scene.file,
-             .line = c.where.line,
-             .column = c.where.column,
-             .key = "contact." + c.name + ".surfaces",
-             .found = {},
-             .rule = rule});
+    out.add(error_at({p.scene.file, c.where}, Code::no_surface, "contact." + c.name + ".surfaces", {}, rule));
   };
   for (const ContactDef& c : p.scene.contacts)
     if (flat(c.surface_a) && flat(c.surface_b))

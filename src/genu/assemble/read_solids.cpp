@@ -17,10 +17,6 @@ namespace {
 
 using Solid = BodyDef::Solid;
 
-void say(Diagnostics& out, Diagnostic::Severity severity, const std::string& file, std::string rule) {
-  out.add({.severity = severity, .file = file, .key = {}, .found = {}, .rule = std::move(rule)});
-}
-
 /// The first places of some kind of flaw, in words.
 std::string places(const std::vector<Flaw>& flaws, Flaw::Kind kind, double unit) {
   constexpr int kSolidFlawsListed = 3;
@@ -35,7 +31,7 @@ std::string places(const std::vector<Flaw>& flaws, Flaw::Kind kind, double unit)
 bool bounds_a_volume(const Mesh& mesh, const Solid& solid, Diagnostics& out) {
   Mesh cut = mesh;
   const std::vector<Flaw> flaws = cut_out_flaws(cut);
-  const auto error = [&](const std::string& rule) { say(out, Diagnostic::Severity::error, solid.file, rule); };
+  const auto error = [&](const std::string& rule) { out.error(Code::mesh_unusable, solid.file, rule); };
   bool good = true;
   for (const Flaw::Kind kind : {Flaw::Kind::non_manifold, Flaw::Kind::unorientable})
     if (const std::string where = places(flaws, kind, solid.file_unit); !where.empty()) {
@@ -51,14 +47,14 @@ bool bounds_a_volume(const Mesh& mesh, const Solid& solid, Diagnostics& out) {
     good = false;
   }
   if (const std::string where = places(flaws, Flaw::Kind::crossing, solid.file_unit); good && !where.empty())
-    say(out, Diagnostic::Severity::warning, solid.file,
-        "runs through itself, and what lies in two of its parts counts twice: " + where);
+    out.warning(Code::mesh_flawed, solid.file,
+                "runs through itself, and what lies in two of its parts counts twice: " + where);
   return good;
 }
 
 /// All triangles outward, but for those of cavities; `turned` were turned before, for a winding that agrees.
 void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostics& out) {
-  const auto warn = [&](const std::string& rule) { say(out, Diagnostic::Severity::warning, solid.file, rule); };
+  const auto warn = [&](const std::string& rule) { out.warning(Code::mesh_repaired, solid.file, rule); };
   if (solid_inertia(mesh).volume < 0) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     warn("is inside out: its normals point into the volume it closes; taken the other way round");
@@ -78,7 +74,7 @@ std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& mes
   for (Vec3& v : mesh->vertices) v = solid.placement * v;
   const SolidInertia found = solid_inertia(*mesh);
   if (fullness(*mesh, found.volume) > kMinFullness) return found;
-  say(out, Diagnostic::Severity::error, solid.file, "closes no volume: it is flat");
+  out.error(Code::mesh_unusable, solid.file, "closes no volume: it is flat");
   return std::nullopt;
 }
 

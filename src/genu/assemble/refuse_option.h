@@ -8,9 +8,9 @@
 
 namespace genu {
 
-inline void refuse_option(Diagnostics& out, const std::string& option, const std::string& found,
+inline void refuse_option(Diagnostics& out, Code code, const std::string& option, const std::string& found,
                           const std::string& rule) {
-  out.add({.file = {}, .key = option, .found = with_quotes(found), .rule = rule});
+  out.add(error_at({}, code, option, with_quotes(found), rule));
 }
 
 }  // namespace genu

@@ -107,12 +107,8 @@ std::string with_fitted_surfaces(const std::string& file, const SceneTables& sce
   int first = static_cast<int>(std::count(source.begin(), source.end(), '\n')) + 1;
   const auto drop = [&](const std::string& what, const SourceLocation& where) {
     if (!lines.drop_table(where.line))
-      out.add({.file = file,
-               .line = where.line,
-               .column = where.column,
-               .key = what,
-               .found = {},
-               .rule = "is not written as a table with a header of its own, [" + what + "], and cannot be replaced"});
+      out.add(error_at({file, where}, Code::wrong_form, what, {},
+                       "is not written as a table with a header of its own, [" + what + "], and cannot be replaced"));
     first = std::min(first, where.line);
   };
   const auto rename = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
@@ -120,13 +116,9 @@ std::string with_fitted_surfaces(const std::string& file, const SceneTables& sce
     const std::string path = to.lexically_relative(from).generic_string();
     const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
     if (name && !(plain && lines.replace(name->where.line, name->text, path)))
-      out.add({.file = file,
-               .line = name->where.line,
-               .column = name->where.column,
-               .key = key,
-               .found = {},
-               .rule = "cannot be told from the new scene's folder: give the mesh a name without quotes, "
-                       "backslashes and control characters"});
+      out.add(error_at({file, name->where}, Code::wrong_form, key, {},
+                       "cannot be told from the new scene's folder: give the mesh a name without quotes, "
+                       "backslashes and control characters"));
   };
   for (const BodyDef& body : scene.bodies)
     if (body.solid)
@@ -150,12 +142,8 @@ std::string with_fitted_surfaces(const std::string& file, const SceneTables& sce
     const TomlNode* table = document->member("contact")->member(c.name);
     const TomlNode* model = table ? table->member("model") : nullptr;
     if (model && model->text != "rigid")
-      out.add({.file = file,
-               .line = model->where.line,
-               .column = model->where.column,
-               .key = "contact." + c.name + ".model",
-               .found = literal(*model),
-               .rule = "only rigid contacts are written anew with fitted surfaces"});
+      out.add(error_at({file, model->where}, Code::not_applicable, "contact." + c.name + ".model", literal(*model),
+                       "only rigid contacts are written anew with fitted surfaces"));
     drop("contact." + c.name, c.where);
   }
   return lines.text(first, surface_tables(fits, scene.length_unit, scene.angle_unit) + pair_tables(pairs) + "\n");

@@ -93,15 +93,16 @@ std::string with_values(const std::string& file, const SceneTables& scene,
   const auto document = parse_toml(read.str(), file, out);
   if (!document) return {};
   Replacements replaced(read.str());
-  const auto error = [&](const SourceLocation& where, const std::string& key, const std::string& rule) {
-    out.add({.file = file, .line = where.line, .column = where.column, .key = key, .found = {}, .rule = rule});
+  const auto error = [&](const SourceLocation& where, Code code, const std::string& key, const std::string& rule) {
+    out.add(error_at({file, where}, code, key, {}, rule));
   };
   for (const auto& [parameter, value] : values) {
     const ParameterPlace place = parameter_place(scene, parameter, *document);
     if (place.node)
       replaced.number(place.node->where, fmt::format("{}", value / place.file_unit));
     else
-      error({}, place.key, "is not said by the scene, and so cannot be varied: write the value that holds without it");
+      error({}, Code::missing_key, place.key,
+            "is not said by the scene, and so cannot be varied: write the value that holds without it");
   }
   const fs::path from = fs::absolute(folder).lexically_normal();
   const fs::path own = fs::absolute(file).lexically_normal().parent_path();
@@ -109,7 +110,7 @@ std::string with_values(const std::string& file, const SceneTables& scene,
     if (fs::path(name.text).is_absolute()) return;
     const std::string path = (own / name.text).lexically_normal().lexically_relative(from).generic_string();
     if (!replaced.word(name.where, name.text, path))
-      error(name.where, key,
+      error(name.where, Code::wrong_form, key,
             "cannot be told from the new scene's folder: give the mesh a name without quotes, backslashes and control "
             "characters");
   });

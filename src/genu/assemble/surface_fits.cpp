@@ -157,7 +157,7 @@ std::vector<std::pair<std::string, std::string>> fit_files(const std::vector<Nam
 
 std::string write_folder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
   StagedFolder out("results");
-  std::string error = out.open(folder);
+  std::string error = text_of(out.open(folder));
   for (const auto& [name, content] : files)
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   return error.empty() ? out.commit() : error;

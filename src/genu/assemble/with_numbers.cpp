@@ -12,10 +12,8 @@ std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector
   for (const auto& [parameter, value] : numbers) {
     double* const number = parameter_number(changed.source, parameter);
     if (number == nullptr)
-      out.add({.file = prepared.source.file,
-               .key = parameter.name,
-               .found = {},
-               .rule = "cannot be changed: numbers of ligaments, loads, bodies and joints can"});
+      out.add(error_at({prepared.source.file}, Code::not_applicable, parameter.name, {},
+                       "cannot be changed: numbers of ligaments, loads, bodies and joints can"));
     else
       *number = value;
   }

@@ -58,33 +58,36 @@ fs::path read_only_folder(const fs::path& folder) {
   return {};
 }
 
-// Why a folder with content must not be replaced by results of `kind`; empty if it may.
-std::string why_not_of_kind(const fs::path& target, const std::string& kind) {
+using MayBeFault = std::optional<Fault>;
+
+// Why a folder with content must not be replaced by results of `kind`; none if it may.
+MayBeFault why_not_of_kind(const fs::path& target, const std::string& kind) {
   const auto list = read_file_list(target);
   const std::string another = " will not be replaced: choose another folder";
   const std::string other =
       list ? ": holds genu's " + list->kind : ": has content that genu did not list as its " + kind;
-  if (!list || list->kind != kind) return target.string() + other + ", so it" + another;
+  if (!list || list->kind != kind) return Fault{Code::would_overwrite, target.string() + other + ", so it" + another};
   if (const fs::path closed = read_only_folder(target); !closed.empty())
-    return closed.string() + ": is read-only, so it" + another;
+    return Fault{Code::cannot_write, closed.string() + ": is read-only, so it" + another};
   return {};
 }
 
-// Why `target`, a canonical path, must not be replaced by a folder; empty if it may.
-std::string why_not_replaceable(const fs::path& target, const std::string& kind) {
+// Why `target`, a canonical path, must not be replaced by a folder; none if it may.
+MayBeFault why_not_replaceable(const fs::path& target, const std::string& kind) {
   std::error_code code;
-  if (target == target.root_path()) return target.string() + ": is the root folder: choose a folder of its own";
+  const auto no_folder = [&](const char* why) { return Fault{Code::no_output_folder, target.string() + why}; };
+  if (target == target.root_path()) return no_folder(": is the root folder: choose a folder of its own");
   const fs::path cwd = fs::canonical(fs::current_path(code), code);
   if (!code && is_folder_or_above(target, cwd)) {
-    return target.string() + ": is the working folder or above it: choose a folder of its own";
+    return no_folder(": is the working folder or above it: choose a folder of its own");
   }
   const fs::file_status status = fs::status(target, code);
   if (status.type() == fs::file_type::not_found) return {};
-  if (code) return failure(target, "cannot be read", code);
-  if (!fs::is_directory(status)) return target.string() + ": is a file: choose a folder";
+  if (code) return Fault{Code::cannot_read, failure(target, "cannot be read", code)};
+  if (!fs::is_directory(status)) return no_folder(": is a file: choose a folder");
   const bool empty = fs::is_empty(target, code);
-  if (code) return failure(target, "cannot be read", code);
-  return empty ? std::string() : why_not_of_kind(target, kind);
+  if (code) return Fault{Code::cannot_read, failure(target, "cannot be read", code)};
+  return empty ? std::nullopt : why_not_of_kind(target, kind);
 }
 
 // Puts one file, link or empty folder of others into the new folder too: a second name of the same file where the file
@@ -121,21 +124,22 @@ StagedFolder::~StagedFolder() {
   if (!staging_.empty()) fs::remove_all(staging_, ignored);
 }
 
-std::string StagedFolder::open(const fs::path& target) {
-  if (target.empty()) return "the output folder has no name";
-  if (!staging_.empty()) return target.string() + ": another output folder is still open";
+MayBeFault StagedFolder::open(const fs::path& target) {
+  const auto no_folder = [](std::string text) { return Fault{Code::no_output_folder, std::move(text)}; };
+  if (target.empty()) return no_folder("the output folder has no name");
+  if (!staging_.empty()) return no_folder(target.string() + ": another output folder is still open");
   std::error_code code;
   if (fs::is_symlink(target, code) && !fs::exists(target, code))
-    return target.string() + ": is a symbolic link to nothing";
+    return no_folder(target.string() + ": is a symbolic link to nothing");
   fs::path canonical = fs::weakly_canonical(fs::absolute(target, code), code);
-  if (code) return failure(target, "cannot be used as a folder", code);
+  if (code) return no_folder(failure(target, "cannot be used as a folder", code));
   if (!canonical.has_filename()) canonical = canonical.parent_path();  // "out/" is "out"
-  if (std::string why = why_not_replaceable(canonical, kind_); !why.empty()) return why;
+  if (auto why = why_not_replaceable(canonical, kind_)) return why;
   fs::create_directories(canonical.parent_path(), code);
-  if (code) return failure(canonical.parent_path(), "cannot be made", code);
+  if (code) return Fault{Code::cannot_write, failure(canonical.parent_path(), "cannot be made", code)};
   fs::path staging = sibling(canonical, "partial");
   fs::create_directory(staging, code);
-  if (code) return failure(canonical.parent_path(), "cannot be written to", code);
+  if (code) return Fault{Code::cannot_write, failure(canonical.parent_path(), "cannot be written to", code)};
   target_ = std::move(canonical);
   staging_ = std::move(staging);
   return {};
@@ -144,7 +148,7 @@ std::string StagedFolder::open(const fs::path& target) {
 std::string StagedFolder::commit() {
   if (staging_.empty()) return "there is no open output folder";
   // Looked at again: a long run leaves time for someone to put something there.
-  if (std::string why = why_not_replaceable(target_, kind_); !why.empty()) return why;
+  if (const auto why = why_not_replaceable(target_, kind_)) return why->text;
   if (!kind_.empty())
     if (std::string error = write_file_list(staging_, kind_); !error.empty()) return error;
   std::error_code code;
@@ -200,20 +204,23 @@ std::string write_file_atomically(const fs::path& path, std::string_view content
   return failure(path, "cannot be written", code);
 }
 
-std::string why_not_replaced(const std::string& path, const std::string& mark) {
+MayBeFault why_not_replaced(const std::string& path, const std::string& mark) {
   const fs::path folder = fs::path(path).parent_path();
   std::error_code code;
-  if (!folder.empty() && !fs::is_directory(folder, code)) return path + ": cannot be written: there is no such folder";
+  if (!folder.empty() && !fs::is_directory(folder, code))
+    return Fault{Code::cannot_write, path + ": cannot be written: there is no such folder"};
   if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return failure(path, "cannot be written", std::error_code(errno, std::generic_category()));
+    return Fault{Code::cannot_write,
+                 failure(path, "cannot be written", std::error_code(errno, std::generic_category()))};
+  const auto taken = [&](const std::string& why) { return Fault{Code::would_overwrite, path + ": " + why}; };
   const fs::file_status status = fs::symlink_status(path, code);
   if (!fs::exists(status)) return {};
-  if (fs::is_symlink(status)) return path + ": is a symbolic link, which a file would replace: name another";
-  std::string why;
-  const auto content = text_of_file(path, why);
-  if (!content) return path + ": " + why + ", so it will not be replaced: choose another name";
+  if (fs::is_symlink(status)) return taken("is a symbolic link, which a file would replace: name another");
+  Diagnostics found;
+  const auto content = text_of_file(path, found);
+  if (!content) return taken(found.items().front().rule + ", so it will not be replaced: choose another name");
   if (content->empty() || content->find(mark) != std::string::npos) return {};
-  return path + ": is there already and was not written by this command: it will not be replaced; choose another name";
+  return taken("is there already and was not written by this command: it will not be replaced; choose another name");
 }
 
 }  // namespace genu

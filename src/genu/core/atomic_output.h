@@ -1,18 +1,21 @@
 // Results appear whole or not at all: what is written first stands beside its target under another name, and takes the
 // target's name in one rename once it is complete. Whoever reads the target meanwhile sees the old result or the new
-// one, never a half. Errors come back as text; the empty text is success.
+// one, never a half. Errors come back as text, where the empty text is success, or as a fault, where none is success.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "genu/core/diagnostics.h"
 
 namespace genu {
 
 /// A results folder under construction:
 ///   StagedFolder out("results");
-///   std::string error = out.open("out/knee");   // refuses what commit() could not or should not replace
+///   std::string error = text_of(out.open("out/knee"));  // refuses what commit() could not or should not replace
 ///   ... write files into out.path() ...
 ///   if (error.empty()) error = out.commit();
 /// A StagedFolder that is never committed removes what it made and leaves the target as it was. With the files comes
@@ -29,7 +32,7 @@ class StagedFolder {
   /// Makes an empty folder beside `target` (and target's missing parents). Refuses a target that is a file, a root, the
   /// working folder or a folder above it, a folder that is read-only, or one with content that is no result of this
   /// kind. A target that is a symbolic link stands for the folder it points to.
-  std::string open(const std::filesystem::path& target);
+  std::optional<Fault> open(const std::filesystem::path& target);
 
   /// Where to write until commit(); empty before open() and after commit().
   const std::filesystem::path& path() const { return staging_; }
@@ -45,6 +48,9 @@ class StagedFolder {
   std::filesystem::path staging_;
 };
 
+/// In words; empty where there is none.
+inline std::string text_of(const std::optional<Fault>& fault) { return fault ? fault->text : std::string(); }
+
 /// Whether a file lies in a folder, at any depth, links followed: replacing the folder would lose it.
 bool folder_holds(const std::filesystem::path& folder, const std::filesystem::path& file);
 
@@ -52,8 +58,8 @@ bool folder_holds(const std::filesystem::path& folder, const std::filesystem::pa
 /// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
 std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// Empty where a file can be written at `path` and none is there, or one that holds `mark`, which whoever asks writes
+/// None where a file can be written at `path` and none is there, or one that holds `mark`, which whoever asks writes
 /// into files of that kind. Else why not: it may be all that somebody has of a scene, a mesh or another result.
-std::string why_not_replaced(const std::string& path, const std::string& mark);
+std::optional<Fault> why_not_replaced(const std::string& path, const std::string& mark);
 
 }  // namespace genu

@@ -5,6 +5,14 @@
 
 namespace genu {
 
+Diagnostic error_at(FilePlace where, Code code, std::string key, std::string found, std::string rule) {
+  return {Diagnostic::Severity::error, code, std::move(where), std::move(key), std::move(found), std::move(rule)};
+}
+
+Diagnostic warning_at(FilePlace where, Code code, std::string key, std::string found, std::string rule) {
+  return {Diagnostic::Severity::warning, code, std::move(where), std::move(key), std::move(found), std::move(rule)};
+}
+
 std::string printable(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -33,8 +41,12 @@ std::string to_string(const Diagnostic& d) {
   return printable(s + d.rule);
 }
 
-void Diagnostics::error(std::string file, std::string rule) {
-  add({.file = std::move(file), .key = {}, .found = {}, .rule = std::move(rule)});
+void Diagnostics::error(Code code, std::string file, std::string rule) {
+  add(error_at({std::move(file)}, code, {}, {}, std::move(rule)));
+}
+
+void Diagnostics::warning(Code code, std::string file, std::string rule) {
+  add(warning_at({std::move(file)}, code, {}, {}, std::move(rule)));
 }
 
 bool Diagnostics::has_errors() const { return count(Diagnostic::Severity::error) > 0; }

@@ -8,18 +8,19 @@
 
 namespace genu {
 
-std::optional<std::string> text_of_file(const std::string& path, std::string& why) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  why = "is not there";
-  if (!std::filesystem::exists(status)) return std::nullopt;
-  why = std::filesystem::is_directory(status) ? "is a folder, not a file" : "is no regular file";
-  if (!std::filesystem::is_regular_file(status)) return std::nullopt;
-  why = "cannot be read";
+std::optional<std::string> text_of_file(const std::string& path, Diagnostics& out) {
+  const auto none = [&](Code code, const char* why) {
+    out.error(code, path, why);
+    return std::nullopt;
+  };
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (!std::filesystem::exists(status)) return none(Code::no_such_file, "is not there");
+  if (std::filesystem::is_directory(status)) return none(Code::is_folder, "is a folder, not a file");
+  if (!std::filesystem::is_regular_file(status)) return none(Code::cannot_read, "is no regular file");
   std::ifstream in(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.is_open() || in.bad()) return std::nullopt;
-  why.clear();
+  if (!in.is_open() || in.bad()) return none(Code::cannot_read, "cannot be read");
   return text;
 }
 

@@ -19,11 +19,8 @@ bool has_columns(const Scene& scene, const ResultsFile& table, const std::string
   for (const std::string& column : required_columns(scene)) {
     if (table.has(column) || !told.insert(column).second) continue;
     all = false;
-    out.add({.file = name,
-             .line = 1,
-             .key = column,
-             .found = {},
-             .rule = "is missing: the scene asks for this column; is it the scene that these results are of?"});
+    out.add(error_at({name, {1, 0}}, Code::other_scene, column, {},
+                     "is missing: the scene asks for this column; is it the scene that these results are of?"));
   }
   return all;
 }

@@ -57,43 +57,44 @@ std::optional<ResultsFile> ResultsFile::parse(std::string_view bytes, const std:
   const std::string text = as_written(bytes);
   ResultsFile table;
   std::size_t errors = 0;
-  const auto refuse = [&](std::size_t line, std::size_t column, std::string found, std::string rule) {
+  const auto refuse = [&](std::size_t line, std::size_t column, Code code, std::string found, std::string rule) {
     if (++errors > kMaxFileErrors) return;
     constexpr std::size_t kCharactersShown = 40;
-    out.add({.file = file,
-             .line = static_cast<int>(line),
-             .column = static_cast<int>(column),
-             .key = column > 0 && column <= table.columns_.size() ? table.columns_[column - 1] : "",
-             .found = found.substr(0, kCharactersShown),
-             .rule = std::move(rule)});
+    out.add(error_at({file, {static_cast<int>(line), static_cast<int>(column)}}, code,
+                     column > 0 && column <= table.columns_.size() ? table.columns_[column - 1] : "",
+                     found.substr(0, kCharactersShown), std::move(rule)));
   };
   std::vector<std::string_view> lines = split(text, '\n');
-  if (!lines.back().empty()) refuse(lines.size(), 0, "", "the last line has no end: the file is cut off");
+  if (!lines.back().empty())
+    refuse(lines.size(), 0, Code::broken_file, "", "the last line has no end: the file is cut off");
   if (lines.back().empty()) lines.pop_back();
-  if (lines.empty()) return refuse(1, 0, "", "is empty: a results.csv begins with a line of names"), std::nullopt;
+  if (lines.empty())
+    return refuse(1, 0, Code::broken_file, "", "is empty: a results.csv begins with a line of names"), std::nullopt;
   for (std::string_view name : split(lines.front(), ',')) {
     table.columns_.emplace_back(name);
     if (!table.index_.emplace(name, table.columns_.size() - 1).second)
-      refuse(1, table.columns_.size(), std::string(name), "stands twice among the names of columns");
+      refuse(1, table.columns_.size(), Code::duplicate, std::string(name), "stands twice among the names of columns");
   }
   for (const char* name : {"step", "increment", "status"})
-    if (!table.has(name)) refuse(1, 0, "", fmt::format("has no column \"{}\": it is no results.csv of genu", name));
+    if (!table.has(name))
+      refuse(1, 0, Code::no_results, "", fmt::format("has no column \"{}\": it is no results.csv of genu", name));
   for (std::size_t l = 1; l < lines.size() && errors <= kMaxFileErrors; ++l) {
     const std::vector<std::string_view> cells = split(lines[l], ',');
     if (cells.size() != table.columns_.size()) {
-      refuse(l + 1, 0, "", fmt::format("has {} cells where there are {} columns", cells.size(), table.columns_.size()));
+      refuse(l + 1, 0, Code::broken_file, "",
+             fmt::format("has {} cells where there are {} columns", cells.size(), table.columns_.size()));
       continue;
     }
     auto& numbers = table.numbers_.emplace_back(cells.size(), kEmptyCell);
     std::string& status = table.status_.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (table.columns_[c] == "status" && !is_status(status = cells[c]))
-        refuse(l + 1, c + 1, status, "is no status that genu gives a row");
+        refuse(l + 1, c + 1, Code::unknown_name, status, "is no status that genu gives a row");
       if (holds_words(table.columns_[c])) continue;
       if (const auto number = number_in(cells[c]))
         numbers[c] = *number;
       else
-        refuse(l + 1, c + 1, std::string(cells[c]), "is no finite number");
+        refuse(l + 1, c + 1, Code::wrong_form, std::string(cells[c]), "is no finite number");
     }
   }
   if (errors > 0) return std::nullopt;

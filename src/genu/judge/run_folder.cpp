@@ -16,14 +16,13 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 std::optional<std::string> text_of(const fs::path& path, Diagnostics& out) {
-  std::string why;
-  auto text = text_of_file(path.string(), why);
-  if (!text) out.error(path.string(), why);
+  Diagnostics found;
+  auto text = text_of_file(path.string(), found);
+  for (Diagnostic d : found.items()) {
+    if (d.code == Code::no_such_file) d.code = Code::no_results;
+    out.add(std::move(d));
+  }
   return text;
-}
-
-void warn(const std::string& file, std::string rule, Diagnostics& out) {
-  out.add({.severity = Diagnostic::Severity::warning, .file = file, .key = {}, .found = {}, .rule = std::move(rule)});
 }
 
 bool is_count(const json& value) { return value.is_number_unsigned(); }
@@ -57,28 +56,31 @@ void compare_table(const json& written, const std::string& path, const std::stri
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   const std::size_t now = lines - std::min<std::size_t>(lines, 1);
   if (now != rows)
-    out.error(path, fmt::format("has {} rows where the run wrote {}: it was cut or added to since", now, rows));
+    out.error(Code::results_changed, path,
+              fmt::format("has {} rows where the run wrote {}: it was cut or added to since", now, rows));
   else
-    warn(path, "is not, byte for byte, what the run wrote: it has changed since", out);
+    out.warning(Code::results_changed, path, "is not, byte for byte, what the run wrote: it has changed since");
 }
 
 /// Warns where the caller's scene is not the one that the run read.
 void compare_scene(const json& summary, const std::string& scene, Diagnostics& out) {
   const auto now = file_checksum(scene);
   if (now && !summary["files"].empty() && summary["files"].front()["xxh128"].get<std::string>() != now->xxh128)
-    warn(scene, "is not, byte for byte, the scene that the run read: the results are read with what it says", out);
+    out.warning(Code::other_scene, scene,
+                "is not, byte for byte, the scene that the run read: the results are read with what it says");
 }
 
 /// Warns of files that have changed since the run read them.
 void compare_files(const json& summary, const std::string& path_of_summary, Diagnostics& out) {
-  if (summary["files"].empty()) warn(path_of_summary, "does not say which files the run has read", out);
+  if (summary["files"].empty())
+    out.warning(Code::results_changed, path_of_summary, "does not say which files the run has read");
   for (const json& file : summary["files"]) {
     const auto path = file["path"].get<std::string>();
     const auto now = file_checksum(path);
     if (!now)
-      warn(path, "is no longer there: the run read it", out);
+      out.warning(Code::other_scene, path, "is no longer there: the run read it");
     else if (now->xxh128 != file["xxh128"].get<std::string>())
-      warn(path, "has changed since the run: its results are read with what it says now", out);
+      out.warning(Code::other_scene, path, "has changed since the run: its results are read with what it says now");
   }
 }
 
@@ -92,16 +94,20 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   const auto text = text_of(summary_path, out);
   if (!results || !text) return std::nullopt;
   const json summary = json::parse(*text, nullptr, false);
-  if (!summary.is_object()) return out.error(summary_path, "is no summary of a run"), std::nullopt;
+  if (!summary.is_object()) return out.error(Code::no_results, summary_path, "is no summary of a run"), std::nullopt;
   if (has_old_checksums(summary))
-    return out.error(summary_path, "has checksums of another version of genu, " + summary.value("genu", json()).dump() +
-                                       ", which this one does not know"),
+    return out.error(Code::other_version, summary_path,
+                     "has checksums of another version of genu, " + summary.value("genu", json()).dump() +
+                         ", which this one does not know"),
            std::nullopt;
   const bool given = summary.contains("columns");
   if (given && !given_too)
-    return out.error(summary_path, "is of poses that were given: nothing there is called balanced"), std::nullopt;
+    return out.error(Code::not_applicable, summary_path,
+                     "is of poses that were given: nothing there is called balanced"),
+           std::nullopt;
   if (const std::string wrong = wrong_key(summary, given); !wrong.empty())
-    return out.error(summary_path, "`" + wrong + "` is missing or not what a run writes: it is no summary of a run"),
+    return out.error(Code::no_results, summary_path,
+                     "`" + wrong + "` is missing or not what a run writes: it is no summary of a run"),
            std::nullopt;
   RunFolder found{scene, *results};
   if (scene.empty()) {
@@ -109,12 +115,14 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
       if (found.scene.empty() && summary.contains(key) && summary[key].is_string())
         found.scene = summary[key].get<std::string>();
     if (found.scene.empty())
-      return out.error(summary_path, "does not say which scene it is of: give --scene"), std::nullopt;
+      return out.error(Code::other_scene, summary_path, "does not say which scene it is of: give --scene"),
+             std::nullopt;
   }
   if (!scene.empty()) compare_scene(summary, scene, out);
   compare_files(summary, summary_path, out);
   compare_table(summary["results"], (at / "results.csv").string(), *results, out);
-  if (summary["partial"].get<bool>()) warn(at.string(), "is partial: the run was stopped before its end", out);
+  if (summary["partial"].get<bool>())
+    out.warning(Code::results_changed, at.string(), "is partial: the run was stopped before its end");
   if (out.has_errors()) return std::nullopt;
   if (!given) found.ok_rows = summary[summary.contains("motion") ? "rows" : "poses"]["solved"].get<std::size_t>();
   return found;

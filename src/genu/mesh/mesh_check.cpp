@@ -92,11 +92,8 @@ void check_scale(const MeshReport& report, const std::string& file, const std::s
   } else if (refused) {
     rule += ": check the file's units";
   }
-  out.add({.severity = refused ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
-           .file = file,
-           .key = {},
-           .found = {},
-           .rule = std::move(rule)});
+  refused ? out.error(Code::mesh_unusable, file, std::move(rule))
+          : out.warning(Code::mesh_unusable, file, std::move(rule));
 }
 
 }  // namespace genu

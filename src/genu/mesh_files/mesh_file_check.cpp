@@ -53,19 +53,22 @@ std::string check_stl(std::string_view bytes) {
 
 std::string mesh_extension(const std::string& path) { return lower(std::filesystem::path(path).extension().string()); }
 
-std::string check_mesh_name(const std::string& path) {
+std::optional<Fault> check_mesh_name(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status)) return "there is no such mesh file; check the path, relative to the scene's folder";
-  if (fs::is_directory(status)) return "is a folder; name the mesh file inside it";
-  if (!fs::is_regular_file(status)) return "is not a regular file; name an STL, PLY, OBJ, OFF or VTP file";
+  if (!fs::exists(status))
+    return Fault{Code::no_such_file, "there is no such mesh file; check the path, relative to the scene's folder"};
+  if (fs::is_directory(status)) return Fault{Code::is_folder, "is a folder; name the mesh file inside it"};
+  if (!fs::is_regular_file(status))
+    return Fault{Code::cannot_read, "is not a regular file; name an STL, PLY, OBJ, OFF or VTP file"};
   const std::uint64_t size = fs::file_size(path, failure);
-  if (failure || ::access(path.c_str(), R_OK) != 0) return kCannotOpen;
-  if (size == 0) return "is empty; copy or export it again";
+  if (failure || ::access(path.c_str(), R_OK) != 0) return Fault{Code::cannot_read, kCannotOpen};
+  if (size == 0) return Fault{Code::mesh_unreadable, "is empty; copy or export it again"};
   const auto memory =
       static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  if (size > memory / kMemoryPerByte) return "is too large for this computer's memory; reduce the mesh";
+  if (size > memory / kMemoryPerByte)
+    return Fault{Code::too_large, "is too large for this computer's memory; reduce the mesh"};
   const std::string extension = mesh_extension(path);
   if (extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".off" || extension == ".vtp")
     return {};
@@ -74,7 +77,7 @@ std::string check_mesh_name(const std::string& path) {
     if (extension == other) return {};
     known += std::string(", ") + other;
   }
-  return "has the ending \"" + extension + "\"; genu reads " + known;
+  return Fault{Code::mesh_unreadable, "has the ending \"" + extension + "\"; genu reads " + known};
 }
 
 std::string check_mesh_bytes(const std::string& extension, std::string_view bytes) {

@@ -1,14 +1,17 @@
 // What can be said about a mesh file before a parser sees it: parsers accept half a file, or ask for all memory.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "genu/core/diagnostics.h"
+
 namespace genu {
 
-/// What is wrong with a file of that name, and what to do; empty where it is a regular file of a known format, not
+/// What is wrong with a file of that name, and what to do; none where it is a regular file of a known format, not
 /// empty, and not larger than this computer's memory. It is not opened.
-std::string check_mesh_name(const std::string& path);
+std::optional<Fault> check_mesh_name(const std::string& path);
 
 /// What is wrong with the bytes of a file whose ending is `extension` (".stl", in small letters): whether it is
 /// truncated, as far as its format tells.

@@ -17,19 +17,25 @@ namespace genu {
 namespace {
 
 /// Binary files have no lines to name: the number of the vertex stands for them.
-std::string check_coordinates(const Mesh& mesh, bool stl) {
+std::optional<Fault> check_coordinates(const Mesh& mesh, bool stl) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3& p = mesh.vertices[v];
     if (is_coordinate(p.x()) && is_coordinate(p.y()) && is_coordinate(p.z())) continue;
-    return fmt::format("has a coordinate that is {} ({} {}, [{:.4g}, {:.4g}, {:.4g}]): repair or export the mesh again",
-                       p.allFinite() ? "beyond 1e9 of its units" : "not a finite number", stl ? "triangle" : "vertex",
-                       (stl ? v / 3 : v) + 1, p.x(), p.y(), p.z());
+    return Fault{
+        Code::mesh_coordinates,
+        fmt::format("has a coordinate that is {} ({} {}, [{:.4g}, {:.4g}, {:.4g}]): repair or export the mesh again",
+                    p.allFinite() ? "beyond 1e9 of its units" : "not a finite number", stl ? "triangle" : "vertex",
+                    (stl ? v / 3 : v) + 1, p.x(), p.y(), p.z())};
   }
   return {};
 }
 
-/// Empty text where all is well.
-std::string import(const std::string& path, std::string_view bytes, Mesh& mesh) {
+std::optional<Fault> unreadable(std::string why) {
+  return why.empty() ? std::nullopt : std::optional(Fault{Code::mesh_unreadable, std::move(why)});
+}
+
+/// None where all is well.
+std::optional<Fault> import(const std::string& path, std::string_view bytes, Mesh& mesh) {
   const std::string extension = mesh_extension(path);
   const bool stl = extension == ".stl";
   const std::string problem = stl                   ? read_stl(bytes, mesh)
@@ -38,7 +44,7 @@ std::string import(const std::string& path, std::string_view bytes, Mesh& mesh) 
                               : extension == ".ply" ? read_ply(bytes, mesh)
                               : extension == ".obj" ? read_obj(bytes, mesh)
                                                     : read_by_assimp(path, bytes, mesh);
-  return problem.empty() ? check_coordinates(mesh, stl) : problem;
+  return problem.empty() ? check_coordinates(mesh, stl) : unreadable(problem);
 }
 
 /// Why no triangle is left of a mesh whose vertices were welded within `tolerance`.
@@ -62,26 +68,22 @@ std::string why_nothing_is_left(const Mesh& before, double tolerance) {
       tolerance, farthest + 1, p.x(), p.y(), p.z());
 }
 
-void warn(const std::string& path, const std::string& what, Diagnostics& out) {
-  out.add({.severity = Diagnostic::Severity::warning, .file = path, .key = {}, .found = {}, .rule = what});
-}
-
 /// A surface far from its origin has no room left for its shape in seven digits.
 void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_unit, const MeshFileFacts& facts,
                    Diagnostics& out) {
   if (!facts.single || !(facts.rounding > kCoarseCoordinateStep)) return;
   double farthest = 0;
   for (const Vec3& v : mesh.vertices) farthest = std::max(farthest, v.norm());
-  warn(path,
-       fmt::format("has single-precision coordinates {:.3g} mm from its origin: they are rounded to {:.2g} mm, which "
-                   "curvature and contact feel; export it again about an origin near the joint",
-                   1e3 * metres_per_unit * farthest, 1e3 * facts.rounding),
-       out);
+  out.warning(
+      Code::mesh_coordinates, path,
+      fmt::format("has single-precision coordinates {:.3g} mm from its origin: they are rounded to {:.2g} mm, which "
+                  "curvature and contact feel; export it again about an origin near the joint",
+                  1e3 * metres_per_unit * farthest, 1e3 * facts.rounding));
 }
 
 /// Welds what was read and notes its facts; says why nothing is left of it. `again` gives what was read once more.
-std::string clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>& again) {
-  if (mesh.empty()) return "has no triangles: export the surface as a triangle mesh";
+std::optional<Fault> clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>& again) {
+  if (mesh.empty()) return unreadable("has no triangles: export the surface as a triangle mesh");
   facts.vertices = mesh.vertices.size();
   facts.triangles = mesh.triangles.size();
   const CoordinateStep written = coordinate_step(mesh);
@@ -90,16 +92,16 @@ std::string clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>&
   facts.single = !decimal && written.single > 0;
   const double tolerance = weld_tolerance(mesh);
   facts.weld = weld(mesh, tolerance);
-  return mesh.empty() ? why_nothing_is_left(again(), tolerance) : std::string();
+  return mesh.empty() ? unreadable(why_nothing_is_left(again(), tolerance)) : std::nullopt;
 }
 
 /// The mesh in the file's unit, with its facts; says why there is none.
-std::string read_in_file_unit(const std::string& path, InputFiles& files, Mesh& mesh, MeshFileFacts& facts) {
-  if (std::string problem = check_mesh_name(path); !problem.empty()) return problem;
+std::optional<Fault> read_in_file_unit(const std::string& path, InputFiles& files, Mesh& mesh, MeshFileFacts& facts) {
+  if (auto fault = check_mesh_name(path)) return fault;
   const auto bytes = files.bytes(path);
-  if (!bytes) return kCannotOpen;
-  if (std::string problem = check_mesh_bytes(mesh_extension(path), *bytes); !problem.empty()) return problem;
-  if (std::string problem = import(path, *bytes, mesh); !problem.empty()) return problem;
+  if (!bytes) return Fault{Code::cannot_read, kCannotOpen};
+  if (auto fault = unreadable(check_mesh_bytes(mesh_extension(path), *bytes))) return fault;
+  if (auto fault = import(path, *bytes, mesh)) return fault;
   return clean(mesh, facts, [&] {
     Mesh again;
     import(path, *bytes, again);
@@ -111,9 +113,9 @@ std::string read_in_file_unit(const std::string& path, InputFiles& files, Mesh& 
 Mesh in_metres(const std::string& path, Mesh mesh, double metres_per_unit, MeshFileFacts& facts, Diagnostics& out) {
   const WeldReport& report = facts.weld;
   if (report.degenerate + report.duplicate > 0)
-    warn(path,
-         fmt::format("dropped {} triangles without extent and {} repeated ones", report.degenerate, report.duplicate),
-         out);
+    out.warning(
+        Code::mesh_repaired, path,
+        fmt::format("dropped {} triangles without extent and {} repeated ones", report.degenerate, report.duplicate));
   facts.rounding *= metres_per_unit;
   warn_rounding(path, mesh, metres_per_unit, facts, out);
   for (Vec3& v : mesh.vertices) v *= metres_per_unit;
@@ -130,7 +132,7 @@ const MeshLibrary::Entry& MeshLibrary::entry(const std::string& path) {
   const auto [place, is_new] = entries_.try_emplace(path);
   Entry& e = place->second;
   if (is_new) {
-    e.problem = read_in_file_unit(path, *files_, e.mesh, e.facts);
+    e.fault = read_in_file_unit(path, *files_, e.mesh, e.facts);
     files_->release(path);
   }
   return e;
@@ -139,8 +141,8 @@ const MeshLibrary::Entry& MeshLibrary::entry(const std::string& path) {
 void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
   Entry e;
   e.mesh = mesh;
-  e.problem = check_coordinates(e.mesh, false);
-  if (e.problem.empty()) e.problem = clean(e.mesh, e.facts, [&] { return mesh; });
+  e.fault = check_coordinates(e.mesh, false);
+  if (!e.fault) e.fault = clean(e.mesh, e.facts, [&] { return mesh; });
   const std::lock_guard lock(mutex_);
   entries_.insert_or_assign(name, std::move(e));
 }
@@ -148,8 +150,8 @@ void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
 std::optional<Mesh> MeshLibrary::read(const std::string& path, double metres_per_unit, Diagnostics& out,
                                       MeshFileFacts* facts) {
   const Entry& e = entry(path);
-  if (!e.problem.empty()) {
-    out.error(path, e.problem);
+  if (e.fault) {
+    out.error(e.fault->code, path, e.fault->text);
     return std::nullopt;
   }
   MeshFileFacts found = e.facts;
@@ -161,7 +163,7 @@ std::optional<Mesh> MeshLibrary::read(const std::string& path, double metres_per
 std::optional<Mesh> MeshLibrary::read_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
                                                    MeshFileFacts* facts) {
   const Entry& e = entry(path);
-  if (e.problem.empty()) metres_per_unit = guessed_unit(e.mesh);
+  if (!e.fault) metres_per_unit = guessed_unit(e.mesh);
   return read(path, metres_per_unit, out, facts);
 }
 
@@ -173,8 +175,8 @@ std::optional<Mesh> read_once(const std::string& path, double& metres_per_unit, 
   InputFiles files;
   Mesh mesh;
   MeshFileFacts found;
-  if (const std::string problem = read_in_file_unit(path, files, mesh, found); !problem.empty()) {
-    out.error(path, problem);
+  if (const auto fault = read_in_file_unit(path, files, mesh, found)) {
+    out.error(fault->code, path, fault->text);
     return std::nullopt;
   }
   files.release(path);

@@ -54,7 +54,7 @@ class MeshLibrary {
   struct Entry {
     Mesh mesh;  ///< in the file's unit
     MeshFileFacts facts;
-    std::string problem;  ///< why there is no mesh
+    std::optional<Fault> fault;  ///< why there is no mesh
   };
   const Entry& entry(const std::string& path);
 

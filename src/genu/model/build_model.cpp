@@ -103,12 +103,7 @@ bool make_loads(const PlacedScene& scene, JointModel& model, Diagnostics& out) {
       continue;
     }
     good = false;
-    out.add({.file = scene.file,
-             .line = def.where.line,
-             .column = def.where.column,
-             .key = "load." + def.name + ".scale",
-             .found = {},
-             .rule = why});
+    out.add(error_at({scene.file, def.where}, Code::out_of_range, "load." + def.name + ".scale", {}, why));
   }
   for (std::size_t i = 0; scene.dynamics && i < scene.dynamics->prescribe.size(); ++i) {
     const DynamicsDef::Drive& def = scene.dynamics->prescribe[i];
@@ -118,12 +113,8 @@ bool make_loads(const PlacedScene& scene, JointModel& model, Diagnostics& out) {
       continue;
     }
     good = false;
-    out.add({.file = scene.file,
-             .line = def.where.line,
-             .column = def.where.column,
-             .key = "dynamics.prescribe." + quantity_name(scene, def.quantity),
-             .found = {},
-             .rule = why});
+    out.add(error_at({scene.file, def.where}, Code::out_of_range,
+                     "dynamics.prescribe." + quantity_name(scene, def.quantity), {}, why));
   }
   for (std::size_t i = 0; scene.gravity && i < scene.bodies.size(); ++i)
     if (scene.bodies[i].has_weight()) model.weights.push_back(make_weight(scene, scene.bodies[i], static_cast<int>(i)));
@@ -165,12 +156,7 @@ std::optional<JointModel> build_model(const PlacedScene& scene,
     const auto law = make_law(def, path_length(def, model.reference_poses), why);
     if (!law) {
       good = false;
-      out.add({.file = scene.file,
-               .line = def.where.line,
-               .column = def.where.column,
-               .key = "ligament." + def.name,
-               .found = {},
-               .rule = why});
+      out.add(error_at({scene.file, def.where}, Code::out_of_range, "ligament." + def.name, {}, why));
       continue;
     }
     model.ligaments.push_back({def.name, path_on(model, def), *law, def.damping});

@@ -12,14 +12,9 @@ namespace {
 
 void say(const PlacedScene& scene, const SurfaceDef& surface, Diagnostic::Severity severity, std::string rule,
          Diagnostics& out) {
-  Diagnostic d{.severity = severity,
-               .file = scene.file,
-               .line = surface.thickness->where.line,
-               .column = surface.thickness->where.column,
-               .key = "surface." + surface.name + ".thickness",
-               .found = {},
-               .rule = std::move(rule)};
-  const auto same = [&](const Diagnostic& other) { return other.key == d.key && other.rule == d.rule; };
+  Diagnostic d(severity, Code::no_thickness, {scene.file, surface.thickness->where},
+               "surface." + surface.name + ".thickness", {}, std::move(rule));
+  const auto same = [&](const Diagnostic& other) { return to_string(other) == to_string(d); };
   if (std::none_of(out.items().begin(), out.items().end(), same)) out.add(std::move(d));
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "genu/core/pose.h"
+#include "genu/core/source_location.h"
 #include "genu/core/types.h"
 #include "genu/scene/number_table.h"
-#include "genu/scene/source_location.h"
 
 namespace genu {
 

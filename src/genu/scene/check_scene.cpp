@@ -48,12 +48,13 @@ bool check_tree(ReadContext& context) {
     const int above = joint_above(scene, static_cast<int>(b));
     sound = sound && body.fixed == (above < 0);
     if (above < 0 && !body.fixed) {
-      context.error(body.where, "body." + body.name, {}, "a moving body must be the child of one joint");
+      context.error(body.where, Code::missing_key, "body." + body.name, {},
+                    "a moving body must be the child of one joint");
     }
   }
   for (const JointDef& joint : scene.joints) {
     if (joint.parent == joint.child || !is_own_ancestor(scene, joint.child)) continue;
-    context.error(joint.where, "joint." + joint.name, {},
+    context.error(joint.where, Code::conflict, "joint." + joint.name, {},
                   "parents go round in a circle: they must lead to a fixed body");
     return false;  // one report a scene: the other joints of the circle would say the same
   }
@@ -108,7 +109,8 @@ void check_lengths(ReadContext& context) {
     if (std::any_of(points.begin(), points.end(), [](const auto& end) { return end.body < 0; })) continue;
     std::string broken = points.size() == 2 ? std::string() : path_rule_broken(ligament, poses);
     if (broken.empty()) broken = length_rule_broken(ligament, path_length(ligament, poses));
-    if (!broken.empty()) context.error(ligament.where, "ligament." + ligament.name, {}, std::move(broken));
+    if (!broken.empty())
+      context.error(ligament.where, Code::out_of_range, "ligament." + ligament.name, {}, std::move(broken));
   }
 }
 
@@ -121,7 +123,7 @@ void check_directions(ReadContext& context) {
     const Vec3 from = poses[static_cast<std::size_t>(load.body)] * load.point;
     const Vec3 to = poses[static_cast<std::size_t>(load.toward_body)] * load.toward_point;
     if ((to - from).norm() > kCoincidentDistance) continue;
-    context.error(load.where, "load." + load.name, {},
+    context.error(load.where, Code::conflict, "load." + load.name, {},
                   "its two points coincide at the reference pose: the force has no direction");
   }
 }
@@ -135,7 +137,7 @@ class Columns {
     const auto [at, is_new] = owner_.emplace(column, object);
     if (is_new || object == last_refused_) return;
     last_refused_ = object;  // one report an object
-    context_.error(where, object, {},
+    context_.error(where, Code::duplicate, object, {},
                    fmt::format("its result column {} is also one of {}: rename one of the two", column, at->second));
   }
 

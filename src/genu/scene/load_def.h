@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "genu/core/source_location.h"
 #include "genu/core/types.h"
 #include "genu/scene/number_table.h"
 #include "genu/scene/scale_def.h"
-#include "genu/scene/source_location.h"
 
 namespace genu {
 

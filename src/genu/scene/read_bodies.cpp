@@ -10,16 +10,18 @@ void check_kinds(ReadContext& context, Section& root) {
   const Item all = root.find("body");
   const SourceLocation where = all ? all.node->key_where : SourceLocation{1, 1};
   if (fixed == 0) {
-    context.error(where, "body", {}, "at least one body must be fixed: [body.NAME] with fixed = true");
+    context.error(where, Code::missing_key, "body", {},
+                  "at least one body must be fixed: [body.NAME] with fixed = true");
   } else if (fixed == static_cast<int>(context.scene.bodies.size())) {
-    context.error(where, "body", {}, "at least one body must be free to move: [body.NAME] without fixed");
+    context.error(where, Code::conflict, "body", {},
+                  "at least one body must be free to move: [body.NAME] without fixed");
   }
 }
 
 constexpr const char* kNoUse = "has no effect: without `gravity` no body has a weight, without [dynamics] no inertia";
 
 void refuse_key(ReadContext& context, const Item& item, std::string rule) {
-  context.error(item.node->key_where, item.path, literal(*item.node), std::move(rule));
+  context.error(item.node->key_where, Code::no_effect, item.path, literal(*item.node), std::move(rule));
 }
 
 /// Numbers that give a body weight, or `solid`, where only gravity asks for them.
@@ -36,7 +38,7 @@ void check_gravity(ReadContext& context, const Item& gravity, const std::vector<
   for (const Item& item : tables) {
     if (item.node->member("mass") || item.node->member("solid")) return;
   }
-  if (gravity) refuse(context, gravity, "acts on nothing: no body has a mass");
+  if (gravity) refuse(context, gravity, Code::no_effect, "acts on nothing: no body has a mass");
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ void read_mass(ReadContext& context, Section& section, const NumbersOf& how, Bod
   for (const NumberOf<BodyDef>& number : kind_of(body).numbers)
     if (const Item item = section.find(number.row.key);
         item && body.fixed && !lacks_other(section, kind_of(body), number.row, how))
-      refuse(context, item, "is of a fixed body, which nothing moves");
+      refuse(context, item, Code::no_effect, "is of a fixed body, which nothing moves");
 }
 
 void read_bodies(ReadContext& context, Section& root) {

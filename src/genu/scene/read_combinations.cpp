@@ -11,16 +11,16 @@ bool read_term(ReadContext& context, const Item& item, const std::string& name, 
   const auto coordinate = find_coordinate(context, item.node->key_where, item.path, name);
   const auto factor = read_number(context, item);
   if (!coordinate || !factor) return false;
-  std::string rule;
-  if (*factor == 0) rule = "must not be 0";
+  std::optional<Fault> fault;
+  if (*factor == 0) fault = {Code::out_of_range, "must not be 0"};
   for (const CombinationDef::Term& other : combination.terms) {
-    if (other.coordinate == *coordinate) rule = "is named twice in this combination";
+    if (other.coordinate == *coordinate) fault = {Code::duplicate, "is named twice in this combination"};
     if ((other.coordinate.index < 3) != (coordinate->index < 3))
-      rule = "is " + std::string(coordinate->index < 3 ? "an angle" : "a length") +
-             ", but terms before it are not: a combination has one unit";
+      fault = {Code::conflict, "is " + std::string(coordinate->index < 3 ? "an angle" : "a length") +
+                                   ", but terms before it are not: a combination has one unit"};
   }
-  if (!rule.empty()) {
-    refuse(context, item, std::move(rule));
+  if (fault) {
+    refuse(context, item, fault->code, fault->text);
     return false;
   }
   combination.terms.push_back({*coordinate, *factor});
@@ -29,7 +29,8 @@ bool read_term(ReadContext& context, const Item& item, const std::string& name, 
 
 bool read_terms(ReadContext& context, const Item& item, CombinationDef& combination) {
   if (!is_table(context, item)) return false;
-  if (item.node->children.empty()) refuse(context, item, "must name at least one coordinate and its factor");
+  if (item.node->children.empty())
+    refuse(context, item, Code::missing_key, "must name at least one coordinate and its factor");
   bool good = !item.node->children.empty();
   for (const NamedItem& term : coordinate_items(item))
     good = read_term(context, term.item, term.name, combination) && good;

@@ -18,14 +18,16 @@ void read_pair(ReadContext& context, const Item& item, ContactDef& contact) {
   const int b = scene.surfaces[static_cast<std::size_t>(contact.surface_b)].body;
   const auto fixed = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].fixed; };
   if (a >= 0 && b >= 0 && a == b) {
-    refuse(context, item, "both surfaces are on body." + scene.bodies[static_cast<std::size_t>(a)].name);
+    refuse(context, item, Code::conflict,
+           "both surfaces are on body." + scene.bodies[static_cast<std::size_t>(a)].name);
   } else if (a >= 0 && b >= 0 && fixed(a) && fixed(b)) {
-    refuse(context, item, "both surfaces are on fixed bodies");
+    refuse(context, item, Code::no_effect, "both surfaces are on fixed bodies");
   }
   const auto pair = std::minmax(contact.surface_a, contact.surface_b);
   const auto refuse_same = [&](const ContactDef& other) {
     if (std::minmax(other.surface_a, other.surface_b) == pair)
-      refuse(context, item, "contact." + other.name + " has the same pair; however many contacts it needs are found");
+      refuse(context, item, Code::duplicate,
+             "contact." + other.name + " has the same pair; however many contacts it needs are found");
   };
   for (const ContactDef& other : scene.contacts) refuse_same(other);
   for (const LayerDef& other : scene.layers) refuse_same(other.pair);
@@ -46,7 +48,8 @@ void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
   const auto found = read_reference(context, item, "surface", names_of(context.scene.surfaces));
   if (!found || a < 0 || b < 0) return;
   layer.cast_from = *found;
-  if (*found != a && *found != b) refuse(context, item, "must be one of the contact's two surfaces");
+  if (*found != a && *found != b)
+    refuse(context, item, Code::unknown_name, "must be one of the contact's two surfaces");
 }
 
 /// How the pressure is summed, and the key that belongs to that way alone.
@@ -60,15 +63,18 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
   const Item tolerance = section.find("tolerance");
   const Item cast_from = triangles ? section.require("cast_from") : section.find("cast_from");
   if (smooth && cast_from)
-    refuse(context, cast_from, "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
+    refuse(context, cast_from, Code::conflict,
+           "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
   else
     read_cast_from(context, cast_from, layer);
   if (!tolerance) return;
-  if (triangles) return refuse(context, tolerance, "belongs to quadrature = \"smooth\": triangles have none");
+  if (triangles)
+    return refuse(context, tolerance, Code::conflict, "belongs to quadrature = \"smooth\": triangles have none");
   layer.tolerance =
       read_number(context, tolerance, {.unit = 1, .unit_name = {}, .above = {}, .at_least = kMinLayerTolerance})
           .value_or(layer.tolerance);
-  if (layer.tolerance > kMaxLayerTolerance) refuse(context, tolerance, "must be <= 0.1: a relative error of the force");
+  if (layer.tolerance > kMaxLayerTolerance)
+    refuse(context, tolerance, Code::out_of_range, "must be <= 0.1: a relative error of the force");
 }
 
 void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
@@ -77,7 +83,8 @@ void read_layer(ReadContext& context, Section& section, LayerDef& layer) {
   const Item poisson = section.require("poisson");
   const auto nu = read_number(context, poisson, {.unit = 1, .unit_name = {}, .above = {}, .at_least = 0});
   if (nu && *nu >= 0.5)
-    refuse(context, poisson, "must be < 0.5: a layer that cannot be compressed carries any pressure");
+    refuse(context, poisson, Code::out_of_range,
+           "must be < 0.5: a layer that cannot be compressed carries any pressure");
   layer.poisson = nu.value_or(0);
   read_layer_thickness(context, section, layer);
   if (const Item law = section.find("law"))

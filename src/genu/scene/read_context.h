@@ -27,13 +27,8 @@ struct ReadContext {
   int rigid_pairs = 0;
   bool in_motion = false;  ///< the scene has [dynamics]
 
-  void error(SourceLocation where, std::string key, std::string found, std::string rule) {
-    out.add({.file = file,
-             .line = where.line,
-             .column = where.column,
-             .key = std::move(key),
-             .found = std::move(found),
-             .rule = std::move(rule)});
+  void error(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
+    out.add(error_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));
   }
 };
 

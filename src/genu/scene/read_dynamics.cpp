@@ -64,10 +64,10 @@ void read_drive(ReadContext& context, const NamedItem& entry, DynamicsDef& dynam
   if (!quantity) return;
   for (const DynamicsDef::Drive& other : dynamics.prescribe)
     if (other.quantity == *quantity)
-      return context.error(entry.item.node->key_where, entry.item.path, {}, "is prescribed twice");
+      return context.error(entry.item.node->key_where, Code::duplicate, entry.item.path, {}, "is prescribed twice");
   for (const DynamicsDef::Rate& rate : dynamics.start_rates)
     if (quantity->combination < 0 && rate.coordinate == quantity->first)
-      context.error(entry.item.node->key_where, entry.item.path, {},
+      context.error(entry.item.node->key_where, Code::conflict, entry.item.path, {},
                     "is prescribed and has a rate in start_rates: leave one of them out");
   dynamics.prescribe.push_back({*quantity, course, entry.item.node->key_where});
 }
@@ -85,7 +85,7 @@ void refuse_locked(ReadContext& context, const Item& item) {
   for (const JointDef& joint : context.scene.joints)
     if (joint.type != JointDef::Type::fixed) return;
   if (context.scene.joints.empty() || !context.bodies_understood) return;
-  context.error(item.node->key_where, item.path, {}, "nothing can move: every joint is fixed");
+  context.error(item.node->key_where, Code::no_effect, item.path, {}, "nothing can move: every joint is fixed");
 }
 
 }  // namespace
@@ -97,9 +97,10 @@ void read_inertia(ReadContext& context, Section& section, BodyDef& body) {
   const Item inertia = needed ? section.require("inertia") : section.find("inertia");
   if (const auto matrix = inertia ? read_matrix(context, inertia) : std::nullopt) {
     body.inertia = *matrix;
-    if (const std::string rule = broken_rule(*matrix); !rule.empty()) refuse(context, inertia, rule);
+    if (const std::string rule = broken_rule(*matrix); !rule.empty())
+      refuse(context, inertia, Code::out_of_range, rule);
   }
-  if (inertia && body.fixed) refuse(context, inertia, "is of a fixed body, which nothing moves");
+  if (inertia && body.fixed) refuse(context, inertia, Code::no_effect, "is of a fixed body, which nothing moves");
 }
 
 void read_dynamics(ReadContext& context, Section& root) {
@@ -113,13 +114,15 @@ void read_dynamics(ReadContext& context, Section& root) {
   const auto every = read_number(context, interval, positive(plain_rule("s")));
   dynamics.duration = duration.value_or(1);
   dynamics.output_interval = every.value_or(1);
-  if (duration && every && *every > *duration) refuse(context, interval, "must be at most the duration");
+  if (duration && every && *every > *duration)
+    refuse(context, interval, Code::out_of_range, "must be at most the duration");
   if (duration && every && *duration / *every > kMaxMotionRows)
-    refuse(context, interval, fmt::format("asks for more than {:g} rows", kMaxMotionRows));
+    refuse(context, interval, Code::too_large, fmt::format("asks for more than {:g} rows", kMaxMotionRows));
   const auto error = read_number(context, tolerance, positive(plain_rule({})));
   dynamics.tolerance = error.value_or(dynamics.tolerance);
   if (error && (*error < kMinMotionTolerance || *error > kMaxMotionTolerance))
-    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kMinMotionTolerance, kMaxMotionTolerance));
+    refuse(context, tolerance, Code::out_of_range,
+           fmt::format("must be from {:g} to {:g}", kMinMotionTolerance, kMaxMotionTolerance));
   read_start_rates(context, section.find("start_rates"), dynamics);
   read_drives(context, section.find("prescribe"), dynamics);
   dynamics.from_equilibrium = read_choice(context, section.find("start"), {"given", "equilibrium"}) == 1;

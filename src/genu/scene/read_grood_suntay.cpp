@@ -19,7 +19,7 @@ std::optional<Vec3> read_direction(ReadContext& context, const Item& item) {
   }
   const auto v = read_vector(context, item);
   if (v && v->norm() > 0) return v->normalized();
-  if (v) refuse(context, item, "must have a direction: not all three numbers may be 0");
+  if (v) refuse(context, item, Code::out_of_range, "must have a direction: not all three numbers may be 0");
   return {};
 }
 
@@ -34,13 +34,13 @@ bool read_bone_axes(ReadContext& context, const Item& item, const JointDef& join
   bone.origin = read_vector(context, section.find("origin"), length_rule(context)).value_or(Vec3::Zero());
   section.finish();
   if (bone.body >= 0 && bone.body != joint.parent && bone.body != joint.child) {
-    refuse(context, body, "must be the parent or the child of joint." + joint.name);
+    refuse(context, body, Code::unknown_name, "must be the parent or the child of joint." + joint.name);
     bone.body = -1;
   }
   if (!proximal || !anterior || bone.body < 0) return false;
   const Vec3 across = *anterior - anterior->dot(*proximal) * *proximal;
   if (across.norm() < kParallelSine) {
-    refuse(context, front, "is parallel to proximal");
+    refuse(context, front, Code::conflict, "is parallel to proximal");
     return false;
   }
   bone.proximal = *proximal;
@@ -62,7 +62,7 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint) 
   section.finish();
   if (!side || !femur_good || !tibia_good) return;
   if (def.femur.body == def.tibia.body) {
-    refuse(context, tibia, "has the same body as the femur");
+    refuse(context, tibia, Code::conflict, "has the same body as the femur");
     return;
   }
   joint.grood_suntay = def;

@@ -27,7 +27,8 @@ void read_limits(ReadContext& context, const Item& item, JointDef& joint) {
   Section section(context, item, "the limits of a revolute joint");
   joint.limits = JointDef::Limits{};
   read_numbers(context, section, kind_of(joint), joint, {.objects = "joints", .table = "limits"});
-  if (!section.has("from") && !section.has("to")) section.error("", "says nothing: give `from`, `to` or both");
+  if (!section.has("from") && !section.has("to"))
+    section.error(Code::missing_key, "", "says nothing: give `from`, `to` or both");
   section.finish();
 }
 
@@ -47,7 +48,7 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint) {
   if (axis && axis->norm() > 0)
     set_axes(*axis, joint);
   else if (axis)
-    refuse(context, item, "must have a direction: not all three numbers may be 0");
+    refuse(context, item, Code::out_of_range, "must have a direction: not all three numbers may be 0");
   read_numbers(context, section, kind_of(joint), joint, {.objects = "joints"});
   read_limits(context, section.find("limits"), joint);
   read_angle(context, section.find("reference"), "reference", joint.reference[0]);

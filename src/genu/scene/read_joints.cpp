@@ -26,7 +26,7 @@ std::optional<JointDef::Rotation> read_rotation(ReadContext& context, const Item
   words >> name >> axis >> more;
   const auto found = std::find_if(kAxes.begin(), kAxes.end(), [&](const Axis& a) { return axis == a.word; });
   if (!is_name(name) || found == kAxes.end() || !more.empty()) {
-    refuse(context, item, "must be \"NAME AXIS\" with a name and one of x, y, z, -x, -y, -z");
+    refuse(context, item, Code::wrong_form, "must be \"NAME AXIS\" with a name and one of x, y, z, -x, -y, -z");
     return {};
   }
   JointDef::Rotation rotation;
@@ -45,7 +45,8 @@ bool read_rotations(ReadContext& context, const Item& item, JointDef& joint) {
   }
   for (std::size_t k = 1; good && k < 3; ++k) {
     if (joint.rotations[k].axis.dot(joint.rotations[k - 1].axis) == 0) continue;
-    refuse(context, item.element(k), "turns about the same axis as the rotation before it: neighbours must differ");
+    refuse(context, item.element(k), Code::conflict,
+           "turns about the same axis as the rotation before it: neighbours must differ");
     good = false;
   }
   return good;
@@ -58,7 +59,8 @@ bool read_translations(ReadContext& context, const Item& item, JointDef& joint) 
     const Item element = item.element(k);
     const auto name = read_string(context, element);
     if (name && !is_name(*name))
-      refuse(context, element, "a name is a letter or _, then letters, digits, _ or -, 100 characters at most");
+      refuse(context, element, Code::wrong_form,
+             "a name is a letter or _, then letters, digits, _ or -, 100 characters at most");
     good = good && name && is_name(*name);
     joint.translations[k] = name.value_or("");
   }
@@ -78,7 +80,7 @@ bool names_are_distinct(ReadContext& context, const Item& rotations, const Item&
   for (std::size_t k = 1; k < names.size(); ++k) {
     const auto end = names.begin() + static_cast<std::ptrdiff_t>(k);
     if (std::find(names.begin(), end, names[k]) == end) continue;
-    refuse(context, k < 3 ? rotations.element(k) : translations.element(k - 3),
+    refuse(context, k < 3 ? rotations.element(k) : translations.element(k - 3), Code::duplicate,
            "another coordinate of this joint has the name " + with_quotes(names[k]));
     good = false;
   }
@@ -92,7 +94,8 @@ void read_pose(ReadContext& context, const Item& item, const JointDef& joint, st
     const Item value = item.member(child);
     const auto found = std::find(names.begin(), names.end(), child.key);
     if (found == names.end()) {
-      context.error(child.key_where, value.path, literal(child), unknown_name_rule("coordinate", child.key, names));
+      context.error(child.key_where, Code::unknown_name, value.path, literal(child),
+                    unknown_name_rule("coordinate", child.key, names));
       continue;
     }
     const auto k = static_cast<std::size_t>(found - names.begin());
@@ -124,13 +127,14 @@ void read_bodies_of(ReadContext& context, Section& section, JointDef& joint) {
   joint.child = read_reference(context, child, "body", names).value_or(-1);
   if (joint.child < 0) return;
   if (joint.child == joint.parent) {
-    refuse(context, child, "parent and child must be different bodies");
+    refuse(context, child, Code::conflict, "parent and child must be different bodies");
   } else if (scene.bodies[static_cast<std::size_t>(joint.child)].fixed) {
-    refuse(context, child, "is fixed: the child of a joint must be a moving body");
+    refuse(context, child, Code::conflict, "is fixed: the child of a joint must be a moving body");
   }
   for (const JointDef& other : scene.joints) {
     if (other.child != joint.child) continue;
-    refuse(context, child, "is already the child of joint." + other.name + ": a body has one joint to its parent");
+    refuse(context, child, Code::duplicate,
+           "is already the child of joint." + other.name + ": a body has one joint to its parent");
     break;
   }
 }
@@ -195,16 +199,16 @@ std::optional<CoordinateRef> find_coordinate(ReadContext& context, SourceLocatio
   for (const JointDef& joint : scene.joints) {
     const std::string rule = name.rfind(joint.name + ".", 0) == 0 ? held_rule(joint) : std::string();
     if (rule.empty()) continue;
-    context.error(where, path, found, rule);
+    context.error(where, Code::conflict, path, found, rule);
     return {};
   }
   for (const CombinationDef& combination : scene.combinations) {
     if (combination.name != name) continue;
-    context.error(where, path, found, "is a combination: only a single coordinate can stand here");
+    context.error(where, Code::conflict, path, found, "is a combination: only a single coordinate can stand here");
     return {};
   }
   known.insert(known.end(), also_known.begin(), also_known.end());
-  context.error(where, path, found, unknown_name_rule("coordinate", name, known));
+  context.error(where, Code::unknown_name, path, found, unknown_name_rule("coordinate", name, known));
   return {};
 }
 

@@ -39,15 +39,15 @@ void read_ends(ReadContext& context, Section& section, LigamentDef& ligament) {
   const std::string which = ligament.via.empty() ? "both ends" : "all its points";
   const Item body_of_to = section.find("to").member(*section.find("to").node->member("body"));
   if (all([&](int body) { return body == bodies[0]; })) {
-    refuse(context, body_of_to, which + " are on the same body");
+    refuse(context, body_of_to, Code::conflict, which + " are on the same body");
   } else if (all([&](int body) { return context.scene.bodies[static_cast<std::size_t>(body)].fixed; })) {
-    refuse(context, body_of_to, which + " are on fixed bodies");
+    refuse(context, body_of_to, Code::no_effect, which + " are on fixed bodies");
   }
 }
 
 void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
   if (!is_array(context, item, "points [[strain, N], ...]")) return;
-  if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [strain, N]");
+  if (item.node->children.size() < 2) refuse(context, item, Code::missing_key, "needs at least two points [strain, N]");
   const NumberRule strain{.unit = 1, .unit_name = {}, .above = -1, .at_least = {}};
   const NumberRule force = non_negative({.unit = 1, .unit_name = "N", .above = {}, .at_least = {}});
   for (std::size_t k = 0; k < item.node->children.size(); ++k) {
@@ -57,7 +57,7 @@ void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligam
     const auto f = read_number(context, point.element(1), force);
     if (!e || !f) continue;
     if (!ligament.points.empty() && *e <= ligament.points.back().first) {
-      refuse(context, point.element(0), "strains must increase from point to point");
+      refuse(context, point.element(0), Code::out_of_range, "strains must increase from point to point");
     }
     ligament.points.emplace_back(*e, *f);
   }
@@ -104,7 +104,8 @@ void check_table_reaches(ReadContext& context, const Item& item, const LigamentD
   const auto by_force = [](const auto& a, const auto& b) { return a.second < b.second; };
   const auto [least, most] = std::minmax_element(ligament.points.begin(), ligament.points.end(), by_force);
   if (ligament.rest_value >= least->second && ligament.rest_value <= most->second) return;
-  refuse(context, item, fmt::format("must be a force of the table, from {:g} to {:g} N", least->second, most->second));
+  refuse(context, item, Code::out_of_range,
+         fmt::format("must be a force of the table, from {:g} to {:g} N", least->second, most->second));
 }
 
 void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, const LawKind* law) {
@@ -116,7 +117,8 @@ void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, co
     const Item item = section.find(key);
     if (!item) continue;
     if (first) {
-      refuse(context, item, "only one of slack_length, reference_strain and reference_force may be given");
+      refuse(context, item, Code::conflict,
+             "only one of slack_length, reference_strain and reference_force may be given");
       continue;
     }
     first = item;
@@ -127,7 +129,9 @@ void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, co
       check_table_reaches(context, item, ligament);
     }
   }
-  if (!first) section.error("slack_length", "is missing: give one of slack_length, reference_strain, reference_force");
+  if (!first)
+    section.error(Code::missing_key, "slack_length",
+                  "is missing: give one of slack_length, reference_strain, reference_force");
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ int read_body(ReadContext& context, const Item& item) {
 void read_wrench(ReadContext& context, Section& section, LoadDef& load) {
   const Item body = section.require("body");
   load.body = read_body(context, body);
-  if (is_fixed(context, load.body)) refuse(context, body, "is fixed: a load on it moves nothing");
+  if (is_fixed(context, load.body)) refuse(context, body, Code::no_effect, "is fixed: a load on it moves nothing");
   read_numbers(context, section, kind_of(load), load);
   const auto frame = read_choice(context, section.find("frame"), {"world", "body"});
   load.frame = frame == 1 ? LoadDef::Frame::body : LoadDef::Frame::world;
   for (const KindOf<LoadDef>& other : kLoadKinds)
     if (*other.word != 0) section.find(other.word);  // for messages
   if (!section.has("force") && !section.has("moment"))
-    section.error("force", "is missing: a load needs a force, a moment, `toward` or `on`");
+    section.error(Code::missing_key, "force", "is missing: a load needs a force, a moment, `toward` or `on`");
 }
 
 /// The other end of a force between two bodies.
@@ -36,9 +36,9 @@ void read_end(ReadContext& context, const Item& item, LoadDef& load) {
   section.finish();
   if (load.body < 0 || load.toward_body < 0) return;
   if (load.body == load.toward_body) {
-    refuse(context, body, "both points are on the same body");
+    refuse(context, body, Code::conflict, "both points are on the same body");
   } else if (is_fixed(context, load.body) && is_fixed(context, load.toward_body)) {
-    refuse(context, body, "both points are on fixed bodies");
+    refuse(context, body, Code::no_effect, "both points are on fixed bodies");
   }
 }
 

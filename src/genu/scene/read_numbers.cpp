@@ -49,7 +49,7 @@ bool read_number_row(ReadContext& context, Section& section, const NumberRow& ro
     return !required;
   }
   if (row.in_motion && !context.in_motion) {
-    context.error(item.node->key_where, item.path, literal(*item.node),
+    context.error(item.node->key_where, Code::no_effect, item.path, literal(*item.node),
                   fmt::format("{} of {} has an effect only in a scene with [dynamics]", row.key, how.objects));
     return false;
   }

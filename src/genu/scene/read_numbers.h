@@ -50,7 +50,7 @@ void read_numbers(ReadContext& context, Section& section, const KindOf<Def>& kin
     const Item item = section.find(row.key);
     const char* fault = good && item && number.fault != nullptr ? number.fault(def) : nullptr;
     if (lacks_other(section, kind, row, how)) fault = row.reason;
-    if (fault != nullptr) refuse(context, item, fault);
+    if (fault != nullptr) refuse(context, item, Code::out_of_range, fault);
   }
 }
 

@@ -14,7 +14,7 @@ SurfaceDef::Patch::Range read_range(ReadContext& context, const Item& item, cons
   const auto from = read_number(context, item.element(0), rule), to = read_number(context, item.element(1), rule);
   if (!from || !to) return {};
   if (*from < *to) return std::pair(*from, *to);
-  refuse(context, item, "must be a range [from, to] with from < to");
+  refuse(context, item, Code::wrong_form, "must be a range [from, to] with from < to");
   return {};
 }
 
@@ -23,13 +23,15 @@ void check_turn(ReadContext& context, const Item& item, const SurfaceDef& surfac
   if (!patch.theta) return;
   const auto [from, to] = *patch.theta;
   if (to - from >= (2 - kAngleRangeRounding) * kHalfTurn) {
-    refuse(context, item, "must be less than a full turn wide; without theta the patch goes all the way round");
+    refuse(context, item, Code::out_of_range,
+           "must be less than a full turn wide; without theta the patch goes all the way round");
     return;
   }
   const bool seam = surface.shape == SurfaceDef::Shape::cylindrical_polynomial &&
                     std::any_of(surface.terms.begin(), surface.terms.end(), [](const auto& t) { return t.i > 0; });
   if (seam && (from < -(1 + kAngleRangeRounding) * kHalfTurn || to > (1 + kAngleRangeRounding) * kHalfTurn))
-    refuse(context, item, "must stay within half a turn from 0 to either side, where this polynomial ends");
+    refuse(context, item, Code::out_of_range,
+           "must stay within half a turn from 0 to either side, where this polynomial ends");
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ std::optional<SurfaceDef::Patch> read_patch(ReadContext& context, const Item& it
   patch.theta = read_range(context, theta, angle_rule(context));
   check_turn(context, theta, surface, patch);
   section.finish();
-  if (item.node->children.empty()) refuse(context, item, "needs at least one of x, y, z, theta");
+  if (item.node->children.empty()) refuse(context, item, Code::missing_key, "needs at least one of x, y, z, theta");
   return patch;
 }
 

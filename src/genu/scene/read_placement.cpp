@@ -17,7 +17,7 @@ Vec3 read_axis(ReadContext& context, const Item& item, const Vec3& fallback, boo
     return fallback;
   }
   if (axis->isZero(0)) {
-    refuse(context, item, "an axis must not be zero");
+    refuse(context, item, Code::out_of_range, "an axis must not be zero");
     good = false;
     return fallback;
   }
@@ -35,7 +35,8 @@ Mat3 read_axes(ReadContext& context, Section& section) {
   if (!good) return R;
   if (x.cross(z).norm() < kParallelSine) {
     if (x_item) {
-      refuse(context, x_item, z_item ? "is parallel to z_axis" : "is parallel to the default z_axis [0, 0, 1]");
+      refuse(context, x_item, Code::conflict,
+             z_item ? "is parallel to z_axis" : "is parallel to the default z_axis [0, 0, 1]");
       return R;
     }
     x = Vec3::UnitY();

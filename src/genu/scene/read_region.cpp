@@ -90,7 +90,7 @@ std::vector<RegionDef::Condition> read_region(ReadContext& context, const Item& 
   const auto text = read_string(context, item);
   if (!text) return {};
   auto conditions = parse_region(*text, context.scene.length_unit);
-  if (!conditions) refuse(context, item, kRegionForm);
+  if (!conditions) refuse(context, item, Code::wrong_form, kRegionForm);
   return conditions.value_or(std::vector<RegionDef::Condition>{});
 }
 

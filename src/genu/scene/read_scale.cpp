@@ -46,7 +46,8 @@ std::optional<NumberRule> read_over(ReadContext& context, const Item& item, Scal
 void read_table(ReadContext& context, const Item& item, const NumberRule& over, const NumberRule& rule,
                 const std::string& second, ScaleDef& scale) {
   if (!is_array(context, item, "points [[x, " + second + "], ...]")) return;
-  if (item.node->children.size() < 2) refuse(context, item, "needs at least two points [x, " + second + "]");
+  if (item.node->children.size() < 2)
+    refuse(context, item, Code::missing_key, "needs at least two points [x, " + second + "]");
   for (std::size_t k = 0; k < item.node->children.size(); ++k) {
     const Item point = item.element(k);
     if (!is_array(context, point, "a point [x, " + second + "]", 2)) continue;
@@ -54,7 +55,7 @@ void read_table(ReadContext& context, const Item& item, const NumberRule& over, 
     const auto value = read_number(context, point.element(1), rule);
     if (!x || !value) continue;
     if (!scale.table.empty() && *x <= scale.table.back().first) {
-      refuse(context, point.element(0), "must increase from point to point");
+      refuse(context, point.element(0), Code::out_of_range, "must increase from point to point");
       continue;
     }
     scale.table.emplace_back(*x, *value);
@@ -82,7 +83,7 @@ std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item) {
     read_step_in_time(context, section.find("step"), plain_rule({}), !context.in_motion, scale);
   } else if (!section.has("over") && !section.has("table")) {
     for (const char* key : {"sine", "step", "over", "table"}) section.find(key);
-    section.error("", "says nothing: give `over` and `table`, or `sine`, or `step`");
+    section.error(Code::missing_key, "", "says nothing: give `over` and `table`, or `sine`, or `step`");
   } else {
     const auto rule = read_over(context, section.require("over"), scale);
     read_table(context, section.require("table"), rule.value_or(NumberRule{}), NumberRule{}, "factor", scale);
@@ -105,7 +106,7 @@ ScaleDef read_course(ReadContext& context, const Item& item, const NumberRule& r
     read_table(context, section.find("table"), plain_rule("s"), rule, "value", course);
   } else {
     for (const char* key : {"sine", "step", "table"}) section.find(key);
-    section.error("", "says nothing: give `table`, `sine` or `step`, or a number to hold");
+    section.error(Code::missing_key, "", "says nothing: give `table`, `sine` or `step`, or a number to hold");
   }
   section.finish();
   return course;

@@ -10,8 +10,8 @@ bool read_solid(ReadContext& context, Section& body_section, BodyDef& body) {
   std::vector<Item> others = given_numbers(body_section, kind_of(body));
   if (context.in_motion) others.push_back(body_section.find("inertia"));
   for (const Item& other : others)
-    if (other) refuse(context, other, "follows from `solid`: leave one of the two out");
-  if (body.fixed) refuse(context, item, "is of a fixed body, which nothing moves");
+    if (other) refuse(context, other, Code::conflict, "follows from `solid`: leave one of the two out");
+  if (body.fixed) refuse(context, item, Code::no_effect, "is of a fixed body, which nothing moves");
   if (!is_table(context, item)) return true;
   Section section(context, item, "a solid");
   BodyDef::Solid solid;

@@ -32,14 +32,15 @@ void read_rod(ReadContext& context, Section& section, Part& part) {
   const auto last = read_vector(context, to, length_rule(context));
   part.from = first.value_or(Vec3::Zero());
   part.to = last.value_or(Vec3::UnitZ());
-  if (first && last && *first == *last) refuse(context, to, "is where the rod begins: a ball is a sphere");
+  if (first && last && *first == *last)
+    refuse(context, to, Code::out_of_range, "is where the rod begins: a ball is a sphere");
   const Item radii = section.find("radii");
   if (!radii) {
     part.radius = part.end_radius = length(context, section.require("radius"));
     return;
   }
   if (const Item one = section.find("radius"))
-    refuse(context, one, "and `radii` say the same: leave one of the two out");
+    refuse(context, one, Code::conflict, "and `radii` say the same: leave one of the two out");
   if (!is_array(context, radii, "[radius at from, radius at to]", 2)) return;
   part.radius = length(context, radii.element(0));
   part.end_radius = length(context, radii.element(1));
@@ -49,14 +50,16 @@ void read_solid_torus(ReadContext& context, Section& section, Part& part) {
   const Item major = section.require("major_radius"), minor = section.require("minor_radius");
   part.major_radius = length(context, major);
   part.minor_radius = length(context, minor);
-  if (major && minor && !(part.minor_radius < part.major_radius)) refuse(context, minor, "must be < major_radius");
+  if (major && minor && !(part.minor_radius < part.major_radius))
+    refuse(context, minor, Code::out_of_range, "must be < major_radius");
 }
 
 void read_box(ReadContext& context, Section& section, Part& part) {
   part.size = lengths(context, section.require("size"));
   const Item rounding = section.find("rounding");
   part.rounding = read_number(context, rounding, non_negative(length_rule(context))).value_or(0);
-  if (rounding && 2 * part.rounding > part.size.minCoeff()) refuse(context, rounding, "must be at most half the size");
+  if (rounding && 2 * part.rounding > part.size.minCoeff())
+    refuse(context, rounding, Code::out_of_range, "must be at most half the size");
 }
 
 void read_half_space(ReadContext&, Section&, Part&) {}
@@ -95,9 +98,10 @@ void read_part(ReadContext& context, const Item& item, double blend, SolidDef& s
   reader.read(context, section, part);
   section.finish();
   const bool joined = part.operation == Part::Operation::join;
-  if (solid.parts.empty() && !joined) refuse(context, operation, "there is nothing yet: the first part is joined");
+  if (solid.parts.empty() && !joined)
+    refuse(context, operation, Code::no_effect, "there is nothing yet: the first part is joined");
   if (joined && part.shape == Part::Shape::half_space)
-    section.error("operation", "a half space has no end: it can only be cut or kept");
+    section.error(Code::conflict, "operation", "a half space has no end: it can only be cut or kept");
   solid.parts.push_back(part);
 }
 
@@ -114,9 +118,9 @@ void read_solid_shapes(ReadContext& context, Section& root) {
     section.finish();
     if (!is_array(context, parts, "a list of parts [{ shape = \"sphere\", radius = 20 }, ...]")) continue;
     const std::size_t count = parts.node->children.size();
-    if (count == 0) refuse(context, parts, "needs at least one part");
+    if (count == 0) refuse(context, parts, Code::missing_key, "needs at least one part");
     if (count > kMaxSolidParts) {
-      refuse(context, parts, fmt::format("has {} parts, more than {}", count, kMaxSolidParts));
+      refuse(context, parts, Code::too_large, fmt::format("has {} parts, more than {}", count, kMaxSolidParts));
       continue;
     }
     for (std::size_t k = 0; k < count; ++k) read_part(context, parts.element(k), blend, solid);

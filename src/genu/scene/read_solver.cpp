@@ -13,12 +13,13 @@ void read_solver(ReadContext& context, Section& root) {
   const Item tolerance = section.find("tolerance");
   const auto value = read_number(context, tolerance, positive(plain_rule({})));
   if (value && (*value < kMinSolverTolerance || *value > kMaxSolverTolerance))
-    refuse(context, tolerance, fmt::format("must be from {:g} to {:g}", kMinSolverTolerance, kMaxSolverTolerance));
+    refuse(context, tolerance, Code::out_of_range,
+           fmt::format("must be from {:g} to {:g}", kMinSolverTolerance, kMaxSolverTolerance));
   else if (value)
     context.scene.solver.tolerance = *value;
   section.finish();
   if (context.in_motion)
-    context.error(item.node->key_where, item.path, {},
+    context.error(item.node->key_where, Code::no_effect, item.path, {},
                   "is of poses solved step by step; a motion over time has a tolerance of its own in [dynamics]");
 }
 

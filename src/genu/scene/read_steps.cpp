@@ -19,7 +19,7 @@ void read_prescribed(ReadContext& context, const Item& item, const std::string& 
   const auto span = read_span(context, item, rule);
   for (const StepDef::Prescribed& other : step.prescribe) {
     if (!(other.coordinate == *coordinate)) continue;
-    context.error(item.node->key_where, item.path, {}, "is prescribed twice in this step");
+    context.error(item.node->key_where, Code::duplicate, item.path, {}, "is prescribed twice in this step");
     return;
   }
   const auto [from, to] = span.value_or(std::pair(0.0, 0.0));
@@ -53,7 +53,8 @@ void read_factors(ReadContext& context, const Item& item, StepDef& step) {
     const Item entry = item.member(child);
     const auto found = std::find(names.begin(), names.end(), child.key);
     if (found == names.end()) {
-      context.error(child.key_where, entry.path, literal(child), unknown_name_rule("load", child.key, names));
+      context.error(child.key_where, Code::unknown_name, entry.path, literal(child),
+                    unknown_name_rule("load", child.key, names));
     }
     const auto [from, to] = read_span(context, entry, {}).value_or(std::pair(1.0, 1.0));
     step.factors.push_back({.load = static_cast<int>(found - names.begin()), .from = from, .to = to});
@@ -73,7 +74,7 @@ void check_count(ReadContext& context, const Section& section, const StepDef& st
   if (moving == 0 || constraints + context.rigid_pairs <= most) return;
   const std::string by_joints = held > 0 ? fmt::format("{} coordinates that joints hold, ", held) : std::string();
   const TomlNode* at = section.item().node->member("prescribe");
-  context.error(at ? at->key_where : step.where, section.path("prescribe"), {},
+  context.error(at ? at->key_where : step.where, Code::conflict, section.path("prescribe"), {},
                 fmt::format("too many constraints: {}prescribed coordinates and rigid contact pairs "
                             "M + N = {} + {} = {}, at most {}",
                             by_joints, constraints, context.rigid_pairs, constraints + context.rigid_pairs, most));
@@ -99,7 +100,7 @@ void read_step(ReadContext& context, const Item& item) {
   const auto control = read_choice(context, section.find("control"), {"values", "arc_length"});
   step.arc_length = control.value_or(0) == 1;
   if (step.arc_length && !varies(step))
-    context.error(section.item().node->member("control")->key_where, section.path("control"), {},
+    context.error(section.item().node->member("control")->key_where, Code::no_effect, section.path("control"), {},
                   "nothing changes over this step: let a prescribed coordinate or a load go from one value to another");
   section.finish();
   check_count(context, section, step);
@@ -122,7 +123,7 @@ void check_independent(ReadContext& context, const std::vector<NamedItem>& entri
     const std::string name = quantity_name(context.scene, quantity);
     for (const NamedItem& entry : entries)
       if (entry.name == name)
-        context.error(entry.item.node->key_where, entry.item.path, {},
+        context.error(entry.item.node->key_where, Code::conflict, entry.item.path, {},
                       "follows from what is prescribed before it: leave one of them out");
   }
 }
@@ -159,18 +160,19 @@ std::vector<NamedItem> course_items(const ReadContext& context, const Item& tabl
 void read_steps(ReadContext& context, Section& root) {
   const Item all = root.find("step");
   if (!all) {
-    if (!context.in_motion) root.error("step", "is missing: a scene needs at least one [[step]], or [dynamics]");
+    if (!context.in_motion)
+      root.error(Code::missing_key, "step", "is missing: a scene needs at least one [[step]], or [dynamics]");
     return;
   }
   if (context.in_motion) {
-    context.error(all.node->key_where, all.path, {},
+    context.error(all.node->key_where, Code::conflict, all.path, {},
                   "a scene with [dynamics] has no steps: loads change over time by their `scale`, coordinates by "
                   "`prescribe` in [dynamics]");
     return;
   }
   const bool tables = all.node->kind == TomlNode::Kind::array && !all.node->children.empty();
   if (!tables) {
-    refuse(context, all, "steps are written [[step]], in double brackets");
+    refuse(context, all, Code::wrong_form, "steps are written [[step]], in double brackets");
     return;
   }
   for (std::size_t k = 0; k < all.node->children.size(); ++k) read_step(context, all.element(k));

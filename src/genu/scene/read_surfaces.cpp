@@ -22,7 +22,7 @@ std::optional<int> read_exponent(ReadContext& context, const Item& item) {
   const bool whole = (node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::floating) &&
                      node.number >= 0 && node.number <= kMaxExponent && node.number == std::floor(node.number);
   if (whole) return static_cast<int>(node.number);
-  refuse(context, item, fmt::format("an exponent must be an integer from 0 to {}", kMaxExponent));
+  refuse(context, item, Code::out_of_range, fmt::format("an exponent must be an integer from 0 to {}", kMaxExponent));
   return {};
 }
 
@@ -50,19 +50,20 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
   if (cylindrical) surface.shape = SurfaceDef::Shape::cylindrical_polynomial;
   const Item terms = section.require("terms");
   if (!is_array(context, terms, "a list of terms [[i, j, c], ...]")) return;
-  if (terms.node->children.empty()) refuse(context, terms, "needs at least one term [i, j, c]");
+  if (terms.node->children.empty()) refuse(context, terms, Code::missing_key, "needs at least one term [i, j, c]");
   std::set<std::pair<int, int>> seen;
   for (std::size_t k = 0; k < terms.node->children.size(); ++k) {
     const Item item = terms.element(k);
     const auto term = read_polynomial_term(context, item, cylindrical);
     if (!term) continue;
-    if (!seen.insert({term->i, term->j}).second) refuse(context, item, "these exponents stand in a term before");
+    if (!seen.insert({term->i, term->j}).second)
+      refuse(context, item, Code::duplicate, "these exponents stand in a term before");
     surface.terms.push_back(*term);
   }
   const bool has_radius = std::any_of(surface.terms.begin(), surface.terms.end(),
                                       [](const SurfaceDef::Term& t) { return t.i == 0 && t.j == 0 && t.c > 0; });
   if (cylindrical && !surface.terms.empty() && !has_radius)
-    refuse(context, terms, "needs a term [0, 0, r] with r > 0: the radius at theta = z = 0");
+    refuse(context, terms, Code::missing_key, "needs a term [0, 0, r] with r > 0: the radius at theta = z = 0");
 }
 
 void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
@@ -130,13 +131,13 @@ std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocatio
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (name->empty() || name->find('\0') != std::string::npos) {
-    refuse(context, item, "must name a mesh file");
+    refuse(context, item, Code::wrong_form, "must name a mesh file");
   } else if (status.type() == fs::file_type::not_found) {
-    refuse(context, item, "no such file: " + file);
+    refuse(context, item, Code::no_such_file, "no such file: " + file);
   } else if (failed) {
-    refuse(context, item, "cannot be read: " + file + ": " + failed.message());
+    refuse(context, item, Code::cannot_read, "cannot be read: " + file + ": " + failed.message());
   } else if (!fs::is_regular_file(status)) {
-    refuse(context, item, "is not a file: " + file);
+    refuse(context, item, Code::is_folder, "is not a file: " + file);
   }
   return file;
 }

@@ -17,7 +17,7 @@ void read_thickness_to_bone(ReadContext& context, const Item& item, SurfaceDef::
   thickness.least = read_number(context, section.find("minimum"), length).value_or(thickness.least);
   const Item most = section.find("maximum");
   thickness.most = read_number(context, most, length).value_or(std::max(thickness.most, 2 * thickness.least));
-  if (most && !(thickness.most > thickness.least)) refuse(context, most, "must be > minimum");
+  if (most && !(thickness.most > thickness.least)) refuse(context, most, Code::out_of_range, "must be > minimum");
   section.finish();
 }
 
@@ -35,15 +35,16 @@ void take_from_surfaces(ReadContext& context, Section& section, LayerDef& layer)
   }
   for (const SurfaceDef* s : {a, b}) {
     if (!s->thickness)
-      section.error("thickness", "is missing, and surface." + s->name +
-                                     " has none of its own (thickness = 0 there means bare bone)");
+      section.error(
+          Code::missing_key, "thickness",
+          "is missing, and surface." + s->name + " has none of its own (thickness = 0 there means bare bone)");
     else if (s->thickness->measured)
       layer.measured = true;
     else
       layer.thickness += s->thickness->constant;
   }
   if (a->thickness && b->thickness && !layer.measured && !(layer.thickness > 0))
-    section.error("thickness", "is missing, and both surfaces are without cartilage");
+    section.error(Code::missing_key, "thickness", "is missing, and both surfaces are without cartilage");
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
     for (const int k : {layer.pair.surface_a, layer.pair.surface_b}) {
       const SurfaceDef* s = surface_of(context, k);
       if (s != nullptr && s->thickness)
-        refuse(context, item, "surface." + s->name + " has a thickness of its own: leave one of the two out");
+        refuse(context, item, Code::conflict,
+               "surface." + s->name + " has a thickness of its own: leave one of the two out");
     }
   } else {
     take_from_surfaces(context, section, layer);
@@ -76,7 +78,7 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
   layer.search_depth = layer.measured ? 0 : layer.thickness;
   if (!depth) return;
   layer.search_depth = read_number(context, depth, length).value_or(0);
-  if (layer.search_depth > kMaxSearchDepth) refuse(context, depth, "must be at most 1 m");
+  if (layer.search_depth > kMaxSearchDepth) refuse(context, depth, Code::out_of_range, "must be at most 1 m");
 }
 
 void check_thickness_used(ReadContext& context) {
@@ -87,7 +89,7 @@ void check_thickness_used(ReadContext& context) {
       return l.pair.surface_a == static_cast<int>(k) || l.pair.surface_b == static_cast<int>(k);
     };
     if (!s.thickness || std::any_of(scene.layers.begin(), scene.layers.end(), uses)) continue;
-    context.error(s.thickness->where, "surface." + s.name + ".thickness", {},
+    context.error(s.thickness->where, Code::no_effect, "surface." + s.name + ".thickness", {},
                   "belongs to cartilage: no contact with model = \"cartilage\" has this surface");
   }
 }

@@ -24,29 +24,30 @@ namespace {
 std::shared_ptr<const std::string> read_text(const std::string& path, InputFiles& files, Diagnostics& out) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
-  std::string rule;
+  std::optional<Fault> fault;
   if (path.empty()) {
-    rule = "no scene file is named";
+    fault = {Code::no_such_file, "no scene file is named"};
   } else if (status.type() == fs::file_type::not_found) {
-    rule = "no such file";
+    fault = {Code::no_such_file, "no such file"};
   } else if (failed) {
-    rule = "cannot be read: " + failed.message();
+    fault = {Code::cannot_read, "cannot be read: " + failed.message()};
   } else if (fs::is_directory(status)) {
-    rule = "is a folder; name the scene file in it, e.g. " + (fs::path(path) / "scene.toml").string();
+    fault = {Code::is_folder,
+             "is a folder; name the scene file in it, e.g. " + (fs::path(path) / "scene.toml").string()};
   } else if (!fs::is_regular_file(status)) {
-    rule = "is not a regular file";
+    fault = {Code::cannot_read, "is not a regular file"};
   }
-  if (!rule.empty()) {
-    out.error(path, std::move(rule));
+  if (fault) {
+    out.error(fault->code, path, fault->text);
     return nullptr;
   }
 
   if (fs::file_size(path, failed) > kMaxSceneBytes && !failed) {
-    out.error(path, fmt::format("is larger than {} MB: not a scene file", kMaxSceneBytes >> 20));
+    out.error(Code::too_large, path, fmt::format("is larger than {} MB: not a scene file", kMaxSceneBytes >> 20));
     return nullptr;
   }
   auto text = files.bytes(path);
-  if (!text) out.error(path, "cannot be read");
+  if (!text) out.error(Code::cannot_read, path, "cannot be read");
   return text;
 }
 
@@ -71,7 +72,7 @@ void read_units(ReadContext& context, Section& root) {
 void read_header(ReadContext& context, Section& root) {
   const Item format = root.require("format");
   if (format && !(format.node->kind == TomlNode::Kind::integer && format.node->integer == 1)) {
-    refuse(context, format, "must be 1, the format this version reads");
+    refuse(context, format, Code::out_of_range, "must be 1, the format this version reads");
   }
   context.scene.title = read_string(context, root.find("title")).value_or("");
   read_units(context, root);
@@ -81,12 +82,7 @@ namespace {
 
 std::optional<TomlNode> parse_document(const std::string& text, const std::string& path, Diagnostics& out) {
   if (const auto bad = first_invalid_utf8(text)) {
-    out.add({.file = path,
-             .line = bad->line,
-             .column = bad->column,
-             .key = {},
-             .found = {},
-             .rule = "is not UTF-8 text from here on"});
+    out.add(error_at({path, *bad}, Code::not_utf8, {}, {}, "is not UTF-8 text from here on"));
     return std::nullopt;
   }
   return parse_toml(text, path, out);

@@ -25,7 +25,7 @@ Item Section::find(const char* key) {
 
 Item Section::require(const char* key) {
   Item found = find(key);
-  if (!found) error(key, "is missing: " + what_ + " needs it");
+  if (!found) error(Code::missing_key, key, "is missing: " + what_ + " needs it");
   return found;
 }
 
@@ -33,7 +33,8 @@ void Section::not_built(std::initializer_list<const char*> keys, const std::stri
   for (const char* key : keys) {
     not_built_.emplace_back(key);
     const TomlNode* child = item_.node->member(key);
-    if (child) context_.error(child->key_where, path(key), literal(*child), "not built yet: " + feature);
+    if (child)
+      context_.error(child->key_where, Code::not_built, path(key), literal(*child), "not built yet: " + feature);
   }
 }
 
@@ -43,18 +44,18 @@ void Section::finish() {
     const std::string rule = "is no key of " + what_ + did_you_mean(child.key, asked_) + " (its keys: ";
     std::string keys;
     for (const std::string& key : asked_) keys += (keys.empty() ? "" : ", ") + key;
-    context_.error(child.key_where, path(child.key), literal(child), rule + keys + ")");
+    context_.error(child.key_where, Code::unknown_key, path(child.key), literal(child), rule + keys + ")");
   }
 }
 
-void Section::error(const std::string& key, std::string rule) {
-  context_.error(item_.node->key_where, key.empty() ? item_.path : path(key), {}, std::move(rule));
+void Section::error(Code code, const std::string& key, std::string rule) {
+  context_.error(item_.node->key_where, code, key.empty() ? item_.path : path(key), {}, std::move(rule));
 }
 
 bool is_table(ReadContext& context, const Item& item) {
   if (!item) return false;
   if (item.node->kind == TomlNode::Kind::table) return true;
-  refuse(context, item, "must be a table");
+  refuse(context, item, Code::wrong_form, "must be a table");
   return false;
 }
 
@@ -63,7 +64,7 @@ std::vector<Item> named_tables(ReadContext& context, Section& root, const char* 
   const Item all = root.find(group);
   if (!all) return tables;
   if (all.node->kind != TomlNode::Kind::table) {
-    refuse(context, all, "must be tables with names: [" + std::string(group) + ".NAME]");
+    refuse(context, all, Code::wrong_form, "must be tables with names: [" + std::string(group) + ".NAME]");
     return tables;
   }
   for (const TomlNode& child : all.node->children) {
@@ -76,7 +77,7 @@ std::vector<Item> named_tables(ReadContext& context, Section& root, const char* 
 
 void check_name(ReadContext& context, SourceLocation where, const std::string& path, const std::string& name) {
   if (is_name(name)) return;
-  context.error(where, path, with_quotes(name),
+  context.error(where, Code::wrong_form, path, with_quotes(name),
                 "a name is a letter or _, then letters, digits, _ or -, 100 characters at most");
 }
 

@@ -28,7 +28,7 @@ class Section {
   /// The path of a key of this table, present or not.
   std::string path(const std::string& key) const { return item_.path.empty() ? key : item_.path + "." + key; }
   /// Reports at the table's name.
-  void error(const std::string& key, std::string rule);
+  void error(Code code, const std::string& key, std::string rule);
   void rename(std::string what) { what_ = std::move(what); }
 
  private:

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "genu/core/pose.h"
+#include "genu/core/source_location.h"
 #include "genu/core/types.h"
-#include "genu/scene/source_location.h"
 
 namespace genu {
 

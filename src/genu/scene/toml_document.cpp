@@ -153,23 +153,15 @@ const TomlNode* TomlNode::member(std::string_view name) const {
 
 std::optional<TomlNode> parse_toml(const std::string& text, const std::string& file, Diagnostics& out) {
   if (const int line = line_nested_too_deep(text); line > 0) {
-    out.add({.file = file,
-             .line = line,
-             .column = 1,
-             .key = {},
-             .found = {},
-             .rule = fmt::format("more than {} dots in one key", kMaxDotsInKey)});
+    out.add(error_at({file, {line, 1}}, Code::too_large, {}, {},
+                     fmt::format("more than {} dots in one key", kMaxDotsInKey)));
     return std::nullopt;
   }
   const toml::parse_result result = toml::parse(std::string_view(text), std::string_view(file));
   if (!result) {
     const SourceLocation where = location(result.error().source());
-    out.add({.file = file,
-             .line = where.line,
-             .column = where.column,
-             .key = {},
-             .found = {},
-             .rule = "not valid TOML: " + std::string(result.error().description())});
+    out.add(error_at({file, where}, Code::not_toml, {}, {},
+                     "not valid TOML: " + std::string(result.error().description())));
     return std::nullopt;
   }
   return converted(result.table(), 0);

@@ -24,25 +24,27 @@ Item Item::element(std::size_t index) const {
   return {&node->children[index], path + "[" + std::to_string(index + 1) + "]"};
 }
 
-void refuse(ReadContext& context, const Item& item, std::string rule) {
-  context.error(item.node->where, item.path, literal(*item.node), std::move(rule));
+void refuse(ReadContext& context, const Item& item, Code code, std::string rule) {
+  context.error(item.node->where, code, item.path, literal(*item.node), std::move(rule));
 }
 
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule) {
   if (!item) return {};
   const double value = item.node->number;
   if (!is_number(*item.node)) {
-    refuse(context, item, rule.unit_name.empty() ? "must be a number" : "must be a number, in " + rule.unit_name);
+    refuse(context, item, Code::wrong_form,
+           rule.unit_name.empty() ? "must be a number" : "must be a number, in " + rule.unit_name);
   } else if (!std::isfinite(value)) {
-    refuse(context, item, "must be a finite number");
+    refuse(context, item, Code::out_of_range, "must be a finite number");
   } else if (rule.above && !(value > *rule.above)) {
-    refuse(context, item, "must be > " + with_unit(*rule.above, rule.unit_name));
+    refuse(context, item, Code::out_of_range, "must be > " + with_unit(*rule.above, rule.unit_name));
   } else if (rule.at_least && !(value >= *rule.at_least)) {
-    refuse(context, item, "must be >= " + with_unit(*rule.at_least, rule.unit_name));
+    refuse(context, item, Code::out_of_range, "must be >= " + with_unit(*rule.at_least, rule.unit_name));
   } else if (!(std::abs(value * rule.unit) <= rule.largest)) {
-    refuse(context, item, "is out of range: at most " + with_unit(rule.largest / rule.unit, rule.unit_name));
+    refuse(context, item, Code::out_of_range,
+           "is out of range: at most " + with_unit(rule.largest / rule.unit, rule.unit_name));
   } else if (value != 0 && std::abs(value * rule.unit) < rule.smallest) {
-    refuse(context, item, "is out of range: smaller than anything in a joint, but not 0");
+    refuse(context, item, Code::out_of_range, "is out of range: smaller than anything in a joint, but not 0");
   } else {
     return value * rule.unit;
   }
@@ -54,28 +56,28 @@ std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item,
   if (!item) return {};
   const TomlNode& node = *item.node;
   if (node.kind == TomlNode::Kind::integer && node.integer >= least && node.integer <= most) return node.integer;
-  refuse(context, item, fmt::format("must be an integer from {} to {}", least, most));
+  refuse(context, item, Code::out_of_range, fmt::format("must be an integer from {} to {}", least, most));
   return {};
 }
 
 std::optional<std::string> read_string(ReadContext& context, const Item& item) {
   if (!item) return {};
   if (item.node->kind == TomlNode::Kind::string) return item.node->text;
-  refuse(context, item, "must be a string in quotes");
+  refuse(context, item, Code::wrong_form, "must be a string in quotes");
   return {};
 }
 
 std::optional<bool> read_bool(ReadContext& context, const Item& item) {
   if (!item) return {};
   if (item.node->kind == TomlNode::Kind::boolean) return item.node->boolean;
-  refuse(context, item, "must be true or false");
+  refuse(context, item, Code::wrong_form, "must be true or false");
   return {};
 }
 
 bool is_array(ReadContext& context, const Item& item, const std::string& form, std::optional<std::size_t> size) {
   if (!item) return false;
   if (item.node->kind == TomlNode::Kind::array && (!size || item.node->children.size() == *size)) return true;
-  refuse(context, item, "must be " + form);
+  refuse(context, item, Code::wrong_form, "must be " + form);
   return false;
 }
 
@@ -114,11 +116,11 @@ std::optional<int> read_choice(ReadContext& context, const Item& item, const std
   }
   for (const std::string& later : not_built) {
     if (word != later) continue;
-    refuse(context, item, "not built yet: " + item.node->key + " " + with_quotes(later));
+    refuse(context, item, Code::not_built, "not built yet: " + item.node->key + " " + with_quotes(later));
     return {};
   }
   const std::string one_of = choices.size() > 1 ? "must be one of " : "must be ";
-  refuse(context, item, one_of + quoted_list(choices) + did_you_mean(word, choices));
+  refuse(context, item, Code::unknown_name, one_of + quoted_list(choices) + did_you_mean(word, choices));
   return {};
 }
 
@@ -134,7 +136,7 @@ std::optional<int> read_reference(ReadContext& context, const Item& item, const 
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (*name == known[k]) return static_cast<int>(k);
   }
-  refuse(context, item, unknown_name_rule(kind, *name, known));
+  refuse(context, item, Code::unknown_name, unknown_name_rule(kind, *name, known));
   return {};
 }
 

@@ -36,7 +36,7 @@ struct NumberRule {
 };
 
 /// Reports `rule` at the item's value, with the value as found.
-void refuse(ReadContext& context, const Item& item, std::string rule);
+void refuse(ReadContext& context, const Item& item, Code code, std::string rule);
 
 /// Whether it is an integer or a float.
 bool is_number(const TomlNode& node);

@@ -117,7 +117,7 @@ std::vector<Zone> arms_of(const Mesh& sheet) {
 std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const std::string& name, Diagnostics& out) {
   const bool one_face = options.facing || !is_closed(mesh);
   if (!one_face && !options.within) {
-    out.error(name,
+    out.error(Code::conflict, name,
               "is closed, and a contact surface is one face of it: say which one, by the way it faces or by a "
               "region");
     return {};
@@ -127,7 +127,7 @@ std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const
            (!options.within || options.within(centre));
   });
   if (part.empty()) {
-    out.error(name, "has no triangle there: the region and the direction leave nothing over");
+    out.error(Code::no_surface, name, "has no triangle there: the region and the direction leave nothing over");
     return {};
   }
   std::vector<Zone> zones;
@@ -138,7 +138,7 @@ std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const
   }
   for (Zone& zone : zones) zone.one_face = one_face;
   sort_by_place(zones);
-  if (zones.empty()) out.error(name, "is in pieces that are all too small");
+  if (zones.empty()) out.error(Code::no_surface, name, "is in pieces that are all too small");
   return zones;
 }
 

@@ -381,7 +381,7 @@ std::optional<SurfaceFit> fit_surface(const Mesh& zone, const SurfaceFitOptions&
                                       Diagnostics& out) {
   std::string why;
   auto fit = Fitter(zone, options).run(why);
-  if (!fit) out.error(name, why);
+  if (!fit) out.error(Code::no_surface, name, why);
   return fit;
 }
 

@@ -190,14 +190,15 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
     std::vector<PathEvent> more;
     if (!(first ? unpack(part, program, bound) : unpack(part, rows, more, saved))) break;
     if (first && program != program_hash())
-      out.error(file_,
+      out.error(Code::cannot_resume, file_,
                 "was written by another build of genu, or with other libraries or on another processor: run "
                 "without --resume to compute again");
     for (std::size_t i = 0; first && i < inputs_.size() && !out.has_errors(); ++i)
       if (i >= bound.size() || bound[i].second != inputs_[i].second)
-        out.error(inputs_[i].first, "has changed since " + file_ +
-                                        " was written: its rows belong to another scene. Run without "
-                                        "--resume to compute again");
+        out.error(Code::cannot_resume, inputs_[i].first,
+                  "has changed since " + file_ +
+                      " was written: its rows belong to another scene. Run without "
+                      "--resume to compute again");
     if (out.has_errors()) return false;
     records.insert(records.end(), rows.begin(), rows.end());
     events.insert(events.end(), more.begin(), more.end());
@@ -208,26 +209,19 @@ bool Checkpoint::read_parts(const std::string& content, Diagnostics& out) {
   }
   if (first) size_ = 0;
   if (size_ < content.size() && !records.empty())
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = file_,
-             .key = {},
-             .found = {},
-             .rule = fmt::format("its last {} bytes are damaged and left out; {} rows are used", content.size() - size_,
-                                 records.size())});
+    out.warning(Code::broken_file, file_,
+                fmt::format("its last {} bytes are damaged and left out; {} rows are used", content.size() - size_,
+                            records.size()));
   return true;
 }
 
 bool Checkpoint::resume(Diagnostics& out) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(file_))) {
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = file_,
-             .key = {},
-             .found = {},
-             .rule = "does not exist: computed from the start"});
+    out.warning(Code::cannot_resume, file_, "does not exist: computed from the start");
     return true;
   }
   if (!open()) {
-    out.error(file_, problem_);
+    out.error(Code::cannot_resume, file_, problem_);
     return false;
   }
   std::ostringstream read;
@@ -236,12 +230,7 @@ bool Checkpoint::resume(Diagnostics& out) {
   if (!read_parts(content, out)) return false;
   rows_ = records.size();
   events_ = events.size();
-  if (path.empty() && !content.empty())
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = file_,
-             .key = {},
-             .found = {},
-             .rule = "has no rows: computed from the start"});
+  if (path.empty() && !content.empty()) out.warning(Code::cannot_resume, file_, "has no rows: computed from the start");
   return true;
 }
 

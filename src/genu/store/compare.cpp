@@ -29,15 +29,16 @@ std::optional<std::string> page_of(const std::string& result, Diagnostics& out) 
   std::error_code ignored;
   const bool folder = fs::is_directory(result, ignored);
   const fs::path file = folder ? fs::path(result) / "report.html" : fs::path(result);
-  std::string why;
-  auto page = text_of_file(file.string(), why);
+  Diagnostics unread;
+  auto page = text_of_file(file.string(), unread);
   if (!page && folder) {
-    out.error(result, "holds no report.html: let genu run write one (without --no-report)");
+    out.error(Code::no_report_page, result, "holds no report.html: let genu run write one (without --no-report)");
     return std::nullopt;
   }
-  if (page) why = why_no_report(*page);
-  if (!why.empty()) {
-    out.error(file.string(), why);
+  for (const Diagnostic& d : unread.items()) out.add(d);
+  if (!page) return std::nullopt;
+  if (const std::string why = why_no_report(*page); !why.empty()) {
+    out.error(Code::no_report_page, file.string(), why);
     return std::nullopt;
   }
   return page;
@@ -49,20 +50,19 @@ int compare_results(const std::vector<std::string>& results, const std::string& 
   std::vector<NamedReport> reports;
   for (const std::string& result : results)
     if (auto page = page_of(result, out)) reports.push_back({name_of(result, reports), std::move(*page)});
-  if (!file.ends_with(".html")) out.error(file, "is a page: choose a name that ends with .html");
+  if (!file.ends_with(".html")) out.error(Code::usage, file, "is a page: choose a name that ends with .html");
   for (const std::string& result : results) {
     std::error_code unknown;
     const fs::path folder = fs::path(file).parent_path() / ".";
     if (!fs::equivalent(folder, result, unknown) && !fs::equivalent(file, result, unknown)) continue;
-    out.error(file, "lies in a result that is compared: choose another folder");
+    out.error(Code::page_in_result, file, "lies in a result that is compared: choose another folder");
     break;
   }
-  if (const std::string kept = why_not_replaced(file, "id=\"genu-notices\""); !kept.empty())
-    out.add({.file = {}, .key = {}, .found = {}, .rule = kept});
-  if (results.size() < 2) out.error(file, "needs two results at least to compare");
+  if (const auto kept = why_not_replaced(file, "id=\"genu-notices\"")) out.error(kept->code, {}, kept->text);
+  if (results.size() < 2) out.error(Code::usage, file, "needs two results at least to compare");
   if (out.has_errors()) return kExitRefused;
   if (const std::string error = write_file_atomically(file, merged_report(reports)); !error.empty()) {
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    out.error(Code::cannot_write, {}, error);
     return kExitFailed;
   }
   return kExitOk;

@@ -47,14 +47,14 @@ std::optional<ChosenRows> choose_rows(const ResultsRead& read, const ConvertOpti
     chosen.rows.push_back(row);
   if (!options.time.empty() && options.time != "row") {
     if (!table.has_column(options.time)) {
-      refuse_option(out, "--time", options.time,
+      refuse_option(out, Code::unknown_column, "--time", options.time,
                     "is no column of the results" + did_you_mean(options.time, table.columns()));
       return std::nullopt;
     }
     chosen.times = column_of(table, options.time, chosen.rows);
     found.time = options.time;
     if (grows(chosen.times)) return chosen;
-    refuse_option(out, "--time", options.time, "must grow from row to row");
+    refuse_option(out, Code::out_of_range, "--time", options.time, "must grow from row to row");
     return std::nullopt;
   }
   found.time = "time_s";
@@ -117,7 +117,7 @@ std::string forces_text(const ReportRun& run, const OpenSimNames& names, const C
 std::string write_converted_folder(const ResultsRead& read, const ReportRun& run, const ChosenRows& chosen,
                                    const OpenSimNames& names, const ConvertOptions& options, ConvertFound& found) {
   StagedFolder folder("converted results");
-  std::string error = folder.open(options.out);
+  std::string error = text_of(folder.open(options.out));
   FolderWriter write(folder, found);
   const bool vtk = options.to == ConvertTo::vtk;
   if (error.empty() && vtk) error = write_vtk(read, run, chosen, write);
@@ -149,7 +149,7 @@ int convert_results(const ResultsRead& read, const ConvertOptions& options, Diag
     error = write_file_atomically(options.out, text);
   }
   if (error.empty()) return kExitOk;
-  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  out.error(Code::cannot_write, {}, error);
   return kExitFailed;
 }
 

@@ -75,17 +75,17 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
   ordered_json j = ordered_json::parse(text, nullptr, false);
   try {
     if (!j.is_object() || j.value("genu_failure", 0) == 0) {
-      out.error(file, "is no failure that genu run --save-failure has written");
+      out.error(Code::broken_file, file, "is no failure that genu run --save-failure has written");
       return std::nullopt;
     }
     if (j["genu_failure"] != kFailureFormat) {
-      out.error(file, "was written by another version of genu, " + j.value("genu", std::string()));
+      out.error(Code::other_version, file, "was written by another version of genu, " + j.value("genu", std::string()));
       return std::nullopt;
     }
     const std::string hash = j.value("hash", std::string());
     j.erase("hash");
     if (hash != checksum(text_of(j)).xxh128) {
-      out.error(file, "is cut off or has been changed");
+      out.error(Code::broken_file, file, "is cut off or has been changed");
       return std::nullopt;
     }
     Failure f;
@@ -100,21 +100,22 @@ std::optional<Failure> read_failure(const std::string& text, const std::string& 
     f.scene = j["scene"];
     const auto bytes = [&](const ordered_json& hex) {
       auto read = from_hex(hex);
-      if (!read) out.error(file, "holds bytes that are not in hexadecimal digits");
+      if (!read) out.error(Code::broken_file, file, "holds bytes that are not in hexadecimal digits");
       return read.value_or(std::string());
     };
     for (const auto& mesh : j["meshes"]) {
       f.meshes.emplace_back(mesh["name"], bytes(mesh["hex"]));
       if (is_plain(f.meshes.back().first)) continue;
-      out.error(file, "names a mesh outside of its folder");
+      out.error(Code::broken_file, file, "names a mesh outside of its folder");
       return std::nullopt;
     }
     f.rest = bytes(j["rest_hex"]);
-    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit) out.error(file, "has a memory limit too small to run");
+    if (f.memory_limit != 0 && f.memory_limit < kMinMemoryLimit)
+      out.error(Code::broken_file, file, "has a memory limit too small to run");
     if (out.has_errors()) return std::nullopt;
     return f;
   } catch (const ordered_json::exception&) {
-    out.error(file, "is no failure that genu run --save-failure has written");
+    out.error(Code::broken_file, file, "is no failure that genu run --save-failure has written");
     return std::nullopt;
   }
 }

@@ -55,7 +55,7 @@ class OpenSimNamer {
   std::optional<OpenSimNames> names(const OpenSimNameOptions& options) {
     const std::size_t before = out_.count(Diagnostic::Severity::error);
     if (!options.side.empty() && options.side != "r" && options.side != "l")
-      refuse_option(out_, "--side", options.side, "must be r or l");
+      refuse_option(out_, Code::unknown_name, "--side", options.side, "must be r or l");
     read(options.columns);
     OpenSimNames found;
     for (const CoordinateRef& c : wanted_) {
@@ -79,17 +79,20 @@ class OpenSimNamer {
   void read_one(const std::string& part) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos)
-      return refuse_option(out_, "--columns", part, "must be COORDINATE=NAME, such as knee.flexion=knee_angle_r");
+      return refuse_option(out_, Code::wrong_form, "--columns", part,
+                           "must be COORDINATE=NAME, such as knee.flexion=knee_angle_r");
     const std::string quantity(trimmed(part.substr(0, equals))), name(trimmed(part.substr(equals + 1)));
     std::vector<std::string> known;
     for (const CoordinateRef& c : wanted_) known.push_back(coordinate_name(scene_, c));
     if (std::find(known.begin(), known.end(), quantity) == known.end())
       return refuse_option(
-          out_, "--columns", quantity,
+          out_, Code::unknown_name, "--columns", quantity,
           "is no coordinate of the scene" + did_you_mean(quantity, known) + " (known: " + quoted_list(known) + ")");
     if (!can_be_name(name))
-      return refuse_option(out_, "--columns", part, "must name the coordinate in OpenSim, without blanks");
-    if (!own_.emplace(quantity, name).second) refuse_option(out_, "--columns", quantity, "is given twice");
+      return refuse_option(out_, Code::wrong_form, "--columns", part,
+                           "must name the coordinate in OpenSim, without blanks");
+    if (!own_.emplace(quantity, name).second)
+      refuse_option(out_, Code::duplicate, "--columns", quantity, "is given twice");
   }
 
   void refuse_alike(const OpenSimNames& found) {
@@ -97,7 +100,7 @@ class OpenSimNamer {
     for (const auto& [c, name] : found) {
       const auto [other, fresh] = taken.emplace(lower_case(name), c);
       if (!fresh || lower_case(name) == "time")
-        refuse_option(out_, "--columns", name,
+        refuse_option(out_, Code::duplicate, "--columns", name,
                       fresh ? "is what the column of times is called"
                             : fmt::format("would be the name of both {} and {}: give \"{}=...\"",
                                           coordinate_name(scene_, other->second), coordinate_name(scene_, c),

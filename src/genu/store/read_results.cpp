@@ -44,7 +44,7 @@ ResultTable table_of(const PoseFile& file, Diagnostics& out) {
       else if (TextWords::number(cell.text, value) && std::isfinite(value))
         table.set(c, value);
       else if (!cell.text.empty())
-        errors.add(row.line, cell.column, name, in_quotes(cell.text), "is no finite number");
+        errors.add({row.line, cell.column}, Code::wrong_form, name, in_quotes(cell.text), "is no finite number");
     }
   }
   return table;
@@ -73,13 +73,15 @@ class RigidContacts {
   void tell_lost(const std::string& file, Diagnostics& out) const {
     for (const auto& [name, rows] : lost_) {
       const bool always = rows == loaded_.at(name);
-      out.add({.severity = always ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
-               .file = file,
-               .key = name,
-               .found = {},
-               .rule = fmt::format("lies off its surface in {} row{}{}", rows, rows == 1 ? "" : "s",
-                                   always ? ", all in which it carries load: do these results belong to this scene?"
-                                          : ", and is left out there: has the scene changed?")});
+      const auto severity = always ? Diagnostic::Severity::error : Diagnostic::Severity::warning;
+      out.add({severity,
+               Code::other_scene,
+               {file},
+               name,
+               {},
+               fmt::format("lies off its surface in {} row{}{}", rows, rows == 1 ? "" : "s",
+                           always ? ", all in which it carries load: do these results belong to this scene?"
+                                  : ", and is left out there: has the scene changed?")});
     }
   }
 
@@ -121,7 +123,7 @@ std::optional<ResultsRead> read_results(const std::string& scene, const std::str
   const auto columns = match_columns(prepared->scene, *words, {}, out);
   if (!columns) return std::nullopt;
   if (!columns->own_results()) {
-    out.error(file, "has no columns step, increment and status: it is no results.csv of genu");
+    out.error(Code::no_results, file, "has no columns step, increment and status: it is no results.csv of genu");
     return std::nullopt;
   }
   ResultsRead read;

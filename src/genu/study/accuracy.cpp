@@ -177,7 +177,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   auto prepared = prepare_run(path, folder, out);
   if (!prepared) return kExitRefused;
   if (prepared->scene.dynamics) {
-    out.error(path, "is a motion over time: genu accuracy compares poses, and a motion has its own `tolerance`");
+    out.error(Code::not_applicable, path,
+              "is a motion over time: genu accuracy compares poses, and a motion has its own `tolerance`");
     return kExitRefused;
   }
   if (folder && !report.targets.empty()) {
@@ -206,13 +207,13 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
     return more;
   };
   if (!solve_all(trials, choice, options, tolerances, report.rounds, own)) {
-    out.error(path, "interrupted before every setting was solved once: there is nothing to compare");
+    out.error(Code::interrupted, path, "interrupted before every setting was solved once: there is nothing to compare");
     return kExitIncomplete;
   }
   compare(*prepared, trials, report);
   for (const auto& [unit, value] : report.targets)
     if (std::none_of(report.groups.begin(), report.groups.end(), [&, u = unit](const auto& g) { return g.unit == u; }))
-      out.add({.file = {}, .key = "--target", .found = unit, .rule = "no output of this scene has this unit"});
+      out.add(error_at({}, Code::unknown_name, "--target", unit, "no output of this scene has this unit"));
   if (out.has_errors()) return kExitRefused;
   report.stages = prepared->seconds;
   report.stages.push_back(own.summary.seconds.back());
@@ -222,7 +223,7 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   auto files = files_of(report, path, *prepared, own.folder, out);
   add_report(*prepared, own, files, {{"What accuracy costs in time", to_svg(report), to_text(report)}});
   if (const std::string error = write_results(own.folder, *prepared, own, files); !error.empty()) {
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    out.error(Code::cannot_write, {}, error);
     code = kExitFailed;
   }
   return code;

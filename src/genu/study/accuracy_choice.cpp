@@ -140,11 +140,11 @@ bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnost
   for (const std::string& text : choice.targets) {
     const auto target = target_of(text);
     if (!target) {
-      out.add({.file = {}, .key = "--target", .found = text, .rule = "must be a number > 0 with mm, deg or N: 0.01mm"});
+      out.add(error_at({}, Code::wrong_form, "--target", text, "must be a number > 0 with mm, deg or N: 0.01mm"));
       continue;
     }
     if (!report.targets.emplace(target->second, target->first).second)
-      out.add({.file = {}, .key = "--target", .found = text, .rule = "is the second one in " + target->second});
+      out.add(error_at({}, Code::duplicate, "--target", text, "is the second one in " + target->second));
   }
   return !out.has_errors();
 }

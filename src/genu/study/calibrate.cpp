@@ -38,7 +38,8 @@ void add_unknown(Scene& scene, const Parameter& p, std::vector<Unknown>& unknown
   Unknown u{p, *parameter_number(scene, p), 1, p.positive};
   if (!u.positive) u.scale = std::max(std::abs(u.start), kUnknownScale * p.change);
   if (u.positive && !(u.start > 0))
-    refuse_option(out, "--vary", p.name, "is 0: what is fitted as a share of itself must start above 0");
+    refuse_option(out, Code::out_of_range, "--vary", p.name,
+                  "is 0: what is fitted as a share of itself must start above 0");
   unknowns.push_back(u);
 }
 
@@ -60,12 +61,13 @@ std::vector<Unknown> choose_unknowns(Scene& scene, const std::vector<std::string
       if (can) add_unknown(scene, p, unknowns, out);
     }
     if (!found && fixed)
-      refuse_option(out, "--vary", pattern,
+      refuse_option(out, Code::not_applicable, "--vary", pattern,
                     "cannot be fitted: numbers of ligaments, loads, bodies and joints can, as they stand in the scene");
     else if (!found)
-      refuse_option(out, "--vary", pattern, "is no parameter of this scene" + did_you_mean(pattern, known));
+      refuse_option(out, Code::unknown_name, "--vary", pattern,
+                    "is no parameter of this scene" + did_you_mean(pattern, known));
   }
-  if (patterns.empty()) out.add({.file = {}, .key = "--vary", .found = {}, .rule = "names no parameter"});
+  if (patterns.empty()) out.add(error_at({}, Code::missing_key, "--vary", {}, "names no parameter"));
   return unknowns;
 }
 
@@ -244,7 +246,7 @@ int write_calibration(const std::string& folder, const RunOptions& options, cons
                                            {"calibration.csv", calibration_table(result.report).to_csv()},
                                            {"comparison.csv", calibration.comparison(result.solution.poses).to_csv()}});
   if (error.empty()) return result.solution.summary.exit_code;
-  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  out.error(Code::cannot_write, {}, error);
   return kExitFailed;
 }
 
@@ -268,8 +270,9 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
       read_calibration_target(choice.target, choice.columns, known_columns(*prepared), duration_of(*prepared), out);
   if (out.has_errors() || !target || !can_be_written(*prepared, unknowns, folder, out)) return kExitRefused;
   if (target->values.size() < unknowns.size()) {
-    out.error(choice.target, fmt::format("holds {} values, fewer than the {} numbers to be fitted",
-                                         target->values.size(), unknowns.size()));
+    out.error(
+        Code::missing_key, choice.target,
+        fmt::format("holds {} values, fewer than the {} numbers to be fitted", target->values.size(), unknowns.size()));
     return kExitRefused;
   }
   share_search(*prepared);
@@ -279,17 +282,18 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
   const Calibration calibration(*prepared, unknowns, *target, options);
   const auto start = calibration.residuals(VecX::Zero(static_cast<Eigen::Index>(unknowns.size())));
   if (!start) {
-    out.error(path, "cannot be fitted from these values: not all of its rows can be computed (genu run says why)");
+    out.error(Code::not_solved, path,
+              "cannot be fitted from these values: not all of its rows can be computed (genu run says why)");
     return kExitRefused;
   }
   if (!std::isfinite(start->squaredNorm())) {
-    out.error(choice.target,
+    out.error(Code::out_of_range, choice.target,
               "cannot be fitted: beside its values, or how they differ, the scene's are beyond all numbers");
     return kExitRefused;
   }
   const LeastSquaresResult fit = calibration.fit(choice.most_iterations);
   if (fit.jacobian.size() == 0) {
-    out.error(path, std::string("is not fitted: ") + to_string(fit.stop));
+    out.error(Code::not_solved, path, std::string("is not fitted: ") + to_string(fit.stop));
     return kExitIncomplete;
   }
   const auto fitted = calibration.with(fit.x);

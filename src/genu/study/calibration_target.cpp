@@ -43,7 +43,7 @@ class TargetReader {
       else if (is_no_value(cell.text) || (!patterns.empty() && std::none_of(patterns.begin(), patterns.end(), asked)))
         continue;
       else if (std::find(known.begin(), known.end(), cell.text) == known.end())
-        errors_.add(file_.names.line, cell.column, cell.text, {},
+        errors_.add({file_.names.line, cell.column}, Code::unknown_name, cell.text, {},
                     "is no column of this scene's results.csv" + did_you_mean(cell.text, known));
       else
         add_column(c, cell.text);
@@ -51,18 +51,20 @@ class TargetReader {
     for (const std::string& pattern : patterns)
       if (std::none_of(file_.names.cells.begin(), file_.names.cells.end(),
                        [&](const PoseFile::Cell& cell) { return matches(pattern, cell.text); }))
-        errors_.add(file_.names.line, 1, "--columns", with_quotes(pattern),
+        errors_.add({file_.names.line, 1}, Code::unknown_name, "--columns", with_quotes(pattern),
                     "is no column of the target" + did_you_mean(pattern, names()));
-    if (!time_) errors_.add(file_.names.line, 1, kTime, {}, "is missing: a target says when each of its rows is");
+    if (!time_)
+      errors_.add({file_.names.line, 1}, Code::missing_key, kTime, {},
+                  "is missing: a target says when each of its rows is");
     if (errors_.count() == 0 && target_.columns.empty())
-      errors_.add(file_.names.line, 1, {}, {}, "has no column to follow beside time_s");
+      errors_.add({file_.names.line, 1}, Code::missing_key, {}, {}, "has no column to follow beside time_s");
   }
 
   std::optional<CalibrationTarget> read() {
     if (errors_.count() > 0) return std::nullopt;
     for (const PoseFile::Row& row : file_.rows) add_row(row);
     if (errors_.count() == 0 && target_.values.empty())
-      errors_.add(file_.names.line, 1, {}, {}, "holds no values below its column names");
+      errors_.add({file_.names.line, 1}, Code::missing_key, {}, {}, "holds no values below its column names");
     if (errors_.count() > 0) return std::nullopt;
     for (std::size_t c = 0; c < target_.columns.size(); ++c) target_.columns[c].scale = scale_of(c);
     return std::move(target_);
@@ -84,7 +86,7 @@ class TargetReader {
     const PoseFile::Cell& cell = row.cells[c];
     const auto value = to_number(cell.text);
     if (!value)
-      errors_.add(row.line, cell.column, file_.names.cells[c].text, with_quotes(cell.text),
+      errors_.add({row.line, cell.column}, Code::out_of_range, file_.names.cells[c].text, with_quotes(cell.text),
                   "must be a finite number, of at most 1e20");
     return value;
   }
@@ -92,7 +94,7 @@ class TargetReader {
   void add_row(const PoseFile::Row& row) {
     const auto time = number(row, *time_);
     if (time && (*time < 0 || *time > duration_ * (1 + kSameTime)))
-      errors_.add(row.line, row.cells[*time_].column, kTime, row.cells[*time_].text,
+      errors_.add({row.line, row.cells[*time_].column}, Code::out_of_range, kTime, row.cells[*time_].text,
                   fmt::format("is outside of what the scene computes: 0 to {:g} s", duration_));
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       if (row.cells[cells_[k]].text.empty()) continue;

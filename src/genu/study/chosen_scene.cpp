@@ -128,13 +128,9 @@ std::vector<std::pair<std::string, std::string>> chosen_scene(const std::string&
   const auto document = parse_toml(moved, file, out);
   if (!document) return {};
   const auto refuse = [&](const std::string& key, const SourceLocation& where) {
-    out.add({.file = file,
-             .line = where.line,
-             .column = where.column,
-             .key = key,
-             .found = {},
-             .rule = "is not written as a table with a header of its own, and cannot be written anew: leave out "
-                     "--target"});
+    out.add(error_at({file, where}, Code::wrong_form, key, {},
+                     "is not written as a table with a header of its own, and cannot be written anew: leave out "
+                     "--target"));
   };
   Text text(moved);
   std::vector<std::pair<std::string, std::string>> files;

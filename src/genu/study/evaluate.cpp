@@ -189,7 +189,7 @@ std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
 std::string write_evaluation(const std::string& folder, const Prepared& prepared, const Evaluation& evaluation,
                              const std::vector<std::pair<std::string, std::string>>& maps) {
   StagedFolder out("results");
-  std::string error = out.open(folder);
+  std::string error = text_of(out.open(folder));
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
@@ -255,7 +255,7 @@ int evaluate_scene(const std::string& path, const std::string& poses, const std:
                                           : std::vector<std::pair<std::string, std::string>>();
   for (const auto& [name, content] : maps) found.pressure_files.push_back(name);
   if (const std::string error = write_evaluation(found.folder, *prepared, found, maps); !error.empty()) {
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    out.error(Code::cannot_write, {}, error);
     code = kExitFailed;
   }
   if (evaluation != nullptr) *evaluation = std::move(found);

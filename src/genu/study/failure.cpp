@@ -222,11 +222,10 @@ std::vector<std::string> reproduce(const Failure& failure, const std::string& fo
 
 void save_failure(const std::string& file, const std::string& scene, const Prepared* prepared, const Solution& found,
                   const RunOptions& options, Diagnostics& out) {
-  const auto say = [&](const std::string& rule) {
-    out.add({.severity = Diagnostic::Severity::warning, .file = file, .key = {}, .found = {}, .rule = rule});
-  };
+  const auto say = [&](Code code, const std::string& rule) { out.warning(code, file, rule); };
   const bool refused = found.records.empty() && found.stopped.empty() && !found.summary.motion;
-  if (!refused && found.summary.exit_code == kExitOk) return say("is not written: nothing failed");
+  if (!refused && found.summary.exit_code == kExitOk)
+    return say(Code::not_applicable, "is not written: nothing failed");
   Names names;
   names.scene = scene;
   names.folder = fs::path(scene).parent_path().string();
@@ -234,7 +233,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
   failure.version = GENU_VERSION;
   failure.program = program_hash();
   failure.scene = file_bytes(scene);
-  if (failure.scene.empty()) return say("is not written: the scene cannot be read");
+  if (failure.scene.empty()) return say(Code::cannot_read, "is not written: the scene cannot be read");
   failure.scene =
       without_folders(with_mesh_names(failure.scene, [&](const std::string& own) { return names.name_of(own); }));
   failure.rest = found.rest;
@@ -263,11 +262,12 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
                             [&](const Failure& f) { return !out_of_memory && fails_alike(f, options, problem); });
   const bool tried = alike != trials.end();
   const Failure& kept = tried ? *alike : trials.back();
-  if (const std::string error = write_file_atomically(file, to_json(kept)); !error.empty()) return out.error("", error);
-  say("holds what genu reproduce needs; meshes: " + kept.meshes_are +
-      (tried || out_of_memory ? ""
-       : problem.empty()      ? "; but a trial did not fail in the same way"
-                              : "; whether it fails in the same way could not be tried: " + problem));
+  if (const std::string error = write_file_atomically(file, to_json(kept)); !error.empty())
+    return out.error(Code::cannot_write, "", error);
+  say(Code::not_solved, "holds what genu reproduce needs; meshes: " + kept.meshes_are +
+                            (tried || out_of_memory ? ""
+                             : problem.empty()      ? "; but a trial did not fail in the same way"
+                                               : "; whether it fails in the same way could not be tried: " + problem));
 }
 
 }  // namespace genu

@@ -37,7 +37,7 @@ class SceneFitter {
     const std::vector<ContactZone> zones = contact_zones(prepared_, solution, kSurfacesApart);
     for (const ContactZone& zone : zones) add(zone, zones, result);
     if (result.fits.empty() && !out_.has_errors())
-      out_.error(request_.file, "has no contact on a mesh: there is nothing to fit");
+      out_.error(Code::not_applicable, request_.file, "has no contact on a mesh: there is nothing to fit");
     return !out_.has_errors();
   }
 
@@ -111,7 +111,7 @@ std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::st
   SceneFits result;
   result.solution = solve(*prepared, field, {});
   if (result.solution.summary.poses_solved == 0) {
-    out.error(request.file, "has no pose that is solved: where its surfaces touch is not known");
+    out.error(Code::not_solved, request.file, "has no pose that is solved: where its surfaces touch is not known");
     return std::nullopt;
   }
   SceneFitter fitter(*prepared, request, out);

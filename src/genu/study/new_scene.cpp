@@ -186,7 +186,7 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
   if (prepared)
     found = prepared->scene.dynamics ? move_all(*prepared, options, warnings) : solve_all(*prepared, options, warnings);
   if (found && found->stopped == "interrupted") {
-    out.error({}, "stopped while the scene was tried out: nothing is written");
+    out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
     return std::nullopt;
   }
   for (Diagnostic d : warnings.items())
@@ -198,27 +198,29 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
 }
 
 bool refuse_words(const NewScene& asked, Diagnostics& out) {
-  const auto refuse_it = [&](const char* option, const std::string& found, const std::string& rule) {
-    out.add({.file = {}, .key = option, .found = with_quotes(found), .rule = rule});
+  const auto refuse_it = [&](Code code, const char* option, const std::string& found, const std::string& rule) {
+    out.add(error_at({}, code, option, with_quotes(found), rule));
   };
   std::error_code ignored;
   const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
-  if (asked.folder.empty()) out.error({}, "the scene has no name: genu new NAME");
+  if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
   for (const auto& [what, name] :
        {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia)})
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
-      refuse_it(what, printable(valid_utf8(name)),
+      refuse_it(Code::not_utf8, what, printable(valid_utf8(name)),
                 "must be a name of UTF-8 text without control characters: rename it");
   if (fs::exists(fs::symlink_status(asked.folder, ignored)))
-    out.error(asked.folder, "exists already, and genu new replaces nothing: choose another name");
+    out.error(Code::name_taken, asked.folder, "exists already, and genu new replaces nothing: choose another name");
   if (asked.kind != NewScene::Kind::stl && meshes)
-    refuse_it("--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
+    refuse_it(Code::meshes_needed, "--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
               "has no meshes: --femur and --tibia belong to --kind stl");
   if (asked.kind == NewScene::Kind::stl && (asked.femur.empty() || asked.tibia.empty()))
-    out.error({}, "a scene of kind stl needs two meshes in one frame: --femur femur.stl --tibia tibia.stl");
+    out.error(Code::meshes_needed, {},
+              "a scene of kind stl needs two meshes in one frame: --femur femur.stl --tibia tibia.stl");
   for (const auto& [option, word] : {std::pair("--proximal", asked.proximal), std::pair("--anterior", asked.anterior)})
-    if (!word.empty() && !axis_named(word)) refuse_it(option, word, "must be one of x, y, z, -x, -y, -z");
+    if (!word.empty() && !axis_named(word))
+      refuse_it(Code::unknown_name, option, word, "must be one of x, y, z, -x, -y, -z");
   return out.has_errors();
 }
 
@@ -226,11 +228,12 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
 bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
                   Diagnostics& out) {
   for (const LayoutDoubt& doubt : doubts_about(femur, tibia, knee))
-    out.add({.severity = doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
-             .file = asked.femur + ", " + asked.tibia,
-             .key = {},
-             .found = {},
-             .rule = doubt.what});
+    out.add({doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
+             Code::layout,
+             {asked.femur + ", " + asked.tibia},
+             {},
+             {},
+             doubt.what});
   return !out.has_errors();
 }
 
@@ -250,7 +253,8 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (!femur || !tibia) return std::nullopt;
   const auto knee = lay_out_knee(femur->mesh, tibia->mesh, axis_named(asked.proximal), axis_named(asked.anterior));
   if (!knee) {
-    out.error({}, "--proximal and --anterior must be along different axes, and the meshes must not be flat");
+    out.error(Code::layout, {},
+              "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
   if (!check_layout(femur->mesh, tibia->mesh, *knee, asked, out)) return std::nullopt;
@@ -269,11 +273,11 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   auto composed = compose(asked, name, out);
   if (!composed) return std::nullopt;
   StagedFolder staged("");  // it will be edited: never to be replaced
-  std::string error = staged.open(folder);
-  if (!error.empty()) {
-    out.error({}, error);
+  if (const auto refused = staged.open(folder)) {
+    out.error(refused->code, {}, refused->text);
     return std::nullopt;
   }
+  std::string error;
   NewSceneReport report;
   report.file = (folder / (name + ".toml")).string();
   report.choices = composed->choices;
@@ -295,7 +299,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   }
   if (error.empty()) error = staged.commit();
   if (error.empty()) return report;
-  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  out.error(Code::cannot_write, {}, error);
   report.written = false;
   return report;
 }

@@ -15,14 +15,8 @@
 namespace genu {
 namespace {
 
-void refuse_dynamics(const Prepared& prepared, std::string rule, Diagnostics& out) {
-  const SourceLocation& where = prepared.scene.dynamics->where;
-  out.add({.file = prepared.scene.file,
-           .line = where.line,
-           .column = where.column,
-           .key = "dynamics",
-           .found = {},
-           .rule = std::move(rule)});
+void refuse_dynamics(const Prepared& prepared, Code code, std::string rule, Diagnostics& out) {
+  out.add(error_at({prepared.scene.file, prepared.scene.dynamics->where}, code, "dynamics", {}, std::move(rule)));
 }
 
 void note_energy(const JointModel& model, const std::vector<MotionPoint>& points, RunSummary::Motion& m) {
@@ -136,21 +130,23 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
 }
 
 bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
-  if (options.starts > 0) refuse_dynamics(prepared, "a motion has one start: run it without --starts", out);
+  if (options.starts > 0)
+    refuse_dynamics(prepared, Code::not_applicable, "a motion has one start: run it without --starts", out);
   if (options.error_bars)
-    refuse_dynamics(prepared, "not built yet: error bars of a motion; run it without --error-bars", out);
+    refuse_dynamics(prepared, Code::not_built, "not built yet: error bars of a motion; run it without --error-bars",
+                    out);
   return !out.has_errors();
 }
 
 bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out) {
   if (found.summary.poses_solved > 0) return false;
-  refuse_dynamics(prepared, found.summary.verdict.front(), out);
+  refuse_dynamics(prepared, Code::not_solved, found.summary.verdict.front(), out);
   return true;
 }
 
 bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out) {
   if (!prepared.scene.dynamics) return false;
-  refuse_dynamics(prepared, fmt::format("not built yet: {} of a scene in motion", command), out);
+  refuse_dynamics(prepared, Code::not_built, fmt::format("not built yet: {} of a scene in motion", command), out);
   return true;
 }
 

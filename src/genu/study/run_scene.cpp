@@ -53,7 +53,7 @@ void note_files(const Prepared& prepared, RunSummary& summary) {
 std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
                           const std::vector<std::pair<std::string, std::string>>& more, const std::string& mark) {
   StagedFolder out("results");
-  std::string error = out.open(folder);
+  std::string error = text_of(out.open(folder));
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
@@ -82,15 +82,11 @@ bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out
     if (overlap <= kMaxStartOverlap) continue;
     const ContactDef& def = prepared.scene.contacts[pair];
     good = false;
-    out.add({.file = prepared.scene.file,
-             .line = def.where.line,
-             .column = def.where.column,
-             .key = "contact." + def.name,
-             .found = {},
-             .rule = fmt::format("the surfaces overlap by {:.4g} mm where the search starts, at most {:.0f} mm can be "
+    out.add(error_at({prepared.scene.file, def.where}, Code::overlap_at_start, "contact." + def.name, {},
+                     fmt::format("the surfaces overlap by {:.4g} mm where the search starts, at most {:.0f} mm can be "
                                  "resolved: move the bodies apart with the joint's `start`, or check the frames and "
                                  "units of the meshes",
-                                 to::kMillimetre * overlap, to::kMillimetre * kMaxStartOverlap)});
+                                 to::kMillimetre * overlap, to::kMillimetre * kMaxStartOverlap)));
   }
   return good;
 }
@@ -179,25 +175,28 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
   {
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe("results");
-    if (const std::string error = probe.open(*folder); !error.empty()) {
-      out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    if (const auto refused = probe.open(*folder)) {
+      out.error(refused->code, {}, refused->text);
       return std::nullopt;
     }
   }
   if (folder_holds(*folder, path)) {
-    out.error(*folder, "holds the scene itself, which would be lost with the folder: choose another folder");
+    out.error(Code::would_lose_input, *folder,
+              "holds the scene itself, which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
   for (const std::string& input : inputs) {
     if (!folder_holds(*folder, input)) continue;
-    out.error(*folder, "holds " + input + ", which would be lost with the folder: choose another folder");
+    out.error(Code::would_lose_input, *folder,
+              "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
   auto prepared = prepare(path, out);
   if (!prepared) return std::nullopt;
   for (const std::string& file : mesh_files(prepared->scene)) {
     if (!folder_holds(*folder, file)) continue;
-    out.error(*folder, "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
+    out.error(Code::would_lose_input, *folder,
+              "holds the mesh " + file + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
   return prepared;

@@ -124,7 +124,7 @@ void choose_outputs(const Prepared& prepared, const std::vector<std::string>& pa
       if (!names(pattern, known[k].column)) continue;
       wanted[k] = found = true;
     }
-    if (!found) refuse_option(out, "--of", pattern, no_output(prepared, known, pattern));
+    if (!found) refuse_option(out, Code::unknown_name, "--of", pattern, no_output(prepared, known, pattern));
   }
   for (std::size_t k = 0; k < known.size(); ++k)
     if (wanted[k]) chosen.push_back(known[k]);
@@ -140,7 +140,7 @@ void mark_parameters(const SceneTables& scene, const std::vector<Parameter>& kno
     if (pattern != "all" && !matches(pattern, known[k].name)) continue;
     wanted[k] = found = true;
   }
-  if (!found) refuse_option(out, "--to", pattern, no_parameter(scene, known, pattern));
+  if (!found) refuse_option(out, Code::unknown_name, "--to", pattern, no_parameter(scene, known, pattern));
 }
 
 /// The one parameter that moves all of `members`, each by its standard change.
@@ -186,7 +186,7 @@ void choose_parameters(const SceneTables& scene, const std::vector<std::string>&
     members.push_back(marked(wanted));
     bundles.push_back(bundle_of(pattern, members.back()));
     if (members.back().empty() && parts.str().empty())
-      refuse_option(out, "--to", pattern, "names nothing to move together");
+      refuse_option(out, Code::missing_key, "--to", pattern, "names nothing to move together");
   }
   rows.parameters = marked(singles);
   rows.bundles.resize(rows.parameters.size());
@@ -217,12 +217,10 @@ bool too_many(const Prepared& prepared, const SensitivityRows& rows, Diagnostics
       std::count_if(rows.outputs.begin(), rows.outputs.end(), [](const Output& o) { return o.contact_number == 0; });
   const std::size_t count = rows_asked(prepared) * static_cast<std::size_t>(counted) * rows.parameters.size();
   if (count <= kMaxSensitivityRows) return false;
-  out.add({.file = {},
-           .key = {},
-           .found = {},
-           .rule = fmt::format("{} poses, {} outputs and {} parameters make {} derivatives, at most {} are computed at "
-                               "once: ask for fewer",
-                               rows_asked(prepared), counted, rows.parameters.size(), count, kMaxSensitivityRows)});
+  out.error(Code::too_large, {},
+            fmt::format("{} poses, {} outputs and {} parameters make {} derivatives, at most {} are computed at "
+                        "once: ask for fewer",
+                        rows_asked(prepared), counted, rows.parameters.size(), count, kMaxSensitivityRows));
   return true;
 }
 
@@ -343,7 +341,7 @@ int run_sensitivity(const std::string& path, const std::optional<std::string>& f
                      {"ranking.csv", ranking_table(result.rows, scene, steps, solution.poses).to_csv()},
                      {"sensitivity.svg", to_svg(chart)}});
   if (error.empty()) return solution.summary.exit_code;
-  out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+  out.error(Code::cannot_write, {}, error);
   return kExitFailed;
 }
 

@@ -27,7 +27,7 @@ bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnost
   if (found.summary.poses_solved > 0 || found.records.empty()) return false;
   const PoseReport& first = found.records.front().point.report;
   if (first.status != PoseStatus::flawed_mesh) return false;
-  out.error(prepared.scene.file,
+  out.error(Code::mesh_flawed, prepared.scene.file,
             first.why + ": no pose can be trusted. Repair the mesh (genu mesh-check FILE --repair OUT)");
   return true;
 }
@@ -63,11 +63,8 @@ std::optional<Solution> solve_all(const Prepared& prepared, const RunOptions& op
 std::optional<Solution> move_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
   if (!check_motion_options(prepared, options, out)) return std::nullopt;
   if (options.resume)
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = prepared.scene.file,
-             .key = "dynamics",
-             .found = {},
-             .rule = "a motion is computed again from its start: its integrator cannot continue with the same bits"});
+    out.add(warning_at({prepared.scene.file}, Code::cannot_resume, "dynamics", {},
+                       "a motion is computed again from its start: its integrator cannot continue with the same bits"));
   Solution found = solve_motion(prepared, options);
   if (found.stopped.empty() && refused_start(prepared, found, out)) return std::nullopt;
   return found;
@@ -86,7 +83,7 @@ bool holds_others(const std::string& folder, const RunOptions& options, Diagnost
   bool any = false;
   for (const std::string& file : not_listed(folder, *list)) {
     if (std::find(names.begin(), names.end(), file) == names.end()) continue;
-    out.error((std::filesystem::path(folder) / file).string(),
+    out.error(Code::would_overwrite, (std::filesystem::path(folder) / file).string(),
               "was not written by genu and would be replaced: move it, or choose another folder");
     any = true;
   }
@@ -114,7 +111,7 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
                                          "from there",
                                          checkpoint.rows(), checkpoint.file())
                                    : "; no row of this run is kept, earlier results are untouched";
-    out.add({.file = {}, .key = {}, .found = {}, .rule = error});
+    out.error(Code::cannot_write, {}, error);
     return kExitFailed;
   }
   if (partial) return found.stopped == "interrupted" ? kExitIncomplete : kExitFailed;
@@ -145,8 +142,8 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
 int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution) {
   if (!options.save_failure.empty())
-    if (const std::string kept = why_not_replaced(options.save_failure, "\"genu_failure\":"); !kept.empty()) {
-      out.add({.file = {}, .key = {}, .found = {}, .rule = kept});
+    if (const auto kept = why_not_replaced(options.save_failure, "\"genu_failure\":")) {
+      out.error(kept->code, {}, kept->text);
       return kExitRefused;
     }
   const auto prepared = prepare_run(path, folder, out);
@@ -163,11 +160,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   if (!moves) own.checkpoint = &checkpoint;
   if (options.resume && !moves && !checkpoint.resume(out)) return kExitRefused;
   if (const std::string why = moves ? std::string() : checkpoint.blocked(); !why.empty())
-    out.add({.severity = Diagnostic::Severity::warning,
-             .file = checkpoint.file(),
-             .key = {},
-             .found = {},
-             .rule = why + ": the rows of this run are not kept there"});
+    out.warning(Code::cannot_write, checkpoint.file(), why + ": the rows of this run are not kept there");
   auto found = moves ? move_all(*prepared, own, out) : solve_all(*prepared, own, out);
   int code = kExitRefused;
   if (found) code = keep_results(*prepared, folder, own, checkpoint, out, *found);

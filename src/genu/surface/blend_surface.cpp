@@ -42,7 +42,7 @@ std::string fault_of(const Mesh& mesh) {
 /// A radius below an edge would ask for nodes without vertices near them, and for any number of those.
 bool check_options(const BlendOptions& options, double median_edge, const std::string& name, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& key, const std::string& found, const std::string& rule) {
-    diagnostics.add({Diagnostic::Severity::error, "", 0, 0, name + key, found, rule});
+    diagnostics.add(error_at({}, Code::out_of_range, name + key, found, rule));
   };
   const double radius = options.fit_radius.value_or(median_edge);
   const int degree = options.degree.value_or(kMinDegree);
@@ -74,14 +74,14 @@ std::size_t drop_failures(std::vector<NodeSeed>& seeds, std::vector<HeightFit>& 
 
 std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions& options, const std::string& name,
                                                   Diagnostics& diagnostics) {
-  const auto report = [&](Diagnostic::Severity severity, const std::string& rule) {
-    diagnostics.add({severity, "", 0, 0, name, "", rule});
+  const auto error = [&](const std::string& rule) {
+    diagnostics.add(error_at({}, Code::mesh_unusable, name, {}, rule));
     return nullptr;
   };
-  if (const std::string fault = fault_of(mesh); !fault.empty()) return report(Diagnostic::Severity::error, fault);
+  if (const std::string fault = fault_of(mesh); !fault.empty()) return error(fault);
   sort_canonically(mesh);
   const VertexGraph graph = vertex_graph(mesh);
-  if (!(graph.area > 0 && graph.median_edge > 0)) return report(Diagnostic::Severity::error, "the mesh has no area");
+  if (!(graph.area > 0 && graph.median_edge > 0)) return error("the mesh has no area");
   if (!check_options(options, graph.median_edge, name, diagnostics)) return nullptr;
 
   FitChoice choice = choose_fit(mesh, graph, options.fit_radius, options.degree);
@@ -98,11 +98,12 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   std::vector<NodeSeed> seeds = sample_nodes(mesh, graph, facts.node_spacing);
   std::vector<HeightFit> fits = fit_nodes(mesh, graph, seeds, choice.radius, choice.least_radius, facts.degree);
   const std::size_t dropped = drop_failures(seeds, fits);
-  if (fits.empty()) return report(Diagnostic::Severity::error, "the mesh has too few vertices for a polynomial fit");
+  if (fits.empty()) return error("the mesh has too few vertices for a polynomial fit");
   if (dropped > 0) {
-    report(Diagnostic::Severity::warning,
-           fmt::format("{} of {} places have too few vertices for a fit; the surface has no points there", dropped,
-                       dropped + fits.size()));
+    diagnostics.add(
+        warning_at({}, Code::mesh_unusable, name, {},
+                   fmt::format("{} of {} places have too few vertices for a fit; the surface has no points there",
+                               dropped, dropped + fits.size())));
   }
   return std::unique_ptr<BlendSurface>(new BlendSurface(std::move(mesh), std::move(facts), graph, seeds, fits));
 }
