@@ -1,5 +1,6 @@
 // Whatever does not end well ends with what to do about it, and with something that helps: the section's own page, the
 // status's own advice. That there is such a line at all, cli_scenes.h asserts of every command that any test runs.
+#include <filesystem>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,40 @@ TEST(CliAdvice, OfCommands) {
   EXPECT_TRUE(contains(advice_of(genu("mesh a.toml --edge x --out o")), "genu mesh --help"));
   EXPECT_TRUE(contains(advice_of(genu("run none.toml --out o")), "check the name"));
   EXPECT_EQ(genu("--version").err, "");
+}
+
+/// A mistake has the same advice, whatever its words hold.
+TEST(CliAdvice, OfMistakesWhoseWordsMislead) {
+  const TemporaryFolder folder;
+  const std::string ball = folder.write("ball.toml", kBall);
+  const std::string unnamed = folder.write("poses.csv", "knee.flexion,\n1,2\n");
+  EXPECT_TRUE(contains(advice_of(genu("evaluate " + ball + " --poses " + unnamed + " --out " + (folder / "out"))),
+                       "correct the table there"));
+  const std::string meshed = folder.write(
+      "meshed.toml",
+      with_first(kBall, "shape = \"sphere\"\nradius = 20", "shape = \"mesh\"\nfile = \"a.stl\"\nunits = \"mm\""));
+  folder.write("a.stl", "solid\nendsolid\n");
+  EXPECT_TRUE(
+      contains(advice_of(genu("mesh " + meshed + " ball --edge 1 --out " + (folder / "m"))), "genu mesh --help"));
+  EXPECT_TRUE(contains(advice_of(genu("check " + meshed)), "genu mesh-check FILE"));
+}
+
+TEST(CliAdvice, OfFilesAndFolders) {
+  const TemporaryFolder folder;
+  const std::string ball = folder.write("ball.toml", kBall);
+  const auto run_to = [&](const std::string& out) { return advice_of(genu("run " + ball + " --out " + out)); };
+  EXPECT_TRUE(contains(run_to(ball), "name a folder with --out"));
+  EXPECT_TRUE(contains(run_to("/proc/genu"), "name a place that you can write to"));
+  std::filesystem::create_directory(folder / "theirs");
+  folder.write("theirs/notes.txt", "x");
+  EXPECT_TRUE(contains(run_to(folder / "theirs"), "move away what is there"));
+  EXPECT_TRUE(contains(advice_of(genu("check " + (folder / "."))), "name the file in it"));
+  EXPECT_TRUE(contains(advice_of(genu("check " + folder.write("latin.toml",
+                                                              "title = \"Gelenkfl\xe4"
+                                                              "che\""))),
+                       "UTF-8"));
+  EXPECT_TRUE(contains(advice_of(genu("judge " + (folder / "theirs"))), "with its results.csv and summary.json"));
+  EXPECT_TRUE(contains(advice_of(genu("new " + (folder / "theirs"))), "choose a name that is not taken"));
 }
 
 }  // namespace
