@@ -91,12 +91,13 @@ TEST(Prepare, TwoPlanesNeedALayerAndAnEnd) {
   const auto refusals = [](const std::string& upper, const std::string& lower, bool rigid) {
     const test::TemporaryFolder folder;
     Diagnostics out;
-    prepare(folder.write("scene.toml",
-                         test::bone_on_ground() + test::surface("upper", "bone", "plane", "inside = true\n" + upper) +
-                             test::surface("lower", "ground", "plane", lower) +
-                             (rigid ? test::contact("c", "upper", "lower") : test::layer("c", "upper", "lower")) +
-                             test::step("")),
-            out);
+    const auto ignored = prepare(
+        folder.write("scene.toml",
+                     test::bone_on_ground() + test::surface("upper", "bone", "plane", "inside = true\n" + upper) +
+                         test::surface("lower", "ground", "plane", lower) +
+                         (rigid ? test::contact("c", "upper", "lower") : test::layer("c", "upper", "lower")) +
+                         test::step("")),
+        out);
     return test::messages(out);
   };
   EXPECT_NE(refusals(bounded, "", true).find("contact.c.surfaces: two planes never touch at a point"),

@@ -18,7 +18,8 @@ TEST(SceneEdit, RefusesTablesItCannotCutOut) {
   const auto scene = read_scene(file, out);
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   ASSERT_TRUE(scene);
-  with_fitted_surfaces(file, *scene, {{0, "medial", "femur_medial", "tibia_medial"}}, {}, folder / "out", out);
+  const std::vector<FittedPair> pairs = {{0, "medial", "femur_medial", "tibia_medial"}};
+  const std::string ignored = with_fitted_surfaces(file, *scene, pairs, {}, folder / "out", out);
   ASSERT_TRUE(out.has_errors());
   EXPECT_EQ(out.items().back().key, "contact.medial");
 }

@@ -52,7 +52,7 @@ TEST(SceneValues, SaysWhatTheFileDoesNotSay) {
   Diagnostics out;
   const auto scene = read_scene(file, out);
   ASSERT_TRUE(scene);
-  with_values(file, *scene, {{*named(*scene, "drive.value"), 2}}, "/tmp", out);
+  const std::string ignored = with_values(file, *scene, {{*named(*scene, "drive.value"), 2}}, "/tmp", out);
   ASSERT_EQ(out.items().size(), 1u);
   EXPECT_EQ(out.items()[0].key, "load.drive.value");
   EXPECT_NE(out.items()[0].rule.find("is not said by the scene"), std::string::npos);

@@ -50,7 +50,7 @@ TEST(VtpArrays, TruncationsAndDamageAreRefused) {
       damaged[i] = static_cast<char>(damaged[i] ^ 0xff);
       encoding.appended = damaged;
       std::vector<double> out;
-      read_vtp_array({"Float64", "appended", 0, {}}, encoding, out);
+      const std::string ignored = read_vtp_array({"Float64", "appended", 0, {}}, encoding, out);
       EXPECT_LE(out.size(), kNumbers.size());
     }
   }

@@ -78,7 +78,7 @@ struct Moving {
     c.twist = twist;
     c.multipliers.setZero();
     State out;
-    retract(model, state, c, t, out);
+    EXPECT_TRUE(retract(model, state, c, t, out));
     return out;
   }
   JointModel model;

@@ -65,7 +65,7 @@ TEST(ReadThickness, KeysOfABone) {
   const auto messages = [&](const std::string& more) {
     Diagnostics out;
     const std::string text = scene("thickness = { bone = \"bone.stl\"" + more + " }\n", "thickness = 1\n", "");
-    read_scene(folder.write("scene.toml", text), out);
+    EXPECT_FALSE(read_scene(folder.write("scene.toml", text), out));
     EXPECT_EQ(out.items().size(), 1u) << all_messages(out);
     return all_messages(out);
   };

@@ -145,7 +145,8 @@ TEST(RunSensitivity, WhereLoadsDriveTheirFactorsSayWhere) {
   text += "[load.M]\non = \"knee.flexion\"\n[[step]]\nload = { M = [-0.5, 0] }\nincrements = 2\n";
   Diagnostics out;
   SensitivityResult r;
-  run_sensitivity(folder.write("scene.toml", text), folder / "out", {{"knee.flexion"}, {"LC.stiffness"}}, {}, out, r);
+  const SensitivityChoice choice{{"knee.flexion"}, {"LC.stiffness"}};
+  EXPECT_EQ(run_sensitivity(folder.write("scene.toml", text), folder / "out", choice, {}, out, r), kExitOk);
   EXPECT_NE(r.text.find("at M.factor = "), std::string::npos) << test::messages(out) << r.text;
   const std::string csv = test::read_file(folder / "out/sensitivity.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "step,increment,M.factor,output,parameter,derivative,unit,change,effect");
@@ -208,7 +209,7 @@ increments = 1
 )");
   Diagnostics out;
   SensitivityResult r;
-  run_sensitivity(scene, {}, {{"rope.length"}, {"rope.stiffness"}}, {}, out, r);
+  EXPECT_EQ(run_sensitivity(scene, {}, {{"rope.length"}, {"rope.stiffness"}}, {}, out, r), kExitIncomplete);
   ASSERT_FALSE(r.rows.derivatives.empty()) << test::messages(out);
   EXPECT_EQ(r.poses_without, static_cast<int>(r.solution.records.size()));
   for (const double d : r.rows.derivatives) EXPECT_TRUE(std::isnan(d));

@@ -31,7 +31,7 @@ Solution solve_text(const std::string& text) {
   const test::TemporaryFolder folder;
   Diagnostics out;
   Solution solution;
-  run_scene(folder.write("scene.toml", text), folder / "out", {}, out, &solution);
+  EXPECT_NE(run_scene(folder.write("scene.toml", text), folder / "out", {}, out, &solution), kExitRefused);
   EXPECT_FALSE(out.has_errors()) << test::messages(out);
   test::expect_judged_ok(folder / "scene.toml", solution.poses);
   return solution;

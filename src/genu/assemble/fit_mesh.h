@@ -23,7 +23,8 @@ struct FitMeshRequest {
 
 /// Reads the mesh, finds its surfaces, fits each. Several get numbered names. Empty with every reason in `out` where
 /// one cannot be done. `file_unit` (may be null) gets the unit (m) that was taken for the file's.
-std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out, double* file_unit = nullptr);
+[[nodiscard]] std::vector<NamedFit> fit_mesh(const FitMeshRequest& request, Diagnostics& out,
+                                             double* file_unit = nullptr);
 
 /// The file of surfaces that `genu mesh` and scenes read: mm and deg.
 std::string surface_file(const std::vector<NamedFit>& fits, const std::string& title);

@@ -23,7 +23,7 @@ struct GivenPoses {
 
 /// Reads the cells that `columns` has matched. Words that are no numbers, numbers too large for a joint and a time that
 /// does not grow are added to `out` with their places, and the result is empty.
-std::optional<GivenPoses> read_given_poses(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns,
-                                           Diagnostics& out);
+[[nodiscard]] std::optional<GivenPoses> read_given_poses(const SceneTables& scene, const PoseFile& file,
+                                                         const PoseColumns& columns, Diagnostics& out);
 
 }  // namespace genu

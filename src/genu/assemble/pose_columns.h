@@ -43,7 +43,7 @@ struct PoseColumns {
 };
 
 /// Empty, with every reason in `out`, where a coordinate has no column or several, or the options are wrong.
-std::optional<PoseColumns> match_columns(const SceneTables& scene, const PoseFile& file,
-                                         const PoseColumnOptions& options, Diagnostics& out);
+[[nodiscard]] std::optional<PoseColumns> match_columns(const SceneTables& scene, const PoseFile& file,
+                                                       const PoseColumnOptions& options, Diagnostics& out);
 
 }  // namespace genu

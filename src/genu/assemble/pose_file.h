@@ -28,10 +28,11 @@ struct PoseFile {
 };
 
 /// Reads the file; what is wrong with it is added to `out` with line and column, and the result is empty.
-std::optional<PoseFile> read_pose_file(const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<PoseFile> read_pose_file(const std::string& path, Diagnostics& out);
 
 /// The same from the text of a file; `path` stands in messages, and its extension tells the format.
-std::optional<PoseFile> parse_pose_file(const std::string& text, const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<PoseFile> parse_pose_file(const std::string& text, const std::string& path,
+                                                      Diagnostics& out);
 
 /// Errors of a long file: the first ones as they are, then how many more there are.
 class LongErrors {

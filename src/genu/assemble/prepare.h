@@ -41,19 +41,18 @@ struct Prepared {
 };
 
 /// Reads the scene and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well.
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<Prepared> prepare(const std::string& path, Diagnostics& out);
 
 /// The same of a scene in memory, as read_scene() or parse_scene() gives it, changed or not. Its meshes come from
 /// `meshes`: files, or meshes in memory under the names that the scene has for files (MeshLibrary::put()).
-std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out);
+[[nodiscard]] std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes, Diagnostics& out);
 
 /// What a summary of anything done with a scene begins with: names, scales, surfaces and the time taken until now.
 RunSummary begin_summary(const Prepared& prepared);
 
 /// The surfaces of a scene; those that cannot be built are null and said in `out`.
-std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& scene, MeshLibrary& meshes,
-                                                           std::vector<SurfaceNote>& notes,
-                                                           std::vector<std::pair<std::string, double>>& seconds,
-                                                           Diagnostics& out);
+[[nodiscard]] std::vector<std::shared_ptr<const Surface>> build_surfaces(
+    const PlacedScene& scene, MeshLibrary& meshes, std::vector<SurfaceNote>& notes,
+    std::vector<std::pair<std::string, double>>& seconds, Diagnostics& out);
 
 }  // namespace genu

@@ -14,6 +14,6 @@ namespace genu {
 /// Reads the mesh of each body that has a `solid` and puts what follows from it into the body. A mesh that bounds no
 /// volume (open, torn, one-sided, flat) is an error in `out` at the key that names it; one that faces inward is taken
 /// the other way round with a warning.
-std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, MeshLibrary& meshes, Diagnostics& out);
+[[nodiscard]] std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, MeshLibrary& meshes, Diagnostics& out);
 
 }  // namespace genu

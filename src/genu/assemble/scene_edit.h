@@ -19,8 +19,8 @@ struct FittedPair {
 /// The text of `scene`, read from `file`, without the tables of mesh surfaces that no contact needs any more and of the
 /// contacts in `pairs`; instead of them the fitted surfaces and the pairs. Paths of meshes that stay lead from
 /// `folder`. An error in `out` where the file writes these tables in a way that cannot be cut out (inline or dotted).
-std::string with_fitted_surfaces(const std::string& file, const SceneTables& scene,
-                                 const std::vector<FittedPair>& pairs, const std::vector<NamedFit>& fits,
-                                 const std::string& folder, Diagnostics& out);
+[[nodiscard]] std::string with_fitted_surfaces(const std::string& file, const SceneTables& scene,
+                                               const std::vector<FittedPair>& pairs, const std::vector<NamedFit>& fits,
+                                               const std::string& folder, Diagnostics& out);
 
 }  // namespace genu

@@ -16,9 +16,9 @@ namespace genu {
 /// as bring back the same double, and relative paths of meshes leading from `folder`. A parameter that the file does
 /// not say as a number of its own (left out, so that a default holds), or a name of a mesh that cannot be replaced, is
 /// an error in `out`.
-std::string with_values(const std::string& file, const SceneTables& scene,
-                        const std::vector<std::pair<Parameter, double>>& values, const std::string& folder,
-                        Diagnostics& out);
+[[nodiscard]] std::string with_values(const std::string& file, const SceneTables& scene,
+                                      const std::vector<std::pair<Parameter, double>>& values,
+                                      const std::string& folder, Diagnostics& out);
 
 /// The `text` of a scene with other names of its mesh files: `rename` gives them, and is called for each once. As it is
 /// where it is no TOML.

@@ -17,7 +17,8 @@ using NewNumber = std::pair<Parameter, double>;
 /// `prepared` with new numbers of ligaments, loads, bodies and joints (parameter_number() says which can change).
 /// Surfaces, bones, and elastic layers that the numbers do not change are shared, and so is Prepared::search. Empty,
 /// with errors in `out`, where a number cannot be changed or the scene's laws cannot be with it.
-std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector<NewNumber>& numbers, Diagnostics& out);
+[[nodiscard]] std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector<NewNumber>& numbers,
+                                                   Diagnostics& out);
 
 /// Prepares the search for contacts once and for all that with_numbers() makes of `prepared` from now on.
 void share_search(Prepared& prepared);

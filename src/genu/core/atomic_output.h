@@ -32,7 +32,7 @@ class StagedFolder {
   /// Makes an empty folder beside `target` (and target's missing parents). Refuses a target that is a file, a root, the
   /// working folder or a folder above it, a folder that is read-only, or one with content that is no result of this
   /// kind. A target that is a symbolic link stands for the folder it points to.
-  std::optional<Fault> open(const std::filesystem::path& target);
+  [[nodiscard]] std::optional<Fault> open(const std::filesystem::path& target);
 
   /// Where to write until commit(); empty before open() and after commit().
   const std::filesystem::path& path() const { return staging_; }
@@ -40,7 +40,7 @@ class StagedFolder {
   /// Puts the folder in the target's place; an earlier result there is replaced as a whole, files of others move along.
   /// On an error the earlier result stands as it was and the new files are still in path(), until the destructor
   /// removes them.
-  std::string commit();
+  [[nodiscard]] std::string commit();
 
  private:
   std::string kind_;
@@ -52,14 +52,14 @@ class StagedFolder {
 inline std::string text_of(const std::optional<Fault>& fault) { return fault ? fault->text : std::string(); }
 
 /// Whether a file lies in a folder, at any depth, links followed: replacing the folder would lose it.
-bool folder_holds(const std::filesystem::path& folder, const std::filesystem::path& file);
+[[nodiscard]] bool folder_holds(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// Writes a file whole or not at all: a reader, a full disk or a crash of the program leaves the old content or the
 /// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
-std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
+[[nodiscard]] std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// None where a file can be written at `path` and none is there, or one that holds `mark`, which whoever asks writes
 /// into files of that kind. Else why not: it may be all that somebody has of a scene, a mesh or another result.
-std::optional<Fault> why_not_replaced(const std::string& path, const std::string& mark);
+[[nodiscard]] std::optional<Fault> why_not_replaced(const std::string& path, const std::string& mark);
 
 }  // namespace genu

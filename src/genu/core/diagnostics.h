@@ -57,8 +57,8 @@ class Diagnostics {
   void add(Diagnostic d) { items_.push_back(std::move(d)); }
   void error(Code code, std::string file, std::string rule);
   void warning(Code code, std::string file, std::string rule);
-  bool has_errors() const;
-  std::size_t count(Diagnostic::Severity severity) const;
+  [[nodiscard]] bool has_errors() const;
+  [[nodiscard]] std::size_t count(Diagnostic::Severity severity) const;
   const std::vector<Diagnostic>& items() const { return items_; }
   /// By file, line and column, so that the order never depends on how a file was walked.
   void sort();

@@ -15,7 +15,7 @@ struct FileChecksum {
 
 /// 128 bits of XXH3 (Collet's xxHash) over a file's bytes: finds changes, not forgeries. Empty where the path is no
 /// regular file or cannot be read.
-std::optional<FileChecksum> file_checksum(const std::string& path);
+[[nodiscard]] std::optional<FileChecksum> file_checksum(const std::string& path);
 
 /// The same of bytes in memory.
 FileChecksum checksum(std::string_view bytes);

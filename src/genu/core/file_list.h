@@ -18,10 +18,10 @@ struct FileList {
 };
 
 /// Empty where the folder has none, or one that genu did not write.
-std::optional<FileList> read_file_list(const std::filesystem::path& folder);
+[[nodiscard]] std::optional<FileList> read_file_list(const std::filesystem::path& folder);
 
 /// Lists all files in the folder, at any depth. An error as text; the empty text is success.
-std::string write_file_list(const std::filesystem::path& folder, const std::string& kind);
+[[nodiscard]] std::string write_file_list(const std::filesystem::path& folder, const std::string& kind);
 
 /// Files, links and empty folders in the folder that are not on the list: relative paths, sorted.
 std::vector<std::string> not_listed(const std::filesystem::path& folder, const FileList& list);

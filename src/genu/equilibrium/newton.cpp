@@ -203,7 +203,8 @@ void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
       report.remember(next, false);
     } else {
       complete();
-      step_.factor(*here_, target_, options.route);
+      // Of the matrix that was factored before the trial: what it fails at, rcond shows.
+      static_cast<void>(step_.factor(*here_, target_, options.route));
     }
     jacobian_error_ = 0;
     report.rcond = step_.linear().rcond();

@@ -68,18 +68,18 @@ class Newton {
   /// one at the solution; 0 where they are the same.
   double jacobian_error() const { return jacobian_error_; }
   /// Factors the Jacobian at the solution for step(). False where that fails.
-  bool factor_at_solution(NewtonStep::Route route = NewtonStep::Route::automatic);
+  [[nodiscard]] bool factor_at_solution(NewtonStep::Route route = NewtonStep::Route::automatic);
 
   NewtonStep& step() { return step_; }
 
  private:
   void solve_as_fine(const NewtonOptions& options, NewtonReport& report);
-  bool factor(const NewtonOptions& options, NewtonReport& report);
+  [[nodiscard]] bool factor(const NewtonOptions& options, NewtonReport& report);
   void complete();
   void polish(const NewtonOptions& options, NewtonReport& report);
   double admissible_fraction(const Correction& correction, const NewtonOptions& options) const;
   double simplified_norm();
-  bool advance(const NewtonOptions& options, double& residual, NewtonReport& report);
+  [[nodiscard]] bool advance(const NewtonOptions& options, double& residual, NewtonReport& report);
 
   const JointModel* model_;
   NewtonStep step_;

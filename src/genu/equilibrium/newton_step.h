@@ -31,8 +31,8 @@ class NewtonStep {
 
   /// Factors the Jacobian of `at`. False where it is not finite, or where `route` is eliminated and a contact block is
   /// singular.
-  bool factor(const Linearization& at, const Target& target, Route route = Route::automatic,
-              const Border* border = nullptr);
+  [[nodiscard]] bool factor(const Linearization& at, const Target& target, Route route = Route::automatic,
+                            const Border* border = nullptr);
 
   /// The step for the residuals of `at`. These may belong to another state than the factored one: the result is then
   /// the simplified Newton correction of the monotonicity test.

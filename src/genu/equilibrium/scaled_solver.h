@@ -14,7 +14,7 @@ namespace genu {
 class ScaledSolver {
  public:
   /// Factors a square matrix. False when an entry is not finite.
-  bool factor(const MatX& matrix);
+  [[nodiscard]] bool factor(const MatX& matrix);
   void solve(const VecX& rhs, VecX& x) const;
 
   /// Reciprocal condition. Where it is surely above kSurelyRegular, a lower bound of it.

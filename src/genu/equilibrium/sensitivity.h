@@ -28,7 +28,7 @@ class Sensitivity {
 
   /// Factors the Jacobian at a pose, which is kept by reference. False where no derivative exists: the pose is not
   /// solved, it or its forces are not determined, or a ligament is held at a jump of its law.
-  bool factor(const PosePoint& point);
+  [[nodiscard]] bool factor(const PosePoint& point);
 
   /// The derivative of the pose. All functions below refer to the last parameter given here.
   void differentiate(const Parameter& parameter);

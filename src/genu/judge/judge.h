@@ -30,8 +30,9 @@ struct Judgement {
 
 /// Judges the text of a results.csv. `scene`: as the reader returns it. Empty, with the reasons in `out`, where columns
 /// or rows are missing, or a mesh cannot be read.
-std::optional<Judgement> judge_results(const Scene& scene, const std::string& csv, const std::string& csv_name,
-                                       const Options& options, Diagnostics& out);
+[[nodiscard]] std::optional<Judgement> judge_results(const Scene& scene, const std::string& csv,
+                                                     const std::string& csv_name, const Options& options,
+                                                     Diagnostics& out);
 
 /// A line for each check, the checks left out, and the verdict.
 std::string to_text(const Judgement& judgement);

@@ -19,7 +19,8 @@ class ResultsFile {
   /// Reads the text of a results.csv. Empty, with each mistake at its line and column in `out`, where a row is too
   /// short or too long, a name occurs twice, or a cell holds no finite number (columns `status` and `stability` hold
   /// words).
-  static std::optional<ResultsFile> parse(std::string_view bytes, const std::string& file, Diagnostics& out);
+  [[nodiscard]] static std::optional<ResultsFile> parse(std::string_view bytes, const std::string& file,
+                                                        Diagnostics& out);
 
   std::size_t rows() const { return numbers_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }

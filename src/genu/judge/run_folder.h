@@ -18,7 +18,7 @@ struct RunFolder {
 /// file whose bytes differ from those that the run read or wrote, and of an interrupted run. Error where the summary is
 /// invalid, a file is missing, the table has more or fewer rows, or (unless `given_too`) the results are of given poses
 /// that were not solved.
-std::optional<RunFolder> read_run_folder(const std::string& folder, const std::string& scene, Diagnostics& out,
-                                         bool given_too = false);
+[[nodiscard]] std::optional<RunFolder> read_run_folder(const std::string& folder, const std::string& scene,
+                                                       Diagnostics& out, bool given_too = false);
 
 }  // namespace genu::judge

@@ -45,7 +45,7 @@ struct Subject {
 
 /// Reads the meshes of the scene. `samples`: along each side of a closed form. Empty, with the reasons in `out`, where
 /// a mesh cannot be read.
-std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Diagnostics& out);
+[[nodiscard]] std::shared_ptr<const Subject> make_subject(const Scene& scene, int samples, Diagnostics& out);
 
 /// Mass, centre and inertia of a closed mesh of uniform density, from tetrahedra between its triangles and a point.
 Mass mass_of(const Mesh& mesh, const Pose& placement, double density);

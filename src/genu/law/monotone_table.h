@@ -23,7 +23,8 @@ class MonotoneTable {
   };
 
   /// At least two finite points (x, y) with strictly increasing x; otherwise empty, and `why` says what is wrong.
-  static std::optional<MonotoneTable> make(const std::vector<std::pair<double, double>>& points, std::string& why);
+  [[nodiscard]] static std::optional<MonotoneTable> make(const std::vector<std::pair<double, double>>& points,
+                                                         std::string& why);
 
   Value evaluate(double x) const;
 

@@ -11,11 +11,11 @@ namespace genu {
 
 /// What is wrong with a file of that name, and what to do; none where it is a regular file of a known format, not
 /// empty, and not larger than this computer's memory. It is not opened.
-std::optional<Fault> check_mesh_name(const std::string& path);
+[[nodiscard]] std::optional<Fault> check_mesh_name(const std::string& path);
 
 /// What is wrong with the bytes of a file whose ending is `extension` (".stl", in small letters): whether it is
 /// truncated, as far as its format tells.
-std::string check_mesh_bytes(const std::string& extension, std::string_view bytes);
+[[nodiscard]] std::string check_mesh_bytes(const std::string& extension, std::string_view bytes);
 
 /// The ending of a file's name, in small letters, with its dot.
 std::string mesh_extension(const std::string& path);

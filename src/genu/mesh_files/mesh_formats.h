@@ -15,26 +15,26 @@ namespace genu {
 
 /// STL, binary or ASCII (mesh_stl.cpp). A binary file whose size fits its count of triangles is binary whatever its
 /// title says. Every word of an ASCII file is looked at: parsers that skip what they do not know lose triangles.
-std::string read_stl(std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_stl(std::string_view bytes, Mesh& mesh);
 
 /// OFF, ASCII (mesh_off.cpp): "OFF", counts, vertices, faces; normals and colours are passed over.
-std::string read_off(std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_off(std::string_view bytes, Mesh& mesh);
 
 /// VTP, VTK's XML for polygons (mesh_vtp.cpp): polygons and strips of all pieces; numbers as text, base64 or raw,
 /// inline or appended, of either byte order, plain or compressed by zlib.
-std::string read_vtp(std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_vtp(std::string_view bytes, Mesh& mesh);
 
 /// PLY, ASCII or binary of either byte order (mesh_ply.cpp): faces and triangle strips; other elements and properties
 /// are passed over.
-std::string read_ply(std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_ply(std::string_view bytes, Mesh& mesh);
 
 /// Wavefront OBJ (mesh_obj.cpp): v and f lines.
-std::string read_obj(std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_obj(std::string_view bytes, Mesh& mesh);
 
 /// What assimp reads and genu has no reader of its own for (mesh_assimp.cpp): the meshes of a scene graph in its root's
 /// frame. assimp keeps coordinates in single precision. `path` tells the format by its ending, and where files lie that
 /// the mesh's own file names.
-std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh);
+[[nodiscard]] std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh);
 inline constexpr const char* kByAssimp[] = {".3ds", ".amf", ".dae", ".glb", ".gltf"};
 
 inline bool is_coordinate(double x) { return std::abs(x) <= kMaxCoordinate; }  // false for nan

@@ -37,13 +37,13 @@ class MeshLibrary {
   /// Empty with an error in `out` that names the file, what is wrong and what to do, for a file that is missing, not
   /// readable, of another format, empty, truncated, larger than memory, or without triangles or with coordinates that
   /// are not numbers or lie beyond 1e9 units.
-  std::optional<Mesh> read(const std::string& path, double metres_per_unit, Diagnostics& out,
-                           MeshFileFacts* facts = nullptr);
+  [[nodiscard]] std::optional<Mesh> read(const std::string& path, double metres_per_unit, Diagnostics& out,
+                                         MeshFileFacts* facts = nullptr);
 
   /// The same for a file of unknown unit: m where that alone makes it a knee's surface, else mm. `metres_per_unit`
   /// gets it.
-  std::optional<Mesh> read_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
-                                        MeshFileFacts* facts = nullptr);
+  [[nodiscard]] std::optional<Mesh> read_of_some_unit(const std::string& path, double& metres_per_unit,
+                                                      Diagnostics& out, MeshFileFacts* facts = nullptr);
 
   /// From now on read(name) gives this mesh (its coordinates in units of that call), cleaned as a file's would be.
   void put(const std::string& name, const Mesh& mesh);
@@ -64,11 +64,11 @@ class MeshLibrary {
 };
 
 /// MeshLibrary::read() of one file for one use.
-std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out,
-                              MeshFileFacts* facts = nullptr);
+[[nodiscard]] std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out,
+                                            MeshFileFacts* facts = nullptr);
 
 /// MeshLibrary::read_of_some_unit() of one file for one use.
-std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
-                                           MeshFileFacts* facts = nullptr);
+[[nodiscard]] std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit,
+                                                         Diagnostics& out, MeshFileFacts* facts = nullptr);
 
 }  // namespace genu

@@ -37,6 +37,6 @@ struct PlyHeader {
 };
 
 /// Returns what is wrong, with the line, else an empty text.
-std::string read_ply_header(std::string_view text, PlyHeader& header);
+[[nodiscard]] std::string read_ply_header(std::string_view text, PlyHeader& header);
 
 }  // namespace genu

@@ -18,6 +18,7 @@ bool fits_binary_stl(const Mesh& mesh, double metres_per_unit);
 /// many digits as bring back the same doubles. `title` (one line; cut at 79 characters in a binary file) stands in
 /// front. Written whole or not at all, as write_file_atomically() does.
 /// Returns an empty text on success, else what went wrong.
-std::string write_stl(const Mesh& mesh, const std::string& path, double metres_per_unit, const std::string& title);
+[[nodiscard]] std::string write_stl(const Mesh& mesh, const std::string& path, double metres_per_unit,
+                                    const std::string& title);
 
 }  // namespace genu

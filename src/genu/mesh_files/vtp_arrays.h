@@ -26,6 +26,6 @@ struct VtpArray {
 };
 
 /// Appends the numbers to `out` (whole numbers are exact up to 2^53). Returns what is wrong, else an empty text.
-std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out);
+[[nodiscard]] std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out);
 
 }  // namespace genu

@@ -17,7 +17,8 @@ struct BuiltBefore {
 /// triangulated with edges of 1/100 of the smaller surface, or 1/50 where smooth surfaces are integrated. False, with
 /// the reason in `out`, where a thickness is to be measured and there is no bone. A warning in `out` names the places
 /// where bone is missing or protrudes.
-bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model, std::size_t k, Diagnostics& out);
+[[nodiscard]] bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model, std::size_t k,
+                               Diagnostics& out);
 
 /// Takes the layer from `before` where it would be built the same: the definition, the surfaces, and where closed forms
 /// are cut round the joint. False where there is none or it would differ.

@@ -15,7 +15,8 @@ struct ClosedContact {
 /// Moves both points of `contact` along their surfaces until they face each other at the poses of `state` (closure and
 /// tangency, contact_equations.h), and evaluates the gap there. False where a surface ends, or where the surfaces
 /// conform so that no nearest point is unique; `contact` is then unspecified.
-bool evaluate_closed(const JointModel& model, const State& state, ActiveContact& contact, ClosedContact& out);
+[[nodiscard]] bool evaluate_closed(const JointModel& model, const State& state, ActiveContact& contact,
+                                   ClosedContact& out);
 
 /// [twist of body a; twist of body b] of the pair from the twists of all moving bodies (6 each); 0 for a fixed body.
 Vec12 twist_at(const JointModel& model, const ActiveContact& contact, const VecX& twist);

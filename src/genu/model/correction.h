@@ -25,7 +25,8 @@ struct Correction {
 
 /// The state after `fraction` of a correction: poses on SE(3), contact points on their surfaces. False, with `out`
 /// unspecified, where a contact point would leave the known part of its surface.
-bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction, State& out);
+[[nodiscard]] bool retract(const JointModel& model, const State& state, const Correction& correction, double fraction,
+                           State& out);
 
 /// Updates the coordinates of every joint from the poses, continuous with their last values.
 void update_coordinates(const JointModel& model, State& state);

@@ -26,10 +26,11 @@ struct KneeMotion {
 
 /// For the poses of the two bones' bodies. Empty where the flexion axis is parallel to the tibia (90 deg of adduction)
 /// and the floating axis is undefined.
-std::optional<KneeMotion> grood_suntay(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia);
+[[nodiscard]] std::optional<KneeMotion> grood_suntay(const GroodSuntayDef& axes, const Pose& X_W_femur,
+                                                     const Pose& X_W_tibia);
 
 /// Its rate for the twists [twist of the femur; twist of the tibia], about the origins of the poses.
-std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Pose& X_W_femur, const Pose& X_W_tibia,
-                                            const Vec12& twists);
+[[nodiscard]] std::optional<KneeMotion> grood_suntay_rate(const GroodSuntayDef& axes, const Pose& X_W_femur,
+                                                          const Pose& X_W_tibia, const Vec12& twists);
 
 }  // namespace genu

@@ -22,7 +22,7 @@ class LigamentLaw {
 
   /// A custom law. Empty where its breaks are not finite, positive and increasing, or differ from its values just
   /// beside them; `why` then gives the reason.
-  static std::optional<LigamentLaw> custom(std::shared_ptr<const ForceLaw> law, std::string& why);
+  [[nodiscard]] static std::optional<LigamentLaw> custom(std::shared_ptr<const ForceLaw> law, std::string& why);
 
   /// Length in m, >= 0.
   LawValue evaluate(double length) const;
@@ -72,6 +72,6 @@ class LigamentLaw {
 /// reference_force refer. If several strains have that force, the smallest is taken; force 0 means a ligament about to
 /// become taut. Empty where no such law exists (a parameter out of range, an impossible force); `why` then gives the
 /// reason, without the ligament's name.
-std::optional<LigamentLaw> make_law(const LigamentDef& def, double reference_length, std::string& why);
+[[nodiscard]] std::optional<LigamentLaw> make_law(const LigamentDef& def, double reference_length, std::string& why);
 
 }  // namespace genu

@@ -50,7 +50,7 @@ struct Load {
 };
 
 /// The load of `def`. Empty where its scale is invalid; `why` then gives the reason.
-std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
+[[nodiscard]] std::optional<Load> make_load(const PlacedScene& scene, const LoadDef& def, std::string& why);
 
 /// The same without its scale: affine in each single number of `def`.
 Load make_unscaled_load(const PlacedScene& scene, const LoadDef& def);

@@ -21,7 +21,7 @@ class LoadScale {
   };
 
   /// Empty where the definition is invalid; `why` then gives the reason.
-  static std::optional<LoadScale> make(const ScaleDef& def, std::string& why);
+  [[nodiscard]] static std::optional<LoadScale> make(const ScaleDef& def, std::string& why);
 
   /// The coordinate (rad, m) that it depends on; empty: the time (s).
   const std::optional<CoordinateRef>& coordinate() const { return coordinate_; }

@@ -18,6 +18,6 @@ double stored_energy(const JointModel& model, const State& state);
 
 /// J, at the load factors and the time of `target`. Empty where an acting load has no potential, and with elastic
 /// layers: their pressure acts along the normal of one surface and has no potential.
-std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target);
+[[nodiscard]] std::optional<double> potential_energy(const JointModel& model, const State& state, const Target& target);
 
 }  // namespace genu

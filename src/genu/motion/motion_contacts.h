@@ -24,10 +24,10 @@ class MotionContacts {
   MotionContacts(const JointModel& model, EquationsOfMotion& equations, double tolerance, const Cancelled& cancelled);
 
   /// Replaces the joints' start by the equilibrium at time 0. False with `why` where none is found.
-  bool balance(MotionPoint& point, std::string& why);
+  [[nodiscard]] bool balance(MotionPoint& point, std::string& why);
 
   /// Contacts at the start: those that touch. False with `why` where bodies overlap.
-  bool begin(MotionPoint& point, std::string& why);
+  [[nodiscard]] bool begin(MotionPoint& point, std::string& why);
 
   /// A change of the contacts, or the end of the motion.
   struct Change {
@@ -45,7 +45,7 @@ class MotionContacts {
 
   /// Applies a change: contacts, velocities and forces of `point` become those after it. False with `why` where none
   /// are possible.
-  bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
+  [[nodiscard]] bool apply(const Change& change, MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
   /// m: the smallest gap of each pair.
   std::vector<double> gaps(const MotionPoint& point) {
@@ -54,7 +54,7 @@ class MotionContacts {
   }
 
   /// Makes the velocities and contacts of `point` feasible: after a stop, where drives and loads may jump.
-  bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
+  [[nodiscard]] bool settle(MotionPoint& point, std::vector<PathEvent>& events, std::string& why);
 
  private:
   bool near(const MotionPoint& from, const MotionPoint& to);
@@ -66,7 +66,7 @@ class MotionContacts {
   bool is_located(const Change& change) const;
   Change first_seen(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
   Change look(const MotionPoint& from, const MotionPoint& to, const PointAt& at);
-  bool settle(MotionPoint& point, int leaves, std::vector<PathEvent>& events, std::string& why);
+  [[nodiscard]] bool settle(MotionPoint& point, int leaves, std::vector<PathEvent>& events, std::string& why);
   void note(const std::vector<ActiveContact>& before, const MotionPoint& point, std::vector<PathEvent>& events);
 
   const JointModel& model_;

@@ -12,16 +12,16 @@ namespace genu {
 
 /// Reads the file at `path`. Returns nothing if anything is wrong; then `out` has every error found, in the order of
 /// the file. Never throws for a missing, unreadable, oversized or malformed file.
-std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<Scene> read_scene(const std::string& path, Diagnostics& out);
 
 /// The same through `files`, which others may read too.
-std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out);
+[[nodiscard]] std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diagnostics& out);
 
 /// The same for a text in memory; `path` names it in messages, and mesh files are looked for in its folder.
-std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
 
 /// The surfaces of a scene, or of a file that holds nothing but `format`, `title`, `units` and [surface.NAME] tables
 /// (as `genu fit` writes it) and [solid.NAME] tables: its bodies are those that the surfaces name.
-std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out);
+[[nodiscard]] std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out);
 
 }  // namespace genu

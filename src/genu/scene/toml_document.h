@@ -29,7 +29,7 @@ struct TomlNode {
 
 /// Parses UTF-8 TOML 1.0. A syntax error (toml++ stops at the first) becomes a Diagnostic at its line and column,
 /// and nothing is returned. Never throws, never aborts, whatever the text.
-std::optional<TomlNode> parse_toml(const std::string& text, const std::string& file, Diagnostics& out);
+[[nodiscard]] std::optional<TomlNode> parse_toml(const std::string& text, const std::string& file, Diagnostics& out);
 
 /// The value as a user would write it, on one line, shortened to about 60 characters.
 std::string literal(const TomlNode& node);

@@ -32,7 +32,8 @@ struct Zone {
 /// The pieces, in the order of their place along the direction in which they lie farthest apart (its largest component
 /// positive). Empty, with the reason under `name` in `out`, where nothing is left or the mesh is closed and neither
 /// `facing` nor `within` says which face is meant.
-std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const std::string& name, Diagnostics& out);
+[[nodiscard]] std::vector<Zone> find_zones(const Mesh& mesh, const ZoneOptions& options, const std::string& name,
+                                           Diagnostics& out);
 
 /// The two arms of a sheet that forks along its axis; empty for one that does not.
 std::vector<Zone> arms_of(const Mesh& sheet);

@@ -70,7 +70,7 @@ struct SurfaceFit {
 
 /// Fits a polynomial to `zone`, a piece of one face of a surface. Empty, with the reason under `name` in `out`, where
 /// the piece is empty, flat, too coarse, holds both faces of a shell, or bends so that no chart describes it.
-std::optional<SurfaceFit> fit_surface(const Mesh& zone, const SurfaceFitOptions& options, const std::string& name,
-                                      Diagnostics& out);
+[[nodiscard]] std::optional<SurfaceFit> fit_surface(const Mesh& zone, const SurfaceFitOptions& options,
+                                                    const std::string& name, Diagnostics& out);
 
 }  // namespace genu

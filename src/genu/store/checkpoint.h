@@ -28,10 +28,10 @@ class Checkpoint {
 
   /// Reads what an earlier run has left. False, with the reason in `out`, where it belongs to other inputs or another
   /// program, or another run is writing it; a warning where nothing is there, or less than was written.
-  bool resume(Diagnostics& out);
+  [[nodiscard]] bool resume(Diagnostics& out);
 
   /// Why the file cannot be written from now on: what is there is no checkpoint, or is another run's. Else empty.
-  std::string blocked();
+  [[nodiscard]] std::string blocked();
 
   /// What resume() has found: rows and events, and the state from which follow_path() continues; empty if it found
   /// none.
@@ -58,7 +58,7 @@ class Checkpoint {
   bool append(const std::string& part);
   void write(const std::vector<PoseRecord>& all_records, const std::vector<PathEvent>& all_events,
              const std::function<std::string()>& save);
-  bool read_parts(const std::string& content, Diagnostics& out);
+  [[nodiscard]] bool read_parts(const std::string& content, Diagnostics& out);
 
   std::string file_, problem_, hash_;  // hash_: of the last part
   Inputs inputs_;

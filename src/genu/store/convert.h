@@ -28,6 +28,7 @@ struct ConvertFound {
 };
 
 /// Writes whole or not at all. Returns the exit code; `out` holds what was refused or failed.
-int convert_results(const ResultsRead& read, const ConvertOptions& options, Diagnostics& out, ConvertFound& found);
+[[nodiscard]] int convert_results(const ResultsRead& read, const ConvertOptions& options, Diagnostics& out,
+                                  ConvertFound& found);
 
 }  // namespace genu

@@ -28,6 +28,6 @@ struct Failure {
 
 /// FILE's text and back. Nothing, with the reason in `out`, where `text` is none or has been changed.
 std::string to_json(const Failure& failure);
-std::optional<Failure> read_failure(const std::string& text, const std::string& file, Diagnostics& out);
+[[nodiscard]] std::optional<Failure> read_failure(const std::string& text, const std::string& file, Diagnostics& out);
 
 }  // namespace genu

@@ -18,7 +18,7 @@ struct OpenSimNameOptions {
 /// A name for each coordinate that no joint holds: as said, else in the way of the published OpenSim-JAM knees, which
 /// `genu evaluate` understands: knee_flex_r, knee_add_r, knee_tx_r. Words and names that cannot be, and two alike, are
 /// refused in `out`.
-std::optional<OpenSimNames> opensim_column_names(const SceneTables& scene, const OpenSimNameOptions& options,
-                                                 Diagnostics& out);
+[[nodiscard]] std::optional<OpenSimNames> opensim_column_names(const SceneTables& scene,
+                                                               const OpenSimNameOptions& options, Diagnostics& out);
 
 }  // namespace genu

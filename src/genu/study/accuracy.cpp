@@ -183,9 +183,8 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
   }
   if (folder && !report.targets.empty()) {
     // Before an hour of solving: could every setting be written?
-    chosen_scene(path, *prepared, {.edge_factor = 3, .degree = 2, .tolerance = 1e-5, .layer_tolerance = 1e-2}, *folder,
-                 out);
-    if (out.has_errors()) return kExitRefused;
+    const AccuracySetting all{.edge_factor = 3, .degree = 2, .tolerance = 1e-5, .layer_tolerance = 1e-2};
+    if (chosen_scene(path, *prepared, all, *folder, out).empty() || out.has_errors()) return kExitRefused;
   }
   ContactField field(prepared->model);
   if (!check_start(*prepared, field, out)) return kExitRefused;

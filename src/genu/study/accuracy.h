@@ -27,7 +27,8 @@ void extrapolate(const std::vector<double>& factors, const std::vector<double>& 
 
 /// Reads, solves under every setting, writes the scene's own results with accuracy.csv, accuracy.svg and, with targets,
 /// chosen/scene.toml with the meshes it needs into `folder` (where one is given). Returns the exit code.
-int run_accuracy(const std::string& path, const std::optional<std::string>& folder, const AccuracyChoice& choice,
-                 const RunOptions& options, Diagnostics& out, AccuracyReport& report, Solution& own);
+[[nodiscard]] int run_accuracy(const std::string& path, const std::optional<std::string>& folder,
+                               const AccuracyChoice& choice, const RunOptions& options, Diagnostics& out,
+                               AccuracyReport& report, Solution& own);
 
 }  // namespace genu

@@ -6,7 +6,7 @@
 namespace genu {
 
 /// Sets report.targets; an error in `out` for each text that is none.
-bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnostics& out);
+[[nodiscard]] bool read_targets(const AccuracyChoice& choice, AccuracyReport& report, Diagnostics& out);
 
 /// Sets report.chosen, the fastest setting that keeps the targets, and report.sentence. First a mesh and a fit, then
 /// their tolerance, if another one saves time. `closed_forms`: the scene is made of them, so that with targets it is a

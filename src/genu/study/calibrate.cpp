@@ -255,8 +255,8 @@ bool can_be_written(const Prepared& prepared, const std::vector<Unknown>& unknow
                     const std::optional<std::string>& folder, Diagnostics& out) {
   std::vector<std::pair<Parameter, double>> values;
   for (const Unknown& u : unknowns) values.emplace_back(u.parameter, u.start);
-  with_values(prepared.scene.file, prepared.scene, values, folder.value_or("."), out);
-  return !out.has_errors();
+  return !with_values(prepared.scene.file, prepared.scene, values, folder.value_or("."), out).empty() &&
+         !out.has_errors();
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ struct CalibrationTarget {
 /// step, increment and status are passed over, and empty cells are values that were not measured. What is wrong is
 /// added to `out` with its place: a name that is none of `known`, a cell that is no finite number, a time outside of 0
 /// to `duration`, no values.
-std::optional<CalibrationTarget> read_calibration_target(const std::string& path,
-                                                         const std::vector<std::string>& patterns,
-                                                         const std::vector<std::string>& known, double duration,
-                                                         Diagnostics& out);
+[[nodiscard]] std::optional<CalibrationTarget> read_calibration_target(const std::string& path,
+                                                                       const std::vector<std::string>& patterns,
+                                                                       const std::vector<std::string>& known,
+                                                                       double duration, Diagnostics& out);
 
 /// The values of results at the target's times: a row's own where one has the time, else those of the cubic through
 /// four rows about it. Empty where a cell is.

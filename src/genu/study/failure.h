@@ -20,7 +20,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
                   const RunOptions& options, Diagnostics& out);
 
 /// Writes scene.toml and the meshes into `folder`. An error as text; the empty text is success.
-std::string unpack(const Failure& failure, const std::string& folder);
+[[nodiscard]] std::string unpack(const Failure& failure, const std::string& folder);
 
 /// Runs what was unpacked into `folder`, and gives the lines that Failure::verdict would have.
 std::vector<std::string> reproduce(const Failure& failure, const std::string& folder, const RunOptions& options);

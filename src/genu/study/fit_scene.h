@@ -30,7 +30,8 @@ struct SceneFits {
 /// Solves the scene, fits, and writes the new scene for the folder `folder`, from which paths of meshes that stay are
 /// told. Empty, with the reasons in `out`, where the scene is refused or has no contact on a mesh, where the folder
 /// cannot be written or holds what is read, or where a fit fails.
-std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::string& folder, Diagnostics& out);
+[[nodiscard]] std::optional<SceneFits> fit_scene(const FitSceneRequest& request, const std::string& folder,
+                                                 Diagnostics& out);
 
 /// The largest differences between two runs of the same path, in the joints' coordinates (columns of results.csv).
 std::vector<std::pair<std::string, double>> pose_differences(const SceneTables& scene, const ResultTable& a,

@@ -32,6 +32,6 @@ struct NewSceneReport {
 
 /// Writes FOLDER/NAME.toml and solves it once. Empty, with the reasons in `out`, where what is asked is refused: the
 /// folder exists, or a mesh cannot be read. Of kind stl the flexion that is asked for ends where the trial did.
-std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out);
+[[nodiscard]] std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out);
 
 }  // namespace genu

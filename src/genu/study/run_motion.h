@@ -13,12 +13,12 @@ MotionPlan plan_motion(const DynamicsDef& dynamics);
 Solution solve_motion(const Prepared& prepared, const RunOptions& options);
 
 /// Options that ask for what equilibria alone have are refused in `out`.
-bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
+[[nodiscard]] bool check_motion_options(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
 
 /// Not one row, because the motion cannot begin (a body without inertia that nothing holds): said in `out`.
-bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out);
+[[nodiscard]] bool refused_start(const Prepared& prepared, const Solution& found, Diagnostics& out);
 
 /// What every command but `run` says of such a scene.
-bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out);
+[[nodiscard]] bool refuse_motion(const Prepared& prepared, const char* command, Diagnostics& out);
 
 }  // namespace genu

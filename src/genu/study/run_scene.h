@@ -15,11 +15,11 @@ namespace genu {
 /// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the
 /// folder cannot be written or holds the input; without a `folder` nothing is to be written. `inputs`: other files that
 /// the folder must not hold.
-std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
-                                    const std::vector<std::string>& inputs = {});
+[[nodiscard]] std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
+                                                  Diagnostics& out, const std::vector<std::string>& inputs = {});
 
 /// Refuses what cannot be started (surfaces that overlap by more than 6 mm in the reference pose): said in `out`.
-bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
+[[nodiscard]] bool check_start(const Prepared& prepared, ContactField& field, Diagnostics& out);
 
 /// solve_path(), its tables, and what it is worth (appraise()). What could not be solved is in the statuses and in the
 /// verdict, never an error.
@@ -42,8 +42,8 @@ void note_files(const Prepared& prepared, RunSummary& summary);
 std::string folder_for(const std::string& folder, const RunOptions& options, RunSummary& summary);
 
 /// Everything that a run computes of a scene without motion, and with; empty where it is refused in `out`.
-std::optional<Solution> solve_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
-std::optional<Solution> move_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
+[[nodiscard]] std::optional<Solution> solve_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
+[[nodiscard]] std::optional<Solution> move_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out);
 
 /// Ends work that was stopped before its end: says so, with what is kept and how to go on, and puts `folder`'s partial
 /// results beside it. Empty `checkpoint`: there is none.
@@ -52,13 +52,13 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
 /// Writes a solution's results.csv, events.csv, curves.svg, summary.json and, where they were asked for, starts.csv,
 /// error_bars.csv and error_shares.csv into `folder`, and `more` beside them (name, content). `mark` stands before the
 /// endings of the tables: ".partial". Returns what went wrong, else an empty text.
-std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
-                          const std::vector<std::pair<std::string, std::string>>& more = {},
-                          const std::string& mark = {});
+[[nodiscard]] std::string write_results(const std::string& folder, const Prepared& prepared, const Solution& solution,
+                                        const std::vector<std::pair<std::string, std::string>>& more = {},
+                                        const std::string& mark = {});
 
 /// Reads, solves, writes the results into `folder`. Returns the exit code; `out` holds what was refused, `solution`
 /// (may be null) gets what was found.
-int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
-              Solution* solution);
+[[nodiscard]] int run_scene(const std::string& path, const std::string& folder, const RunOptions& options,
+                            Diagnostics& out, Solution* solution);
 
 }  // namespace genu

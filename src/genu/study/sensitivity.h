@@ -38,7 +38,8 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
 
 /// Reads, solves and differentiates a scene, and writes the run's results with sensitivity.csv, ranking.csv and
 /// sensitivity.svg into `folder` where there is one. Returns the exit code.
-int run_sensitivity(const std::string& path, const std::optional<std::string>& folder, const SensitivityChoice& choice,
-                    const RunOptions& options, Diagnostics& out, SensitivityResult& result);
+[[nodiscard]] int run_sensitivity(const std::string& path, const std::optional<std::string>& folder,
+                                  const SensitivityChoice& choice, const RunOptions& options, Diagnostics& out,
+                                  SensitivityResult& result);
 
 }  // namespace genu

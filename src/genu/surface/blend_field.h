@@ -22,9 +22,9 @@ class BlendField {
 
   /// Each returns false, and leaves its results unspecified, where too little weight is in reach.
   /// x in m, f in m, gradient dimensionless, Hessian in 1/m.
-  bool value(const Vec3& x, double& f) const;
-  bool value(const Vec3& x, double& f, Vec3& gradient) const;
-  bool value(const Vec3& x, double& f, Vec3& gradient, Mat3& hessian) const;
+  [[nodiscard]] bool value(const Vec3& x, double& f) const;
+  [[nodiscard]] bool value(const Vec3& x, double& f, Vec3& gradient) const;
+  [[nodiscard]] bool value(const Vec3& x, double& f, Vec3& gradient, Mat3& hessian) const;
 
   /// The node whose sheet answers for x, or -1 where none is in reach.
   int nearest_node(const Vec3& x) const;

@@ -43,8 +43,8 @@ struct BlendFacts {
 class BlendSurface final : public Surface {
  public:
   /// Null, with an error in `diagnostics` under `name`, where the mesh or an option cannot be used.
-  static std::unique_ptr<BlendSurface> build(Mesh mesh, const BlendOptions& options, const std::string& name,
-                                             Diagnostics& diagnostics);
+  [[nodiscard]] static std::unique_ptr<BlendSurface> build(Mesh mesh, const BlendOptions& options,
+                                                           const std::string& name, Diagnostics& diagnostics);
 
   /// Follows grad f to f = 0 by Newton's method. False outside the band.
   bool project(const Vec3& x, SurfacePoint& out) const override;

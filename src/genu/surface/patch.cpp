@@ -166,11 +166,10 @@ class PatchSurface final : public Surface {
     double low = 0, high = 1;
     for (int k = 0; k < 60; ++k) {
       const double middle = 0.5 * (low + high);
-      SurfacePoint point;
-      point.p = a + middle * (b - a);
-      if (is_global()) whole_->project(Vec3(point.p), point);
-      if (inside(point.p) >= 0)
-        low = middle, best = point.p;
+      Vec3 p = a + middle * (b - a);
+      if (SurfacePoint point; is_global() && whole_->project(p, point)) p = point.p;
+      if (inside(p) >= 0)
+        low = middle, best = p;
       else
         high = middle;
     }

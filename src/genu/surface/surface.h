@@ -41,19 +41,19 @@ class Surface {
 
   /// Puts x (m) onto the surface, near x. Returns false where the surface has no point near enough to be sure of
   /// (outside the band of a meshed surface, at the centre of a sphere, ...); `out` is then unspecified.
-  virtual bool project(const Vec3& x, SurfacePoint& out) const = 0;
+  [[nodiscard]] virtual bool project(const Vec3& x, SurfacePoint& out) const = 0;
 
   /// The point reached from `from` by the tangent step ds (m): second order in ds, always on the surface. The default
   /// is third order: it errs from the end of the geodesic that begins as ds, |ds| long, by the fourth power of ds.
-  virtual bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const;
+  [[nodiscard]] virtual bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const;
 
   /// Signed distance of x to the surface (m), positive on the outward side; first-order accurate near the surface
   /// (exact where the shape has a closed form). Empty where it is not known.
-  virtual std::optional<double> gap(const Vec3& x) const = 0;
+  [[nodiscard]] virtual std::optional<double> gap(const Vec3& x) const = 0;
 
   /// Follows a line to the surface by Newton's method: `t` (m along the unit `direction`) is where to begin and becomes
   /// the place, `normal` the outward unit normal there. False, with both unspecified, where it does not arrive.
-  virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;
+  [[nodiscard]] virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;
 
   /// Distance (m) along the surface from p, a point on it, to the nearest edge of the patch, or the straight one, which
   /// is no longer: positive inside, negative past the edge, +infinity for a surface without edges.
