@@ -46,5 +46,19 @@ TEST(Winding, PiecesAreTurnedEachByItself) {
   EXPECT_NEAR(volume(two.v, two.t), 0, 1e-14) << "the second one was wound inside out throughout";
 }
 
+TEST(Winding, WhatClosesIsTurnedOutwardAndSheetsAreNot) {
+  Octahedron whole, inverted, open;
+  for (auto& t : inverted.t) std::swap(t[0], t[2]);
+  for (Octahedron* o : {&whole, &inverted}) {
+    turn_closed_outward(o->v, o->t);
+    EXPECT_NEAR(volume(o->v, o->t), 4.0 / 3, 1e-15);
+  }
+  for (auto& t : open.t) std::swap(t[0], t[2]);
+  open.t.pop_back();
+  const auto before = open.t;
+  turn_closed_outward(open.v, open.t);
+  EXPECT_EQ(open.t, before);
+}
+
 }  // namespace
 }  // namespace genu::judge

@@ -64,5 +64,14 @@ TEST_F(LayoutDoubts, AFewTrianglesAreWorthALook) {
   EXPECT_TRUE(tells(told(coarse, tibia_, "y", false), "the femur has 4 triangles"));
 }
 
+TEST_F(LayoutDoubts, ATibiaTooNarrowForItsUnit) {
+  for (const auto& [factor, unit] :
+       {std::pair(0.1, "in cm"), std::pair(1 / 25.4, "in inches"), std::pair(4.0, "unit")}) {
+    const Mat3 by = factor * Mat3::Identity();
+    const std::string what = told(changed(femur_, by, Vec3::Zero()), changed(tibia_, by, Vec3::Zero()), "y", false);
+    EXPECT_NE(what.find(unit), std::string::npos) << what;
+  }
+}
+
 }  // namespace
 }  // namespace genu

@@ -17,6 +17,7 @@
 #include "genu/surface/analytic.h"
 #include "support/judged.h"
 #include "support/scenes.h"
+#include "support/text.h"
 
 namespace genu {
 namespace {

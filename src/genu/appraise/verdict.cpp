@@ -249,7 +249,11 @@ class StabilityChanges {
 std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
                                            const std::vector<PathEvent>& events, const RunSummary& summary) {
   std::vector<std::string> out;
-  if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
+  for (const std::string& sentence : prepared.facing) out.push_back("This is no result to trust: " + sentence + ".");
+  if (!prepared.facing.empty())
+    out.push_back(fmt::format("{} of {} poses are solved with the surfaces as they are.", summary.poses_solved,
+                              summary.poses_asked));
+  else if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
     out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable{}", summary.poses_stable,
                               summary.poses_solved, of_the_others(records, summary)));
   else if (summary.poses_solved == 0)

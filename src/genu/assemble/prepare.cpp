@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/build_surface.h"
+#include "genu/assemble/facing.h"
 #include "genu/assemble/mesh_diagnostics.h"
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
@@ -67,15 +68,18 @@ void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
               fmt::format("has {} triangles wound against the rest of it: turned round", turned));
 }
 
-/// A closed mesh tells its outward side by its volume. An open sheet cannot be judged.
-void warn_inside_out(const Mesh& mesh, const MeshReport& report, const SurfaceDef& def, Diagnostics& out) {
+/// A closed mesh tells its outward side by its volume: where that is negative it is turned round. An open sheet is
+/// examined at the start (facing.h). Where the scene says `inside`, it has the last word.
+void turn_inside_out(Mesh& mesh, const MeshReport& report, const SurfaceDef& def, Diagnostics& out) {
   if (report.boundary_loops > 0 || report.non_manifold_edges > 0 || def.inside) return;
   double volume = 0;
   const auto from_corner = [&](int i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(i)] - report.box.low; };
   for (const auto& t : mesh.triangles) volume += from_corner(t[0]).dot(from_corner(t[1]).cross(from_corner(t[2]))) / 6;
-  if (volume < 0)
-    out.warning(Code::mesh_repaired, def.file,
-                "is inside out: its normals point into the volume it closes; inside = true turns them round");
+  if (!(volume < 0)) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  out.warning(
+      Code::mesh_repaired, def.file,
+      "is inside out: its normals point into the volume it closes; turned round (inside = true keeps a hollow)");
 }
 
 /// m: what lies across a closed form at its thinnest; +infinity where it is a socket, has no back, or is a mesh.
@@ -156,12 +160,14 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
   std::vector<DoubtfulPlace> doubtful;
   {
     const ScopedTimer timing(read_seconds);
-    mesh = meshes.read(def.file, def.file_unit, found);
+    MeshFileFacts facts;
+    mesh = meshes.read(def.file, def.file_unit, found, &facts);
+    note.space = facts.space;
     if (mesh) {
       note.mesh = check_mesh(*mesh);
       check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
       make_winding_consistent(*mesh, mesh_edges(*mesh));
-      warn_inside_out(*mesh, *note.mesh, def, found);
+      turn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);
       warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
       move_to_body(def, *mesh);
@@ -211,7 +217,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
   const Timer timer;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const SurfaceDef& def = scene.surfaces[i];
-    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr};
+    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr, {}};
     if (def.shape == SurfaceDef::Shape::mesh)
       surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, out));
     else
@@ -256,6 +262,29 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
              "and y");
 }
 
+/// Two files that name two frames, and a scene that turns neither: one of the bones stands back to front.
+void warn_spaces(const Prepared& p, Diagnostics& out) {
+  const auto look = [&](const ContactDef& c) {
+    const SurfaceDef &a = p.scene.surfaces[at(c.surface_a)], &b = p.scene.surfaces[at(c.surface_b)];
+    const std::string &of_a = p.notes[at(c.surface_a)].space, &of_b = p.notes[at(c.surface_b)].space;
+    if (of_a.empty() || of_b.empty() || of_a == of_b || a.placement.R != b.placement.R) return;
+    out.add(warning_at({p.scene.file, c.where}, Code::layout, "contact." + c.name + ".surfaces", {},
+                       fmt::format("are in two frames by their files' own headers: {} says SPACE={}, {} SPACE={}; "
+                                   "export both in one frame",
+                                   a.file, of_a, b.file, of_b)));
+  };
+  for (const ContactDef& c : p.scene.contacts) look(c);
+  for (const LayerDef& layer : p.scene.layers) look(layer.pair);
+}
+
+/// Sheets do not tell their outward sides: whether those of a contact can touch is seen at the start alone.
+void warn_facing(Prepared& p, Diagnostics& out) {
+  std::vector<bool> open;
+  for (const SurfaceNote& note : p.notes) open.push_back(note.mesh && note.mesh->boundary_loops > 0);
+  p.facing = facing_problems(p.scene, p.model, open);
+  for (const std::string& sentence : p.facing) out.warning(Code::layout, p.scene.file, sentence);
+}
+
 /// What cannot be read is an error when the surface is built.
 std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
   Diagnostics ignored;
@@ -296,6 +325,8 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
   warn_thin(p, out);
+  warn_facing(p, out);
+  warn_spaces(p, out);
   p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
   return p;

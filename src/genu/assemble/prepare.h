@@ -24,6 +24,7 @@ struct SurfaceNote {
   std::string text;
   std::optional<MeshReport> mesh;
   std::shared_ptr<const BlendSurface> blend;  ///< of a mesh: the whole of it, whatever patch is used; else null
+  std::string space = {};                     ///< the frame that a mesh file names (mesh_space.h); empty: none
 };
 
 struct Prepared {
@@ -37,6 +38,7 @@ struct Prepared {
   std::vector<StepPlan> steps;
   std::vector<std::pair<std::string, double>> seconds;  ///< "scene", "meshes", "surfaces"
   std::shared_ptr<MeshLibrary> meshes;                  ///< through which the scene's meshes, and its file, were read
+  std::vector<std::string> facing;  ///< sentences on surfaces that do not face each other at the start (facing.h)
   std::shared_ptr<const ContactField> search;  ///< shared with other numbers (with_numbers.h); null: not shared
 };
 

@@ -20,6 +20,24 @@ inline constexpr double kPatchProbeReach = 0.1;
 /// [1] Largest number of a step or increment in a table of poses. Fails first: if too large, an int overflows.
 inline constexpr double kMaxStepNumber = 1e9;
 
+// facing
+
+/// [1] Most triangles whose lines decide which way surfaces face. Fails first: if too small, a stray line decides.
+inline constexpr std::size_t kMaxFacingLines = 1000;
+
+/// [1] Fewest lines that decide. Fails first: if too small, a stray line decides.
+inline constexpr std::size_t kMinFacingLines = 20;
+
+/// [1] Share of the nearest lines that must agree. Fails first: if too small, false warnings.
+inline constexpr double kFacingShare = 0.75;
+
+/// [1] Distance in the middle over that at the edge below which a gap widens. Fails first: if too large, a flat overlap
+/// is called a gap between backs.
+inline constexpr double kWideningShare = 0.9;
+
+/// [1] Triangles along a closed form that stand for it. Fails first: if too small, its curvature is lost.
+inline constexpr double kFacingTriangles = 60;
+
 // pose_file
 
 /// [B] Largest file of poses. Fails first: if too large, out of memory instead of a refusal.

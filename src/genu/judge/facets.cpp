@@ -51,6 +51,8 @@ Facets::Facets(const Mesh& mesh, const SurfaceDef& def) : def_(&def), triangles_
   align_winding(vertices_, triangles_);
   if (def.inside)
     for (auto& t : triangles_) std::swap(t[1], t[2]);
+  else
+    turn_closed_outward(vertices_, triangles_);
   double sum = 0;
   for (const auto& t : triangles_)
     for (std::size_t k = 0; k < 3; ++k) sum += (vertices_[at(t[k])] - vertices_[at(t[(k + 1) % 3])]).norm();

@@ -61,4 +61,16 @@ void align_winding(const std::vector<Vec3>& vertices, std::vector<std::array<int
   }
 }
 
+void turn_closed_outward(const std::vector<Vec3>& vertices, std::vector<std::array<int, 3>>& triangles) {
+  if (triangles.empty()) return;
+  for (const auto& [edge, on] : edges_of(triangles))
+    if (on.size() != 2) return;
+  const Vec3 middle = vertices[at(triangles[0][0])];  // the sum does not depend on it; rounding does
+  double six_volumes = 0;
+  for (const auto& t : triangles)
+    six_volumes += (vertices[at(t[0])] - middle).dot((vertices[at(t[1])] - middle).cross(vertices[at(t[2])] - middle));
+  if (six_volumes < 0)
+    for (auto& t : triangles) std::swap(t[1], t[2]);
+}
+
 }  // namespace genu::judge

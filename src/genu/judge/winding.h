@@ -12,4 +12,7 @@ namespace genu::judge {
 /// its area. Edges of one triangle, or of more than two, connect nothing.
 void align_winding(const std::vector<Vec3>& vertices, std::vector<std::array<int, 3>>& triangles);
 
+/// Turns a mesh that closes (two triangles at every edge) round where it encloses a negative volume: it is inside out.
+void turn_closed_outward(const std::vector<Vec3>& vertices, std::vector<std::array<int, 3>>& triangles);
+
 }  // namespace genu::judge

@@ -11,6 +11,7 @@
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_file_check.h"
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/mesh_space.h"
 #include "genu/mesh_files/tolerances.h"
 
 namespace genu {
@@ -102,6 +103,7 @@ std::optional<Fault> read_in_file_unit(const std::string& path, InputFiles& file
   if (!bytes) return Fault{Code::cannot_read, kCannotOpen};
   if (auto fault = unreadable(check_mesh_bytes(mesh_extension(path), *bytes))) return fault;
   if (auto fault = import(path, *bytes, mesh)) return fault;
+  facts.space = space_said(*bytes);
   return clean(mesh, facts, [&] {
     Mesh again;
     import(path, *bytes, again);

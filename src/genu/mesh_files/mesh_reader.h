@@ -19,8 +19,9 @@ namespace genu {
 struct MeshFileFacts {
   std::size_t vertices = 0, triangles = 0;
   WeldReport weld;
-  double rounding = 0;  ///< m: the step of its numbers (coordinate_step.h); 0: double precision, or too few to tell
-  bool single = false;  ///< that is float32's step at the largest coordinate, not one the exporter chose
+  double rounding = 0;     ///< m: the step of its numbers (coordinate_step.h); 0: double precision, or too few to tell
+  bool single = false;     ///< that is float32's step at the largest coordinate, not one the exporter chose
+  std::string space = {};  ///< the frame that the file names (mesh_space.h): "RAS", "LPS"; empty: none
 };
 
 /// The meshes that a piece of work uses. Each file is opened and parsed once, whoever asks for it and however often;

@@ -52,4 +52,10 @@ inline constexpr double kUnseenEdgeShare = 0.05;
 /// for all memory.
 inline constexpr std::uint64_t kMaxInflation = 1100;
 
+// mesh_space
+
+/// [B] Beginning of a file in which its frame is looked for. Fails first: if too small, frames that differ are not
+/// seen.
+inline constexpr std::size_t kSpaceSearched = 4096;
+
 }  // namespace genu

@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kNotTimed = std::numeric_limits<double>::quiet_NaN();
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// What times were taken on.
 std::string machine() {
   std::ifstream in("/proc/cpuinfo");
@@ -44,8 +40,8 @@ std::vector<AccuracyGroup> groups_of(const Prepared& p, const ResultTable& poses
   for (const std::string& column : poses.columns())
     for (const auto& joint : p.scene.joints)
       if (column.rfind(joint.name + ".", 0) == 0 && column.find('.') == column.rfind('.')) {
-        if (ends_with(column, "_deg")) turn.columns.push_back(column);
-        if (ends_with(column, "_mm")) place.columns.push_back(column);
+        if (column.ends_with("_deg")) turn.columns.push_back(column);
+        if (column.ends_with("_mm")) place.columns.push_back(column);
       }
   for (const ContactDef& c : p.scene.contacts) has(c.name + ".force_N", contact);
   for (const LayerDef& l : p.scene.layers) has(l.pair.name + ".force_N", contact);

@@ -14,7 +14,7 @@ namespace {
 /// "0.01mm" as (0.01, "mm"). Nothing for what is none.
 std::optional<std::pair<double, std::string>> target_of(const std::string& text) {
   for (const char* unit : {"mm", "deg", "N"}) {
-    if (!ends_with(text, unit)) continue;
+    if (!text.ends_with(unit)) continue;
     const std::string number = text.substr(0, text.size() - std::string(unit).size());
     std::size_t used = 0;
     double value = 0;

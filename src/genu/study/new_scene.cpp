@@ -85,12 +85,16 @@ std::string ligaments_text(const KneeLayout& knee, bool left) {
 struct Bone {
   Mesh mesh;
   double unit = 1e-3;
+  std::string space;  ///< the frame that its file names
 };
 
 std::optional<Bone> read_bone(const std::string& file, const std::string& unit, Diagnostics& out) {
   Bone bone;
   if (unit == "m") bone.unit = 1;
-  auto mesh = unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out) : read_mesh(file, bone.unit, out);
+  MeshFileFacts facts;
+  auto mesh =
+      unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out, &facts) : read_mesh(file, bone.unit, out, &facts);
+  bone.space = facts.space;
   if (!mesh) return std::nullopt;
   check_scale(check_mesh(*mesh), file, bone.unit == 1 ? "m" : "mm", out);
   if (out.has_errors()) return std::nullopt;
@@ -174,8 +178,8 @@ void ask_for_flexion(Words& words, int degrees, bool tried_further) {
                     : "";
 }
 
-/// Errors name the scene as it will stand in its folder, `name`.
-std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked,
+/// Errors name the scene as it will stand in its folder, `name`. The `first` time what is done to the meshes is told.
+std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked, bool first,
                                 Diagnostics& out) {
   RunOptions options;
   options.cancelled = asked.cancelled;
@@ -189,8 +193,9 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
     out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
     return std::nullopt;
   }
+  const auto of_meshes = [](const Diagnostic& d) { return d.code == Code::mesh_repaired || d.code == Code::layout; };
   for (Diagnostic d : warnings.items())
-    if (!found && d.severity == Diagnostic::Severity::error) {
+    if (d.severity == Diagnostic::Severity::error ? !found : first && of_meshes(d)) {
       if (d.file == file) d.file = name;
       out.add(d);
     }
@@ -224,6 +229,15 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   return out.has_errors();
 }
 
+/// Two frames in two files are seldom meant: between RAS and LPS one of the bones stands back to front.
+bool check_spaces(const Bone& femur, const Bone& tibia, const NewScene& asked, Diagnostics& out) {
+  if (femur.space.empty() || tibia.space.empty() || femur.space == tibia.space) return true;
+  out.error(Code::layout, asked.femur + ", " + asked.tibia,
+            fmt::format("are in two frames by their own headers, SPACE={} and SPACE={}: export both in one frame",
+                        femur.space, tibia.space));
+  return false;
+}
+
 /// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
 bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
                   Diagnostics& out) {
@@ -250,7 +264,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
   const auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
-  if (!femur || !tibia) return std::nullopt;
+  if (!femur || !tibia || !check_spaces(*femur, *tibia, asked, out)) return std::nullopt;
   const auto knee = lay_out_knee(femur->mesh, tibia->mesh, axis_named(asked.proximal), axis_named(asked.anterior));
   if (!knee) {
     out.error(Code::layout, {},
@@ -285,12 +299,12 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   const auto write = [&] { error = write_file_atomically(staged_file, filled_in(composed->text, composed->words)); };
   write();
   if (error.empty()) {
-    auto found = try_out(staged_file, report.file, asked, out);
+    auto found = try_out(staged_file, report.file, asked, true, out);
     const bool stl = asked.kind == NewScene::Kind::stl;
     if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettlingRows) {
       ask_for_flexion(composed->words, found->summary.poses_solved - kSettlingRows, true);
       write();
-      if (error.empty()) found = try_out(staged_file, report.file, asked, out);
+      if (error.empty()) found = try_out(staged_file, report.file, asked, false, out);
     }
     if (!found) return std::nullopt;
     report.poses_solved = found->summary.poses_solved;

@@ -117,6 +117,13 @@ inline constexpr double kMiddleBand = 0.08;
 /// [1] Ratio of the widths of femur and tibia. Fails first: if too small, good pairs get a warning.
 inline constexpr double kMaxWidthRatio = 3;
 
+/// [m] Narrowest tibia that is taken for one in the unit that was given or guessed. Fails first: if too large, knees of
+/// children get a warning.
+inline constexpr double kNarrowestTibia = 0.035;
+
+/// [m] Widest such tibia. Fails first: if too small, large knees get a warning.
+inline constexpr double kWidestTibia = 0.13;
+
 /// [1] How much of the ends must face each other. Fails first: if too large, good pairs get a warning.
 inline constexpr double kMinFacing = 0.2;
 
