@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace genu {
@@ -70,6 +71,17 @@ inline constexpr double kWeldBoxShare = 1e-6;
 /// [1] Relative rounding of single-precision coordinates up to which vertices are welded. Fails first: if too small,
 /// meshes of binary STL stay open along edges.
 inline constexpr double kWeldFloatUlps = 2 * std::numeric_limits<float>::epsilon();
+
+// polygon_cut
+
+/// [1] Area of a triangle over that of the polygon it is cut from that is zero area. Fails first: if too small,
+/// round-off makes a straight corner reflex and a convex polygon is cut anew; if too large, a reflex corner is cut
+/// across.
+inline constexpr double kFlatEarShare = 1e-9;
+
+/// [1] Most corners of a polygon that is cut by ears, which takes their number squared or more. Fails first: if too
+/// small, large faces that are not convex are cut wrong, with a warning; if too large, a damaged file takes hours.
+inline constexpr std::size_t kMaxEarCorners = 1000;
 
 // sharp_corners
 
