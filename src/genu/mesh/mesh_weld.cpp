@@ -10,6 +10,7 @@
 #include "genu/mesh/coordinate_step.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/tolerances.h"
+#include "genu/mesh/two_sided.h"
 
 namespace genu {
 namespace {
@@ -90,7 +91,12 @@ std::size_t drop_degenerate(Mesh& mesh) {
   return std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
-std::size_t drop_duplicate(Mesh& mesh) {
+/// Whether the corners of t, from the smallest one on, ascend.
+bool ascends(const std::array<int, 3>& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
+
+/// Keeps the first of the triangles that have the same corners. both_ways: for those that stay, whether another one ran
+/// the other way.
+std::size_t drop_duplicate(Mesh& mesh, std::vector<bool>& both_ways) {
   std::vector<std::array<int, 4>> keys(mesh.triangles.size());  // sorted corners, then the triangle
   for (std::size_t t = 0; t < keys.size(); ++t) {
     auto c = mesh.triangles[t];
@@ -98,16 +104,23 @@ std::size_t drop_duplicate(Mesh& mesh) {
     keys[t] = {c[0], c[1], c[2], static_cast<int>(t)};
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<bool> repeats(keys.size(), false);
-  for (std::size_t k = 1; k < keys.size(); ++k) {
-    repeats[at(keys[k][3])] = std::equal(keys[k].begin(), keys[k].begin() + 3, keys[k - 1].begin());
+  std::vector<bool> repeats(keys.size(), false), turned(keys.size(), false);
+  for (std::size_t k = 1, first = 0; k < keys.size(); ++k) {
+    const bool same = std::equal(keys[k].begin(), keys[k].begin() + 3, keys[first].begin());
+    if (!same) first = k;
+    const std::size_t t = at(keys[k][3]), kept = at(keys[first][3]);
+    repeats[t] = same;
+    if (ascends(mesh.triangles[t]) != ascends(mesh.triangles[kept])) turned[kept] = true;
   }
+  for (std::size_t t = 0; t < keys.size(); ++t)
+    if (!repeats[t]) both_ways.push_back(turned[t]);
   std::size_t index = 0;
   return std::erase_if(mesh.triangles, [&](const auto&) { return repeats[index++]; });
 }
 
-// Numbers vertices by their order in the file and drops those that no triangle uses.
-void compact(Mesh& mesh) {
+}  // namespace
+
+void drop_unused_vertices(Mesh& mesh) {
   std::vector<int> number(mesh.vertices.size(), -1);
   for (const auto& t : mesh.triangles) {
     for (const int v : t) number[at(v)] = 0;
@@ -123,8 +136,6 @@ void compact(Mesh& mesh) {
     for (int& v : t) v = number[at(v)];
   }
 }
-
-}  // namespace
 
 double weld_tolerance(const Mesh& mesh) {
   const CoordinateStep written = coordinate_step(mesh);
@@ -146,8 +157,11 @@ WeldReport weld(Mesh& mesh, double tolerance) {
   report.joined = first.size() - equal;
   report.joined_near = equal - own_count(first);
   report.degenerate = drop_degenerate(mesh);
-  report.duplicate = drop_duplicate(mesh);
-  compact(mesh);
+  std::vector<bool> both_ways;
+  report.duplicate = drop_duplicate(mesh, both_ways);
+  report.both_ways = static_cast<std::size_t>(std::count(both_ways.begin(), both_ways.end(), true));
+  if (report.both_ways > 0) choose_sides(mesh, both_ways);
+  drop_unused_vertices(mesh);
   return report;
 }
 
