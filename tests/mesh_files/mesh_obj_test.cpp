@@ -13,12 +13,14 @@ const std::string kObj = "# made by hand\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 1\
 
 std::string problem(const std::string& text) {
   Mesh mesh;
-  return read_obj(text, mesh);
+  MeshNotes notes;
+  return read_obj(text, mesh, notes);
 }
 
 Mesh good_obj(const std::string& text) {
   Mesh mesh;
-  EXPECT_EQ(read_obj(text, mesh), "");
+  MeshNotes notes;
+  EXPECT_EQ(read_obj(text, mesh, notes), "");
   return mesh;
 }
 
@@ -37,6 +39,41 @@ TEST(MeshObj, ReadsVerticesAndFacesOfAnyLineEnds) {
       << "vertices may come later";
   EXPECT_EQ(good_obj(with_first(kObj, "v 1 0 0 1", "v 1.00000000000001 0 0")).vertices[1].x(), 1.00000000000001)
       << "doubles";
+}
+
+/// The notes of a text that is read.
+std::vector<std::string> notes_of(const std::string& text) {
+  Mesh mesh;
+  MeshNotes notes;
+  EXPECT_EQ(read_obj(text, mesh, notes), "") << text;
+  return notes.texts();
+}
+
+TEST(MeshObj, AByteOrderMarkLosesNoVertex) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n";
+  EXPECT_EQ(good_obj("\xef\xbb\xbf" + text).vertices, good_obj(text).vertices);
+  EXPECT_TRUE(notes_of("\xef\xbb\xbf" + text).empty());
+}
+
+TEST(MeshObj, WhatDiffersFromTheFormatIsNoted) {
+  EXPECT_TRUE(notes_of(kObj).empty());
+  const auto says = [](const std::string& text, const std::string& note) {
+    ASSERT_EQ(notes_of(text).size(), 1u) << text;
+    EXPECT_EQ(notes_of(text)[0], note);
+  };
+  says(with_first(kObj, "v 1 0 0 1", "v 1,5 0,5 0"),
+       "has decimal commas in line 3 and 1 others: read as decimal points");
+  says(with_first(kObj, "usemtl x", "V 1 0 0\nvertex 1 0 0"),
+       "has a line that begins with \"V\" in line 6 and 1 others: lines that OBJ does not know are left out");
+  says(kObj.substr(0, kObj.size() - 1),
+       "has no line end after its last number: if the file was cut there, that number is wrong");
+  EXPECT_EQ(good_obj(with_first(kObj, "0.5 0.5 1", "nan 0.5 red")).vertices.size(), 3u) << "colours are not parsed";
+}
+
+TEST(MeshObj, ConcaveFacesAreCutFromTheReflexCornerEvenIfVerticesFollow) {
+  const Mesh mesh = good_obj("f 2 3 4 1\nv 0 0 0\nv 2 -1 0\nv 0.5 0 0\nv 2 1 0\n");
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] == 2 || t[1] == 2 || t[2] == 2);
 }
 
 TEST(MeshObj, NamesTheLineOfWhatIsWrong) {

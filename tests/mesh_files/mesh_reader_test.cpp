@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/mesh/mesh_check.h"
+#include "genu/mesh/solid_inertia.h"
 #include "genu/mesh_files/stl_writer.h"
 #include "genu/surface/tessellate.h"
 #include "support/data.h"
@@ -132,6 +133,93 @@ TEST(MeshReader, DamagedCoordinatesAreNamed) {
   says(error(folder.write("binary.stl", far)), "beyond 1e9 of its units (triangle 2, [1e+30,");
 }
 
+std::string utf16(const std::string& text, bool big, bool mark) {
+  std::string out = !mark ? "" : big ? "\xfe\xff" : "\xff\xfe";
+  for (const char c : text) out += big ? std::string{'\0', c} : std::string{c, '\0'};
+  return out;
+}
+
+const std::string kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string kVtp =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">"
+    "<Points><DataArray format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>"
+    "<DataArray Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>"
+    "<DataArray Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+
+/// One triangle in each format of text.
+const std::pair<std::string, std::string> kTexts[] = {
+    {"a.stl", "solid\n" + ascii_facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n") + "endsolid\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"a.off", kOff},
+    {"a.ply", kPly},
+    {"a.vtp", kVtp}};
+
+TEST(MeshReader, EveryTextFormatKnowsItsEncoding) {
+  TemporaryFolder folder;
+  for (const auto& [name, text] : kTexts) {
+    Diagnostics out;
+    const auto mesh = read_mesh(folder.write(name, "\xef\xbb\xbf" + text), 1, out);
+    ASSERT_TRUE(mesh) << name << to_string(out.items()[0]);
+    EXPECT_TRUE(out.items().empty()) << name;
+    EXPECT_EQ(mesh->vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
+    for (const bool big : {false, true})
+      for (const bool mark : {false, true})
+        EXPECT_NE(error(folder.write(name, utf16(text, big, mark))).find("is text in UTF-16"), std::string::npos)
+            << name;
+  }
+}
+
+TEST(MeshReader, EveryTextFormatTakesDecimalCommasButNotBesidePoints) {
+  TemporaryFolder folder;
+  for (const auto& [name, text] : kTexts) {
+    const auto with = [&](const std::string& x, const std::string& y) {
+      std::string out = text;
+      const std::size_t at = out.find("1 0 0");
+      out.replace(at, 5, x + " " + y + " 0");
+      return folder.write(name, out);
+    };
+    Diagnostics out;
+    const auto mesh = read_mesh(with("1,25", "-3,5e-1"), 1, out);
+    ASSERT_TRUE(mesh) << name << to_string(out.items()[0]);
+    EXPECT_EQ(mesh->vertices[1], Vec3(1.25, -0.35, 0)) << name;
+    ASSERT_EQ(out.items().size(), 1u) << name;
+    EXPECT_EQ(out.items()[0].severity, Diagnostic::Severity::warning);
+    EXPECT_NE(out.items()[0].rule.find("decimal commas in line "), std::string::npos) << name;
+    const std::string both = error(with("1,250", "0.5"));
+    EXPECT_NE(both.find("\"1,250\" in line"), std::string::npos) << both;
+    EXPECT_NE(both.find("decimal points elsewhere"), std::string::npos) << both;
+    for (const char* x : {"1,2,3", "1.000,5", "1,", ",", "1,x"}) error(with(x, "0"));
+  }
+}
+
+TEST(MeshReader, VerticesThatNothingUsesChangeNothing) {
+  TemporaryFolder folder;
+  Diagnostics out;
+  const auto mesh =
+      read_mesh(folder.write("a.obj", "v 1e8 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nf 2 3 4\n"), 1, out);
+  ASSERT_TRUE(mesh) << "a far one decides how near vertices are welded";
+  EXPECT_EQ(mesh->vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(out.items().empty());
+}
+
+TEST(MeshReader, ATwoSidedExportIsToldOfAndFacesOutward) {
+  TemporaryFolder folder;
+  Mesh ball = geodesic_mesh({0.03, 0.02, 0.01}, 0.004), turned = ball;
+  for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  turned.triangles.insert(turned.triangles.end(), ball.triangles.begin(), ball.triangles.end());
+  ASSERT_EQ(write_stl(turned, folder / "two.stl", 1e-3, "two"), "");
+  Diagnostics out;
+  const auto mesh = read_mesh(folder / "two.stl", 1e-3, out);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->triangles.size(), ball.triangles.size());
+  EXPECT_NEAR(solid_inertia(*mesh).volume, solid_inertia(ball).volume, 1e-10);
+  ASSERT_EQ(out.items().size(), 1u);
+  EXPECT_NE(out.items()[0].rule.find("stood there both ways round"), std::string::npos);
+}
+
 TEST(MeshReader, OffAndVtpAreRead) {
   TemporaryFolder folder;
   Diagnostics out;
@@ -197,7 +285,7 @@ TEST(MeshReader, EveryTruncationOfABinaryFileIsRefused) {
   ASSERT_EQ(write_stl(geodesic_mesh({1, 1, 1}, 0.6), folder / "whole.stl", 1, "sphere"), "");
   const std::string bytes = test::read_file(folder / "whole.stl");
   for (std::size_t size = 1; size < bytes.size(); size += 37) error(folder.write("cut.stl", bytes.substr(0, size)));
-  error(folder.write("long.stl", bytes + "more"));
+  error(folder.write("long.stl", bytes + bytes + bytes + "more"));
   std::string infinite = bytes;
   infinite.replace(84 + 12, 4, std::string("\0\0\x80\x7f", 4));
   EXPECT_NE(error(folder.write("inf.stl", infinite)).find("not a finite number"), std::string::npos);
@@ -209,9 +297,13 @@ TEST(MeshReader, EveryTruncationOfAnAsciiPlyIsRefused) {
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-  for (std::size_t size = 1; size < ply.size(); ++size) error(folder.write("cut.ply", ply.substr(0, size)));
+  for (std::size_t size = 1; size + 1 < ply.size(); ++size) error(folder.write("cut.ply", ply.substr(0, size)));
   Diagnostics out;
   EXPECT_TRUE(read_mesh(folder.write("whole.ply", ply), 1, out));
+  EXPECT_TRUE(out.items().empty());
+  EXPECT_TRUE(read_mesh(folder.write("cut.ply", ply.substr(0, ply.size() - 1)), 1, out));
+  ASSERT_EQ(out.items().size(), 1u) << "all numbers are there, and the last one may be cut";
+  EXPECT_NE(out.items()[0].rule.find("no line end"), std::string::npos);
 }
 
 TEST(MeshReader, EveryTruncationOfABinaryPlyIsRefused) {

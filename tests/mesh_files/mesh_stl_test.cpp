@@ -13,7 +13,10 @@ namespace {
 const std::string kFacet =
     "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
 
-std::string read_stl_text(const std::string& text, Mesh& mesh) { return read_stl(text, mesh); }
+std::string read_stl_text(const std::string& text, Mesh& mesh) {
+  MeshNotes notes;
+  return read_stl(text, mesh, notes);
+}
 
 TEST(MeshStl, ReadsWhatExportersWrite) {
   const std::string texts[] = {"solid\n" + kFacet + "endsolid\n",
@@ -32,20 +35,63 @@ TEST(MeshStl, ReadsWhatExportersWrite) {
   EXPECT_EQ(mesh.vertices[0], Vec3(-1e-3, 2, 0.5));
 }
 
+/// The notes of a text that is read, its triangles counted.
+std::vector<std::string> notes_of(const std::string& text, std::size_t triangles) {
+  Mesh mesh;
+  MeshNotes notes;
+  EXPECT_EQ(read_stl(text, mesh, notes), "") << text;
+  EXPECT_EQ(mesh.triangles.size(), triangles) << text;
+  return notes.texts();
+}
+
+std::string with_all(std::string text, const std::string& piece, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; at += by.size())
+    text.replace(at, piece.size(), by);
+  return text;
+}
+
+TEST(MeshStl, WhatIsNotNeededIsNotParsed) {
+  const std::string whole = "solid a\n" + kFacet + kFacet + "endsolid a\n";
+  for (const char* end : {"loop", "facet", "solid"})
+    EXPECT_TRUE(notes_of(with_all(whole, std::string("end") + end, std::string("END ") + end), 2).empty());
+  for (const char* normal : {"normal -1.#IND00e+000 1.#QNAN 0", "normal -nan(ind) nan nan", "normal 0 0",
+                             "normal 0,5 0,5 0", "", "normal 0 0 1 1"})
+    EXPECT_TRUE(notes_of(with_all(whole, "normal 0 0 1", normal), 2).empty()) << normal;
+  EXPECT_TRUE(notes_of("solid a\nsolid b\n" + kFacet + "endsolid a\nendsolid b\n", 1).empty());
+  EXPECT_TRUE(notes_of(with_all(whole + whole, "endsolid", "end solid"), 4).empty());
+  EXPECT_TRUE(notes_of("\xef\xbb\xbf" + whole, 2).empty());
+}
+
+TEST(MeshStl, CommasAndWhatFollowsTheLastSolidAreNoted) {
+  Mesh mesh;
+  MeshNotes notes;
+  const std::string commas = "solid\n" + with_all(with_all(kFacet, "1 0 0", "1,25 0,0 -3,5e-1"), "0 0 1", "0.5 0 1");
+  ASSERT_EQ(read_stl(commas + "endsolid\n", mesh, notes), "");
+  EXPECT_EQ(mesh.vertices[1], Vec3(1.25, 0, -0.35));
+  ASSERT_EQ(notes.texts().size(), 1u);
+  EXPECT_EQ(notes.texts()[0], "has decimal commas in line 5 and 2 others: read as decimal points");
+  EXPECT_EQ(notes.problem(), "") << "a normal is not read";
+  const auto after = notes_of("solid\n" + kFacet + "endsolid\n\nmade by hand\n", 1);
+  ASSERT_EQ(after.size(), 1u);
+  EXPECT_EQ(after[0], "has \"made\" after its last \"endsolid\" in line 11: it is left out");
+}
+
+TEST(MeshStl, ABinaryFileMayBeginWithSolid) {
+  std::string bytes = "solid of a vertex, a facet and an endsolid";
+  bytes.resize(80, ' ');
+  bytes += std::string("\2\0\0\0", 4) + std::string(100, '\0');
+  EXPECT_TRUE(notes_of(bytes, 2).empty());
+  EXPECT_EQ(notes_of(bytes + "xy", 2).size(), 1u) << "neither does its size fit";
+}
+
 TEST(MeshStl, GarbageIsNamedWithItsLine) {
-  const std::pair<std::string, std::string> bad[] = {{"0 1 0\n endloop", "0 x 0\n endloop"},
-                                                     {"0 1 0\n endloop", "0 1\n endloop"},
-                                                     {"0 1 0\n endloop", "0 1 0 0\n endloop"},
-                                                     {"vertex 0 1 0", "vertx 0 1 0"},
-                                                     {"normal 0 0 1", "normal 0 0"},
-                                                     {"endfacet", "endfacet rubbish"},
-                                                     {"vertex 0 1 0", "vertex 0 1.5.2 0"},
-                                                     {"vertex 0 1 0", "vertex 0 1e400 0"},
-                                                     {"endfacet", "end facet"},
-                                                     {"vertex 1 0 0\n", ""},
-                                                     {"vertex 0 1 0", "vertex 0 1e30 0"},
-                                                     {"endloop", "vertex 1 1 0\nendloop"},
-                                                     {"endfacet", std::string("end\0facet", 9)}};
+  const std::pair<std::string, std::string> bad[] = {
+      {"0 1 0\n endloop", "0 x 0\n endloop"},    {"0 1 0\n endloop", "0 1\n endloop"},
+      {"0 1 0\n endloop", "0 1 0 0\n endloop"},  {"vertex 0 1 0", "vertx 0 1 0"},
+      {"endfacet", "endfacet rubbish"},          {"vertex 0 1 0", "vertex 0 1.5.2 0"},
+      {"vertex 0 1 0", "vertex 0 1e400 0"},      {"vertex 1 0 0\n", ""},
+      {"vertex 0 1 0", "vertex 0 1e30 0"},       {"endloop", "vertex 1 1 0\nendloop"},
+      {"endfacet", std::string("end\0facet", 9)}};
   for (const auto& [piece, replacement] : bad) {
     std::string text = "solid\n" + kFacet + kFacet + "endsolid\n";
     text.replace(text.rfind(piece), piece.size(), replacement);

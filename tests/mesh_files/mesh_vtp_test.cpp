@@ -50,7 +50,10 @@ Arrays ascii() {
           element("Int64", "offsets", "ascii", whole(kOffsets))};
 }
 
-std::string read_vtp_text(const std::string& text, Mesh& mesh) { return read_vtp(text, mesh); }
+std::string read_vtp_text(const std::string& text, Mesh& mesh) {
+  MeshNotes notes;
+  return read_vtp(text, mesh, notes);
+}
 
 void expect_square(const std::string& text, const std::string& what) {
   Mesh mesh;
@@ -193,6 +196,24 @@ TEST(MeshVtp, ArraysOfOtherShapeOrTypeAreNamed) {
   Arrays bad = ascii();
   bad.points = element("Complex", "Points", "ascii", numbers(kPoints));
   says(bad, "type \"Complex\"");
+}
+
+TEST(MeshVtp, ConcavePolygonsAreCutFromTheReflexCorner) {
+  Arrays arrays = ascii();
+  arrays.points = element("Float64", "Points", "ascii", "0 0 0  2 -1 0  0.5 0 0  2 1 0");
+  arrays.corners = element("Int64", "connectivity", "ascii", "1 2 3 0");
+  arrays.offsets = element("Int64", "offsets", "ascii", "4");
+  Mesh mesh;
+  const std::string text = file("", arrays, {}, "NumberOfPoints=\"4\" NumberOfPolys=\"1\"");
+  ASSERT_EQ(read_vtp_text(text, mesh), "");
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  for (const auto& t : mesh.triangles) EXPECT_TRUE(t[0] == 2 || t[1] == 2 || t[2] == 2);
+}
+
+TEST(MeshVtp, MayEndWithALongComment) {
+  Mesh mesh;
+  EXPECT_EQ(read_vtp_text(file("", ascii()) + "<!--" + std::string(500, 'x') + "-->", mesh), "");
+  EXPECT_EQ(mesh.triangles.size(), 2u);
 }
 
 }  // namespace

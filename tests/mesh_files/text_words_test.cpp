@@ -47,5 +47,45 @@ TEST(TextWords, NumbersAreWholeWords) {
   EXPECT_EQ(in_quotes("a\x1b[31m"), "\"a?[31m\"");
 }
 
+TEST(TextWords, DecimalCommasAreReadAndNoted) {
+  const TextWords words("");
+  MeshNotes notes;
+  double x = 0;
+  const std::pair<const char*, double> good[] = {
+      {"1.5", 1.5}, {"-1,5", -1.5}, {",5", 0.5}, {"+2,5e-1", 0.25}, {"7", 7}};
+  for (const auto& [word, value] : good) {
+    EXPECT_TRUE(words.decimal(word, x, notes)) << word;
+    EXPECT_EQ(x, value);
+  }
+  for (const char* bad : {"", ",", "1,", "1,2,3", "1.000,5", "1,000.5", "1,x"})
+    EXPECT_FALSE(words.decimal(bad, x, notes)) << bad;
+  EXPECT_EQ(notes.texts(),
+            std::vector<std::string>{"has decimal commas in line 1 and 2 others: read as decimal points"});
+}
+
+TEST(TextWords, AByteOrderMarkIsNoWord) {
+  TextWords words(
+      "\xef\xbb\xbf"
+      "a b",
+      0, 5);
+  EXPECT_EQ(words.next(), "a");
+  EXPECT_EQ(words.line(), 5u);
+}
+
+TEST(TextWords, TellWhatStandsAtTheEnd) {
+  const auto end = [](const std::string& text) {
+    TextWords words(text, '#');
+    MeshNotes notes;
+    for (const std::string_view last = "last"; words.next() != last;) {
+    }
+    words.note_end(notes);
+    return notes.texts().empty() ? std::string() : notes.texts()[0];
+  };
+  for (const char* whole : {"a last\n", "a last ", "last # no number", "last\n\n # 7"})
+    EXPECT_EQ(end(whole), "") << whole;
+  EXPECT_NE(end("a\nlast").find("no line end"), std::string::npos);
+  EXPECT_NE(end("a last\nmore").find("\"more\" after all that its header promises in line 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace genu

@@ -12,6 +12,7 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include "genu/mesh_files/mesh_file_check.h"
 #include "genu/mesh_files/mesh_formats.h"
 #include "genu/mesh_files/tolerances.h"
 
@@ -20,32 +21,36 @@ namespace {
 
 // Positions and triangles alone: a normal or texture coordinate that differs never parts two corners, so none of
 // assimp's own joining (which keeps STL torn along its facet normals) is needed. Empty text where all is well.
-std::string append_part(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh) {
+std::string append_part(const aiMesh& part, const aiMatrix4x4& placed, Mesh& mesh, std::vector<Fan>& fans) {
   const std::size_t base = mesh.vertices.size();
   if (base + part.mNumVertices > kMaxMeshCount) return "has more vertices than can be counted: reduce the mesh";
   for (unsigned v = 0; v < part.mNumVertices; ++v) {
     const aiVector3D p = placed * part.mVertices[v];
     mesh.vertices.emplace_back(p.x, p.y, p.z);
   }
+  std::vector<int> corners;
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
     for (unsigned k = 0; k < face.mNumIndices; ++k)
       if (face.mIndices[k] >= part.mNumVertices)
         return "has a face that names a vertex it does not have: export it again";
-    const auto corner = [&](unsigned k) { return static_cast<int>(base + face.mIndices[k]); };
-    // Points and lines are not a surface; a polygon becomes a fan.
-    for (unsigned k = 2; k < face.mNumIndices; ++k) mesh.triangles.push_back({corner(0), corner(k - 1), corner(k)});
+    corners.clear();
+    for (unsigned k = 0; k < face.mNumIndices; ++k) corners.push_back(static_cast<int>(base + face.mIndices[k]));
+    if (corners.size() >= 3) add_polygon(corners, mesh, fans);  // points and lines are not a surface
   }
   return {};
 }
 
-std::string append_below(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Mesh& mesh) {
-  const aiMatrix4x4 placed = above * node.mTransformation;
+std::string append_below(const aiScene& scene, const aiNode& node, const aiMatrix4x4& placed, Mesh& mesh,
+                         std::vector<Fan>& fans) {
   for (unsigned m = 0; m < node.mNumMeshes; ++m)
-    if (std::string problem = append_part(*scene.mMeshes[node.mMeshes[m]], placed, mesh); !problem.empty())
+    if (std::string problem = append_part(*scene.mMeshes[node.mMeshes[m]], placed, mesh, fans); !problem.empty())
       return problem;
-  for (unsigned c = 0; c < node.mNumChildren; ++c)
-    if (std::string problem = append_below(scene, *node.mChildren[c], placed, mesh); !problem.empty()) return problem;
+  for (unsigned c = 0; c < node.mNumChildren; ++c) {
+    const aiNode& child = *node.mChildren[c];
+    if (std::string problem = append_below(scene, child, placed * child.mTransformation, mesh, fans); !problem.empty())
+      return problem;
+  }
   return {};
 }
 
@@ -63,7 +68,14 @@ class BytesOfFile : public Assimp::DefaultIOSystem {
   std::string_view bytes_;
 };
 
-std::string read_here(const std::string& path, std::string_view bytes, Mesh& mesh) {
+/// In COLLADA and 3DS, assimp puts a turn to its own up axis and a scale to metres on the root, which has no placement
+/// of its own there. Numbers keep the frame and the unit that the file has them in.
+aiMatrix4x4 placement_of_root(const std::string& path, const aiScene& scene) {
+  const std::string extension = mesh_extension(path);
+  return extension == ".dae" || extension == ".3ds" ? aiMatrix4x4() : scene.mRootNode->mTransformation;
+}
+
+std::string read_here(const std::string& path, std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
   const auto unreadable = [](const std::string& why) {
     return "cannot be read as a mesh (" + why + "): export it again as binary STL";
   };
@@ -74,7 +86,12 @@ std::string read_here(const std::string& path, std::string_view bytes, Mesh& mes
     const aiScene* scene = importer.ReadFile(path, 0);
     if (scene == nullptr) return unreadable(importer.GetErrorString());
     if (scene->mRootNode == nullptr) return unreadable("it has no root");
-    return append_below(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+    std::vector<Fan> fans;
+    const aiMatrix4x4 root = placement_of_root(path, *scene);
+    if (std::string problem = append_below(*scene, *scene->mRootNode, root, mesh, fans); !problem.empty())
+      return problem;
+    cut_polygons(mesh, fans, notes);
+    return {};
   } catch (const std::exception& e) {  // assimp's own parsers may throw on a broken file, and memory may run out
     return unreadable(e.what());
   }
@@ -90,7 +107,8 @@ bool kills_its_reader(const std::string& path, std::string_view bytes) {
     ::setrlimit(RLIMIT_CORE, &none);
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT}) std::signal(signal, SIG_DFL);
     Mesh ignored;
-    read_here(path, bytes, ignored);
+    MeshNotes unread;
+    read_here(path, bytes, ignored, unread);
     ::_exit(0);
   }
   int status = 0;
@@ -101,10 +119,10 @@ bool kills_its_reader(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
-std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh) {
+std::string read_by_assimp(const std::string& path, std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
   if (kills_its_reader(path, bytes))
     return "cannot be read as a mesh (its reader, assimp, breaks down over it): export it again as binary STL";
-  return read_here(path, bytes, mesh);
+  return read_here(path, bytes, mesh, notes);
 }
 
 }  // namespace genu

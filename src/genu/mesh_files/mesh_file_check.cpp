@@ -3,50 +3,29 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 
 #include <unistd.h>
 
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/stl_binary.h"
 #include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
-
-constexpr std::uint64_t kStlHeader = 84, kStlTriangle = 50;  // bytes of a binary STL
 
 std::string lower(std::string s) {
   std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return s;
 }
 
-// ASCII STL starts with "solid", but so do some binary ones: the words of the body decide. Titles may be long.
-bool is_ascii_stl(std::string_view bytes) {
-  const std::string text = lower(std::string(bytes.substr(0, kBytesSearched)));
-  const std::size_t mark = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // of UTF-8
-  const std::size_t first = text.find_first_not_of(" \t\r\n", mark);
-  if (first == std::string::npos || text.compare(first, 5, "solid") != 0) return false;
-  const auto has = [&](const char* word) { return text.find(word, first) != std::string::npos; };
-  return has("vertex") || has("endsolid") || (has("facet") && text.find('\0') == std::string::npos);
-}
-
-std::string check_stl(std::string_view bytes) {
-  const std::size_t size = bytes.size();
-  std::uint32_t count = 0;
-  if (size >= kStlHeader) std::memcpy(&count, bytes.data() + kStlHeader - sizeof count, sizeof count);
-  const std::uint64_t expected = kStlHeader + kStlTriangle * count;
-  if (size >= kStlHeader && size == expected) return {};
-  if (is_ascii_stl(bytes)) {
-    const std::size_t tail = std::min<std::size_t>(size, 1024);
-    if (lower(std::string(bytes.substr(size - tail))).find("endsolid") != std::string::npos) return {};
-    return "is an ASCII STL without its final \"endsolid\": it is truncated; copy or export it again";
-  }
-  if (size < kStlHeader) return "is too short for an STL: copy or export it again";
-  const std::string sizes = "is a binary STL of " + std::to_string(count) + " triangles, which take " +
-                            std::to_string(expected) + " bytes, but it has " + std::to_string(size);
-  return sizes + (size < expected ? ": it is truncated; copy or export it again"
-                                  : ": it is damaged or no STL at all; export it again");
+/// By its byte-order mark, or by two printable characters with a zero byte beside each.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
+  if (bytes.size() < 4) return false;
+  const auto zero = [&](std::size_t a, std::size_t b) { return bytes[a] == 0 && bytes[b] == 0; };
+  const auto printable = [&](std::size_t a, std::size_t b) { return bytes[a] >= ' ' && bytes[b] >= ' '; };
+  return (zero(0, 2) && printable(1, 3)) || (zero(1, 3) && printable(0, 2));
 }
 
 }  // namespace
@@ -81,7 +60,10 @@ std::optional<Fault> check_mesh_name(const std::string& path) {
 }
 
 std::string check_mesh_bytes(const std::string& extension, std::string_view bytes) {
-  return extension == ".stl" ? check_stl(bytes) : std::string();
+  for (const char* other : kByAssimp)
+    if (extension == other) return {};  // binary, or assimp knows its encoding
+  if ((extension == ".stl" && fits_binary_stl(bytes)) || !is_utf16(bytes)) return {};
+  return "is text in UTF-16: save it as UTF-8 (or ASCII)";
 }
 
 }  // namespace genu

@@ -1,4 +1,5 @@
-// What can be said about a mesh file before a parser sees it: parsers accept half a file, or ask for all memory.
+// What can be said about a mesh file before a parser sees it: parsers ask for all memory, or take text
+// for numbers.
 #pragma once
 
 #include <optional>
@@ -13,8 +14,8 @@ namespace genu {
 /// empty, and not larger than this computer's memory. It is not opened.
 [[nodiscard]] std::optional<Fault> check_mesh_name(const std::string& path);
 
-/// What is wrong with the bytes of a file whose ending is `extension` (".stl", in small letters): whether it is
-/// truncated, as far as its format tells.
+/// What is wrong with the bytes of a file whose ending is `extension` (".stl", in small letters): text in an encoding
+/// that genu's readers do not know.
 [[nodiscard]] std::string check_mesh_bytes(const std::string& extension, std::string_view bytes);
 
 /// The ending of a file's name, in small letters, with its dot.

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "genu/mesh_files/mesh_formats.h"
@@ -7,21 +9,32 @@
 namespace genu {
 namespace {
 
+/// What a line may begin with that says nothing of the surface.
+constexpr std::array<std::string_view, 15> kPassedOver{
+    "vt", "vn", "vp", "p", "l", "g", "o", "s", "usemtl", "mtllib", "mg", "lod", "bevel", "shadow_obj", "trace_obj"};
+
 class ObjFile {
  public:
-  ObjFile(std::string_view text, Mesh& mesh) : words_(text, '#'), mesh_(mesh) {}
+  ObjFile(std::string_view text, Mesh& mesh, MeshNotes& notes) : words_(text, '#'), mesh_(mesh), notes_(notes) {}
 
   std::string read() {
     for (std::string_view word = words_.next(); !word.empty() && problem_.empty(); word = words_.next()) {
-      if (word == "v") read_vertex();
-      if (word == "f") read_face();
+      if (word == "v")
+        read_vertex();
+      else if (word == "f")
+        read_face();
+      else if (std::find(kPassedOver.begin(), kPassedOver.end(), word) == kPassedOver.end())
+        note_unknown(word);
       words_.skip_line();
     }
     // A face may name vertices that come after it: only now is known whether they do.
     if (problem_.empty() && highest_ >= static_cast<int>(mesh_.vertices.size()))
       fail(highest_line_,
            "names vertex " + std::to_string(highest_ + 1) + " of " + std::to_string(mesh_.vertices.size()));
-    return problem_;
+    if (!problem_.empty()) return problem_;
+    cut_polygons(mesh_, fans_, notes_);
+    words_.note_end(notes_);
+    return {};
   }
 
  private:
@@ -30,20 +43,26 @@ class ObjFile {
   }
   void fail(const std::string& why) { fail(words_.line(), why); }
 
+  void note_unknown(std::string_view word) {
+    if (unknown_.empty()) unknown_ = in_quotes(word);
+    notes_.add("a line that begins with " + unknown_, "lines that OBJ does not know are left out", words_.line());
+  }
+
   /// x y z, then a weight of 1 or a colour of three numbers.
   void read_vertex() {
-    std::vector<double> values;
-    for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line()) {
-      double x = 0;
-      if (!TextWords::number(word, x)) return fail("has " + in_quotes(word) + " where a number should stand");
-      if (values.size() < 3 && !is_coordinate(x))
-        return fail("has " + in_quotes(word) + " where " + kCoordinate + " should stand");
-      values.push_back(x);
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = words_.next_in_line();
+      if (word.empty()) return fail("has fewer than three numbers");
+      if (!words_.decimal(word, p[k], notes_)) return fail("has " + in_quotes(word) + " where a number should stand");
+      if (!is_coordinate(p[k])) return fail("has " + in_quotes(word) + " where " + kCoordinate + " should stand");
     }
-    if (values.size() < 3) return fail("has fewer than three numbers");
-    if (values.size() == 4 && values[3] != 1) return fail("has a vertex with a weight other than 1");
+    const std::string_view fourth = words_.next_in_line();
+    double weight = 1;
+    if (!fourth.empty() && words_.next_in_line().empty() && !(words_.decimal(fourth, weight, notes_) && weight == 1))
+      return fail("has a vertex with a weight other than 1");
     if (mesh_.vertices.size() >= kMaxMeshCount) return fail("has more vertices than can be counted");
-    mesh_.vertices.emplace_back(values[0], values[1], values[2]);
+    mesh_.vertices.push_back(p);
   }
 
   /// The vertex that a corner such as "7", "7/1/2" or "-1" names, counted from 0; negative where there is none.
@@ -65,21 +84,21 @@ class ObjFile {
   }
 
   void read_face() {
-    std::array<int, 3> t{};
-    int corners = 0;
-    for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line(), ++corners) {
-      const int v = corner(word);
-      if (v < 0) return;
-      if (corners == 0) t[0] = v;
-      t[1] = t[2];
-      t[2] = v;
-      if (corners >= 2) mesh_.triangles.push_back(t);
+    corners_.clear();
+    for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line()) {
+      corners_.push_back(corner(word));
+      if (corners_.back() < 0) return;
     }
-    if (corners < 3) fail("has a face of fewer than three corners");
+    if (corners_.size() < 3) return fail("has a face of fewer than three corners");
+    add_polygon(corners_, mesh_, fans_);
   }
 
   TextWords words_;
   Mesh& mesh_;
+  MeshNotes& notes_;
+  std::string unknown_;       ///< the first word that begins a line and is none of OBJ's
+  std::vector<int> corners_;  ///< of a face
+  std::vector<Fan> fans_;
   int highest_ = -1;  ///< vertex that a face names
   std::size_t highest_line_ = 0;
   std::string problem_;
@@ -87,6 +106,8 @@ class ObjFile {
 
 }  // namespace
 
-std::string read_obj(std::string_view bytes, Mesh& mesh) { return ObjFile(bytes, mesh).read(); }
+std::string read_obj(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
+  return ObjFile(bytes, mesh, notes).read();
+}
 
 }  // namespace genu

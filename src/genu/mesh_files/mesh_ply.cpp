@@ -20,28 +20,35 @@ const std::string kNoVertex = "has a face that names a vertex it does not have";
 /// The numbers behind the header, one after the other.
 class Body {
  public:
-  Body(std::string_view text, const PlyHeader& header)
-      : words_(text),
+  Body(std::string_view text, const PlyHeader& header, MeshNotes& notes)
+      : words_(text, 0, header.lines + 1),
         bytes_(text),
         ascii_(header.ascii),
         swap_(header.big_endian != (std::endian::native == std::endian::big)),
-        first_line_(header.lines) {}
+        notes_(notes) {}
 
   /// False at a wrong one; problem() then says why.
   bool next(PlyType type, double& value) { return ascii_ ? next_word(value) : next_bytes(type, value); }
 
   /// Before and after the numbers of one vertex or face, which have a line of their own in ASCII.
   void begin() { fresh_ = true; }
-  bool end() {
-    if (!ascii_) return true;
-    if (const std::string_view more = words_.next_in_line(); !more.empty())
-      return fail("has " + in_quotes(more) + place() + " where the line should end: it is damaged; export it again");
-    return !words_.rest().empty() || fail(kShort);  // a number cut in two is another number
+  void end() {
+    if (!ascii_ || words_.next_in_line().empty()) return;
+    notes_.add("more numbers than its header declares", "what follows those is left out", line());
+    words_.skip_line();
   }
-  bool at_end() { return !ascii_ || words_.peek().empty(); }
+
+  /// After all that the header promises.
+  void finish() {
+    if (ascii_)
+      words_.note_end(notes_);
+    else if (at_ < bytes_.size())
+      notes_.add(std::to_string(bytes_.size() - at_) + " bytes after all that its header promises",
+                 "they are left out");
+  }
 
   /// Of the file, where that is text.
-  std::size_t line() const { return first_line_ + words_.line(); }
+  std::size_t line() const { return words_.line(); }
   const std::string& problem() const { return problem_; }
 
  private:
@@ -59,7 +66,7 @@ class Body {
     if (word.empty())
       return fail(words_.rest().empty() ? kShort
                                         : "has too few numbers" + place() + ": it is damaged; export it again");
-    if (TextWords::number(word, value)) return true;
+    if (words_.decimal(word, value, notes_)) return true;
     return fail("has " + in_quotes(word) + place() + " where a number should stand: it is damaged; export it again");
   }
 
@@ -98,14 +105,15 @@ class Body {
   TextWords words_;
   std::string_view bytes_;
   bool ascii_, swap_, fresh_ = true;
-  std::size_t first_line_, at_ = 0;
+  MeshNotes& notes_;
+  std::size_t at_ = 0;
   std::string problem_;
 };
 
 class PlyFile {
  public:
-  PlyFile(std::string_view text, const PlyHeader& header, Mesh& mesh)
-      : header_(header), body_(text.substr(header.size), header), mesh_(mesh) {}
+  PlyFile(std::string_view text, const PlyHeader& header, Mesh& mesh, MeshNotes& notes)
+      : header_(header), body_(text.substr(header.size), header, notes), mesh_(mesh), notes_(notes) {}
 
   std::string read() {
     for (const PlyElement& element : header_.elements) {
@@ -121,9 +129,10 @@ class PlyFile {
       }
     }
     if (problem_.empty()) check_corners();
-    if (problem_.empty() && !body_.at_end())
-      fail("has more lines than its header promises: it is damaged; export it again");
-    return problem_;
+    if (!problem_.empty()) return problem_;
+    cut_polygons(mesh_, fans_, notes_);
+    body_.finish();
+    return {};
   }
 
  private:
@@ -168,7 +177,8 @@ class PlyFile {
         if (static_cast<int>(k) == corners_) list_.push_back(value);
       }
     }
-    return body_.end();
+    body_.end();
+    return true;
   }
 
   std::string place(const std::string& what, std::size_t line, std::size_t number) const {
@@ -203,8 +213,9 @@ class PlyFile {
 
   void add_face() {
     if (list_.size() < 3) fail("has a face of fewer than three corners" + place("face"));
-    for (std::size_t k = 2; k < list_.size() && problem_.empty(); ++k)
-      mesh_.triangles.push_back({corner(list_[0]), corner(list_[k - 1]), corner(list_[k])});
+    polygon_.clear();
+    for (const double number : list_) polygon_.push_back(corner(number));
+    if (problem_.empty()) add_polygon(polygon_, mesh_, fans_);
   }
 
   /// Strips end with -1; every other triangle of one runs the other way.
@@ -224,6 +235,9 @@ class PlyFile {
   const PlyHeader& header_;
   Body body_;
   Mesh& mesh_;
+  MeshNotes& notes_;
+  std::vector<int> polygon_;  ///< corners of a face
+  std::vector<Fan> fans_;
   std::array<int, 3> coordinate_{};
   int corners_ = -1;
   std::vector<double> values_, list_;
@@ -235,10 +249,10 @@ class PlyFile {
 
 }  // namespace
 
-std::string read_ply(std::string_view bytes, Mesh& mesh) {
+std::string read_ply(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
   PlyHeader header;
   if (std::string problem = read_ply_header(bytes, header); !problem.empty()) return problem;
-  return PlyFile(bytes, header, mesh).read();
+  return PlyFile(bytes, header, mesh, notes).read();
 }
 
 }  // namespace genu

@@ -36,16 +36,18 @@ std::optional<Fault> unreadable(std::string why) {
 }
 
 /// None where all is well.
-std::optional<Fault> import(const std::string& path, std::string_view bytes, Mesh& mesh) {
+std::optional<Fault> import(const std::string& path, std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
   const std::string extension = mesh_extension(path);
   const bool stl = extension == ".stl";
-  const std::string problem = stl                   ? read_stl(bytes, mesh)
-                              : extension == ".off" ? read_off(bytes, mesh)
-                              : extension == ".vtp" ? read_vtp(bytes, mesh)
-                              : extension == ".ply" ? read_ply(bytes, mesh)
-                              : extension == ".obj" ? read_obj(bytes, mesh)
-                                                    : read_by_assimp(path, bytes, mesh);
-  return problem.empty() ? check_coordinates(mesh, stl) : unreadable(problem);
+  const std::string problem = stl                   ? read_stl(bytes, mesh, notes)
+                              : extension == ".off" ? read_off(bytes, mesh, notes)
+                              : extension == ".vtp" ? read_vtp(bytes, mesh, notes)
+                              : extension == ".ply" ? read_ply(bytes, mesh, notes)
+                              : extension == ".obj" ? read_obj(bytes, mesh, notes)
+                                                    : read_by_assimp(path, bytes, mesh, notes);
+  if (!problem.empty()) return unreadable(problem);
+  if (auto fault = unreadable(notes.problem())) return fault;
+  return check_coordinates(mesh, stl);
 }
 
 /// Why no triangle is left of a mesh whose vertices were welded within `tolerance`.
@@ -85,6 +87,7 @@ void warn_rounding(const std::string& path, const Mesh& mesh, double metres_per_
 /// Welds what was read and notes its facts; says why nothing is left of it. `again` gives what was read once more.
 std::optional<Fault> clean(Mesh& mesh, MeshFileFacts& facts, const std::function<Mesh()>& again) {
   if (mesh.empty()) return unreadable("has no triangles: export the surface as a triangle mesh");
+  drop_unused_vertices(mesh);  // how far away they are means nothing
   facts.vertices = mesh.vertices.size();
   facts.triangles = mesh.triangles.size();
   const CoordinateStep written = coordinate_step(mesh);
@@ -102,22 +105,30 @@ std::optional<Fault> read_in_file_unit(const std::string& path, InputFiles& file
   const auto bytes = files.bytes(path);
   if (!bytes) return Fault{Code::cannot_read, kCannotOpen};
   if (auto fault = unreadable(check_mesh_bytes(mesh_extension(path), *bytes))) return fault;
-  if (auto fault = import(path, *bytes, mesh)) return fault;
+  MeshNotes notes;
+  if (auto fault = import(path, *bytes, mesh, notes)) return fault;
+  facts.notes = notes.texts();
   facts.space = space_said(*bytes);
   return clean(mesh, facts, [&] {
     Mesh again;
-    import(path, *bytes, again);
+    import(path, *bytes, again, notes);
     return again;
   });
 }
 
 /// What is left to do once the unit is known.
 Mesh in_metres(const std::string& path, Mesh mesh, double metres_per_unit, MeshFileFacts& facts, Diagnostics& out) {
+  for (const std::string& note : facts.notes) out.warning(Code::mesh_repaired, path, note);
   const WeldReport& report = facts.weld;
   if (report.degenerate + report.duplicate > 0)
     out.warning(
         Code::mesh_repaired, path,
-        fmt::format("dropped {} triangles without extent and {} repeated ones", report.degenerate, report.duplicate));
+        fmt::format("dropped {} triangles without extent and {} repeated ones{}", report.degenerate, report.duplicate,
+                    report.both_ways == 0
+                        ? std::string()
+                        : fmt::format("; {} stood there both ways round (a two-sided export): closed "
+                                      "pieces of them face outward, open ones as their first triangle",
+                                      report.both_ways)));
   facts.rounding *= metres_per_unit;
   warn_rounding(path, mesh, metres_per_unit, facts, out);
   for (Vec3& v : mesh.vertices) v *= metres_per_unit;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "genu/core/diagnostics.h"
 #include "genu/core/input_files.h"
@@ -22,6 +23,7 @@ struct MeshFileFacts {
   double rounding = 0;     ///< m: the step of its numbers (coordinate_step.h); 0: double precision, or too few to tell
   bool single = false;     ///< that is float32's step at the largest coordinate, not one the exporter chose
   std::string space = {};  ///< the frame that the file names (mesh_space.h): "RAS", "LPS"; empty: none
+  std::vector<std::string> notes = {};  ///< what is not as its format has it, and was read all the same
 };
 
 /// The meshes that a piece of work uses. Each file is opened and parsed once, whoever asks for it and however often;
@@ -31,7 +33,7 @@ class MeshLibrary {
   /// Opens files through `files`, so that others see the same bytes.
   explicit MeshLibrary(std::shared_ptr<InputFiles> files = std::make_shared<InputFiles>()) : files_(std::move(files)) {}
 
-  /// Reads all triangles of `path` (convex polygons are cut into fans), welds vertices within weld_tolerance(), drops
+  /// Reads all triangles of `path` (polygons are cut into triangles), welds vertices within weld_tolerance(), drops
   /// degenerate and repeated triangles (a warning gives their number) and turns file units into metres. Vertices keep
   /// the order of their first appearance; the winding is the file's. Coordinates that single precision rounds to more
   /// than 2 um, as far from the origin, get a warning.

@@ -1,44 +1,49 @@
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cctype>
-#include <cstdint>
-#include <cstring>
 
 #include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/stl_binary.h"
 #include "genu/mesh_files/text_words.h"
 #include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "STL is little-endian: swap bytes here first");
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-constexpr std::size_t kBinaryHeader = 84, kTriangle = 50;  // bytes of a binary STL
-
-/// `triangles`: the bytes after the header.
-void read_binary(std::string_view triangles, std::size_t count, Mesh& mesh) {
-  mesh.vertices.resize(3 * count);
-  mesh.triangles.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    std::array<float, 9> corners;  // after the normal, which the corners' order repeats
-    std::memcpy(corners.data(), triangles.data() + t * kTriangle + 12, sizeof corners);
-    for (std::size_t k = 0; k < 3; ++k)
-      mesh.vertices[3 * t + k] = Vec3(corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
-    const int i = static_cast<int>(3 * t);
-    mesh.triangles[t] = {i, i + 1, i + 2};
-  }
+bool same(std::string_view word, std::string_view wanted) {
+  return std::equal(word.begin(), word.end(), wanted.begin(), wanted.end(),
+                    [](char a, char b) { return lower(a) == b; });
 }
 
-bool same(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+/// `wanted` in small letters.
+bool has(std::string_view text, std::string_view wanted) {
+  return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(),
+                     [](char a, char b) { return lower(a) == b; }) != text.end();
+}
+
+/// Whether hardly any byte is one that text does not have. Of binary triangles, at least one byte in 25 is 0.
+bool is_text(std::string_view bytes) {
+  const auto control = std::count_if(bytes.begin(), bytes.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && !(c >= '\t' && c <= '\r');
+  });
+  return static_cast<double>(control) <= kMaxControlShare * static_cast<double>(bytes.size());
+}
+
+// ASCII STL starts with "solid", but so do some binary ones: the body decides. Titles may be long.
+bool is_ascii_stl(std::string_view bytes) {
+  constexpr std::size_t kTitle = 80;
+  const std::string_view text = without_mark(bytes.substr(0, kBytesSearched));
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || !same(text.substr(first, 5), "solid")) return false;
+  return is_text(text.substr(std::min(kTitle, text.size()))) &&
+         (has(text, "vertex") || has(text, "facet") || has(text, "endsolid") || has(text, "end solid"));
 }
 
 /// Reads an ASCII STL word by word, so that whatever is not one is named with its line.
 class AsciiStl {
  public:
-  AsciiStl(std::string_view text, Mesh& mesh) : words_(without_mark(text)), mesh_(mesh) {}
+  AsciiStl(std::string_view text, Mesh& mesh, MeshNotes& notes) : words_(text), mesh_(mesh), notes_(notes) {}
 
   std::string read() {
     if (!expect("solid")) return problem_;
@@ -46,10 +51,11 @@ class AsciiStl {
     for (std::string_view word = words_.next(); problem_.empty(); word = words_.next()) {
       if (same(word, "facet")) {
         read_facet();
-      } else if (same(word, "endsolid")) {
+      } else if (same(word, "solid")) {
+        words_.skip_line();  // several solids are one surface, and one may be announced twice
+      } else if (is_end(word, "solid")) {
         words_.skip_line();
-        if (words_.peek().empty()) return {};
-        if (expect("solid")) words_.skip_line();  // several solids are one surface
+        if (is_last()) return {};
       } else {
         found(word, "\"facet\" or \"endsolid\"");
       }
@@ -58,16 +64,27 @@ class AsciiStl {
   }
 
  private:
-  /// Some editors mark UTF-8 by three bytes at the start.
-  static std::string_view without_mark(std::string_view text) {
-    return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  /// After an "endsolid": whether no solid follows.
+  bool is_last() {
+    TextWords after = words_;
+    const std::string_view word = after.next();
+    for (const char* more : {"solid", "endsolid", "end"})
+      if (same(word, more)) return false;
+    if (has(words_.rest(), "facet")) return false;
+    if (!word.empty()) notes_.add(in_quotes(word) + " after its last \"endsolid\"", "it is left out", after.line());
+    return true;
   }
 
   void found(std::string_view word, const std::string& wanted) {
     if (!problem_.empty()) return;
-    problem_ = word.empty() ? "ends where " + wanted + " should stand: it is truncated; copy or export it again"
-                            : "has " + in_quotes(word) + " in line " + std::to_string(words_.line()) + " where " +
-                                  wanted + " should stand: it is damaged or no STL; export it again";
+    const std::string truncated = " where " + wanted + " should stand: it is truncated; copy or export it again";
+    if (word.empty())
+      problem_ = "ends" + truncated;
+    else if (words_.rest().empty())
+      problem_ = "ends with " + in_quotes(word) + truncated;
+    else
+      problem_ = "has " + in_quotes(word) + " in line " + std::to_string(words_.line()) + " where " + wanted +
+                 " should stand: it is damaged or no STL; export it again";
   }
 
   bool expect(std::string_view wanted) {
@@ -76,18 +93,35 @@ class AsciiStl {
     return problem_.empty();
   }
 
-  bool read_numbers(Vec3& out) {
-    for (int k = 0; k < 3; ++k) {
-      const std::string_view word = words_.next();
-      if (!TextWords::number(word, out[k])) found(word, "a number");
-    }
+  /// "endloop", which some write in two words.
+  bool is_end(std::string_view word, const std::string& what) {
+    if (same(word, "end" + what)) return true;
+    if (!same(word, "end") || !same(words_.peek(), what)) return false;
+    words_.next();
+    return true;
+  }
+
+  bool expect_end(const std::string& what) {
+    const std::string_view word = words_.next();
+    if (!is_end(word, what)) found(word, "\"end" + what + "\"");
     return problem_.empty();
+  }
+
+  /// To the corners. The normal is not read: their order says it, and exporters write nonsense, "-1.#IND" too.
+  bool pass_normal() {
+    std::string_view word = words_.next();
+    const auto is_other = [&] {
+      return word.empty() || has(word, "vertex") || has(word, "facet") || has(word, "loop") || has(word, "solid");
+    };
+    while (!same(word, "outer") && !is_other()) word = words_.next();
+    if (!same(word, "outer")) found(word, "\"outer\"");
+    return problem_.empty() && expect("loop");
   }
 
   bool read_corner(Vec3& out) {
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = words_.next();
-      if (!TextWords::number(word, out[k]))
+      if (!words_.decimal(word, out[k], notes_))
         found(word, "a number");
       else if (!is_coordinate(out[k]))
         found(word, kCoordinate);
@@ -96,8 +130,7 @@ class AsciiStl {
   }
 
   void read_facet() {
-    Vec3 normal;  // not used: the corners' order says it, and exporters write nonsense, "nan" too
-    if (!expect("normal") || !read_numbers(normal) || !expect("outer") || !expect("loop")) return;
+    if (!pass_normal()) return;
     const int first = static_cast<int>(mesh_.vertices.size());
     for (int k = 0; k < 3; ++k) {
       Vec3 p;
@@ -105,24 +138,20 @@ class AsciiStl {
       mesh_.vertices.push_back(p);
     }
     mesh_.triangles.push_back({first, first + 1, first + 2});
-    if (expect("endloop")) expect("endfacet");
+    if (expect_end("loop")) expect_end("facet");
   }
 
   TextWords words_;
   Mesh& mesh_;
+  MeshNotes& notes_;
   std::string problem_;
 };
 
 }  // namespace
 
-std::string read_stl(std::string_view bytes, Mesh& mesh) {
-  if (bytes.size() < kBinaryHeader) return AsciiStl(bytes, mesh).read();
-  std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + kBinaryHeader - sizeof count, sizeof count);
-  if (bytes.size() != kBinaryHeader + kTriangle * count) return AsciiStl(bytes, mesh).read();
-  if (count > kMaxMeshCount) return "has more triangles than can be counted: reduce the mesh";
-  read_binary(bytes.substr(kBinaryHeader), count, mesh);
-  return {};
+std::string read_stl(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
+  const bool ascii = !fits_binary_stl(bytes) && is_ascii_stl(bytes);
+  return ascii ? AsciiStl(bytes, mesh, notes).read() : read_binary_stl(bytes, mesh, notes);
 }
 
 }  // namespace genu

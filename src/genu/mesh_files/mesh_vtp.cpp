@@ -22,7 +22,7 @@ struct Cells {
 
 class VtpFile {
  public:
-  VtpFile(std::string_view text, Mesh& mesh) : text_(text), mesh_(mesh) {}
+  VtpFile(std::string_view text, Mesh& mesh, MeshNotes& notes) : text_(text), mesh_(mesh), notes_(notes) {}
 
   std::string read() {
     if (!looks_like_vtk() || !has_end() || !cut_out_appended() || !parse() || !read_head()) return problem_;
@@ -33,6 +33,7 @@ class VtpFile {
         add_piece(piece);
         if (!problem_.empty()) return problem_;
       }
+    cut_polygons(mesh_, fans_, notes_);
     return problem_;
   }
 
@@ -51,8 +52,7 @@ class VtpFile {
   }
 
   bool has_end() {
-    constexpr std::size_t kNearEnd = 200;  // bytes, of white space and comments after the last tag
-    return text_.find("</VTKFile", text_.size() < kNearEnd ? 0 : text_.size() - kNearEnd) != std::string_view::npos ||
+    return text_.rfind("</VTKFile") != std::string_view::npos ||
            fail("has no \"</VTKFile>\" at its end: it is truncated; copy or export it again");
   }
 
@@ -131,11 +131,12 @@ class VtpFile {
     array.type = element.attribute("type").as_string();
     array.format = element.attribute("format").as_string("ascii");
     array.text = element.child_value();
+    array.line = static_cast<std::size_t>(line_of(place_of(element.offset_debug())));
     const std::string offset = element.attribute("offset").as_string("0");
     if (!TextWords::number(std::string_view(offset), array.offset))
       return fail("has an array with the offset " + in_quotes(offset) + where(element));
     if (!of_components(element, &out == &points_ ? "3" : "1")) return false;
-    const std::string problem = read_vtp_array(array, encoding_, out);
+    const std::string problem = read_vtp_array(array, encoding_, out, notes_);
     return problem.empty() || fail(problem + where(element));
   }
 
@@ -183,26 +184,28 @@ class VtpFile {
         return;
       }
       const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
-      for (std::size_t k = first; k + 2 < last; ++k) {
-        const std::size_t a = strips ? k : first;
-        const bool turned = strips && (k - first) % 2 == 1;  // every other triangle of a strip runs the other way
-        add_triangle(cells.connectivity, a, turned ? k + 2 : k + 1, turned ? k + 1 : k + 2);
-      }
+      if (last < first + 3) notes_.add("cells of fewer than three corners", "they are left out");
+      if (last >= first + 3) add_cell(cells.connectivity, first, last, strips);
       begin = end;
     }
   }
 
-  void add_triangle(const std::vector<double>& corners, std::size_t a, std::size_t b, std::size_t c) {
-    std::array<int, 3> t{};
-    for (std::size_t k = 0; const std::size_t i : {a, b, c}) {
-      const double v = corners[i];
-      if (!(v >= 0 && v < static_cast<double>(mesh_.vertices.size() - base_) && v == std::floor(v))) {
-        fail("has a face that names a vertex it does not have: export it again");
-        return;
-      }
-      t[k++] = static_cast<int>(base_ + static_cast<std::size_t>(v));
+  void add_cell(const std::vector<double>& connectivity, std::size_t first, std::size_t last, bool strip) {
+    corners_.clear();
+    for (std::size_t k = first; k < last; ++k) corners_.push_back(corner(connectivity[k]));
+    if (!problem_.empty()) return;
+    if (!strip) return add_polygon(corners_, mesh_, fans_);
+    for (std::size_t k = 0; k + 2 < corners_.size(); ++k) {
+      const bool turned = k % 2 == 1;  // every other triangle of a strip runs the other way
+      mesh_.triangles.push_back({corners_[k], corners_[turned ? k + 2 : k + 1], corners_[turned ? k + 1 : k + 2]});
     }
-    mesh_.triangles.push_back(t);
+  }
+
+  int corner(double v) {
+    if (v >= 0 && v < static_cast<double>(mesh_.vertices.size() - base_) && v == std::floor(v))
+      return static_cast<int>(base_ + static_cast<std::size_t>(v));
+    fail("has a face that names a vertex it does not have: export it again");
+    return 0;
   }
 
   /// What was cut out of text_ for xml_.
@@ -212,6 +215,9 @@ class VtpFile {
 
   std::string_view text_;
   Mesh& mesh_;
+  MeshNotes& notes_;
+  std::vector<int> corners_;  ///< of a cell
+  std::vector<Fan> fans_;
   std::string xml_;  ///< the document points into it
   Gap appended_;
   pugi::xml_document document_;
@@ -224,6 +230,8 @@ class VtpFile {
 
 }  // namespace
 
-std::string read_vtp(std::string_view bytes, Mesh& mesh) { return VtpFile(bytes, mesh).read(); }
+std::string read_vtp(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
+  return VtpFile(bytes, mesh, notes).read();
+}
 
 }  // namespace genu

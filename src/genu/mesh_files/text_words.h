@@ -7,13 +7,28 @@
 #include <string_view>
 #include <type_traits>
 
+#include "genu/mesh_files/mesh_notes.h"
+
 namespace genu {
 
-/// Lines end with LF, CR LF or CR.
+/// "word" cut short and with what cannot be printed left out: for messages.
+inline std::string in_quotes(std::string_view word) {
+  std::string out = "\"";
+  for (const char c : word.substr(0, 24)) out += c >= ' ' && c < 127 ? c : '?';
+  return out + (word.size() > 24 ? "...\"" : "\"");
+}
+
+/// Without the three bytes by which some editors mark UTF-8 (byte-order mark).
+inline std::string_view without_mark(std::string_view text) {
+  return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
+}
+
+/// Lines end with LF, CR LF or CR. A byte-order mark is passed over.
 class TextWords {
  public:
   /// `comment` starts what is passed over up to the line's end; 0: nothing does. The text must outlive this.
-  explicit TextWords(std::string_view text, char comment = 0) : text_(text), comment_(comment) {}
+  explicit TextWords(std::string_view text, char comment = 0, std::size_t first_line = 1)
+      : text_(without_mark(text)), comment_(comment), line_(first_line) {}
 
   /// The next word; empty at the end of the text.
   std::string_view next() {
@@ -47,6 +62,32 @@ class TextWords {
   /// All after the word that came last.
   std::string_view rest() const { return text_.substr(at_); }
 
+  /// A word reaches to the very end of the text: nothing tells whether more of it is missing.
+  bool open_ended() const { return open_ended_; }
+
+  /// Notes what stands after all that the file promises, and a last number that may be cut.
+  void note_end(MeshNotes& notes) {
+    if (open_ended_)
+      notes.add("no line end after its last number", "if the file was cut there, that number is wrong");
+    else if (const std::string_view more = next(); !more.empty())
+      notes.add(in_quotes(more) + " after all that its header promises", "it and what follows are left out", line_);
+  }
+
+  /// number() of a coordinate. A decimal comma is read as a point, and noted.
+  bool decimal(std::string_view word, double& value, MeshNotes& notes) const {
+    if (number(word, value)) {
+      if (word.find('.') != std::string_view::npos) notes.point();
+      return true;
+    }
+    const std::size_t comma = word.find(',');
+    if (comma == std::string_view::npos || comma + 1 == word.size()) return false;
+    std::string with_point(word);
+    with_point[comma] = '.';
+    if (!number(std::string_view(with_point), value)) return false;
+    notes.comma(word, line_);
+    return true;
+  }
+
   /// A whole word that is a number ("nan" and "inf" are, as far as this goes); false for anything else.
   template <class T>
   static bool number(std::string_view word, T& value) {
@@ -66,6 +107,7 @@ class TextWords {
   std::string_view word() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+    if (at_ > begin && at_ == text_.size()) open_ended_ = true;
     return text_.substr(begin, at_ - begin);
   }
 
@@ -98,14 +140,8 @@ class TextWords {
 
   std::string_view text_;
   char comment_;
-  std::size_t at_ = 0, line_ = 1;
+  std::size_t at_ = 0, line_;
+  bool open_ended_ = false;
 };
-
-/// "word" cut short and with what cannot be printed left out: for messages.
-inline std::string in_quotes(std::string_view word) {
-  std::string out = "\"";
-  for (const char c : word.substr(0, 24)) out += c >= ' ' && c < 127 ? c : '?';
-  return out + (word.size() > 24 ? "...\"" : "\"");
-}
 
 }  // namespace genu

@@ -13,10 +13,6 @@ namespace genu {
 /// instead of a refusal.
 inline constexpr std::uint64_t kMemoryPerByte = 8;
 
-/// [B] Beginning of a text file that is searched for what identifies it. Fails first: if too small, a file with a long
-/// header is not recognised.
-inline constexpr std::uint64_t kBytesSearched = 1 << 23;
-
 // mesh_formats
 
 /// [file unit] Largest coordinate; beyond it a file is damaged (1000 km in mm). Fails first: if too large, squares
@@ -36,6 +32,16 @@ inline constexpr double kCoarseCoordinateStep = 2e-6;
 /// [1] Fewest vertices from which decimals are recognised; fewer may be decimals by chance. Fails first: if too small,
 /// designed shapes pass for rounded files.
 inline constexpr std::size_t kMinDecimalVertices = 100;
+
+// mesh_stl
+
+/// [B] Beginning of a text file that is searched for what identifies it. Fails first: if too small, a file with a long
+/// header is not recognised.
+inline constexpr std::uint64_t kBytesSearched = 1 << 23;
+
+/// [1] Share of control characters above which bytes are no text (binary STL has 0.04 or more of them). Fails first: if
+/// too small, an ASCII file with a damaged place passes for binary.
+inline constexpr double kMaxControlShare = 0.02;
 
 // stl_writer
 

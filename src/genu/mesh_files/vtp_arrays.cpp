@@ -142,11 +142,11 @@ bool append_as(const std::string& type, const std::string& bytes, bool swap, std
   return false;
 }
 
-std::string read_ascii(std::string_view text, std::vector<double>& out) {
-  TextWords words(text);
+std::string read_ascii(const VtpArray& array, std::vector<double>& out, MeshNotes& notes) {
+  TextWords words(array.text, 0, array.line);
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     double value = 0;
-    if (!TextWords::number(word, value))
+    if (!words.decimal(word, value, notes))
       return "has " + in_quotes(word) + " where a number should stand: export it again";
     out.push_back(value);
   }
@@ -155,11 +155,12 @@ std::string read_ascii(std::string_view text, std::vector<double>& out) {
 
 }  // namespace
 
-std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out) {
+std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out,
+                           MeshNotes& notes) {
   const bool ascii = array.format == "ascii";
   if (!(ascii && array.type.empty()) && !append_as(array.type, {}, false, out))
     return "has an array of the type " + in_quotes(array.type) + ", which genu does not know";
-  if (ascii) return read_ascii(array.text, out);
+  if (ascii) return read_ascii(array, out, notes);
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary")
     return "has an array of the format " + in_quotes(array.format) + "; genu reads ascii, binary and appended";

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "genu/mesh_files/mesh_notes.h"
+
 namespace genu {
 
 /// What the file as a whole says of its arrays.
@@ -23,9 +25,11 @@ struct VtpArray {
   std::string format;      ///< "ascii", "binary" or "appended"
   std::size_t offset = 0;  ///< into the appended data
   std::string_view text;   ///< between the tags
+  std::size_t line = 1;    ///< of the file, where the tag stands
 };
 
 /// Appends the numbers to `out` (whole numbers are exact up to 2^53). Returns what is wrong, else an empty text.
-[[nodiscard]] std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out);
+[[nodiscard]] std::string read_vtp_array(const VtpArray& array, const VtpEncoding& encoding, std::vector<double>& out,
+                                         MeshNotes& notes);
 
 }  // namespace genu
