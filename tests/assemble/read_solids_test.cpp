@@ -1,6 +1,7 @@
 // Bodies get the mass, centre and inertia of their meshes; meshes without an inside are refused by their key.
 #include "genu/assemble/read_solids.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "genu/assemble/prepare.h"
@@ -134,6 +135,23 @@ TEST_F(ReadSolids, WhatFacesInwardIsTurnedWithAWarning) {
   const auto q = prepared("units = \"mm\", density = 1100");
   ASSERT_TRUE(q) << test::messages(out_);
   EXPECT_NEAR(q->model.inertias[0].mass, 0.875 * 1100 * solid_inertia(kMesh).volume, 1e-12);
+}
+
+TEST_F(ReadSolids, AShellInsideAnotherIsACavityWhicheverSideItFaces) {
+  Mesh nested = kMesh;
+  const int n = static_cast<int>(kMesh.vertices.size());
+  for (const Vec3& v : kMesh.vertices) nested.vertices.push_back(0.5 * v);
+  for (const auto& t : kMesh.triangles) nested.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  write(nested);
+  const auto p = prepared("units = \"mm\", density = 1100");
+  ASSERT_TRUE(p) << test::messages(out_);
+  const double volume = solid_inertia(kMesh).volume;
+  EXPECT_NEAR(p->model.inertias[0].mass, 0.875 * 1100 * volume, 1e-12);
+  ASSERT_EQ(out_.items().size(), 1u);
+  const std::string& rule = out_.items()[0].rule;
+  EXPECT_NE(rule.find("has 1 closed piece inside another one"), std::string::npos) << rule;
+  EXPECT_NE(rule.find(fmt::format("the volume is {:.4g} cm3", 0.875e6 * volume)), std::string::npos) << rule;
+  EXPECT_NE(rule.find(fmt::format("if there is no cavity ({:.4g} cm3)", 1e6 * volume)), std::string::npos) << rule;
 }
 
 TEST_F(ReadSolids, WhatRunsThroughItselfIsTold) {

@@ -188,11 +188,28 @@ TEST(SolidInertia, TurnsPiecesOutwardButForCavities) {
   const Mesh outer = box({0.06, 0.11, 0.04}), cavity = turned(box({0.03, 0.03, 0.02}));
   const Mesh beside = turned(moved(box({0.03, 0.03, 0.02}), {Mat3::Identity(), Vec3(0.2, 0, 0)}));
   Mesh mesh = both(both(outer, cavity), beside);
-  EXPECT_EQ(turn_outward(mesh), 12u);
+  EXPECT_EQ(turn_outward(mesh).turned, 12u);
   EXPECT_NEAR(solid_inertia(mesh).volume, 0.06 * 0.11 * 0.04, 1e-18) << "what is missing here is there";
-  EXPECT_EQ(turn_outward(mesh), 0u);
+  EXPECT_EQ(turn_outward(mesh).turned, 0u);
   Mesh alone = turned(outer);
-  EXPECT_EQ(turn_outward(alone), 12u);
+  EXPECT_EQ(turn_outward(alone).turned, 12u);
+}
+
+TEST(SolidInertia, NestedPiecesTakeTurnsWhateverSideTheyFace) {
+  const double outer = 0.06 * 0.11 * 0.04, inner = 0.03 * 0.03 * 0.02, core = 0.01 * 0.02 * 0.01;
+  const Mesh shells[] = {box({0.06, 0.11, 0.04}), box({0.03, 0.03, 0.02}), box({0.01, 0.02, 0.01})};
+  for (int k = 0; k < 8; ++k) {
+    Mesh mesh;
+    for (int i = 0; i < 3; ++i) mesh = both(mesh, (k >> i & 1) != 0 ? turned(shells[i]) : shells[i]);
+    const OutwardReport report = turn_outward(mesh);
+    EXPECT_EQ(report.cavities, (k & 2) != 0 ? 0u : 1u) << k;
+    EXPECT_NEAR(report.cavity_volume, (k & 2) != 0 ? 0 : inner, 1e-18) << k;
+    EXPECT_EQ(report.turned, ((k & 1) != 0 ? 12u : 0u) + ((k & 4) != 0 ? 12u : 0u)) << k;
+    EXPECT_NEAR(solid_inertia(mesh).volume, outer - inner + core, 1e-18) << k;
+  }
+  Mesh crossing = both(shells[0], moved(shells[1], {Mat3::Identity(), Vec3(0.03, 0, 0)}));
+  EXPECT_EQ(turn_outward(crossing).cavities, 0u);
+  EXPECT_NEAR(solid_inertia(crossing).volume, outer + inner, 1e-18);
 }
 
 TEST(SolidInertia, InsideOutIsNegativeAndFlatIsNothing) {

@@ -82,6 +82,28 @@ TEST(MeshExamination, OrientationOfClosedAndOpen) {
   EXPECT_EQ(facing.number, "(0.00, 0.00, -1.00)");
 }
 
+TEST(MeshExamination, WhatTheReaderNotedIsListed) {
+  MeshFileFacts facts;
+  facts.notes = {"has 2 bytes after its last triangle: they are left out"};
+  const MeshExamination e = examine_mesh(kTorus, facts, 1e-3);
+  EXPECT_EQ(finding(e, "format").verdict, Verdict::note);
+  EXPECT_EQ(finding(e, "format").why, facts.notes[0]);
+}
+
+TEST(MeshExamination, TheVolumeTakesNestedPiecesForCavities) {
+  Mesh nested = kTorus;
+  const int n = static_cast<int>(kTorus.vertices.size());
+  const MeshExamination whole = examined(kTorus, 1e-3);
+  for (const Vec3& v : kTorus.vertices) {  // a thinner tube about the same circle
+    const Vec3 flat(v.x(), v.y(), 0), circle = flat.normalized() * 0.03;
+    nested.vertices.push_back(circle + 0.5 * (v - circle));
+  }
+  for (const auto& t : kTorus.triangles) nested.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  const MeshExamination e = examined(nested, 1e-3);
+  EXPECT_EQ(finding(e, "nested pieces").verdict, Verdict::note);
+  EXPECT_NEAR(std::stod(finding(e, "volume").number), 0.75 * std::stod(finding(whole, "volume").number), 1e-2);
+}
+
 TEST(MeshExamination, UnitsAreGuessedFromTheSize) {
   EXPECT_EQ(guess_unit(83), "mm");
   EXPECT_EQ(guess_unit(0.083), "m");

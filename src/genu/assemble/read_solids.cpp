@@ -59,8 +59,16 @@ void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostic
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     warn("is inside out: its normals point into the volume it closes; taken the other way round");
   }
-  turned += turn_outward(mesh);
+  const OutwardReport report = turn_outward(mesh);
+  turned += report.turned;
   if (turned > 0) warn(fmt::format("has {} triangles wound against the rest of it: turned round", turned));
+  if (report.cavities == 0) return;
+  const double volume = 1e6 * solid_inertia(mesh).volume, inner = 1e6 * report.cavity_volume;  // cm3
+  warn(
+      fmt::format("has {} closed piece{} inside another one that face{} outward as that does: read as cavit{}, so the "
+                  "volume is {:.4g} cm3; take {} out of the file if there is no cavity ({:.4g} cm3)",
+                  report.cavities, report.cavities == 1 ? "" : "s", report.cavities == 1 ? "s" : "",
+                  report.cavities == 1 ? "y" : "ies", volume, report.cavities == 1 ? "it" : "them", volume + inner));
 }
 
 std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& meshes, Diagnostics& out) {

@@ -1,5 +1,6 @@
 #include "genu/mesh/solid_inertia.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,44 @@ Moments moments_about(const Mesh& mesh, const Vec3& origin) {
   return m;
 }
 
+/// A closed piece of a mesh.
+struct Piece {
+  Mesh mesh;
+  double volume = 0;  ///< m^3; negative where it faces inward
+  BoundingBox box;
+  WindingNumber winding;
+};
+
+std::vector<Piece> pieces_of(const Mesh& mesh, const Components& parts) {
+  std::vector<Piece> pieces(at(parts.count));
+  std::vector<int> place(mesh.vertices.size(), -1), owner(mesh.vertices.size(), -1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    pieces[at(parts.of_triangle[i])].mesh.triangles.push_back(mesh.triangles[i]);
+  for (int k = 0; k < parts.count; ++k) {
+    Piece& piece = pieces[at(k)];
+    for (auto& t : piece.mesh.triangles)
+      for (int& v : t) {
+        if (owner[at(v)] != k) {
+          owner[at(v)] = k;
+          place[at(v)] = static_cast<int>(piece.mesh.vertices.size());
+          piece.mesh.vertices.push_back(mesh.vertices[at(v)]);
+        }
+        v = place[at(v)];
+      }
+    piece.volume = solid_inertia(piece.mesh).volume;
+    piece.box = bounding_box(piece.mesh);
+    if (parts.count > 1) piece.winding = WindingNumber(piece.mesh);
+  }
+  return pieces;
+}
+
+bool lies_in(const Piece& inner, const Piece& outer) {
+  if (!((inner.box.low - outer.box.low).minCoeff() > 0 && (outer.box.high - inner.box.high).minCoeff() > 0))
+    return false;
+  return std::all_of(inner.mesh.vertices.begin(), inner.mesh.vertices.end(),
+                     [&](const Vec3& v) { return std::abs(outer.winding(v)) > 0.5; });
+}
+
 }  // namespace
 
 SolidInertia solid_inertia(const Mesh& mesh) {
@@ -49,30 +88,25 @@ SolidInertia solid_inertia(const Mesh& mesh) {
   return out;
 }
 
-std::size_t turn_outward(Mesh& mesh) {
+OutwardReport turn_outward(Mesh& mesh) {
   const Components parts = connected_components(mesh);
-  std::vector<Mesh> pieces(at(parts.count));
-  for (Mesh& piece : pieces) piece.vertices = mesh.vertices;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    pieces[at(parts.of_triangle[i])].triangles.push_back(mesh.triangles[i]);
-  Mesh outward = mesh;
-  outward.triangles.clear();
-  std::vector<bool> inward(pieces.size());
+  std::vector<Piece> pieces = pieces_of(mesh, parts);
+  OutwardReport report;
+  std::vector<bool> turned(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    inward[k] = solid_inertia(pieces[k]).volume < 0;
-    if (!inward[k])
-      outward.triangles.insert(outward.triangles.end(), pieces[k].triangles.begin(), pieces[k].triangles.end());
+    std::size_t around = 0;
+    for (const Piece& other : pieces) around += &other != &pieces[k] && lies_in(pieces[k], other) ? 1 : 0;
+    const bool cavity = around % 2 == 1;
+    turned[k] = (pieces[k].volume < 0) != cavity;
+    if (!turned[k]) continue;
+    if (cavity)
+      ++report.cavities, report.cavity_volume += pieces[k].volume;
+    else
+      report.turned += pieces[k].mesh.triangles.size();
   }
-  const WindingNumber winding(outward);
-  std::size_t turned = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::size_t k = at(parts.of_triangle[i]);
-    const int corner = pieces[k].triangles.front()[0];
-    if (!inward[k] || (!outward.empty() && winding.inside(mesh.vertices[at(corner)]))) continue;
-    std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
-    ++turned;
-  }
-  return turned;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (turned[at(parts.of_triangle[i])]) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  return report;
 }
 
 double fullness(const Mesh& mesh, double volume) {

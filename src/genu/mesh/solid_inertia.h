@@ -21,9 +21,16 @@ struct SolidInertia {
 /// but for rounding, wherever the mesh stands. Without volume the centroid is the middle of the vertices.
 SolidInertia solid_inertia(const Mesh& mesh);
 
-/// Turns closed pieces that face inward round, but for cavities: those that lie inside what faces outward. Returns how
-/// many triangles were turned. For closed meshes, their triangles wound alike.
-std::size_t turn_outward(Mesh& mesh);
+struct OutwardReport {
+  std::size_t turned = 0;    ///< triangles of pieces that faced inward and are no cavities
+  std::size_t cavities = 0;  ///< pieces inside others that faced outward as these do
+  double cavity_volume = 0;  ///< m^3, of those
+};
+
+/// Turns each closed piece so that its side follows from how many others it lies in: outward for none, inward (a
+/// cavity) for one, outward for two, and so on. A piece lies in another with all its vertices; pieces that cross are
+/// not nested. For closed meshes, the triangles of each piece wound alike.
+OutwardReport turn_outward(Mesh& mesh);
 
 /// How small a volume is beside that of a ball of the same area: 1 for a ball, 0 for a sheet folded on itself.
 double fullness(const Mesh& mesh, double volume);

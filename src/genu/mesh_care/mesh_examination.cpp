@@ -42,6 +42,7 @@ class Examiner {
   }
 
   MeshExamination take() {
+    for (const std::string& note : facts_.notes) say("format", "read all the same", Verdict::note, note);
     say_size();
     say_pieces();
     say_triangles();
@@ -135,7 +136,10 @@ class Examiner {
                                                           : fmt::format("joined to {}", left));
     const bool mostly = facts_.weld.duplicate > report_.triangles;
     count("duplicate faces", facts_.weld.duplicate, mostly ? Verdict::bad : Verdict::note,
-          mostly ? "dropped: more than are left; export the mesh again" : "dropped");
+          mostly ? "dropped: more than are left; export the mesh again"
+          : facts_.weld.both_ways > 0
+              ? fmt::format("dropped; {} were the other side of one that is left", facts_.weld.both_ways)
+              : "dropped");
     count("degenerate faces", facts_.weld.degenerate + report_.degenerate, Verdict::note, "without area: not used");
     count("sliver faces", report_.slivers, Verdict::note, "an angle below 5 deg: fits use the vertices alone");
   }
@@ -198,7 +202,12 @@ class Examiner {
   /// Of what a scene can take as `solid`.
   void say_volume() {
     if (report_.boundary_loops > 0 || report_.non_manifold_edges > 0 || !report_.orientable) return;
-    const SolidInertia solid = solid_inertia(wound_);
+    Mesh outward = wound_;
+    const OutwardReport report = turn_outward(outward);
+    if (report.cavities > 0)
+      say("nested pieces", std::to_string(report.cavities), Verdict::note,
+          "closed, inside another one, and facing outward as that does: the volume takes them for cavities");
+    const SolidInertia solid = solid_inertia(outward);
     const Vec3 c = solid.centroid / unit_;
     say("volume", fmt::format("{:.5g} cm3", 1e6 * std::abs(solid.volume)), Verdict::good,
         fmt::format("closed; centroid ({:.5g}, {:.5g}, {:.5g}) {}", c.x(), c.y(), c.z(), unit_ == 1 ? "m" : "mm"));
