@@ -4,7 +4,7 @@
 if(CMAKE_SCRIPT_MODE_FILE)
   file(READ "${PAGE}" page)
   set(source "#include \"genu/results/report_template.h\"\n\nnamespace genu {\nnamespace {\n\n")
-  string(APPEND source "constexpr ReportTemplatePart kParts[] = {\n")
+  string(APPEND source "const ReportTemplatePart kParts[] = {\n")
   set(longest 60000)
   foreach(name title more data times end)
     if(name STREQUAL "end")

@@ -175,7 +175,7 @@ TEST(MeshReader, EveryTextFormatKnowsItsEncoding) {
 TEST(MeshReader, EveryTextFormatTakesDecimalCommasButNotBesidePoints) {
   TemporaryFolder folder;
   for (const auto& [name, text] : kTexts) {
-    const auto with = [&](const std::string& x, const std::string& y) {
+    const auto with = [&, name = name, text = text](const std::string& x, const std::string& y) {
       std::string out = text;
       const std::size_t at = out.find("1 0 0");
       out.replace(at, 5, x + " " + y + " 0");

@@ -27,7 +27,7 @@ TEST(JointSpring, ItsMomentChangesWithEachNumber) {
     for (const auto& [number, one] : numbers) {
       JointSpring change{.joint = 0, .stiffness = 0, .lower = 0, .upper = 0, .stop = 0};
       change.*number = one;
-      const auto moment = [&](double d) {
+      const auto moment = [&, number = number](double d) {
         JointSpring edited = spring;
         edited.*number += d;
         return edited.moment(angle);

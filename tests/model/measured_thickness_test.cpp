@@ -15,7 +15,7 @@ PlacedScene scene_with_bone() {
   scene.surfaces.resize(1);
   scene.surfaces[0].name = "tibia";
   scene.surfaces[0].body = 0;
-  scene.surfaces[0].thickness.emplace();
+  scene.surfaces[0].thickness = SurfaceDef::Thickness{};
   scene.surfaces[0].thickness->measured = true;
   return scene;
 }
