@@ -172,6 +172,19 @@ TEST(MeshReader, EveryTextFormatKnowsItsEncoding) {
   }
 }
 
+TEST(MeshReader, ABinaryStlMayBeginLikeUtf16) {
+  TemporaryFolder folder;
+  ASSERT_EQ(write_stl(geodesic_mesh({1, 1, 1}, 0.6), folder / "whole.stl", 1, "sphere"), "");
+  std::string bytes = test::read_file(folder / "whole.stl");
+  bytes.replace(0, 4,
+                std::string("\xff\xfe"
+                            "s\0",
+                            4));
+  Diagnostics out;
+  EXPECT_TRUE(read_mesh(folder.write("mark.stl", bytes), 1, out));
+  EXPECT_NE(error(folder.write("a.dae", utf16("<?xml", false, true))).find("is text in UTF-16"), std::string::npos);
+}
+
 TEST(MeshReader, EveryTextFormatTakesDecimalCommasButNotBesidePoints) {
   TemporaryFolder folder;
   for (const auto& [name, text] : kTexts) {

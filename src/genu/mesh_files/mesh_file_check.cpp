@@ -60,8 +60,6 @@ std::optional<Fault> check_mesh_name(const std::string& path) {
 }
 
 std::string check_mesh_bytes(const std::string& extension, std::string_view bytes) {
-  for (const char* other : kByAssimp)
-    if (extension == other) return {};  // binary, or assimp knows its encoding
   if ((extension == ".stl" && fits_binary_stl(bytes)) || !is_utf16(bytes)) return {};
   return "is text in UTF-16: save it as UTF-8 (or ASCII)";
 }

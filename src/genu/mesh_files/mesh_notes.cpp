@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "genu/mesh_files/text_words.h"
-
 namespace genu {
 
 void MeshNotes::add(std::string_view found, std::string_view done, std::size_t line, std::size_t times) {

@@ -11,6 +11,13 @@
 
 namespace genu {
 
+/// "word" cut short and with what cannot be printed left out: for messages.
+inline std::string in_quotes(std::string_view word) {
+  std::string out = "\"";
+  for (const char c : word.substr(0, 24)) out += c >= ' ' && c < 127 ? c : '?';
+  return out + (word.size() > 24 ? "...\"" : "\"");
+}
+
 class MeshNotes {
  public:
   /// The file has `found`; `done` says what the reader did. Repeats are counted. `line`: 0 where there are no lines.

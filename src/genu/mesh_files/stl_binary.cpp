@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "genu/mesh/mesh_topology.h"
-#include "genu/mesh_files/mesh_formats.h"
+#include "genu/mesh_files/tolerances.h"
 
 namespace genu {
 namespace {

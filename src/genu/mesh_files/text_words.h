@@ -11,13 +11,6 @@
 
 namespace genu {
 
-/// "word" cut short and with what cannot be printed left out: for messages.
-inline std::string in_quotes(std::string_view word) {
-  std::string out = "\"";
-  for (const char c : word.substr(0, 24)) out += c >= ' ' && c < 127 ? c : '?';
-  return out + (word.size() > 24 ? "...\"" : "\"");
-}
-
 /// Without the three bytes by which some editors mark UTF-8 (byte-order mark).
 inline std::string_view without_mark(std::string_view text) {
   return text.substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
