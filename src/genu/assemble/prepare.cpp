@@ -12,6 +12,7 @@
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
 #include "genu/assemble/tolerances.h"
+#include "genu/assemble/unlikely_lengths.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh/tolerances.h"
@@ -256,6 +257,14 @@ void refuse_flat_pairs(const Prepared& p, Diagnostics& out) {
              "and y");
 }
 
+/// m: across the largest mesh; 0 where there is none.
+double size_of_meshes(const std::vector<SurfaceNote>& notes) {
+  double size = 0;
+  for (const SurfaceNote& note : notes)
+    if (note.mesh) size = std::max(size, note.mesh->box.diagonal());
+  return size;
+}
+
 /// What cannot be read is an error when the surface is built.
 std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
   Diagnostics ignored;
@@ -296,6 +305,7 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
   warn_thin(p, out);
+  warn_unlikely_lengths(p.scene, p.model.reference_poses, size_of_meshes(p.notes), out);
   p.model.meter = std::make_shared<EffectMeter>();
   p.steps = plan_steps(p.scene);
   return p;

@@ -30,6 +30,9 @@ struct ReadContext {
   void error(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
     out.add(error_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));
   }
+  void warning(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
+    out.add(warning_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));
+  }
 };
 
 /// The names of bodies, joints, surfaces, ...: any of the scene's lists.
