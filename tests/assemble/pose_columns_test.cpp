@@ -9,7 +9,7 @@
 #include "genu/assemble/given_poses.h"
 #include "genu/assemble/opensim_names.h"
 #include "support/scene_model.h"
-#include "support/scenes.h"
+#include "support/text.h"
 
 namespace genu {
 namespace {

@@ -1,9 +1,11 @@
 // Columns that are the transform of a joint, by name and by place, and the coordinates that follow.
 #include "genu/assemble/transform_columns.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "genu/assemble/given_poses.h"
+#include "genu/model/joint_coordinates.h"
 #include "genu/scene/reader.h"
 #include "support/scene_model.h"
 

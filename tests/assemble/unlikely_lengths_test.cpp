@@ -1,8 +1,11 @@
 // Lengths of a scene beside the sizes of its surfaces.
 #include "genu/assemble/unlikely_lengths.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/scene/centre_bodies.h"
+#include "genu/scene/reader.h"
 #include "support/scene_model.h"
 
 namespace genu {

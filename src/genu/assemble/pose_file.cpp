@@ -23,7 +23,9 @@ void drop_empty_end(Cells& cells, std::size_t least) {
 }
 
 bool all_numbers(const Cells& cells) {
-  return !cells.empty() && std::all_of(cells.begin(), cells.end(), [](const TextCell& c) { return is_number(c.text); });
+  return !cells.empty() && std::all_of(cells.begin(), cells.end(), [](const TextCell& c) {
+    return is_number(c.text) || has_decimal_comma(c.text);
+  });
 }
 
 class PoseFileReader {
