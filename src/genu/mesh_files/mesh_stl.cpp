@@ -32,11 +32,11 @@ bool is_text(std::string_view bytes) {
 
 // ASCII STL starts with "solid", but so do some binary ones: the body decides. Titles may be long.
 bool is_ascii_stl(std::string_view bytes) {
-  constexpr std::size_t kTitle = 80;
+  constexpr std::size_t kTitleBytes = 80;
   const std::string_view text = without_mark(bytes.substr(0, kBytesSearched));
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || !same(text.substr(first, 5), "solid")) return false;
-  return is_text(text.substr(std::min(kTitle, text.size()))) &&
+  return is_text(text.substr(std::min(kTitleBytes, text.size()))) &&
          (has(text, "vertex") || has(text, "facet") || has(text, "endsolid") || has(text, "end solid"));
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "STL is little-endian: swap bytes here first");
 
-constexpr std::size_t kHeader = 84, kTriangle = 50;  // bytes
+constexpr std::size_t kHeaderBytes = 84, kTriangle = 50;  // bytes
 constexpr std::size_t kUnset = std::numeric_limits<std::uint32_t>::max();
 
 template <class T>
@@ -25,7 +25,7 @@ T number_at(std::string_view bytes, std::size_t place) {
   return value;
 }
 
-std::size_t count_of(std::string_view bytes) { return number_at<std::uint32_t>(bytes, kHeader - 4); }
+std::size_t count_of(std::string_view bytes) { return number_at<std::uint32_t>(bytes, kHeaderBytes - 4); }
 
 std::array<Vec3, 3> corners(const char* triangle) {
   std::array<float, 9> x;  // after the normal, which the corners' order repeats
@@ -48,7 +48,7 @@ void append(std::string_view triangles, std::size_t count, Mesh& mesh) {
 
 /// Each triangle's last two bytes say how many more belong to it: whether that adds up to the size.
 bool read_with_attributes(std::string_view bytes, std::size_t count, Mesh& mesh) {
-  std::size_t place = kHeader;
+  std::size_t place = kHeaderBytes;
   std::vector<std::size_t> places;
   for (std::size_t t = 0; t < count; ++t) {
     if (place + kTriangle > bytes.size()) return false;
@@ -63,14 +63,14 @@ bool read_with_attributes(std::string_view bytes, std::size_t count, Mesh& mesh)
 /// Files written one after the other.
 bool read_several(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
   std::vector<std::string_view> files;
-  while (bytes.size() > kHeader) {
-    const std::size_t size = kHeader + kTriangle * count_of(bytes);
-    if (size == kHeader || size > bytes.size()) return false;
+  while (bytes.size() > kHeaderBytes) {
+    const std::size_t size = kHeaderBytes + kTriangle * count_of(bytes);
+    if (size == kHeaderBytes || size > bytes.size()) return false;
     files.push_back(bytes.substr(0, size));
     bytes.remove_prefix(size);
   }
   if (!bytes.empty()) return false;
-  for (const std::string_view file : files) append(file.substr(kHeader), count_of(file), mesh);
+  for (const std::string_view file : files) append(file.substr(kHeaderBytes), count_of(file), mesh);
   notes.add(std::to_string(files.size()) + " binary STL files one after the other", "read as one surface");
   return true;
 }
@@ -91,8 +91,8 @@ bool are_triangles(std::string_view more, const Mesh& promised) {
 
 /// More bytes than the triangles of the header take.
 void read_longer(std::string_view bytes, std::size_t count, Mesh& mesh, MeshNotes& notes) {
-  append(bytes.substr(kHeader), count, mesh);
-  const std::string_view more = bytes.substr(kHeader + kTriangle * count);
+  append(bytes.substr(kHeaderBytes), count, mesh);
+  const std::string_view more = bytes.substr(kHeaderBytes + kTriangle * count);
   if (are_triangles(more, mesh)) {
     append(more, more.size() / kTriangle, mesh);
     notes.add(std::to_string(count) + " triangles by its header and " + std::to_string(mesh.triangles.size()) +
@@ -104,16 +104,16 @@ void read_longer(std::string_view bytes, std::size_t count, Mesh& mesh, MeshNote
 }
 
 bool read_by_size(std::string_view bytes, std::size_t count, Mesh& mesh, MeshNotes& notes) {
-  const std::size_t whole = (bytes.size() - kHeader) / kTriangle;
-  if (whole == 0 || bytes.size() != kHeader + kTriangle * whole) return false;
-  append(bytes.substr(kHeader), whole, mesh);
+  const std::size_t whole = (bytes.size() - kHeaderBytes) / kTriangle;
+  if (whole == 0 || bytes.size() != kHeaderBytes + kTriangle * whole) return false;
+  append(bytes.substr(kHeaderBytes), whole, mesh);
   notes.add(std::to_string(count) + " as its count of triangles",
             "its size tells that there are " + std::to_string(whole) + ", which are read");
   return true;
 }
 
 std::string wrong_size(std::size_t size, std::size_t count) {
-  const std::size_t expected = kHeader + kTriangle * count;
+  const std::size_t expected = kHeaderBytes + kTriangle * count;
   const std::string text = "is a binary STL of " + std::to_string(count) + " triangles, which take " +
                            std::to_string(expected) + " bytes, but it has " + std::to_string(size);
   return text + (size < expected ? ": it is truncated; copy or export it again"
@@ -123,21 +123,21 @@ std::string wrong_size(std::size_t size, std::size_t count) {
 }  // namespace
 
 bool fits_binary_stl(std::string_view bytes) {
-  return bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * count_of(bytes);
+  return bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kTriangle * count_of(bytes);
 }
 
 std::string read_binary_stl(std::string_view bytes, Mesh& mesh, MeshNotes& notes) {
-  if (bytes.size() < kHeader) return "is too short for an STL: copy or export it again";
+  if (bytes.size() < kHeaderBytes) return "is too short for an STL: copy or export it again";
   if (bytes.size() / kTriangle > kMaxMeshCount) return "has more triangles than can be counted: reduce the mesh";
-  const std::size_t count = count_of(bytes), size = bytes.size(), expected = kHeader + kTriangle * count;
+  const std::size_t count = count_of(bytes), size = bytes.size(), expected = kHeaderBytes + kTriangle * count;
   if (size == expected) {
-    append(bytes.substr(kHeader), count, mesh);
+    append(bytes.substr(kHeaderBytes), count, mesh);
     return {};
   }
   if ((count == 0 || count == kUnset) && read_by_size(bytes, count, mesh, notes)) return {};
   if (count > 0 && (read_with_attributes(bytes, count, mesh) || read_several(bytes, mesh, notes))) return {};
   // What follows may be anything, but hardly more than the triangles themselves: then the count is no count.
-  if (size < expected || size - expected > expected - kHeader) return wrong_size(size, count);
+  if (size < expected || size - expected > expected - kHeaderBytes) return wrong_size(size, count);
   read_longer(bytes, count, mesh, notes);
   return {};
 }
