@@ -55,7 +55,8 @@ TEST_P(RefitTwin, AgreesOnATorusToTheOrderOfTheFit) {
     Difference worst;
     int found = 0;
     for (int k = 0; k < 200; ++k) {
-      const auto d = difference(*blend, graph, fitter, torus_point(angle(random), angle(random)));
+      const double v = angle(random), u = angle(random);  // in this order: that of a call's arguments is the compiler's
+      const auto d = difference(*blend, graph, fitter, torus_point(u, v));
       if (!d) continue;
       ++found;
       worst = {std::max(worst.position, d->position), std::max(worst.normal, d->normal),
