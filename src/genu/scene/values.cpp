@@ -14,6 +14,10 @@ std::string with_unit(double value, const std::string& unit_name) {
   return unit_name.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, unit_name);
 }
 
+bool allows_zero(const NumberRule& rule) {
+  return !(rule.above && *rule.above >= 0) && !(rule.at_least && *rule.at_least > 0);
+}
+
 }  // namespace
 
 bool is_number(const TomlNode& node) {
@@ -31,6 +35,8 @@ void refuse(ReadContext& context, const Item& item, Code code, std::string rule)
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule) {
   if (!item) return {};
   const double value = item.node->number;
+  const bool is_tiny = std::abs(value * rule.unit) < rule.smallest;  // what programs leave of a zero
+  if (is_number(*item.node) && is_tiny && allows_zero(rule)) return 0;
   if (!is_number(*item.node)) {
     refuse(context, item, Code::wrong_form,
            rule.unit_name.empty() ? "must be a number" : "must be a number, in " + rule.unit_name);
@@ -43,8 +49,8 @@ std::optional<double> read_number(ReadContext& context, const Item& item, const 
   } else if (!(std::abs(value * rule.unit) <= rule.largest)) {
     refuse(context, item, Code::out_of_range,
            "is out of range: at most " + with_unit(rule.largest / rule.unit, rule.unit_name));
-  } else if (value != 0 && std::abs(value * rule.unit) < rule.smallest) {
-    refuse(context, item, Code::out_of_range, "is out of range: smaller than anything in a joint, but not 0");
+  } else if (is_tiny) {
+    refuse(context, item, Code::out_of_range, "is out of range: smaller than anything in a joint");
   } else {
     return value * rule.unit;
   }

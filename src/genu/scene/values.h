@@ -31,8 +31,8 @@ struct NumberRule {
   std::string unit_name;           ///< for messages, e.g. "mm"
   std::optional<double> above;     ///< value > above
   std::optional<double> at_least;  ///< value >= at_least
-  double largest = kMaxNumber;     ///< SI: larger numbers, and smaller ones than `smallest` but 0, are refused
-  double smallest = 1e-30;
+  double largest = kMaxNumber;     ///< SI: larger numbers are refused
+  double smallest = 1e-30;         ///< SI: smaller ones are 0, and refused where 0 is not allowed
 };
 
 /// Reports `rule` at the item's value, with the value as found.
@@ -41,7 +41,7 @@ void refuse(ReadContext& context, const Item& item, Code code, std::string rule)
 /// Whether it is an integer or a float.
 bool is_number(const TomlNode& node);
 
-/// Finite, within the rule, and finite and not flushed to zero in SI. Integers are numbers too.
+/// Finite, within the rule, and finite in SI. Integers are numbers too.
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule = {});
 std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item, std::int64_t least, std::int64_t most);
 std::optional<std::string> read_string(ReadContext& context, const Item& item);
