@@ -66,7 +66,7 @@ TEST(JointModel, ScalesFollowSizeAndLoad) {
 TEST(JointModel, LawsThatCannotBeAreReportedByName) {
   const std::string text =
       test::bone_on_ground("{ z = 30 }") +
-      test::ligament("odd", "[0, 0, 10]", "[0, 0, 0]", "law = \"linear\"\nstiffness = 10\nslack_length = 8") +
+      test::ligament("odd", "[0, 0, 10]", "[0, 0, 0]", "law = \"linear\"\nstiffness = 10\nslack_length = 38") +
       test::step("increments = 1");
   Diagnostics out;
   auto scene = parse_scene(text, "scene.toml", out);

@@ -21,12 +21,15 @@ TEST(Reader, Header) {
   EXPECT_EQ(scene.title, "test knee");
   EXPECT_EQ(scene.length_unit, 1e-3);
   EXPECT_DOUBLE_EQ(scene.angle_unit, std::numbers::pi / 180);
-  const Scene si =
-      good(edited("\"mm\", angle = \"deg\"", "\"m\", angle = \"rad\"", edited("title = \"test knee\"", "")));
+  std::string text = edited("\"mm\", angle = \"deg\"", "\"m\", angle = \"rad\"", edited("title = \"test knee\"", ""));
+  for (const auto& [in_mm_deg, in_m_rad] :
+       {std::pair{"flexion = 30", "flexion = 0.5"}, {"radius = 20", "radius = 0.02"}, {"[0, 70]", "[0, 1.2]"}})
+    text = edited(in_mm_deg, in_m_rad, text);
+  const Scene si = good(text);
   EXPECT_EQ(si.length_unit, 1);
   EXPECT_EQ(si.angle_unit, 1);
   EXPECT_EQ(si.title, "");
-  EXPECT_EQ(si.surfaces[0].radius, 20);
+  EXPECT_EQ(si.surfaces[0].radius, 0.02);
 }
 
 TEST(Reader, HeaderErrors) {

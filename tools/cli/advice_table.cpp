@@ -26,6 +26,7 @@ constexpr CodeAdvice kAdvice[] = {
     {Code::duplicate, kByPlace},
     {Code::conflict, kByPlace},
     {Code::no_effect, kByPlace},
+    {Code::unlikely, kByPlace},
     {Code::not_built, kByPlace},
     {Code::not_toml,
      "correct the file there (TOML, https://toml.io: strings in quotes, tables in [ ]); the rest is read once this is "

@@ -13,6 +13,7 @@
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
 #include "genu/assemble/tolerances.h"
+#include "genu/assemble/unlikely_lengths.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh/tolerances.h"
@@ -285,6 +286,14 @@ void warn_facing(Prepared& p, Diagnostics& out) {
   for (const std::string& sentence : p.facing) out.warning(Code::layout, p.scene.file, sentence);
 }
 
+/// m: across the largest mesh; 0 where there is none.
+double size_of_meshes(const std::vector<SurfaceNote>& notes) {
+  double size = 0;
+  for (const SurfaceNote& note : notes)
+    if (note.mesh) size = std::max(size, note.mesh->box.diagonal());
+  return size;
+}
+
 /// What cannot be read is an error when the surface is built.
 std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
   Diagnostics ignored;
@@ -324,6 +333,7 @@ std::optional<Prepared> prepare(Scene scene, std::shared_ptr<MeshLibrary> meshes
   auto model = build_model(p.scene, p.surfaces, out, p.bones);
   if (!model || out.has_errors()) return std::nullopt;
   p.model = std::move(*model);
+  warn_unlikely_lengths(p.scene, p.model.reference_poses, size_of_meshes(p.notes), out);
   warn_thin(p, out);
   warn_facing(p, out);
   warn_spaces(p, out);

@@ -64,4 +64,21 @@ inline constexpr double kFitPeakOfNoise = 8;
 /// [m] Largest residual that no scan resolves. Fails first: if too small, good fits get a warning.
 inline constexpr double kFitPeakUnseen = 5e-4;
 
+// unlikely_lengths
+
+/// [1] Length of a ligament over the size of the meshes (0.1 to 5 in knees) that is probably a mistake. Fails first:
+/// if too small, a muscle beside a patella (10) gets a warning.
+inline constexpr double kMostLengthRatio = 15;
+
+/// [1] The least. Fails first: if too large, a capsule's short bundle gets a warning.
+inline constexpr double kLeastLengthRatio = 4e-3;
+
+/// [1] How much wider both limits are beside closed forms, which may be the part of a surface that touches, or a dish
+/// much larger than it. Fails first: if too small, a ball of 1 mm that stands for a groove gets a warning.
+inline constexpr double kShapesWider = 6;
+
+/// [1] Lengths of a scene over the size of its meshes, or the inverse, that show another unit. Fails first: if too
+/// small, meshes far from the origin of their body get a warning.
+inline constexpr double kOtherUnitRatio = 100;
+
 }  // namespace genu

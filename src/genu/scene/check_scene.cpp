@@ -101,6 +101,37 @@ std::string length_rule_broken(const LigamentDef& ligament, double length) {
                      *slack / units::kMillimetre);
 }
 
+/// The strain of a ligament of this length; 0 where its law says none, or the file does.
+double strain_at(const LigamentDef& ligament, double length) {
+  const LawKind* law = find_law(ligament.law);
+  if (law == nullptr || law->both_ways) return 0;
+  if (ligament.rest == LigamentDef::Rest::reference_strain)
+    return ligament.rest_value > kMostStrain ? 0 : ligament.rest_value;  // one in percent is reported at its key
+  const auto slack = ligament.rest == LigamentDef::Rest::slack_length
+                         ? std::optional(ligament.rest_value)
+                         : law->slack_length_for(law_values(*law, ligament), ligament.rest_value, length);
+  return slack && *slack > 0 ? length / *slack - 1 : 0;
+}
+
+/// A stretch that tears ligaments is probably another unit, point or pose.
+void warn_stretched(ReadContext& context, const LigamentDef& ligament, double length) {
+  constexpr const char* kKeys[] = {"slack_length", "reference_strain", "reference_force"};
+  const double strain = strain_at(ligament, length);
+  if (!(strain > kMostReferenceStrain)) return;
+  const bool in_length = ligament.rest == LigamentDef::Rest::slack_length;
+  const double unit = in_length ? context.scene.length_unit : 1;
+  std::string meant = "check its stiffness, its points and the joint's reference";
+  if (in_length)
+    meant = fmt::format("was about {:.4g} {} meant? Else check its points and the joint's reference", length / unit,
+                        context.length_name);
+  context.warning(ligament.rest_where, Code::unlikely,
+                  "ligament." + ligament.name + "." + kKeys[static_cast<int>(ligament.rest)],
+                  fmt::format("{:g}", ligament.rest_value / unit),
+                  fmt::format("stretches it by {:.3g} % at the reference pose, where it is {:.4g} mm long; ligaments "
+                              "fail at 10 to 30 %: {}",
+                              100 * strain, to::kMillimetre * length, meant));
+}
+
 void check_lengths(ReadContext& context) {
   const Scene& scene = context.scene;
   const std::vector<Pose> poses = reference_poses(scene);
@@ -108,8 +139,11 @@ void check_lengths(ReadContext& context) {
     const std::vector<LigamentDef::End> points = ligament.path_points();
     if (std::any_of(points.begin(), points.end(), [](const auto& end) { return end.body < 0; })) continue;
     std::string broken = points.size() == 2 ? std::string() : path_rule_broken(ligament, poses);
-    if (broken.empty()) broken = length_rule_broken(ligament, path_length(ligament, poses));
-    if (!broken.empty())
+    const double length = path_length(ligament, poses);
+    if (broken.empty()) broken = length_rule_broken(ligament, length);
+    if (broken.empty())
+      warn_stretched(context, ligament, length);
+    else
       context.error(ligament.where, Code::out_of_range, "ligament." + ligament.name, {}, std::move(broken));
   }
 }

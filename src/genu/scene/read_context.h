@@ -25,10 +25,14 @@ struct ReadContext {
   std::vector<bool> combination_understood;  ///< with nothing wrong in it
   bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
-  bool in_motion = false;  ///< the scene has [dynamics]
+  bool in_motion = false;   ///< the scene has [dynamics]
+  bool turns_said = false;  ///< an angle has got the warning that it is probably in deg
 
   void error(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
     out.add(error_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));
+  }
+  void warning(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
+    out.add(warning_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));
   }
 };
 

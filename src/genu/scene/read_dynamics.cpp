@@ -49,7 +49,7 @@ void read_start_rates(ReadContext& context, const Item& item, DynamicsDef& dynam
   if (!is_table(context, item)) return;
   for (const NamedItem& entry : coordinate_items(item)) {
     const auto c = find_coordinate(context, entry.item.node->key_where, entry.item.path, entry.name);
-    const NumberRule rule = !c ? NumberRule{} : c->index < 3 ? angle_rule(context) : length_rule(context);
+    const NumberRule rule = !c ? NumberRule{} : c->index < 3 ? any_turns(angle_rule(context)) : length_rule(context);
     const auto value = read_number(context, entry.item, rule);
     if (c && value) dynamics.start_rates.push_back({*c, *value});
   }

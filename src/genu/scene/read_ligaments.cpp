@@ -123,6 +123,7 @@ void read_rest(ReadContext& context, Section& section, LigamentDef& ligament, co
     }
     first = item;
     ligament.rest = rest;
+    ligament.rest_where = item.node->where;
     const auto value = read_number(context, item, rest_rule(context, ligament, law));
     ligament.rest_value = value.value_or(1);
     if (value && ligament.rest == Rest::reference_force && law != nullptr && law->points) {
@@ -147,6 +148,7 @@ void read_ligaments(ReadContext& context, Section& root) {
     read_rest(context, section, ligament, law);
     section.not_built({"wrap"}, "ligaments that wrap");
     read_number_row(context, section, kLigamentDamping, {.objects = "ligaments"}, &ligament.damping);
+    warn_unlikely(context, section, ligament);
     section.finish();
     context.scene.ligaments.push_back(ligament);
   }

@@ -96,6 +96,11 @@ bool read_held_joint(ReadContext& context, Section& section, JointDef& joint);
 /// `grood_suntay` of a joint whose bodies are known.
 void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
 
+/// Warnings about numbers that are allowed, and probably meant in another unit: strains in percent, a stiffness a
+/// hundred times that of the bundle's name, sizes of metres or microns.
+void warn_unlikely(ReadContext& context, Section& section, const LigamentDef& ligament);
+void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& surface);
+
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
 std::vector<Pose> reference_poses(const SceneTables& scene);
 

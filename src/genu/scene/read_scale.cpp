@@ -39,7 +39,7 @@ std::optional<NumberRule> read_over(ReadContext& context, const Item& item, Scal
   const auto coordinate = find_coordinate(context, item.node->where, item.path, *over, literal(*item.node));
   if (!coordinate) return {};
   scale.coordinate = *coordinate;
-  return coordinate->index < 3 ? angle_rule(context) : length_rule(context);
+  return coordinate->index < 3 ? any_turns(angle_rule(context)) : length_rule(context);
 }
 
 /// `second`: what the values are called.

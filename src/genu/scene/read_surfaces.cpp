@@ -155,6 +155,7 @@ void read_surfaces(ReadContext& context, Section& root) {
     surface.inside = read_bool(context, section.find("inside")).value_or(false);
     surface.patch = read_patch(context, section.find("patch"), surface);
     surface.thickness = read_surface_thickness(context, section.find("thickness"));
+    warn_unlikely(context, section, surface);
     section.finish();
     context.scene.surfaces.push_back(surface);
   }

@@ -56,7 +56,9 @@ void read_units(ReadContext& context, Section& root) {
   if (!is_table(context, item)) return;
   Section units(context, item, "units");
   const std::vector<std::string> lengths = {"mm", "m"}, angles = {"deg", "rad"};
-  if (const auto k = read_choice(context, units.require("length"), lengths)) {
+  const Item length = units.require("length");
+  if (const auto k = read_choice(context, length, lengths)) {
+    context.scene.units_where = length.node->where;
     context.scene.length_unit = *k == 0 ? units::kMillimetre : units::kMetre;
     context.length_name = lengths[static_cast<std::size_t>(*k)];
   }
@@ -107,8 +109,10 @@ void name_bodies(const TomlNode& document, Scene& scene) {
 
 std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out) {
   found.sort();
-  for (const Diagnostic& d : found.items()) out.add(d);
-  if (found.has_errors()) return std::nullopt;
+  const bool refused = found.has_errors();  // then warnings wait: they may follow from an error
+  for (const Diagnostic& d : found.items())
+    if (!refused || d.severity == Diagnostic::Severity::error) out.add(d);
+  if (refused) return std::nullopt;
   return scene;
 }
 

@@ -85,7 +85,7 @@ struct LigamentDef {
   Rest rest = Rest::slack_length;
   double rest_value = 0;  ///< m, strain, or N
   double damping = 0;     ///< N s / m along its whole length; only with dynamics
-  SourceLocation where;
+  SourceLocation where, rest_where;
 
   /// All points of its path, from end to end.
   std::vector<End> path_points() const;
@@ -178,6 +178,7 @@ struct SceneTables {
   std::string title;
   double length_unit = 1;       ///< m per unit of length in the file
   double angle_unit = 1;        ///< rad per unit of angle in the file
+  SourceLocation units_where;   ///< of units.length
   std::optional<Vec3> gravity;  ///< m/s^2, in the world
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;

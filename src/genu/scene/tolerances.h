@@ -110,6 +110,26 @@ inline constexpr int kMaxTomlDepth = 32;
 /// stack.
 inline constexpr int kMaxDotsInKey = 250;
 
+// unlikely_numbers
+
+/// [1] Strain of a ligament above which it was probably written in percent (ligaments fail at 0.1 to 0.3). Fails first:
+/// if too small, laws for large strains get a warning.
+inline constexpr double kMostStrain = 0.5;
+
+/// [1] Strain at the reference pose above which a ligament would have failed. Fails first: if too small, prestrained
+/// bundles get a warning.
+inline constexpr double kMostReferenceStrain = 0.3;
+
+/// [1] Stiffness over that of a whole ligament of this name, or its inverse, that is probably in another unit. Fails
+/// first: if too small, a ligament of many thin bundles gets a warning.
+inline constexpr double kMostStiffnessRatio = 100;
+
+/// [m] Largest radius that is no mistake of the unit. Fails first: if too small, a nearly flat dish gets a warning.
+inline constexpr double kLikelyMaxRadius = 3;
+
+/// [m] Smallest radius that is no mistake of the unit. Fails first: if too large, a rim gets a warning.
+inline constexpr double kLikelyMinRadius = 2e-4;
+
 // values
 
 /// [m] Largest length of a scene. Fails first: if too large, squares lose digits.

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
+#include "genu/core/units.h"
 #include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
 
@@ -16,6 +19,14 @@ std::string with_unit(double value, const std::string& unit_name) {
 
 bool allows_zero(const NumberRule& rule) {
   return !(rule.above && *rule.above >= 0) && !(rule.at_least && *rule.at_least > 0);
+}
+
+void warn_turns(ReadContext& context, const Item& item, double radians) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (std::abs(radians) <= kTurn || std::exchange(context.turns_said, true)) return;
+  context.warning(item.node->where, Code::unlikely, item.path, literal(*item.node),
+                  fmt::format("is an angle of {:.3g} turns, as units.angle is \"rad\": was \"deg\" meant?",
+                              std::abs(radians) / kTurn));
 }
 
 }  // namespace
@@ -52,6 +63,7 @@ std::optional<double> read_number(ReadContext& context, const Item& item, const 
   } else if (is_tiny) {
     refuse(context, item, Code::out_of_range, "is out of range: smaller than anything in a joint");
   } else {
+    if (rule.within_turn) warn_turns(context, item, value * rule.unit);
     return value * rule.unit;
   }
   return {};
@@ -159,7 +171,13 @@ NumberRule angle_rule(const ReadContext& context) {
           .unit_name = context.angle_name,
           .above = {},
           .at_least = {},
-          .largest = kMaxAngle};
+          .largest = kMaxAngle,
+          .within_turn = context.scene.angle_unit == units::kRadian};
+}
+
+NumberRule any_turns(NumberRule rule) {
+  rule.within_turn = false;
+  return rule;
 }
 
 NumberRule plain_rule(std::string unit_name) {

@@ -33,6 +33,7 @@ struct NumberRule {
   std::optional<double> at_least;  ///< value >= at_least
   double largest = kMaxNumber;     ///< SI: larger numbers are refused
   double smallest = 1e-30;         ///< SI: smaller ones are 0, and refused where 0 is not allowed
+  bool within_turn = false;        ///< an angle beyond a turn was probably meant in deg: a warning
 };
 
 /// Reports `rule` at the item's value, with the value as found.
@@ -41,7 +42,8 @@ void refuse(ReadContext& context, const Item& item, Code code, std::string rule)
 /// Whether it is an integer or a float.
 bool is_number(const TomlNode& node);
 
-/// Finite, within the rule, and finite in SI. Integers are numbers too.
+/// Finite, within the rule, and finite in SI. Integers are numbers too. The first angle of a scene that is probably in
+/// another unit gets a warning.
 std::optional<double> read_number(ReadContext& context, const Item& item, const NumberRule& rule = {});
 std::optional<std::int64_t> read_integer(ReadContext& context, const Item& item, std::int64_t least, std::int64_t most);
 std::optional<std::string> read_string(ReadContext& context, const Item& item);
@@ -64,7 +66,8 @@ std::string unknown_name_rule(const std::string& kind, const std::string& name, 
 
 /// Rules in the file's units.
 NumberRule length_rule(const ReadContext& context);
-NumberRule angle_rule(const ReadContext& context);
+NumberRule angle_rule(const ReadContext& context);  ///< in rad within a turn
+NumberRule any_turns(NumberRule rule);              ///< of rates, and of tables that reach beyond what is used
 /// Any number, in a unit that no scene chooses.
 NumberRule plain_rule(std::string unit_name);
 NumberRule positive(NumberRule rule);
