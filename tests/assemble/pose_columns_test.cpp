@@ -1,6 +1,7 @@
 // Which column is which coordinate, and in which unit: by all four rules, and what is refused.
 #include "genu/assemble/pose_columns.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "genu/assemble/given_poses.h"
 #include "genu/assemble/opensim_names.h"
 #include "support/scene_model.h"
+#include "support/text.h"
 
 namespace genu {
 namespace {
@@ -112,6 +114,47 @@ TEST(PoseColumns, UnitsOfTheOthers) {
   EXPECT_EQ(values_of(match(scene_with(), "inDegrees=no\nendheader\n" + storage, {}, "p.mot"), 1)[0], 11);
 }
 
+TEST(PoseColumns, UnitsInNamesAreHeeded) {
+  for (const char* name :
+       {"knee_flex_r (deg)", "knee_flex_r[deg]", "knee_flex_r_deg", "knee_flex_r [Degrees]",
+        "/jointset/knee_r/knee_flex_r/value (deg)", "knee_r.flexion (deg)", "knee_r.flexion [deg]"}) {
+    const Result r = match(Table().with(std::string(name) + kKnee.substr(11), "180" + kKneeRow.substr(2)));
+    EXPECT_DOUBLE_EQ(values_of(r, 1)[0], M_PI) << name << r.said;
+  }
+  for (const auto& [name, value] :
+       {std::pair{"knee_tx_r (mm)", 14e-3}, {"knee_tx_r_m", 14.}, {"knee_tx_r [cm]", 0.14}}) {
+    const Result r = match(Table().with(test::with_first(kKnee, "knee_tx_r", name), kKneeRow), {"", "mm"});
+    EXPECT_DOUBLE_EQ(values_of(r, 1)[3], value) << name << r.said;
+  }
+  const Result picked = match(Table().with(kKnee, kKneeRow).with("q (deg)", "180"), {"knee_r.flexion=q", "rad"});
+  EXPECT_DOUBLE_EQ(values_of(picked, 1)[0], M_PI) << picked.said;
+  const Result odd = match(Table().with(kKnee, kKneeRow).with("q (grad)", "1"), {"knee_r.flexion=q (grad)", ""});
+  EXPECT_NE(odd.said.find("q (grad): is read in rad: (grad) is no unit that is known"), std::string::npos) << odd.said;
+}
+
+TEST(PoseColumns, UnitsThatAHeaderSays) {
+  std::string table = Table().with(kKnee, kKneeRow).names + "\n" + Table().with(kKnee, kKneeRow).row + "\n";
+  std::replace(table.begin(), table.end(), ',', '\t');
+  const auto flexion = [&](const std::string& header, const std::string& units = "") {
+    return match(scene_with(), header + "endheader\n" + table, {"", units}, "p.mot");
+  };
+  for (const char* header : {"inDegrees=yes\n", "INDEGREES = Yes \n", "inDegrees yes\n", "Angles are in degrees.\n",
+                             "inDegrees=yes\nAngles are in degrees.\n"}) {
+    EXPECT_DOUBLE_EQ(values_of(flexion(header), 1)[0], 11 * M_PI / 180) << header;
+    EXPECT_EQ(flexion(header, "m").said, "") << header;
+  }
+  for (const char* header : {"inDegrees=no\n", "Angles are in radians.\n", ""})
+    EXPECT_EQ(values_of(flexion(header), 1)[0], 11) << header;
+  const Result simm = flexion("name a.mot\ndatacolumns 13\ndatarows 1\notherdata 1\nrange 0.0 1.0\n");
+  EXPECT_DOUBLE_EQ(values_of(simm, 1)[0], 11 * M_PI / 180);
+  EXPECT_NE(simm.said.find("warning: the header is that of a SIMM motion"), std::string::npos) << simm.said;
+  EXPECT_EQ(values_of(flexion("datacolumns 13\n", "rad"), 1)[0], 11);
+  const char* both = "inDegrees=no\nAngles are in degrees.\n";
+  EXPECT_NE(flexion(both).said.find("p.mot:1:1: inDegrees=no and \"Angles are in degrees.\" say the opposite"),
+            std::string::npos);
+  EXPECT_DOUBLE_EQ(values_of(flexion(both, "deg"), 1)[0], 11 * M_PI / 180);
+}
+
 TEST(PoseColumns, AsTheUserSays) {
   const Result r = match(Table().with(kKnee, kKneeRow).with("q,/s/t_mm,clock", "180,20,9"),
                          {"knee_r.flexion = q[deg], knee_r.tx=t_mm, time=clock", ""});
@@ -156,7 +199,10 @@ TEST(PoseColumns, RefusesWithAWayOut) {
       {good, {"hinge.y=j.a", ""}, "is no coordinate that a column can give"},
       {good, {"knee_r.flexion=knee_flx_r", ""}, "is no column of p.csv; did you mean \"knee_flex_r\"?"},
       {good, {"knee_r.flexion=j.a[mm]", ""}, "the unit of an angle is [deg] or [rad]"},
-      {good, {"knee_r.tx=j.x[deg]", ""}, "the unit of a length is [mm] or [m]"},
+      {good, {"knee_r.tx=j.x[deg]", ""}, "the unit of a length is [mm], [cm] or [m]"},
+      {Table(good).with("j.a", "1"), {}, "column = \"j.a\": is the name of the column at 1 as well"},
+      {Table().with("knee_flex_r (mm)", "1"), {}, "is taken for knee_r.flexion, and mm is no unit of an angle"},
+      {Table(good).with("/a/q/value,/b/q/value", "1,2"), {"j.a=q", ""}, "may be \"/a/q/value\" or \"/b/q/value\""},
       {good, {"time=j.x[s]", ""}, "time has no unit"},
       {good, {"knee_r.tx", ""}, "must be QUANTITY=COLUMN"},
       {good, {"knee_r.tx=j.x,knee_r.tx=j.y", ""}, "is given twice"},
@@ -186,7 +232,6 @@ TEST(GivenPoses, RefusesBadNumbersWithTheirPlaces) {
       {"1" + rest + "\n", "p.csv:2:33: time = \"\": is empty"},
       {"nan" + rest + "0\n", "p.csv:2:1: j.a = \"nan\": must be a finite number"},
       {"1e6" + rest + "0\n", "j.a = \"1e6\": is too large for a joint"},
-      {"1" + rest + "0\n1" + rest + "0\n", "p.csv:3:33: time = 0: must be > 0, the time before it"},
       {"1" + rest + "1\n1" + rest + "0.5\n", "p.csv:3:33: time = 0.5: must be > 1"},
   };
   for (const auto& [rows, said] : cases) {
@@ -194,6 +239,45 @@ TEST(GivenPoses, RefusesBadNumbersWithTheirPlaces) {
     EXPECT_FALSE(r.poses) << said;
     EXPECT_NE(r.said.find(said), std::string::npos) << "wanted " << said << "\nsaid " << r.said;
   }
+}
+
+TEST(GivenPoses, EqualTimesAreTakenWithAWarning) {
+  const std::string names = Table().with(kKnee, "").names + ",time\n", rest = "1,2,3,4,5,6,7," + kKneeRow + ",";
+  const Result r = match(scene_with(), names + rest + "0\n" + rest + "0\n" + rest + "1\n", {"", "deg,mm"});
+  ASSERT_TRUE(r.poses) << r.said;
+  EXPECT_EQ(r.poses->poses.size(), 3u);
+  EXPECT_EQ(r.said, "p.csv:3:33: warning: time = 0: is the time of the row in line 2, too: both are taken\n");
+}
+
+TEST(GivenPoses, UnitsThatAreProbablyOthersAreSaid) {
+  const Result r = match(Table().with(kKnee, "-30,0.1,6,0.1,1.9,42"));
+  ASSERT_TRUE(r.poses) << r.said;
+  EXPECT_NE(
+      r.said.find("p.csv:2:15: warning: knee_flex_r = -30: is read in rad (OpenSim's habit, unit: SI), which makes "
+                  "4.77 turns: was deg meant? Then say --units deg, or --columns "
+                  "\"knee_r.flexion=knee_flex_r[deg]\""),
+      std::string::npos)
+      << r.said;
+  EXPECT_NE(r.said.find("knee_tz_r = 42: is read in m (OpenSim's habit, unit: SI), which makes 4.2e+04 mm: was mm"),
+            std::string::npos)
+      << r.said;
+  EXPECT_EQ(r.said.find("knee_rot_r"), std::string::npos) << "6 rad are less than a turn";
+  EXPECT_EQ(r.said.find("knee_ty_r"), std::string::npos) << r.said;
+  EXPECT_EQ(match(Table().with(kKnee, "-30,0.1,6,0.1,1.9,42"), {"", "deg,m"}).said, "") << "said by the user";
+  const Result turned = match(Table().with(kKnee, "-400,0.1,6,0.1,1.9,1"), {"", "deg,m"});
+  EXPECT_NE(turned.said.find("knee_flex_r = -400: is read in deg (OpenSim's habit, unit: --units), which makes 1.11 "
+                             "turns: check that it is the right column"),
+            std::string::npos)
+      << turned.said;
+}
+
+TEST(GivenPoses, ADecimalCommaIsSaidOnce) {
+  const std::string names = Table().names + "\n";
+  std::string table = names + "1,2,3,4,5,6,7\n";
+  std::replace(table.begin(), table.end(), ',', ';');
+  const PlacedScene scene = test::scene_model(test::bone_on_ground()).scene;
+  const Result r = match(scene, table + "1.5;1,5;2,5;3;3;3;3\n1,5;1,5;2,5;3;3;3;3\n");
+  EXPECT_EQ(r.said, "p.csv:3:5: j.b = \"1,5\": is no number: write the table with decimal points instead of commas\n");
 }
 
 TEST(GivenPoses, TimeIsNeededWhereLoadsChangeOverIt) {

@@ -72,6 +72,19 @@ TEST_F(ReadTarget, Errors) {
   EXPECT_EQ(out_.items().size(), 2u) << "all at once";
 }
 
+TEST_F(ReadTarget, OnlyWhatIsUsedIsChecked) {
+  EXPECT_TRUE(read("time_s,a.angle_deg,x,x\n0,1,word,\n", {"a.*"})) << test::messages(out_);
+  refused("time_s,a.angle_deg,a.angle_deg\n0,1,2\n", 1, 20, "is the name of the column at 8 as well");
+}
+
+TEST_F(ReadTarget, DecimalCommas) {
+  const auto t = read("time_s;a.angle_deg\n0,5;-1,25\n");
+  ASSERT_TRUE(t) << test::messages(out_);
+  EXPECT_EQ(t->values[0].time, 0.5);
+  EXPECT_EQ(t->values[0].value, -1.25);
+  refused("time_s;a.angle_deg\n0.5;-1,25\n0.6;-1,35\n", 2, 5, "write the table with decimal points");
+}
+
 /// Rows every 0.1 s of a cubic, which is followed exactly, and of a sine.
 TEST_F(ReadTarget, ValuesBetweenRowsAreThoseOfACubic) {
   ResultTable table;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "genu/assemble/long_errors.h"
 #include "genu/assemble/tolerances.h"
+#include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
 #include "genu/scene/tolerances.h"
 
@@ -14,12 +18,14 @@ namespace genu {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTurn = 2 * std::numbers::pi;
 
 class GivenPosesReader {
  public:
   GivenPosesReader(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out)
       : scene_(scene), file_(file), columns_(columns), errors_(file.path, out), out_(out) {
     for (const JointDef& joint : scene.joints) held_.push_back(joint.reference);
+    largest_.resize(columns.coordinates.size());
   }
 
   std::optional<GivenPoses> read() {
@@ -33,6 +39,7 @@ class GivenPosesReader {
         ++given_.left_out;
     }
     if (errors_.count() > 0) return std::nullopt;
+    for (std::size_t k = 0; k < largest_.size(); ++k) warn_unit(columns_.coordinates[k], largest_[k]);
     if (given_.poses.empty()) {
       out_.error(Code::not_solved, file_.path, "holds no pose that was solved: the status of every row says so");
       return std::nullopt;
@@ -60,7 +67,10 @@ class GivenPosesReader {
       return kNone;
     };
     if (cell.text.empty()) return refuse(Code::wrong_form, "is empty: a number is expected");
-    if (!TextWords::number(cell.text, value)) return refuse(Code::wrong_form, "is no number");
+    if (!TextWords::number(cell.text, value)) {
+      if (has_decimal_comma(cell.text) && std::exchange(comma_refused_, true)) return kNone;  // said once a file
+      return refuse(Code::wrong_form, file_.no_number(cell.text));
+    }
     if (!std::isfinite(value)) return refuse(Code::out_of_range, "must be a finite number");
     if (!(std::abs(unit * value) <= largest)) return refuse(Code::out_of_range, "is too large for a joint");
     return unit * value;
@@ -69,14 +79,17 @@ class GivenPosesReader {
   void add(const PoseFile::Row& row) {
     GivenPose pose;
     pose.coordinates = held_;
-    for (const PoseColumns::Match& m : columns_.coordinates)
-      pose.coordinates[static_cast<std::size_t>(m.coordinate.joint)][static_cast<std::size_t>(m.coordinate.index)] =
-          number(row, m.column, m.unit, m.coordinate.index < 3 ? kMaxAngle : kMaxLength);
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
+      const PoseColumns::Match& m = columns_.coordinates[k];
+      const double value = number(row, m.column, m.unit, m.coordinate.index < 3 ? kMaxAngle : kMaxLength);
+      pose.coordinates[at(m.coordinate.joint)][at(m.coordinate.index)] = value;
+      if (std::abs(value) > std::abs(largest_[k].value)) largest_[k] = {value, &row};
+    }
     pose.load_factors.assign(scene_.loads.size(), 1);
     for (const auto& f : columns_.factors)
       pose.load_factors[static_cast<std::size_t>(f.load)] = number(row, f.column, 1, kMaxNumber);
     pose.time = columns_.time ? number(row, *columns_.time, 1, kMaxNumber) : kNone;
-    check_time(row, pose.time);
+    if (columns_.time && !columns_.own_results()) check_time(row, pose.time);
     pose.increment = static_cast<int>(given_.poses.size());
     if (columns_.own_results()) {
       const double step = number(row, *columns_.step, 1, kMaxStepNumber),
@@ -89,13 +102,43 @@ class GivenPosesReader {
     given_.poses.push_back(std::move(pose));
   }
 
-  /// A path by arc length turns back, and its time with it.
+  /// A path by arc length turns back, and its time with it: not called for those.
   void check_time(const PoseFile::Row& row, double time) {
-    if (!columns_.time || columns_.own_results()) return;
-    if (!given_.poses.empty() && time <= given_.poses.back().time)
-      errors_.add({row.line, row.cells[*columns_.time].column}, Code::out_of_range,
-                  file_.names.cells[*columns_.time].text, row.cells[*columns_.time].text,
-                  fmt::format("must be > {:g}, the time before it", given_.poses.back().time));
+    const PoseFile::Cell& cell = row.cells[*columns_.time];
+    const std::string& name = file_.names.cells[*columns_.time].text;
+    const double before = given_.poses.empty() ? -std::numeric_limits<double>::infinity() : given_.poses.back().time;
+    if (time < before)
+      errors_.add({row.line, cell.column}, Code::out_of_range, name, cell.text,
+                  fmt::format("must be > {:g}, the time before it", before));
+    else if (time == before)
+      errors_.warn({row.line, cell.column}, Code::duplicate, name, cell.text,
+                   fmt::format("is the time of the row in line {}, too: both are taken", line_before_));
+    line_before_ = row.line;
+  }
+
+  struct Largest {
+    double value = 0;  ///< SI
+    const PoseFile::Row* row = nullptr;
+  };
+
+  /// Angles beyond a turn and translations of metres are probably in another unit.
+  void warn_unit(const PoseColumns::Match& m, const Largest& largest) {
+    const double size = std::abs(largest.value);
+    const bool angle = m.coordinate.index < 3;
+    if (angle ? size <= kTurn : !m.assumed || size <= kMostTranslation) return;
+    const bool in_degrees = angle && m.unit != units::kRadian;
+    if (in_degrees && columns_.own_results()) return;  // a joint that has turned so far
+    const PoseFile::Cell& cell = largest.row->cells[m.column];
+    const std::string& name = file_.names.cells[m.column].text;
+    const std::string much =
+        angle ? fmt::format("{:.3g} turns", size / kTurn) : fmt::format("{:.3g} mm", to::kMillimetre * largest.value);
+    const char* meant = angle ? "deg" : "mm";
+    const std::string advice = in_degrees
+                                   ? "check that it is the right column"
+                                   : fmt::format("was {} meant? Then say --units {}, or --columns \"{}={}[{}]\"", meant,
+                                                 meant, coordinate_name(scene_, m.coordinate), name, meant);
+    errors_.warn({largest.row->line, cell.column}, Code::unlikely, name, cell.text,
+                 fmt::format("is read in {} ({}), which makes {}: {}", m.unit_name, m.how, much, advice));
   }
 
   const SceneTables& scene_;
@@ -104,6 +147,9 @@ class GivenPosesReader {
   LongErrors errors_;
   Diagnostics& out_;
   std::vector<JointValues> held_;
+  std::vector<Largest> largest_;  ///< of each of columns_.coordinates
+  int line_before_ = 0;
+  bool comma_refused_ = false;
   GivenPoses given_;
 };
 

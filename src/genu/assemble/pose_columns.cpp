@@ -5,31 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/column_names.h"
 #include "genu/assemble/opensim_names.h"
 #include "genu/assemble/plain_text.h"
 #include "genu/assemble/refuse_option.h"
-#include "genu/core/units.h"
 #include "genu/results/columns.h"
 #include "genu/scene/words.h"
 
 namespace genu {
 namespace {
-
-struct Unit {
-  const char* name;
-  double si;
-  bool angle;
-};
-constexpr Unit kUnits[] = {{"rad", units::kRadian, true},
-                           {"deg", units::kDegree, true},
-                           {"m", units::kMetre, false},
-                           {"mm", units::kMillimetre, false}};
-
-const Unit* unit_called(const std::string& name) {
-  for (const Unit& u : kUnits)
-    if (name == u.name) return &u;
-  return nullptr;
-}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -43,8 +27,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 class Matcher {
  public:
-  Matcher(const SceneTables& scene, const PoseFile& file, Diagnostics& out) : scene_(scene), file_(file), out_(out) {
-    for (std::size_t c = 0; c < file.names.cells.size(); ++c) by_name_[file.names.cells[c].text] = c;
+  Matcher(const SceneTables& scene, const PoseFile& file, Diagnostics& out)
+      : scene_(scene), file_(file), out_(out), names_(file.names) {
     for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
       for (int i = 0; i < 6; ++i)
         if (scene.joints[at(j)].leaves(i)) wanted_.push_back({j, i});
@@ -57,23 +41,25 @@ class Matcher {
     for (const CoordinateRef& c : wanted_) match_one(c);
     match_rest();
     if (!missing_.empty()) tell_missing();
+    if (unit_of_file_used_) check_unit_of_file();
+    refuse_repeated_names(file_, used_, out_);
     if (out_.count(Diagnostic::Severity::error) > before) return std::nullopt;
     return std::move(found_);
   }
 
  private:
-  const std::string& name(std::size_t column) const { return file_.names.cells[column].text; }
+  FilePlace place(std::size_t column) const {
+    return {file_.path, {file_.names.line, file_.names.cells[column].column}};
+  }
 
   void read_units(const std::string& text) {
-    if (file_.in_degrees.value_or(false)) {
-      angle_ = unit_called("deg");
-      angle_why_ = "inDegrees=yes";
-    } else if (file_.in_degrees) {
-      angle_why_ = "inDegrees=no";
+    if (file_.angles.degrees) {
+      angle_ = column_unit(*file_.angles.degrees ? "deg" : "rad");
+      angle_why_ = file_.angles.why;
     }
     if (trimmed(text).empty()) return;
     for (const std::string& part : split(text, ',')) {
-      const Unit* unit = unit_called(std::string(trimmed(part)));
+      const ColumnUnit* unit = column_unit(std::string(trimmed(part)));
       if (unit == nullptr) {
         refuse_option(out_, Code::wrong_form, "--units", text,
                       "must be an angle's unit (deg or rad), a length's (mm or m), or both: deg,mm");
@@ -97,18 +83,6 @@ class Matcher {
     return names;
   }
 
-  /// By its whole name, else by the last part of its path where one column alone has that.
-  std::optional<std::size_t> column_called(const std::string& text) const {
-    if (const auto it = by_name_.find(text); it != by_name_.end()) return it->second;
-    std::optional<std::size_t> found;
-    for (std::size_t c = 0; c < file_.names.cells.size(); ++c) {
-      if (last_part_of_path(name(c)) != text) continue;
-      if (found) return std::nullopt;
-      found = c;
-    }
-    return found;
-  }
-
   void read_explicit(const std::string& text) {
     if (trimmed(text).empty()) return;
     for (const std::string& part : split(text, ',')) {
@@ -127,112 +101,133 @@ class Matcher {
       return refuse_option(out_, Code::unknown_name, "--columns", quantity,
                            "is no coordinate that a column can give" + did_you_mean(quantity, known_quantities()) +
                                " (known: " + quoted_list(known_quantities()) + ")");
-    const Unit* unit = nullptr;
+    const bool angle = coordinate != nullptr && coordinate->index < 3;
+    const ColumnUnit* unit = nullptr;
     const std::size_t bracket = column.rfind('[');
-    if (!column_called(column) && bracket != std::string::npos && column.back() == ']') {
-      const std::string word = column.substr(bracket + 1, column.size() - bracket - 2);
-      unit = unit_called(word);
-      if (coordinate == nullptr || unit == nullptr || unit->angle != (coordinate->index < 3))
+    if (names_.called(column, angle).empty() && bracket != std::string::npos && column.back() == ']') {
+      unit = column_unit(bare_unit(column.substr(bracket)));
+      if (coordinate == nullptr || unit == nullptr || unit->angle != angle)
         return refuse_option(out_, Code::wrong_form, "--columns", quantity + "=" + column,
-                             coordinate == nullptr   ? "time has no unit: it is in s"
-                             : coordinate->index < 3 ? "the unit of an angle is [deg] or [rad]"
-                                                     : "the unit of a length is [mm] or [m]");
+                             coordinate == nullptr ? "time has no unit: it is in s"
+                             : angle               ? "the unit of an angle is [deg] or [rad]"
+                                                   : "the unit of a length is [mm], [cm] or [m]");
       column = std::string(trimmed(column.substr(0, bracket)));
     }
-    const auto c = column_called(column);
-    if (!c)
+    const std::vector<std::size_t> found = names_.called(column, angle);
+    if (found.empty())
       return refuse_option(out_, Code::unknown_name, "--columns", column,
-                           "is no column of " + file_.path + did_you_mean(column, names()) + ", or that of several");
+                           "is no column of " + file_.path + names_.near(column));
+    if (found.size() > 1)
+      return refuse_option(out_, Code::conflict, "--columns", column,
+                           fmt::format("may be {} or {}: give the whole name", with_quotes(names_[found[0]]),
+                                       with_quotes(names_[found[1]])));
+    const std::size_t c = found[0];
     if (coordinate == nullptr) {
       if (found_.time) return refuse_option(out_, Code::duplicate, "--columns", quantity, "is given twice");
       found_.time = c;
       return;
     }
-    if (!explicit_.emplace(std::pair{coordinate->joint, coordinate->index}, std::pair{*c, unit}).second)
+    if (!explicit_.emplace(std::pair{coordinate->joint, coordinate->index}, std::pair{c, unit}).second)
       refuse_option(out_, Code::duplicate, "--columns", quantity, "is given twice");
   }
 
-  std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const PoseFile::Cell& cell : file_.names.cells) all.push_back(cell.text);
-    return all;
-  }
-
-  void add(const CoordinateRef& c, std::size_t column, const Unit* unit, const std::string& how) {
+  /// `unit`: where the user says one, or results.csv has it; else null.
+  void add(const CoordinateRef& c, std::size_t column, const ColumnUnit* unit, std::string how) {
     const bool angle = c.index < 3;
-    std::string why = how;
-    const Unit* const own = unit;
-    if (unit == nullptr) {
+    const ColumnLabel& label = names_.label(column, angle);
+    const std::string& why = angle ? angle_why_ : length_why_;
+    bool assumed = false;
+    if (unit == nullptr && label.unit != nullptr) {
+      unit = label.unit;
+      how += ", unit: its name";
+      if (unit->angle != angle)
+        out_.add(error_at(place(column), Code::conflict, names_[column], {},
+                          fmt::format("is taken for {}, and {} is no unit of {}", coordinate_name(scene_, c),
+                                      unit->name, angle ? "an angle" : "a length")));
+    } else if (unit == nullptr) {
       unit = angle ? angle_ : length_;
-      why += std::string(", unit: ") + (angle ? angle_why_ : length_why_);
+      assumed = why == kAssumed;
+      unit_of_file_used_ = unit_of_file_used_ || (angle && why == file_.angles.why);
+      how += ", unit: " + why;
+      if (!label.unknown.empty()) warn_unknown_unit(c, column, *unit);
     }
-    if (own == nullptr)  // knee_flexion_deg says it, whoever chose the column
-      for (const Unit& u : kUnits)
-        if (const std::string end = std::string("_") + u.name, text = name(column);
-            u.angle == angle && text.size() > end.size() &&
-            text.compare(text.size() - end.size(), end.size(), end) == 0) {
-          unit = &u;
-          why = how + ", unit: its name";
-        }
-    found_.coordinates.push_back({c, column, unit->si, unit->name, why});
+    found_.coordinates.push_back({c, column, unit->si, unit->name, how, assumed});
     used_.push_back(column);
   }
 
-  void match_one(const CoordinateRef& c) {
-    if (const auto e = explicit_.find({c.joint, c.index}); e != explicit_.end())
-      return add(c, e->second.first, e->second.second, "--columns");
-    if (const auto it = by_name_.find(coordinate_column(scene_, c)); it != by_name_.end())
-      return add(c, it->second, unit_called(c.index < 3 ? "deg" : "mm"), "as in results.csv");
-    if (const auto it = by_name_.find(coordinate_name(scene_, c)); it != by_name_.end())
-      return add(c, it->second, nullptr, "its name");
-    std::vector<std::size_t> columns;
-    for (std::size_t k = 0; k < file_.names.cells.size(); ++k) {
-      const std::vector<CoordinateRef> meant = opensim_coordinates(scene_, name(k));
-      if (std::find(meant.begin(), meant.end(), c) == meant.end()) continue;
-      if (meant.size() > 1)
-        return refuse_several(c, name(k),
-                              fmt::format("may as well be {}", coordinate_name(scene_, meant[meant[0] == c])));
-      columns.push_back(k);
-    }
-    if (columns.size() > 1)
-      return refuse_several(c, name(columns[0]), fmt::format("and {} may both be it", name(columns[1])));
-    if (columns.empty())
-      missing_.push_back(coordinate_name(scene_, c));
-    else
-      add(c, columns[0], nullptr, "OpenSim's habit");
+  void warn_unknown_unit(const CoordinateRef& c, std::size_t column, const ColumnUnit& unit) {
+    out_.add(warning_at(place(column), Code::unknown_name, names_[column], {},
+                        fmt::format("is read in {}: ({}) is no unit that is known. Say --columns \"{}={}[{}]\" if that "
+                                    "is right",
+                                    unit.name, names_.label(column, c.index < 3).unknown, coordinate_name(scene_, c),
+                                    names_[column], unit.name)));
   }
 
-  void refuse_several(const CoordinateRef& c, const std::string& column, const std::string& what) {
-    out_.add(
-        error_at({file_.path, {file_.names.line, file_.names.cells[by_name_.at(column)].column}}, Code::conflict,
-                 coordinate_name(scene_, c), {},
-                 fmt::format("{} {}: say which by --columns \"{}=...\"", column, what, coordinate_name(scene_, c))));
+  /// What a header says about angles is not always clear.
+  void check_unit_of_file() {
+    const AngleUnit& angles = file_.angles;
+    const FilePlace place{file_.path, {std::max(angles.line, 1), 1}};
+    if (angles.against)
+      out_.add(error_at(place, Code::conflict, {}, {},
+                        fmt::format("{} and {} say the opposite of each other: say --units deg or --units rad",
+                                    angles.why, *angles.against)));
+    if (angles.assumed)
+      out_.add(warning_at(place, Code::missing_key, {}, {},
+                          "the header is that of a SIMM motion and does not say the unit of angles: they are read in "
+                          "deg, as SIMM writes them. Say --units rad if they are in rad"));
+  }
+
+  void match_one(const CoordinateRef& c) {
+    const bool angle = c.index < 3;
+    if (const auto e = explicit_.find({c.joint, c.index}); e != explicit_.end())
+      return add(c, e->second.first, e->second.second, "--columns");
+    if (const auto own = names_.exact(coordinate_column(scene_, c)))
+      return add(c, *own, column_unit(angle ? "deg" : "mm"), "as in results.csv");
+    const std::string name = coordinate_name(scene_, c);
+    if (const auto whole = names_.exact(name)) return add(c, *whole, nullptr, "its name");
+    std::vector<std::size_t> columns, named;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (names_.label(k, angle).path == name) named.push_back(k);
+      const std::vector<CoordinateRef> meant = opensim_coordinates(scene_, names_.label(k, angle).word);
+      if (std::find(meant.begin(), meant.end(), c) == meant.end()) continue;
+      if (meant.size() > 1 && named.empty())
+        return refuse_several(c, k, fmt::format("may as well be {}", coordinate_name(scene_, meant[meant[0] == c])));
+      columns.push_back(k);
+    }
+    const char* how = named.empty() ? "OpenSim's habit" : "its name";
+    if (!named.empty()) columns = named;
+    if (columns.size() > 1)
+      return refuse_several(c, columns[0], fmt::format("and {} may both be it", names_[columns[1]]));
+    if (columns.empty())
+      missing_.push_back(name);
+    else
+      add(c, columns[0], nullptr, how);
+  }
+
+  void refuse_several(const CoordinateRef& c, std::size_t column, const std::string& what) {
+    const std::string quantity = coordinate_name(scene_, c);
+    out_.add(error_at(place(column), Code::conflict, quantity, {},
+                      fmt::format("{} {}: say which by --columns \"{}=...\"", names_[column], what, quantity)));
   }
 
   void match_rest() {
-    const auto find = [&](const std::string& text) {
-      const auto it = by_name_.find(text);
-      return it == by_name_.end() ? std::optional<std::size_t>() : it->second;
-    };
-    found_.step = find("step");
-    found_.increment = find("increment");
-    found_.status = find("status");
+    found_.step = names_.exact("step");
+    found_.increment = names_.exact("increment");
+    found_.status = names_.exact("status");
     if (!found_.own_results()) found_.step = found_.increment = found_.status = std::nullopt;
-    if (!found_.time) found_.time = find("time_s");
-    for (std::size_t c = 0; !found_.time && c < file_.names.cells.size(); ++c)
-      if (lower_case(name(c)) == "time") found_.time = c;
+    if (!found_.time) found_.time = names_.time();
     for (int i = 0; i < static_cast<int>(scene_.loads.size()); ++i)
-      if (const auto c = find(scene_.loads[at(i)].name + ".factor")) found_.factors.push_back({i, *c});
+      if (const auto c = names_.exact(scene_.loads[at(i)].name + ".factor")) found_.factors.push_back({i, *c});
     for (const auto& c : {found_.step, found_.increment, found_.status, found_.time})
       if (c) used_.push_back(*c);
     for (const auto& f : found_.factors) used_.push_back(f.column);
-    for (std::size_t c = 0; c < file_.names.cells.size(); ++c)
+    for (std::size_t c = 0; c < names_.size(); ++c)
       if (std::find(used_.begin(), used_.end(), c) == used_.end()) found_.ignored.push_back(c);
   }
 
   void tell_missing() {
     constexpr std::size_t kPoseColumnsListed = 40;
-    std::vector<std::string> all = names();
+    std::vector<std::string> all = names_.all();
     const std::size_t more = all.size() > kPoseColumnsListed ? all.size() - kPoseColumnsListed : 0;
     all.resize(all.size() - more);
     out_.add(
@@ -247,11 +242,13 @@ class Matcher {
   const SceneTables& scene_;
   const PoseFile& file_;
   Diagnostics& out_;
-  std::map<std::string, std::size_t> by_name_;
+  ColumnNames names_;
   std::vector<CoordinateRef> wanted_;
-  std::map<std::pair<int, int>, std::pair<std::size_t, const Unit*>> explicit_;
-  const Unit *angle_ = unit_called("rad"), *length_ = unit_called("m");
-  std::string angle_why_ = "SI", length_why_ = "SI";
+  std::map<std::pair<int, int>, std::pair<std::size_t, const ColumnUnit*>> explicit_;
+  const ColumnUnit *angle_ = column_unit("rad"), *length_ = column_unit("m");
+  static constexpr const char* kAssumed = "SI";  // why a unit is taken that nobody says
+  std::string angle_why_ = kAssumed, length_why_ = kAssumed;
+  bool unit_of_file_used_ = false;
   std::vector<std::string> missing_;
   std::vector<std::size_t> used_;
   PoseColumns found_;

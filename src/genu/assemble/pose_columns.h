@@ -3,10 +3,12 @@
 // In this order; the first rule that finds a column for a coordinate is taken:
 //   1. as the user says: "knee.flexion=knee_flex_r[rad], time=t"
 //   2. a column of genu's own results: knee.flexion_deg
-//   3. a coordinate's name: knee.flexion
+//   3. a coordinate's name: knee.flexion, with or without a unit (column_units.h)
 //   4. OpenSim's habit: the last part of the path (before /value), JOINT_QUANTITY or JOINT_QUANTITY_SIDE: knee_flex_r
 //   is
 //      the rotation of joint `knee` (or `knee_r`) whose name begins with "flex", knee_tx_r its translation `x` or `tx`
+// The unit is what the user says for the column, else that of the column's name, else that of `units`, else that of the
+// file's header, else rad or m.
 #pragma once
 
 #include <optional>
@@ -29,13 +31,14 @@ struct PoseColumns {
     std::size_t column = 0;
     double unit = 1;  ///< SI per unit of the column
     std::string unit_name;
-    std::string how;  ///< in words
+    std::string how;       ///< in words
+    bool assumed = false;  ///< the unit: neither the user nor the file says it
   };
   struct Factor {
     int load = 0;
     std::size_t column = 0;
   };
-  std::vector<Match> coordinates;  ///< one for each coordinate that no joint holds, in the scene's order
+  std::vector<Match> coordinates;  ///< one for each coordinate that no joint gives
   std::vector<Factor> factors;     ///< LOAD.factor
   std::optional<std::size_t> time, step, increment, status;
   std::vector<std::size_t> ignored;

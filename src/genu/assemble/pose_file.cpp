@@ -9,66 +9,27 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/column_units.h"
 #include "genu/assemble/plain_text.h"
 #include "genu/assemble/tolerances.h"
 
 namespace genu {
 namespace {
 
-struct Line {
-  int number = 0;  // from 1
-  std::string_view text;
-};
+using Cells = std::vector<TextCell>;
 
-/// Lines without their ends; those of blanks alone are passed over.
-std::vector<Line> lines_of(std::string_view text) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  std::vector<Line> lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (!trimmed(line).empty()) lines.push_back({number, line});
-  }
-  return lines;
+void drop_empty_end(Cells& cells, std::size_t least) {
+  while (cells.size() > least && cells.back().text.empty()) cells.pop_back();
 }
 
-/// Cells between separators; false where a quote is not closed.
-bool split_separated(std::string_view line, char separator, std::vector<PoseFile::Cell>& cells) {
-  std::size_t at = 0;
-  while (true) {
-    PoseFile::Cell cell{{}, static_cast<int>(at) + 1};
-    if (at < line.size() && line[at] == '"') {
-      for (++at; at < line.size(); ++at) {
-        if (line[at] != '"')
-          cell.text += line[at];
-        else if (at + 1 < line.size() && line[at + 1] == '"')
-          cell.text += line[at++];
-        else
-          break;
-      }
-      if (at++ == line.size()) return false;
-      at = std::min(line.find(separator, at), line.size());
-    } else {
-      const std::size_t end = std::min(line.find(separator, at), line.size());
-      const std::string_view raw = line.substr(at, end - at), word = trimmed(raw);
-      cell.text = word;
-      if (!word.empty()) cell.column += static_cast<int>(word.data() - raw.data());
-      at = end;
-    }
-    cells.push_back(std::move(cell));
-    if (at >= line.size()) return true;
-    ++at;
-  }
+bool all_empty(const Cells& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](const TextCell& c) { return c.text.empty(); });
 }
 
-void split_blanks(std::string_view line, std::vector<PoseFile::Cell>& cells) {
-  for (std::size_t at = line.find_first_not_of(" \t"); at != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
-    cells.push_back({std::string(line.substr(at, end - at)), static_cast<int>(at) + 1});
-    at = line.find_first_not_of(" \t", end);
-  }
+bool all_numbers(const Cells& cells) {
+  return !cells.empty() && std::all_of(cells.begin(), cells.end(), [](const TextCell& c) {
+    return is_number(c.text) || has_decimal_comma(c.text);
+  });
 }
 
 class PoseFileReader {
@@ -82,13 +43,13 @@ class PoseFileReader {
     const std::size_t names = find_names();
     if (errors_.count() > 0) return std::nullopt;
     if (names >= lines_.size()) return nothing("holds no row of column names");
-    file_.names = split(lines_[names]);
-    for (std::size_t k = names + 1; k < lines_.size(); ++k) add_row(split(lines_[k]));
-    check_names();
-    check_promise(promised_rows_, "nRows", file_.rows.size(), "rows");
-    check_promise(promised_columns_, "nColumns", file_.names.cells.size(), "columns");
+    read_rows(names);
+    check_promise(header_.rows, file_.rows.size(), "rows");
+    check_promise(header_.columns, file_.names.cells.size(), "columns");
     if (errors_.count() > 0) return std::nullopt;
     if (file_.rows.empty()) return nothing("holds no pose below its column names");
+    read_decimal_commas();
+    file_.angles = header_.angles;
     return std::move(file_);
   }
 
@@ -100,73 +61,103 @@ class PoseFileReader {
 
   /// Index of the line of names.
   std::size_t find_names() {
-    const std::string extension = lower_case(std::filesystem::path(file_.path).extension().string());
-    const auto end = std::find_if(lines_.begin(), lines_.end(), [](const Line& l) {
+    if (lines_.empty()) return 0;
+    const TextLine& first = lines_.front();
+    const auto end = std::find_if(lines_.begin(), lines_.end(), [](const TextLine& l) {
       return lower_case(std::string(trimmed(l.text))) == "endheader";
     });
-    storage_ = end != lines_.end();
-    if (!storage_) {
-      if ((extension == ".sto" || extension == ".mot") && !lines_.empty())
-        errors_.add({lines_.front().number, 1}, Code::broken_file, {}, {},
-                    "a storage file has a line \"endheader\", which is missing");
-      if (!lines_.empty()) separator_ = separator_of(lines_.front().text);
-      return 0;
+    if (end != lines_.end()) {
+      header_ = read_pose_header({lines_.begin(), end}, errors_);
+      const std::size_t names = static_cast<std::size_t>(end - lines_.begin()) + 1;
+      separator_ = separator_of_storage(names);
+      return names;
     }
-    for (auto line = lines_.begin(); line != end; ++line) read_header(*line);
-    return static_cast<std::size_t>(end - lines_.begin()) + 1;
+    const std::string extension = lower_case(std::filesystem::path(file_.path).extension().string());
+    if (lower_case(std::string(first.text)).starts_with("pathfiletype"))
+      errors_.add({first.number, 1}, Code::broken_file, {}, {},
+                  "is a table of markers (TRC), not of joint coordinates: OpenSim's inverse kinematics writes a .mot");
+    else if (extension == ".sto" || extension == ".mot")
+      errors_.add({first.number, 1}, Code::broken_file, {}, {},
+                  "a storage file has a line \"endheader\", which is missing");
+    separator_ = separator_of(first.text, lines_.size() > 1 ? lines_[1].text : std::string_view());
+    return 0;
   }
 
-  void read_header(const Line& line) {
-    const std::size_t equals = line.text.find('=');
-    if (equals == std::string_view::npos) return;
-    const std::string key = lower_case(std::string(trimmed(line.text.substr(0, equals))));
-    const std::string value = lower_case(std::string(trimmed(line.text.substr(equals + 1))));
-    const int column = static_cast<int>(equals) + 2;
-    if (key == "indegrees") {
-      if (value != "yes" && value != "no")
-        errors_.add({line.number, column}, Code::unknown_name, "inDegrees", value, "must be yes or no");
-      file_.in_degrees = value == "yes";
+  /// Blanks and tabs, unless the names have blanks inside.
+  char separator_of_storage(std::size_t names) const {
+    if (names + 1 >= lines_.size()) return ' ';
+    Cells words, cells, row;
+    split_blanks(lines_[names].text, words);
+    split_blanks(lines_[names + 1].text, row);
+    split_separated(lines_[names].text, '\t', cells);
+    drop_empty_end(cells, 0);
+    return cells.size() > 1 && words.size() != row.size() && cells.size() == row.size() ? '\t' : ' ';
+  }
+
+  void read_rows(std::size_t names) {
+    std::size_t first = names + 1;
+    Cells& cells = file_.names.cells;
+    file_.names = split(lines_[names]);
+    if (all_numbers(cells) && !is_count(cells)) {
+      for (std::size_t c = 0; c < cells.size(); ++c) cells[c].text = fmt::format("{}", c + 1);
+      first = names;
+    } else if (first < lines_.size()) {
+      Cells row;
+      split_separated(lines_[first].text, separator_, row);
+      drop_empty_end(cells, row.size());
     }
-    if (key == "nrows") read_promise(line.number, column, "nRows", value, promised_rows_);
-    if (key == "ncolumns") read_promise(line.number, column, "nColumns", value, promised_columns_);
-    if (key == "datatype" && value != "double")
-      errors_.add({line.number, column}, Code::unknown_name, "DataType", value, "must be double: one number a cell");
+    for (std::size_t k = first; k < lines_.size(); ++k) {
+      PoseFile::Row row = split(lines_[k]);
+      drop_empty_end(row.cells, cells.size());
+      if (all_empty(row.cells)) continue;  // spreadsheets leave such rows
+      if (k > names && file_.rows.empty() && names_units(row.cells)) continue;
+      if (doubled_by_commas(row)) return;
+      add_row(std::move(row));
+    }
   }
 
-  /// A number of rows or columns that a storage's header gives.
-  struct Promise {
-    std::size_t count = 0;
-    int line = 0, column = 0;
-  };
-
-  void read_promise(int line, int column, const char* key, const std::string& value, std::optional<Promise>& out) {
-    constexpr std::size_t kMostDigits = 9;
-    if (value.empty() || value.size() > kMostDigits || value.find_first_not_of("0123456789") != std::string::npos)
-      errors_.add({line, column}, Code::wrong_form, key, value, "must be a whole number >= 0");
-    else
-      out = {static_cast<std::size_t>(std::stol(value)), line, column};
+  /// Names 1, 2, 3, ...
+  static bool is_count(const Cells& cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (cells[c].text != fmt::format("{}", c + 1)) return false;
+    return cells.size() > 1;
   }
 
-  void check_promise(const std::optional<Promise>& promise, const char* key, std::size_t found, const char* what) {
-    if (promise && promise->count != found)
-      errors_.add({promise->line, promise->column}, Code::broken_file, key, fmt::format("{}", promise->count),
-                  fmt::format("the file holds {} {}: copy or export it again", found, what));
+  /// A row of units: each cell one of those that columns may have, or of a time, or empty.
+  bool names_units(const Cells& cells) {
+    Cells& names = file_.names.cells;
+    if (cells.size() != names.size()) return false;
+    bool any = false;
+    for (const TextCell& cell : cells) {
+      const std::string word = bare_unit(cell.text);
+      const bool unit = column_unit(word) != nullptr;
+      if (!unit && !word.empty() && word != "s" && word != "-" && word != "1" && word != "N") return false;
+      any = any || unit;
+    }
+    if (!any) return false;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (const std::string word = bare_unit(cells[c].text); column_unit(word) != nullptr)
+        names[c].text += " [" + word + "]";
+    return true;
   }
 
-  static char separator_of(std::string_view names) {
-    for (const char c : {',', ';', '\t'})
-      if (names.find(c) != std::string_view::npos) return c;
-    return ',';
-  }
-
-  PoseFile::Row split(const Line& line) {
+  PoseFile::Row split(const TextLine& line) {
     PoseFile::Row row{line.number, {}};
-    if (storage_)
-      split_blanks(line.text, row.cells);
-    else if (!split_separated(line.text, separator_, row.cells))
+    if (!split_separated(line.text, separator_, row.cells))
       errors_.add({line.number, row.cells.empty() ? 1 : row.cells.back().column}, Code::broken_file, {}, {},
                   "has a quote that is not closed");
     return row;
+  }
+
+  /// A comma between cells and another in each number: said once.
+  bool doubled_by_commas(const PoseFile::Row& row) {
+    const std::size_t found = row.cells.size(), wanted = file_.names.cells.size();
+    if (separator_ != ',' || found <= wanted || found > 2 * wanted || !all_numbers(row.cells)) return false;
+    errors_.add({row.line, row.cells[wanted].column}, Code::wrong_form, {}, {},
+                fmt::format("has {} cells where there are {} columns, as where numbers have decimal commas: write the "
+                            "table with decimal points, or with ; between its cells",
+                            found, wanted));
+    return true;
   }
 
   void add_row(PoseFile::Row row) {
@@ -179,41 +170,60 @@ class PoseFileReader {
     file_.rows.push_back(std::move(row));
   }
 
-  void check_names() {
-    std::map<std::string, int> seen;
-    for (const PoseFile::Cell& name : file_.names.cells) {
-      if (name.text.empty())
-        errors_.add({file_.names.line, name.column}, Code::missing_key, {}, {}, "a column has no name");
-      const auto [first, fresh] = seen.emplace(name.text, name.column);
-      if (!fresh && !name.text.empty())
-        errors_.add({file_.names.line, name.column}, Code::duplicate, "column", '"' + name.text + '"',
-                    fmt::format("is the name of the column at {} as well", first->second));
-    }
+  void check_promise(const std::optional<PoseHeader::Promise>& promise, std::size_t found, const char* what) {
+    if (promise && promise->count != found)
+      errors_.add(promise->where, Code::broken_file, promise->key, fmt::format("{}", promise->count),
+                  fmt::format("the file holds {} {}: copy or export it again", found, what));
   }
 
-  std::vector<Line> lines_;
+  /// Where the comma does not stand between cells, and no number has a point, it can only be decimal.
+  void read_decimal_commas() {
+    if (separator_ == ',') return;
+    std::vector<TextCell*> commas;
+    for (PoseFile::Row& row : file_.rows)
+      for (TextCell& cell : row.cells) {
+        if (cell.text.find('.') != std::string::npos && is_number(cell.text)) return;
+        if (has_decimal_comma(cell.text)) commas.push_back(&cell);
+      }
+    for (TextCell* cell : commas) cell->text[cell->text.find(',')] = '.';
+  }
+
+  std::vector<TextLine> lines_;
   LongErrors errors_;
   Diagnostics& out_;
   PoseFile file_;
-  bool storage_ = false;
+  PoseHeader header_;
   char separator_ = ',';
-  std::optional<Promise> promised_rows_, promised_columns_;
 };
 
 }  // namespace
 
-LongErrors::~LongErrors() {
-  if (count_ > kProblemsListed)
-    out_->error(Code::broken_file, path_, fmt::format("{} more errors like these", count_ - kProblemsListed));
+std::string PoseFile::no_number(const std::string& word) const {
+  return has_decimal_comma(word) ? "is no number: write the table with decimal points instead of commas"
+                                 : "is no number";
 }
 
-void LongErrors::add(SourceLocation where, Code code, const std::string& key, const std::string& found,
-                     const std::string& rule) {
-  if (++count_ > kProblemsListed) return;
-  out_->add(error_at({path_, where}, code, key, found, rule));
+void refuse_repeated_names(const PoseFile& file, const std::vector<std::size_t>& columns, Diagnostics& out) {
+  std::map<std::string, std::vector<std::size_t>> all;
+  for (std::size_t c = 0; c < file.names.cells.size(); ++c) all[file.names.cells[c].text].push_back(c);
+  for (const auto& [name, places] : all) {
+    const auto used = [&](std::size_t c) { return std::find(columns.begin(), columns.end(), c) != columns.end(); };
+    if (std::none_of(places.begin(), places.end(), used) || (places.size() < 2 && !name.empty())) continue;
+    const FilePlace where{file.path, {file.names.line, file.names.cells[places.back()].column}};
+    if (name.empty())
+      out.add(error_at(where, Code::missing_key, {}, {}, "a column has no name"));
+    else
+      out.add(error_at(where, Code::duplicate, "column", '"' + name + '"',
+                       fmt::format("is the name of the column at {} as well: rename the one that is not meant",
+                                   file.names.cells[places.front()].column)));
+  }
 }
 
 std::optional<PoseFile> parse_pose_file(const std::string& text, const std::string& path, Diagnostics& out) {
+  if (const auto fault = fault_of_encoding(text)) {
+    out.error(fault->code, path, fault->text);
+    return std::nullopt;
+  }
   if (trimmed(text).find_first_not_of("\r\n \t") == std::string_view::npos) {
     out.error(Code::broken_file, path, "is empty: poses are expected, in columns with names");
     return std::nullopt;

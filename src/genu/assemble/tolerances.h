@@ -20,6 +20,10 @@ inline constexpr double kPatchProbeReach = 0.1;
 /// [1] Largest number of a step or increment in a table of poses. Fails first: if too large, an int overflows.
 inline constexpr double kMaxStepNumber = 1e9;
 
+/// [m] Translation above which a column that nobody gives a unit is probably in mm. Fails first: if too small, a walk
+/// across a laboratory gets a warning.
+inline constexpr double kMostTranslation = 2;
+
 // facing
 
 /// [1] Most triangles whose lines decide which way surfaces face. Fails first: if too small, a stray line decides.

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "genu/assemble/given_poses.h"
+#include "genu/assemble/long_errors.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
 #include "genu/results/columns.h"
@@ -126,6 +128,10 @@ std::optional<ResultsRead> read_results(const std::string& scene, const std::str
     out.error(Code::no_results, file, "has no columns step, increment and status: it is no results.csv of genu");
     return std::nullopt;
   }
+  std::vector<std::size_t> all(words->names.cells.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  refuse_repeated_names(*words, all, out);
+  if (out.has_errors()) return std::nullopt;
   ResultsRead read;
   const std::size_t rows = words->rows.size();
   read.numbers = keep_poses(*words, *columns->status);

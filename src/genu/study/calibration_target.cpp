@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "genu/assemble/long_errors.h"
 #include "genu/assemble/pose_file.h"
 #include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
@@ -60,6 +62,13 @@ class TargetReader {
       errors_.add({file_.names.line, 1}, Code::missing_key, {}, {}, "has no column to follow beside time_s");
   }
 
+  /// Columns of the file that are followed, and that of times.
+  std::vector<std::size_t> used() const {
+    std::vector<std::size_t> columns = cells_;
+    if (time_) columns.push_back(*time_);
+    return columns;
+  }
+
   std::optional<CalibrationTarget> read() {
     if (errors_.count() > 0) return std::nullopt;
     for (const PoseFile::Row& row : file_.rows) add_row(row);
@@ -85,9 +94,11 @@ class TargetReader {
   std::optional<double> number(const PoseFile::Row& row, std::size_t c) {
     const PoseFile::Cell& cell = row.cells[c];
     const auto value = to_number(cell.text);
+    if (!value && has_decimal_comma(cell.text) && std::exchange(comma_refused_, true)) return value;  // said once
     if (!value)
-      errors_.add({row.line, cell.column}, Code::out_of_range, file_.names.cells[c].text, with_quotes(cell.text),
-                  "must be a finite number, of at most 1e20");
+      errors_.add(
+          {row.line, cell.column}, Code::out_of_range, file_.names.cells[c].text, with_quotes(cell.text),
+          has_decimal_comma(cell.text) ? file_.no_number(cell.text) : "must be a finite number, of at most 1e20");
     return value;
   }
 
@@ -119,6 +130,7 @@ class TargetReader {
   std::optional<std::size_t> time_;
   std::vector<std::size_t> cells_;  ///< of each column of the target
   CalibrationTarget target_;
+  bool comma_refused_ = false;
 };
 
 /// Lagrange's weights of rows `first` .. `last` - 1 at t.
@@ -143,6 +155,9 @@ std::optional<CalibrationTarget> read_calibration_target(const std::string& path
   if (!file) return std::nullopt;
   TargetReader reader(*file, duration, out);
   reader.choose(patterns, known);
+  const std::size_t before = out.count(Diagnostic::Severity::error);
+  refuse_repeated_names(*file, reader.used(), out);
+  if (out.count(Diagnostic::Severity::error) > before) return std::nullopt;
   return reader.read();
 }
 
