@@ -36,6 +36,23 @@ TEST(CliEvaluate, ReadsWhatOpenSimWrites) {
   EXPECT_TRUE(contains(read_file(folder / "out/results.csv"), "\n1,1,0.5,ok,572.95")) << "the folder is replaced";
 }
 
+TEST(CliEvaluate, ReadsMatrices) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall);
+  // A quarter turn about x, which is the flexion's axis, and a shift by 1, 2, 19 mm.
+  const std::string row = "1,0,0,1,0,0,-1,2,0,1,0,19,0,0,0,1\n", out = " --out " + (folder / "out");
+  const std::string poses = folder.write("poses.csv", "0.1," + row + "0.2," + row);
+  const Outcome good = genu("evaluate " + scene + " --poses " + poses + " --transforms 'knee=2-17[mm]'" + out);
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_TRUE(contains(good.out, "2 ... 17") && contains(good.out, "--transforms")) << good.out;
+  EXPECT_TRUE(contains(read_file(folder / "out/results.csv"), "ok,90,0,0,1,2,19,"))
+      << read_file(folder / "out/results.csv");
+  const std::string bad = folder.write("bad.csv", "0.1," + row + "0.2," + with_first(row, "1,0,0,1", "3,0,0,1"));
+  const Outcome refused = genu("evaluate " + scene + " --poses " + bad + " --transforms 'knee=2-17[mm]'" + out);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "bad.csv:2:5: transform of knee in row 2: is no rotation")) << refused.err;
+}
+
 TEST(CliEvaluate, RefusesAndLeavesTheEarlierResult) {
   TemporaryFolder folder;
   const std::string scene = folder.write("ball.toml", kBall), poses = folder.write("follow.mot", kStorage);

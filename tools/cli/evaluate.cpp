@@ -100,6 +100,9 @@ void add_evaluate(CLI::App& command, int& exit_code) {
   command.add_option("--columns", arguments->columns.columns,
                      "which column is which coordinate, if the names differ: "
                      "\"knee.flexion=knee_angle_r[deg], knee.x=tx[mm], time=t\"");
+  command.add_option("--transforms", arguments->columns.transforms,
+                     "columns of 4x4 matrices (16 numbers row by row, or 12) of a joint's child in its parent, in the "
+                     "place of its coordinates: \"knee=T[mm]\" for T11 ... T44, \"knee=2-17[mm]\" by places");
   command.add_option("--units", arguments->columns.units,
                      "units of columns without one, such as deg,mm (else those of the file, or rad,m)");
   command.add_flag("--pressure-maps", arguments->pressure_maps,

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/long_errors.h"
+#include "genu/assemble/rigid_transform.h"
 #include "genu/assemble/tolerances.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
@@ -31,6 +32,7 @@ class GivenPosesReader {
   std::optional<GivenPoses> read() {
     if (!time_is_known()) return std::nullopt;
     for (const PoseFile::Row& row : file_.rows) {
+      ++rows_;
       const bool solved = !columns_.status || row.cells[*columns_.status].text == "ok" ||
                           row.cells[*columns_.status].text == "undetermined";
       if (solved)
@@ -39,6 +41,7 @@ class GivenPosesReader {
         ++given_.left_out;
     }
     if (errors_.count() > 0) return std::nullopt;
+    warn_held();
     for (std::size_t k = 0; k < largest_.size(); ++k) warn_unit(columns_.coordinates[k], largest_[k]);
     if (given_.poses.empty()) {
       out_.error(Code::not_solved, file_.path, "holds no pose that was solved: the status of every row says so");
@@ -85,6 +88,7 @@ class GivenPosesReader {
       pose.coordinates[at(m.coordinate.joint)][at(m.coordinate.index)] = value;
       if (std::abs(value) > std::abs(largest_[k].value)) largest_[k] = {value, &row};
     }
+    for (const TransformColumns& t : columns_.transforms) add_transform(row, t, pose);
     pose.load_factors.assign(scene_.loads.size(), 1);
     for (const auto& f : columns_.factors)
       pose.load_factors[static_cast<std::size_t>(f.load)] = number(row, f.column, 1, kMaxNumber);
@@ -100,6 +104,57 @@ class GivenPosesReader {
       }
     }
     given_.poses.push_back(std::move(pose));
+  }
+
+  void add_transform(const PoseFile::Row& row, const TransformColumns& t, GivenPose& pose) {
+    constexpr std::size_t kMatrixColumns = 4;
+    const JointDef& joint = scene_.joints[at(t.joint)];
+    Mat4 transform = Mat4::Identity();
+    for (std::size_t k = 0; k < t.columns.size(); ++k) {
+      const bool length = k % kMatrixColumns == 3 && k < 3 * kMatrixColumns;
+      transform(static_cast<int>(k / kMatrixColumns), static_cast<int>(k % kMatrixColumns)) =
+          number(row, t.columns[k], length ? t.unit : 1, length ? kMaxLength : kMaxNumber);
+    }
+    if (!transform.allFinite()) return;
+    const SourceLocation where{row.line, row.cells[t.columns[0]].column};
+    if (const std::string fault = fault_of_transform(transform); !fault.empty())
+      return errors_.add(where, Code::wrong_form, fmt::format("transform of {} in row {}", joint.name, rows_), {},
+                         fault);
+    const Pose X_PC = pose_of_transform(transform);
+    if (t.assumed && X_PC.p.norm() > kMostTranslation && !std::exchange(far_said_, true))
+      errors_.warn(where, Code::unlikely, "transform of " + joint.name, {},
+                   fmt::format("moves by {:.3g} m, as no unit of its translation is said: was mm meant? Then say [mm] "
+                               "after its columns in --transforms, or --units mm",
+                               X_PC.p.norm()));
+    const JointValues& near = given_.poses.empty() ? joint.reference : given_.poses.back().coordinates[at(t.joint)];
+    const JointValues found = JointCoordinates(joint).coordinates(X_PC, near);
+    for (int i = 0; i < 6; ++i)
+      if (joint.leaves(i))
+        pose.coordinates[at(t.joint)][at(i)] = found[at(i)];
+      else
+        note_held(i < 3, std::abs(found[at(i)] - joint.reference[at(i)]), joint, where);
+  }
+
+  /// How far transforms are from what a joint holds.
+  struct HeldMiss {
+    double angle = 0, length = 0;  ///< rad, m
+    const JointDef* joint = nullptr;
+    SourceLocation where;
+  };
+
+  void note_held(bool angle, double miss, const JointDef& joint, SourceLocation where) {
+    double& largest = angle ? held_miss_.angle : held_miss_.length;
+    if (miss <= largest) return;
+    largest = miss;
+    held_miss_.joint = &joint;
+    held_miss_.where = where;
+  }
+
+  void warn_held() {
+    if (held_miss_.angle <= kHeldAngle && held_miss_.length <= kHeldLength) return;
+    errors_.warn(held_miss_.where, Code::no_effect, "transform of " + held_miss_.joint->name, {},
+                 fmt::format("is up to {:.3g} deg and {:.3g} mm away from what the joint holds, which is taken",
+                             to::kDegree * held_miss_.angle, to::kMillimetre * held_miss_.length));
   }
 
   /// A path by arc length turns back, and its time with it: not called for those.
@@ -149,7 +204,9 @@ class GivenPosesReader {
   std::vector<JointValues> held_;
   std::vector<Largest> largest_;  ///< of each of columns_.coordinates
   int line_before_ = 0;
-  bool comma_refused_ = false;
+  HeldMiss held_miss_;
+  std::size_t rows_ = 0;  ///< read until now
+  bool comma_refused_ = false, far_said_ = false;
   GivenPoses given_;
 };
 

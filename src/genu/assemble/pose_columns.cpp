@@ -38,6 +38,7 @@ class Matcher {
     const std::size_t before = out_.count(Diagnostic::Severity::error);
     read_units(options.units);
     read_explicit(options.columns);
+    read_transforms(options.transforms);
     for (const CoordinateRef& c : wanted_) match_one(c);
     match_rest();
     if (!missing_.empty()) tell_missing();
@@ -67,6 +68,20 @@ class Matcher {
       }
       (unit->angle ? angle_ : length_) = unit;
       (unit->angle ? angle_why_ : length_why_) = "--units";
+    }
+  }
+
+  /// Their joints need no other columns.
+  void read_transforms(const std::string& text) {
+    const bool assumed = length_why_ == kAssumed;
+    found_.transforms = match_transforms(scene_, names_, text, {length_, length_why_, assumed}, out_);
+    for (const TransformColumns& t : found_.transforms) {
+      used_.insert(used_.end(), t.columns.begin(), t.columns.end());
+      std::erase_if(wanted_, [&](const CoordinateRef& c) { return c.joint == t.joint; });
+      for (int i = 0; i < 6; ++i)
+        if (explicit_.contains({t.joint, i}))
+          refuse_option(out_, Code::conflict, "--columns", coordinate_name(scene_, {t.joint, i}),
+                        "is given by --transforms already");
     }
   }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "genu/assemble/pose_file.h"
+#include "genu/assemble/transform_columns.h"
 #include "genu/scene/scene.h"
 
 namespace genu {
@@ -23,6 +24,7 @@ namespace genu {
 struct PoseColumnOptions {
   std::string columns;  ///< "QUANTITY=COLUMN[UNIT], ..." : a coordinate, or `time`; [UNIT] may be left out
   std::string units;    ///< "deg,mm": of columns that do not say their own; left out: as the file says, else rad and m
+  std::string transforms = {};  ///< "JOINT=COLUMNS[UNIT], ...": a matrix for each row (transform_columns.h)
 };
 
 struct PoseColumns {
@@ -38,8 +40,9 @@ struct PoseColumns {
     int load = 0;
     std::size_t column = 0;
   };
-  std::vector<Match> coordinates;  ///< one for each coordinate that no joint gives
-  std::vector<Factor> factors;     ///< LOAD.factor
+  std::vector<Match> coordinates;  ///< one for each coordinate that neither a joint nor a transform gives
+  std::vector<TransformColumns> transforms;
+  std::vector<Factor> factors;  ///< LOAD.factor
   std::optional<std::size_t> time, step, increment, status;
   std::vector<std::size_t> ignored;
   bool own_results() const { return step && increment && status; }  ///< the results of an earlier run

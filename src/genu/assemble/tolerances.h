@@ -20,6 +20,13 @@ inline constexpr double kPatchProbeReach = 0.1;
 /// [1] Largest number of a step or increment in a table of poses. Fails first: if too large, an int overflows.
 inline constexpr double kMaxStepNumber = 1e9;
 
+/// [rad] Difference of a transform from what its joint holds that is rounding. Fails first: if too small, tables of few
+/// digits get a warning.
+inline constexpr double kHeldAngle = 2e-3;
+
+/// [m] The same of translations. Fails first: if too small, tables of few digits get a warning.
+inline constexpr double kHeldLength = 1e-5;
+
 /// [m] Translation above which a column that nobody gives a unit is probably in mm. Fails first: if too small, a walk
 /// across a laboratory gets a warning.
 inline constexpr double kMostTranslation = 2;
@@ -52,6 +59,12 @@ inline constexpr std::uintmax_t kMaxPoseFileBytes = std::uintmax_t{1} << 30;
 /// [1] Volume over that of the box of the same area below which a solid is flat (a needle 1000 times as long as thick
 /// has 0.05). Fails first: if too large, thin solids are refused.
 inline constexpr double kMinFullness = 1e-4;
+
+// rigid_transform
+
+/// [1] Error of R R^T that is rounding (three decimals leave 1e-3). Fails first: if too small, tables of few digits are
+/// refused.
+inline constexpr double kRotationRounding = 2e-3;
 
 // surface_fits
 

@@ -162,6 +162,9 @@ RunSummary::GivenPoses facts_of(const SceneTables& scene, const PoseFile& file, 
   const auto name = [&](std::size_t c) { return file.names.cells[c].text; };
   for (const PoseColumns::Match& m : columns.coordinates)
     facts.columns.push_back({name(m.column), coordinate_name(scene, m.coordinate), m.unit_name, m.how});
+  for (const TransformColumns& t : columns.transforms)
+    facts.columns.push_back({name(t.columns.front()) + " ... " + name(t.columns.back()), scene.joints[at(t.joint)].name,
+                             t.unit_name, t.how});
   if (columns.time) facts.columns.push_back({name(*columns.time), "time", "s", "time"});
   for (const auto& f : columns.factors)
     facts.columns.push_back({name(f.column), scene.loads[at(f.load)].name + ".factor", "1", "as in results.csv"});
