@@ -73,7 +73,7 @@ Mesh wound_twice() {
 }
 
 struct Seen {
-  int asked = 0, sure = 0, hits = 0, moved = 0;
+  int asked = 0, sure = 0, hits = 0, alone = 0, moved = 0;
 };
 
 /// Rays that begin near the mesh, out of it more or less, each asked of the sheet there; whatever is sure is compared.
@@ -100,6 +100,10 @@ Seen compare(const Mesh& mesh, int rays) {
     EXPECT_EQ(found.hit.triangle, expected.triangle) << "ray " << k;
     EXPECT_EQ(found.hit.distance, expected.distance) << "ray " << k;
     seen.hits += expected ? 1 : 0;
+    if (found.hit && found.alone) {
+      EXPECT_FALSE(tree->entering(origin, direction, expected.distance)) << "ray " << k;
+    }
+    seen.alone += found.hit && found.alone ? 1 : 0;
     // Once more from where the walk ended.
     EXPECT_EQ(sheet.meet(*tree, origin, direction, kLength, facet).hit.triangle, expected.triangle) << "ray " << k;
     for (int i = 0; i < 4 && found.clear > 0; ++i, ++seen.moved) {
@@ -123,7 +127,8 @@ TEST(TriangleSheet, TellsWhatAllTrianglesTell) {
   int number = 0;
   for (const Mesh& mesh : {ball, rough, shell, saddle, moved(shell, {3, -2, 1})}) {
     const Seen seen = compare(mesh, 20000);
-    std::printf("mesh %d: %d rays, %d sure, %d hits, %d moved\n", number, seen.asked, seen.sure, seen.hits, seen.moved);
+    std::printf("mesh %d: %d rays, %d sure, %d hits, %d alone, %d moved\n", number, seen.asked, seen.sure, seen.hits,
+                seen.alone, seen.moved);
     // Too rough or too near an edge to be sure of is little of these.
     EXPECT_GT(seen.asked, 7000) << number;
     EXPECT_GT(seen.sure, 0.6 * seen.asked) << number;

@@ -46,14 +46,20 @@ inline TriangleTree::Hit leaving_by_all(const Mesh& mesh, const Vec3& o, const V
   return best;
 }
 
-/// Wrench on the casting body, summed over all its triangles by leaving_by_all().
+/// The same, and nothing where the ray enters before: along the ray turned round it would come out there.
+inline TriangleTree::Hit overlap_by_all(const Mesh& mesh, const Vec3& o, const Vec3& d, double length) {
+  const TriangleTree::Hit out = leaving_by_all(mesh, o, d, length);
+  return out && leaving_by_all(mesh, o + out.distance * d, -d, out.distance) ? TriangleTree::Hit() : out;
+}
+
+/// Wrench on the casting body, summed over all its triangles by overlap_by_all().
 inline Vec6 wrench_by_all(const Mesh& casting, const Mesh& target, const Pose& X_TC, double depth, const LayerLaw& law,
                           double thickness) {
   Vec6 wrench = Vec6::Zero();
   for (const auto& t : casting.triangles) {
     const auto v = [&](std::size_t i) -> const Vec3& { return casting.vertices[static_cast<std::size_t>(t[i])]; };
     const Vec3 area = 0.5 * (v(1) - v(0)).cross(v(2) - v(0)), x = (v(0) + v(1) + v(2)) / 3;
-    const auto hit = leaving_by_all(target, X_TC * x, -(X_TC.R * area.normalized()), depth);
+    const auto hit = overlap_by_all(target, X_TC * x, -(X_TC.R * area.normalized()), depth);
     if (!hit) continue;
     const Vec3 force = -law.at(hit.distance, thickness).p * area;
     wrench.head<3>() += force;

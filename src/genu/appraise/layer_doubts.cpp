@@ -91,42 +91,60 @@ std::vector<std::string> facing_doubts(const Prepared& prepared, const std::vect
   return out;
 }
 
-std::vector<std::string> reach_doubts(const Prepared& prepared, const std::vector<const State*>& states) {
+namespace {
+
+/// Casting triangles that have gone through the whole of the other body at a pose.
+struct Passed {
+  int points = 0, loaded = 0;
+  double deepest = 0;  ///< m: farthest beyond the other body's back
+  Vec3 place = Vec3::Zero();
+};
+
+/// A ray that enters the other body and leaves it before it leaves its own: its start is beyond the back of the other.
+/// (From the back of a shell it leaves that shell first.)
+Passed passed_through(const Side& s, const TriangleTree& own) {
+  const TriangleTree& tree = s.side.quadrature->target();
+  const std::vector<Ray> rays = s.side.quadrature->cell_rays();
+  const std::size_t stride = 1 + rays.size() / kMaxDoubtRays;
+  Passed out;
+  for (std::size_t k = 0; k < rays.size(); k += stride) {
+    const Vec3 x = s.X_TC * rays[k].origin, inward = s.X_TC.R * rays[k].direction;
+    const auto leave = tree.leaving(x, inward, s.layer.search_depth);
+    if (!leave) continue;
+    const auto enter = tree.entering(x, inward, leave.distance);
+    const Vec3 under = rays[k].origin + kClearStart * rays[k].direction;
+    if (!enter) {
+      ++out.loaded;
+    } else if (!own.leaving(under, rays[k].direction, leave.distance)) {
+      ++out.points;
+      if (enter.distance > out.deepest) out.deepest = enter.distance, out.place = rays[k].origin;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> passed_doubts(const Prepared& prepared, const std::vector<const State*>& states) {
   std::vector<std::string> out;
   for (std::size_t k = 0; k < prepared.model.layers.size(); ++k) {
+    const ElasticLayer& layer = *prepared.model.layers[k].layer;
+    if (layer.buried() == nullptr) continue;
     double worst = 0;
     std::string said;
-    for (std::size_t i = 0; i < prepared.model.layers[k].layer->sides().size(); ++i) {
-      ElasticLayer::Memory memory;
+    for (std::size_t i = 0; i < layer.sides().size(); ++i)
       for (const State* state : states) {
         const Side side(prepared, k, i, *state);
-        const TriangleTree& tree = side.side.quadrature->target();
-        double load = 0, through = 0, deepest = 0;
-        int points = 0, wrong = 0;
-        Vec3 place = Vec3::Zero();
-        const auto look = [&](const LayerPoint& point) {
-          if (point.area == 0) return;
-          ++points;
-          load += point.load;
-          const Vec3 inward = -(side.X_TC.R * point.n);
-          if (!tree.entering(side.X_TC * point.x + kClearStart * inward, inward, point.depth - 2 * kClearStart)) return;
-          ++wrong;
-          through += point.load;
-          if (point.depth > deepest) deepest = point.depth, place = point.x;
-        };
-        side.layer.layer->visit(state->poses[at(side.layer.body_a)], state->poses[at(side.layer.body_b)], i, memory,
-                                look, state->layer_level(k));
-        if (!(through > kThroughShare * load) || through <= worst) continue;
-        worst = through;
+        const Passed passed = passed_through(side, layer.buried()->triangles(side.side.a));
+        if (!(passed.points > kPassedShare * passed.loaded) || passed.deepest <= worst) continue;
+        worst = passed.deepest;
         said = fmt::format(
-            "The rays of {} pass through {}: {} of {} loaded triangles of {}, with {:.3g} of {:.3g} N, enter it before "
-            "they leave it, the longest over {:.2f} mm from {}. This is no overlap: the body is thinner than "
-            "`search_depth` ({:.3g} mm). Use a smaller one, or a mesh of the contact side alone.",
-            side.layer.name, side.target.name, wrong, points, side.casting.name, through, load,
-            to::kMillimetre * deepest, side.place(prepared.model, place), to::kMillimetre * side.layer.search_depth);
+            "{} of the triangles of {} have gone through {}, by up to {:.2f} mm at {}. They carry no load there: the "
+            "body is thinner than the overlap. Use a mesh of its contact side alone, or of the whole bone.",
+            passed.points, side.casting.name, side.target.name, to::kMillimetre * passed.deepest,
+            side.place(prepared.model, passed.place));
       }
-    }
-    if (!said.empty()) out.push_back(said);
+    if (!said.empty()) out.push_back(fmt::format("Layer {}: {}", prepared.model.layers[k].name, said));
   }
   return out;
 }

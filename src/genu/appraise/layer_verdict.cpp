@@ -77,7 +77,7 @@ void say_layer_doubts(const Prepared& prepared, const std::vector<PoseRecord>& r
   }
   for (std::string& sentence : facing_doubts(prepared, states)) out.push_back(std::move(sentence));
   states.erase(states.begin());  // where the search starts bodies may lie anyhow
-  for (std::string& sentence : reach_doubts(prepared, states)) out.push_back(std::move(sentence));
+  for (std::string& sentence : passed_doubts(prepared, states)) out.push_back(std::move(sentence));
   for (std::string& sentence : footing_doubts(prepared, records)) out.push_back(std::move(sentence));
 }
 

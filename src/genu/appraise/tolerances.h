@@ -43,8 +43,9 @@ inline constexpr std::size_t kMinDeciding = 20;
 /// [1] Share of them that must agree. Fails first: if too small, false warnings.
 inline constexpr double kDecidingShare = 0.75;
 
-/// [1] Load through the wrong body over the layer's that is reported. Fails first: if too small, false warnings.
-inline constexpr double kThroughShare = 1e-3;
+/// [1] Triangles that have gone through the other body over those that overlap, above which they are reported. Fails
+/// first: if too small, false warnings at rims.
+inline constexpr double kPassedShare = 1e-3;
 
 /// [m] Offset of a ray from its own surface. Fails first: if too small, a ray meets its own start.
 inline constexpr double kClearStart = 1e-9;

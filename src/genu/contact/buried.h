@@ -29,6 +29,9 @@ class Buried {
   /// 0. It tests some points only, and takes the back of an open sheet for its inside: a hint.
   double deepest(const Pose& X_ab, Memory& memory) const;
 
+  /// Triangles of surface a or b, in its body's frame.
+  const TriangleTree& triangles(bool of_a) const { return *(of_a ? b_ : a_).other; }
+
  private:
   struct Side {
     std::vector<Ray> rays;

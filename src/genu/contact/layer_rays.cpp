@@ -185,6 +185,11 @@ TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Bl
   return meet_listed(ray, block, known);
 }
 
+/// Whether the ray starts outside the target and passes through it: what it measures is no overlap.
+bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit) const {
+  return static_cast<bool>(target_->entering(ray.origin, ray.direction, hit.distance));
+}
+
 /// The hit of a ray, if the sheet that it crossed last gives it.
 bool LayerRays::meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const {
   const TriangleSheet& sheet = atlas_->sheet(known.piece);
@@ -201,6 +206,7 @@ bool LayerRays::meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& 
   hit = meeting.hit;
   known.triangles.count = hit ? 1 : 0;
   known.until = hit ? -1 : block.path + meeting.clear;
+  if (hit && !meeting.alone && enters_before(ray, hit)) hit = {};
   return true;
 }
 
@@ -217,7 +223,7 @@ TriangleTree::Hit LayerRays::meet_listed(const Ray& ray, Memory::Block& block, M
     known.piece = atlas_->piece_of(hit ? target_->place_of(hit.triangle) : target_->first_place(here.nearest));
     known.facet = 0;
   }
-  return hit;
+  return hit && enters_before(ray, hit) ? TriangleTree::Hit() : hit;
 }
 
 }  // namespace genu

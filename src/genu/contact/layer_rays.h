@@ -68,8 +68,8 @@ class LayerRays {
   void begin(Memory& memory) const;
 
   /// Calls visit(ray, hit, origin, direction), the ray in the target's frame, for every ray of a part that leaves the
-  /// target through a triangle (TriangleTree::leaving), in an order that depends on the rays only. X_TC: casting body
-  /// in the target's frame. Call begin() first.
+  /// target through a triangle (TriangleTree::leaving) without having entered it before, in an order that depends on
+  /// the rays only. X_TC: casting body in the target's frame. Call begin() first.
   template <typename Visit>
   void cast_part(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
     each_near_group(part, X_TC, memory, [&](const Group& group) {
@@ -145,6 +145,7 @@ class LayerRays {
   Memory::Block& advance(const Group& group, const Pose& X_TC, Memory& memory) const;
   /// The hit of a ray given in the target's frame.
   TriangleTree::Hit meet(const Ray& ray, const Group& group, Memory::Block& block, Memory::AtRay& known) const;
+  bool enters_before(const Ray& ray, const TriangleTree::Hit& hit) const;
   bool meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const;
   TriangleTree::Hit meet_listed(const Ray& ray, Memory::Block& block, Memory::AtRay& known) const;
   void gather(const Group& group, Memory::Block& block) const;

@@ -28,7 +28,8 @@ std::vector<Vec3> mesh_normals(const Mesh& mesh) {
 SmoothCells::Node between(const SmoothCells::Node& a, const SmoothCells::Node& b, const SmoothCells::Node& c,
                           const Vec3& l) {
   const Vec3 n = l[0] * a.n + l[1] * b.n + l[2] * c.n;
-  return {l[0] * a.x + l[1] * b.x + l[2] * c.x, n.norm() > 0 ? Vec3(n.normalized()) : a.n};
+  return {l[0] * a.x + l[1] * b.x + l[2] * c.x, n.norm() > 0 ? Vec3(n.normalized()) : a.n,
+          a.ridge || b.ridge || c.ridge};
 }
 
 }  // namespace
@@ -77,6 +78,12 @@ void SmoothCells::place_corners() {
       corners_[v] = known ? Node{foot.p, foot.n} : Node{mesh_.vertices[v], normals[v]};
     }
   });
+  for (const auto& t : mesh_.triangles) {
+    const Vec3 &a = mesh_.vertices[at(t[0])], &b = mesh_.vertices[at(t[1])], &c = mesh_.vertices[at(t[2])];
+    const Vec3 area = (b - a).cross(c - a);
+    for (const int v : t)
+      if (area.dot(corners_[at(v)].n) < kRidgeCosine * area.norm()) corners_[at(v)].ridge = true;
+  }
 }
 
 std::array<const SmoothCells::Node*, 3> SmoothCells::corners(int cell) const {

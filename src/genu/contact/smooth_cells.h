@@ -18,6 +18,7 @@ class SmoothCells {
   struct Node {
     Vec3 x = Vec3::Zero();
     Vec3 n = Vec3::UnitZ();
+    bool ridge = false;  ///< on a sharp edge, or between one and a face: `n` is no face's normal
   };
   /// A place in the lattice of a cell: i of `divisions` along the edge from its first corner to the second, j along the
   /// edge to the third.

@@ -79,6 +79,9 @@ SmoothLayer::Depth SmoothLayer::measure(const Pose& X_TC, const SmoothCells::Nod
   const TriangleTree::Hit hit = target_->leaving(outside, direction, lead_ + search_depth_, hint);
   Depth out;
   if (!hit) return out;
+  // A line that enters the other body below the surface starts outside of it: it passes through.
+  if (hit.distance > lead_ && target_->entering(outside + lead_ * direction, direction, hit.distance - lead_))
+    return out;
   out.triangle = hit.triangle;
   out.flat = hit.distance - lead_;
   if (thickness_.target) add_thickness(X_TC, node, out);
@@ -134,24 +137,31 @@ SmoothNode& SmoothLayer::node(const Pose& X_TC, const SmoothCells::Place& place,
     known.nodes.emplace_back();
     known.nodes.back().x = fresh.x;
     known.nodes.back().n = fresh.n;
+    known.nodes.back().ridge = fresh.ridge;
     known.nodes.back().own_thickness = own_thickness(place);
   }
   if (known.nodes[at(index)].pose == known.pose) return known.nodes[at(index)];
   const SmoothCells::Node line{known.nodes[at(index)].x, known.nodes[at(index)].n};
   const int hint = known.nodes[at(index)].triangle;
-  const Depth d =
-      SmoothCells::is_corner(place) ? measure(X_TC, line, hint) : measure_inside(X_TC, place, line, hint, memory);
+  Depth d = SmoothCells::is_corner(place) ? measure(X_TC, line, hint) : measure_inside(X_TC, place, line, hint, memory);
   SmoothNode& node = known.nodes[at(index)];  // not earlier: corners may be new
   node.pose = known.pose;
   node.met = d.met;
   if (!d.met) return node;
+  const Vec3 exit = node.x - d.depth * node.n;
+  if (node.ridge) {
+    // A normal between those of two faces leans off both: the distance across the target is what overlaps.
+    const double lean = d.w.norm();
+    d.depth /= lean;
+    d.w /= lean;
+  }
   node.triangle = d.triangle;
   node.depth = d.depth;
   node.thickness = node.own_thickness + d.thickness;
   const LayerLaw::Pressure pressure = law_.at(d.depth, node.thickness);
   node.p = pressure.p;
   node.slope = pressure.slope;
-  node.p_rate << d.w, (node.x - d.depth * node.n).cross(d.w);
+  node.p_rate << d.w, exit.cross(d.w);
   if (thickness_.target) {
     Vec6 thicker;
     thicker << d.u, (node.x - d.flat * node.n).cross(d.u);

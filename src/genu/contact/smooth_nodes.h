@@ -11,6 +11,7 @@ namespace genu {
 struct SmoothNode {
   Vec3 x = Vec3::Zero();  ///< m, on the casting surface, in its body's frame
   Vec3 n = Vec3::UnitZ();
+  bool ridge = false;        ///< `n` is a mean of two faces' normals (SmoothCells::Node)
   double own_thickness = 0;  ///< m, the part that does not depend on the pose
   int triangle = -1;         ///< of the target, met last
 

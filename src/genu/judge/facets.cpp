@@ -168,23 +168,27 @@ std::optional<Facets::Nearest> Facets::nearest(const Vec3& x, double reach) cons
 }
 
 std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length) const {
-  Hit best{length, -1};
+  Hit out{length, -1};
+  double entered = length;
   const Vec3 end = origin + length * direction;
   each_near(origin.cwiseMin(end), origin.cwiseMax(end), [&](int t) {
     const auto& c = triangles_[at(t)];
     const Vec3 n = area(t);
     const double along = n.dot(direction);
-    if (!(along > 0)) return;
+    if (along == 0) return;
     const double s = n.dot(vertices_[at(c[0])] - origin) / along;
-    if (s < 0 || s > best.distance) return;
+    if (s < 0 || s > (along > 0 ? out.distance : entered)) return;
     const Vec3 p = origin + s * direction;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& a = vertices_[at(c[k])];
       if (n.cross(vertices_[at(c[(k + 1) % 3])] - a).dot(p - a) < 0) return;
     }
-    best = {s, t};
+    if (along > 0)
+      out = {s, t};
+    else
+      entered = s;
   });
-  return best.triangle < 0 ? std::nullopt : std::optional(best);
+  return out.triangle < 0 || entered < out.distance ? std::nullopt : std::optional(out);
 }
 
 Facets::Lean Facets::lean(const Vec3& x, double radius) const {

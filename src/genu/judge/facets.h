@@ -30,7 +30,8 @@ class Facets {
   /// Within `reach` (m); empty where there is none.
   std::optional<Nearest> nearest(const Vec3& x, double reach) const;
 
-  /// The first triangle that a ray leaves (outward normal along the ray) within `length`: distance (m).
+  /// The first triangle that a ray leaves (outward normal along the ray) within `length`: distance (m). Empty also
+  /// where the ray enters the surface before: it starts outside and passes through.
   struct Hit {
     double distance = 0;
     int triangle = -1;

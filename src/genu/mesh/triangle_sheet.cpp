@@ -127,11 +127,14 @@ bool TriangleSheet::choose_angle(const TriangleTree& tree, Marks& marks) {
   tree.clusters_near(c.origin + c.low * c.axis, c.axis, c.high - c.low, (1 + kSheetRounding) * c.radius,
                      marks.clusters);
   double facing = -1;
+  backs_ = -std::numeric_limits<double>::infinity();
   tree.each_place(marks.clusters, [&](int place) {
-    const double size = tree.sizes_[at(place)], along = tree.areas_[at(place)].dot(c.axis);
-    if (!(along > facing * size)) return;
     if (marks.triangle[at(place)] == marks.stamp && marks.facet[at(place)] >= 0) return;
-    if (!c.excludes(tree.corners_[at(place)])) facing = along / size;
+    const std::array<Vec3, 3>& corners = tree.corners_[at(place)];
+    if (c.excludes(corners)) return;
+    for (const Vec3& p : corners) backs_ = std::max(backs_, c.axis.dot(p - c.origin));
+    const double size = tree.sizes_[at(place)], along = tree.areas_[at(place)].dot(c.axis);
+    if (along > facing * size) facing = along / size;
   });
   const double angle = std::min(std::asin(-facing), M_PI / 2 - std::acos(lean_)) - kSheetMaxTurn - kSheetRounding;
   along_ = std::cos(angle);
@@ -175,6 +178,7 @@ TriangleSheet::Meeting TriangleSheet::meet_facet(const TriangleTree& tree, const
   Meeting out{.sure = aside <= cylinder_.radius * cylinder_.radius, .hit = {}, .place = place};
   out.roomy = aside <= cylinder_.roomy * cylinder_.roomy;
   if (out.sure && met) out.hit = {tree.triangle_[at(place)], t};
+  out.alone = cylinder_.axis.dot(line.origin - cylinder_.origin) > backs_ + kSheetRounding * line.length;
   if (out.sure && !met) out.clear = std::max(0.0, clearance(line, t, aside, along));
   return out;
 }

@@ -37,6 +37,7 @@ class TriangleSheet {
     TriangleTree::Hit hit;  ///< what TriangleTree::leaving finds
     int place = -1;         ///< of the triangle that the ray's line crosses, in the tree
     double clear = 0;       ///< m: where nothing is met, the motion of the ray that leaves that so
+    bool alone = false;     ///< whether the ray crosses nothing else of the mesh before `hit`, surely
     bool roomy = false;     ///< whether the ray is well inside of what the sheet is good for
   };
   /// `facet`: where to begin (0 at first), and where the walk ended.
@@ -71,6 +72,7 @@ class TriangleSheet {
   Cylinder cylinder_;
   double lean_ = 1;   // the cosine of the largest angle between a normal and the axis
   double along_ = 1;  // the cosine of the largest between a ray and the axis
+  double backs_ = 0;  // m along the axis: everything else in the cylinder lies below
   std::vector<Facet> facets_;
 };
 
