@@ -1,4 +1,5 @@
 #include "scene/scene_text.h"
+#include "support/temporary_folder.h"
 
 namespace genu::scene_test {
 namespace {
@@ -120,6 +121,42 @@ TEST(ReadContacts, LayerOverSmoothSurfaces) {
     EXPECT_EQ(scene.layers[0].tolerance, other.find("tolerance") == std::string::npos ? 1e-4 : 1e-3);
     EXPECT_DOUBLE_EQ(scene.layers[0].search_depth, 4e-3);
   }
+}
+
+TEST(ReadContacts, QuadratureThatNobodyNames) {
+  using Quadrature = LayerDef::Quadrature;
+  const test::TemporaryFolder folder;
+  for (const char* file : {"upper.stl", "lower.stl"}) folder.write(file, "solid\nendsolid\n");
+  const auto layer = [&](const std::string& a, const std::string& keys) {
+    const auto surface = [](const std::string& name, const std::string& body, const std::string& shape) {
+      return "[surface." + name + "]\nbody = \"" + body + "\"\nshape = \"" + shape + "\"\n" +
+             (shape == "mesh" ? "file = \"" + name + ".stl\"\nunits = \"mm\"\n" : "radius = 20\n");
+    };
+    Diagnostics out;
+    const auto scene = read_scene(
+        folder.write(
+            "scene.toml",
+            "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.ground]\nfixed = true\n[body.bone]\n"
+            "[joint.j]\ntype = \"free\"\nparent = \"ground\"\nchild = \"bone\"\nrotations = [\"a x\", \"b y\", \"c "
+            "z\"]\n"
+            "translations = [\"x\", \"y\", \"z\"]\n" +
+                surface("upper", "bone", a) + surface("lower", "ground", "mesh") +
+                "[contact.foot]\nsurfaces = [\"upper\", \"lower\"]\nmodel = \"cartilage\"\nmodulus = 5\npoisson = 0.4\n"
+                "thickness = 4\n" +
+                keys + "\n[[step]]\nprescribe = { \"j.z\" = 0 }\n"),
+        out);
+    for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
+    return scene ? scene->layers.at(0) : LayerDef{};
+  };
+  const LayerDef meshes = layer("mesh", "");
+  EXPECT_EQ(meshes.quadrature, Quadrature::triangles);
+  EXPECT_EQ(meshes.cast_from, meshes.pair.surface_b);
+  EXPECT_EQ(layer("sphere", "").quadrature, Quadrature::smooth);
+  EXPECT_EQ(layer("mesh", "tolerance = 1e-3").quadrature, Quadrature::smooth);
+  EXPECT_EQ(layer("mesh", "quadrature = \"smooth\"").quadrature, Quadrature::smooth);
+  const LayerDef cast = layer("sphere", "cast_from = \"upper\"");
+  EXPECT_EQ(cast.quadrature, Quadrature::triangles);
+  EXPECT_EQ(cast.cast_from, cast.pair.surface_a);
 }
 
 TEST(ReadContacts, LayerDefaults) {

@@ -19,6 +19,9 @@ std::string layer_note(const Prepared& p) {
     if (p.scene.layers[k].measured)
       note += fmt::format("; {} measured, {:.2g} to {:.2g} mm thick", layer.name, to::kMillimetre * layer.thinnest,
                           to::kMillimetre * layer.thickest);
+    if (p.scene.layers[k].quadrature == LayerDef::Quadrature::triangles)
+      note +=
+          fmt::format("; {} by triangles (quadrature = \"smooth\": 3 % nearer, some 40 times the time)", layer.name);
   }
   return note;
 }

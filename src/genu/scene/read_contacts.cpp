@@ -45,6 +45,7 @@ void read_regions(ReadContext& context, const Item& item, ContactDef& contact) {
 /// The surface whose triangles send the rays.
 void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
   const int a = layer.pair.surface_a, b = layer.pair.surface_b;
+  if (!item) return;
   const auto found = read_reference(context, item, "surface", names_of(context.scene.surfaces));
   if (!found || a < 0 || b < 0) return;
   layer.cast_from = *found;
@@ -52,16 +53,30 @@ void read_cast_from(ReadContext& context, const Item& item, LayerDef& layer) {
     refuse(context, item, Code::unknown_name, "must be one of the contact's two surfaces");
 }
 
+bool is_mesh(const ReadContext& context, int surface) {
+  return surface >= 0 && context.scene.surfaces[at(surface)].shape == SurfaceDef::Shape::mesh;
+}
+
+/// What is wanted where nothing is said: the way that a given key belongs to; between two meshes triangles, which take
+/// a small part of the time.
+int usual_quadrature(const ReadContext& context, const LayerDef& layer, bool tolerance, bool cast_from) {
+  if (tolerance != cast_from) return cast_from ? 1 : 0;
+  return is_mesh(context, layer.pair.surface_a) && is_mesh(context, layer.pair.surface_b) ? 1 : 0;
+}
+
 /// How the pressure is summed, and the key that belongs to that way alone.
 void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
-  const Item quadrature = section.find("quadrature");
-  std::optional<int> choice = 0;
-  if (quadrature) choice = read_choice(context, quadrature, {"smooth", "triangles"});
+  const Item quadrature = section.find("quadrature"), tolerance = section.find("tolerance"),
+             cast_from = section.find("cast_from");
+  const std::optional<int> choice =
+      quadrature ? read_choice(context, quadrature, {"smooth", "triangles"})
+                 : usual_quadrature(context, layer, static_cast<bool>(tolerance), static_cast<bool>(cast_from));
   // Where nobody knows which of the two is meant each key is still looked at for what it holds.
   const bool triangles = choice == 1, smooth = choice == 0;
-  if (triangles) layer.quadrature = LayerDef::Quadrature::triangles;
-  const Item tolerance = section.find("tolerance");
-  const Item cast_from = triangles ? section.require("cast_from") : section.find("cast_from");
+  if (triangles) {
+    layer.quadrature = LayerDef::Quadrature::triangles;
+    layer.cast_from = layer.pair.surface_b;
+  }
   if (smooth && cast_from)
     refuse(context, cast_from, Code::conflict,
            "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
