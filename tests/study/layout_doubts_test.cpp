@@ -7,6 +7,7 @@
 #include "genu/core/pose.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/mesh_reader.h"
+#include "support/data.h"
 #include "support/places.h"
 
 namespace genu {
@@ -71,6 +72,42 @@ TEST_F(LayoutDoubts, ATibiaTooNarrowForItsUnit) {
     const std::string what = told(changed(femur_, by, Vec3::Zero()), changed(tibia_, by, Vec3::Zero()), "y", false);
     EXPECT_NE(what.find(unit), std::string::npos) << what;
   }
+}
+
+/// A mirror makes a left knee of a right one. Turned about, a knee stays what it is.
+TEST_F(LayoutDoubts, TheSideIsTold) {
+  Mat3 mirror = Mat3::Identity();
+  mirror(2, 2) = -1;
+  const auto layout = [&](const Mat3& by) {
+    return lay_out_knee(changed(femur_, by, Vec3::Zero()), changed(tibia_, by, Vec3::Zero()), axis_named("y"),
+                        axis_named("x"));
+  };
+  const auto right = layout(Mat3::Identity()), left = layout(mirror);
+  ASSERT_TRUE(right && left);
+  EXPECT_EQ(seems_left(*right), std::optional(false)) << why_this_side(*right);
+  EXPECT_EQ(seems_left(*left), std::optional(true)) << why_this_side(*left);
+  EXPECT_NEAR(left->ridge, -right->ridge, 1e-9);
+  EXPECT_NEAR(left->plateau, -right->plateau, 1e-9);
+}
+
+TEST_F(LayoutDoubts, TheSideOfMeasuredKnees) {
+  GENU_NEEDS_DATA("ssm/mean_Femur.ply");
+  Mat3 mirror = Mat3::Identity();
+  mirror(0, 0) = -1;
+  for (const std::string knee : {"mean", "S001", "S002"})
+    for (const std::string kind : {"", "_Cartilage"})
+      for (const bool mirrored : {false, true}) {
+        const auto bone = [&](const std::string& name) {
+          Diagnostics out;
+          const std::string end = knee == "mean" && name == "_Tibia" ? "_shifted" : "";
+          return read_mesh(test::data_path("ssm/" + knee + name + kind + end + ".ply"), 1e-3, out).value_or(Mesh{});
+        };
+        const Mat3 by = mirrored ? mirror : Mat3(Mat3::Identity());
+        const auto layout =
+            lay_out_knee(changed(bone("_Femur"), by, Vec3::Zero()), changed(bone("_Tibia"), by, Vec3::Zero()));
+        ASSERT_TRUE(layout);
+        EXPECT_EQ(seems_left(*layout), std::optional(mirrored)) << knee << kind << ": " << why_this_side(*layout);
+      }
 }
 
 }  // namespace

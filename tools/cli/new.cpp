@@ -22,7 +22,7 @@ namespace {
 
 struct NewArguments {
   NewScene scene;
-  std::string kind, side = "right";
+  std::string kind, side;
 };
 
 /// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
@@ -39,7 +39,7 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   const bool meshes = command.count("--femur") + command.count("--tibia") > 0;
   if (arguments.kind == "stl" || (arguments.kind.empty() && meshes)) asked.kind = NewScene::Kind::stl;
   if (arguments.kind == "motion") asked.kind = NewScene::Kind::motion;
-  asked.left = arguments.side == "left";
+  if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
   Diagnostics problems;
   if (says_more_than_it_uses(command, asked, problems)) return refuse(problems);
@@ -72,7 +72,7 @@ void add_new(CLI::App& command, int& exit_code) {
   command.add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
-  command.add_option("--side", arguments->side, "which knee it is")
+  command.add_option("--side", arguments->side, "which knee it is; by the shape of the bones where it is not given")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
   command.add_option("--proximal", scene.proximal, "axis of the meshes toward the hip: x, y, z, -x, -y or -z");

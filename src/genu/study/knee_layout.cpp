@@ -52,6 +52,30 @@ double groove_from_middle(const Mesh& femur, const Vec3& proximal, const Vec3& a
   return (between.centre() - end.centre()).dot(axis);
 }
 
+/// The larger of two halves of a bone's end, right less left, in how far they reach along `axis`: from their back to
+/// their front, or, `front`, of the front alone. Their middle is that of the end, whose `rim` and middle strip count
+/// for neither.
+double right_less_left(const Mesh& mesh, const KneeLayout& knee, const Vec3& end, double reach, double rim,
+                       bool front) {
+  const Box whole = box_near(mesh, end, reach);
+  const double middle = whole.centre().dot(knee.right), width = std::abs(whole.size().dot(knee.right));
+  double furthest = -std::numeric_limits<double>::max();
+  for (const Vec3& p : mesh.vertices) furthest = std::max(furthest, p.dot(end));
+  Box halves[2];  // left, right
+  for (const Vec3& p : mesh.vertices) {
+    const double aside = p.dot(knee.right) - middle;
+    if (p.dot(end) >= furthest - reach && std::abs(aside) > kMiddleStrip * width && std::abs(aside) < rim * width)
+      halves[aside > 0 ? 1 : 0].add(p);
+  }
+  double size[2];
+  for (int i = 0; i < 2; ++i) {
+    if (halves[i].low[0] > halves[i].high[0]) return 0;
+    const double a = halves[i].low.dot(knee.anterior), b = halves[i].high.dot(knee.anterior);
+    size[i] = front ? std::max(a, b) : std::abs(b - a);
+  }
+  return size[1] - size[0];
+}
+
 double longest_edge(const Mesh& mesh) {
   double longest = 0;
   for (const auto& t : mesh.triangles)
@@ -151,6 +175,8 @@ std::optional<KneeLayout> lay_out_knee(const Mesh& femur, const Mesh& tibia, std
   knee.centre += knee.proximal * (std::max(plateau.low.dot(knee.proximal), plateau.high.dot(knee.proximal)) -
                                   knee.centre.dot(knee.proximal));
   look_along_proximal(femur, tibia, knee);
+  knee.ridge = right_less_left(femur, knee, -knee.proximal, kRidgeHeight * knee.width, kRidgeRim, true);
+  knee.plateau = right_less_left(tibia, knee, knee.proximal, kPlateauHeight * knee.width, 1, false);
   return knee;
 }
 

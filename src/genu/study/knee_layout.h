@@ -13,7 +13,10 @@ struct KneeLayout {
   Vec3 anterior, proximal, right;  ///< each along an axis of the files, one way or the other
   Vec3 centre;                     ///< m: amid the tibia's plateau, at its highest
   double width = 0, depth = 0;     ///< m: of the tibia near the joint, sideways and from front to back
-  double gap = 0;     ///< m: how far the tibia can go toward the femur until they touch; negative where they overlap
+  double gap = 0;  ///< m: how far the tibia can go toward the femur until they touch; negative where they overlap
+  /// m: how much further than the left half the right half of the femur's end reaches forward (the lateral side of the
+  /// groove does), and of the tibia's plateau from front to back (the medial half does); 0 where a half is missing
+  double ridge = 0, plateau = 0;
   double facing = 0;  ///< part of the tibia, seen along proximal, with some of the femur above or below it
 };
 

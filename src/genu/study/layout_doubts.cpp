@@ -70,4 +70,21 @@ std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, cons
   return doubts;
 }
 
+std::optional<bool> seems_left(const KneeLayout& knee) {
+  const double least = kSideTold * knee.width;
+  if (knee.ridge > least && knee.plateau < -least) return false;
+  if (knee.ridge < -least && knee.plateau > least) return true;
+  return std::nullopt;
+}
+
+std::string why_this_side(const KneeLayout& knee) {
+  const auto half = [](double right_less_left) { return right_less_left > 0 ? "right" : "left"; };
+  return fmt::format(
+      "the femur reaches {:.1f} mm further forward on its {} half, and the tibia is {:.1f} mm deeper from front to "
+      "back "
+      "on its {} half",
+      std::abs(knee.ridge) / units::kMillimetre, half(knee.ridge), std::abs(knee.plateau) / units::kMillimetre,
+      half(knee.plateau));
+}
+
 }  // namespace genu

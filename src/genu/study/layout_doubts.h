@@ -1,6 +1,7 @@
 // Whether two meshes can be a femur and its tibia, in one frame and one unit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,11 @@ struct LayoutDoubt {
 
 /// Empty of a knee as it should be. `knee` is of these meshes.
 std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee);
+
+/// Which knee it is by its shape: true for a left one. Empty where femur and tibia do not agree, or do not tell.
+std::optional<bool> seems_left(const KneeLayout& knee);
+
+/// "the femur reaches 2.7 mm further forward on its right half, and the tibia is 1.8 mm deeper on its left half"
+std::string why_this_side(const KneeLayout& knee);
 
 }  // namespace genu

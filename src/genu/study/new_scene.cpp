@@ -111,11 +111,15 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   return toml_string_of((relative.empty() ? to : relative).string());
 }
 
+bool is_left(const NewScene& asked, const KneeLayout& knee) {
+  return asked.left.value_or(seems_left(knee).value_or(false));
+}
+
 Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& femur, const Bone& tibia) {
   Words w;
   const bool guessed = asked.unit.empty();
-  const std::string right = axis_word(knee.right), side = asked.left ? "left" : "right";
-  const Vec3 lateral = asked.left ? Vec3(-knee.right) : knee.right;
+  const std::string right = axis_word(knee.right), side = is_left(asked, knee) ? "left" : "right";
+  const Vec3 lateral = side == "left" ? Vec3(-knee.right) : knee.right;
   w["side"] = side;
   w["proximal"] = axis_word(knee.proximal);
   w["anterior"] = axis_word(knee.anterior);
@@ -127,8 +131,8 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& f
   w["depth"] = tenths(knee.depth);
   w["cartilage_note"] = "Of bones without cartilage the layer stands for it, but begins at the bone.";
   w["flexion_axis"] = axis_word(-knee.right);
-  w["adduction_axis"] = axis_word(asked.left ? Vec3(-knee.anterior) : knee.anterior);
-  w["rotation_axis"] = axis_word(asked.left ? Vec3(-knee.proximal) : knee.proximal);
+  w["adduction_axis"] = axis_word(side == "left" ? Vec3(-knee.anterior) : knee.anterior);
+  w["rotation_axis"] = axis_word(side == "left" ? Vec3(-knee.proximal) : knee.proximal);
   Eigen::Index up = 0;
   knee.proximal.cwiseAbs().maxCoeff(&up);
   w["up"] = "xyz"[up];
@@ -147,7 +151,7 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& f
   const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
   w["medial"] = lateral[sideways] > 0 ? below : above;
   w["lateral"] = lateral[sideways] > 0 ? above : below;
-  w["ligaments"] = ligaments_text(knee, asked.left);
+  w["ligaments"] = ligaments_text(knee, side == "left");
   w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
                                  100 * knee.proximal.z() + 0.0);
   return w;
@@ -158,7 +162,10 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
                             asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
                             asked.anterior.empty() ? " (guessed; --anterior says otherwise)" : ""));
-  out.push_back(fmt::format("side        {} (--side left or right decides)", w.at("side")));
+  out.push_back(fmt::format("side        {}{}", w.at("side"),
+                            asked.left         ? " (as you said)"
+                            : seems_left(knee) ? " (" + why_this_side(knee) + "; --side says otherwise)"
+                                               : " (not told by the meshes; --side left or right decides)"));
   out.push_back(fmt::format("units       femur {}, tibia {}{}", w.at("femur_unit"), w.at("tibia_unit"),
                             asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
@@ -248,6 +255,10 @@ bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, 
              {},
              {},
              doubt.what});
+  if (const auto left = seems_left(knee); left && asked.left && *asked.left != *left)
+    out.warning(Code::layout, asked.femur + ", " + asked.tibia,
+                fmt::format("look like a {} knee, and --side says {}: {}", *left ? "left" : "right",
+                            *asked.left ? "left" : "right", why_this_side(knee)));
   return !out.has_errors();
 }
 

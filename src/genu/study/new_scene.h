@@ -17,7 +17,7 @@ struct NewScene {
   std::string femur{}, tibia{};        ///< mesh files, of kind stl; both in one frame
   std::string unit{};                  ///< "mm" or "m" of these files; empty: guessed from their size
   std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes
-  bool left = false;                   ///< a left knee
+  std::optional<bool> left{};          ///< a left knee; empty: by the shape of the bones, else a right one
   std::function<bool()> cancelled{};   ///< whether to stop trying the scene out: then nothing is written
 };
 

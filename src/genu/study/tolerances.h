@@ -112,7 +112,23 @@ inline constexpr double kCondyleHeight = 0.3;
 /// [width] Half width of the band between them. Fails first: if too large, the notch is missed.
 inline constexpr double kMiddleBand = 0.08;
 
+/// [width] Half width of the strip between two halves of a bone's end. Fails first: if too small, the notch counts.
+inline constexpr double kMiddleStrip = 0.09;
+
+/// [width] How far from the middle the femur's halves go. Fails first: if too large, the epicondyles count.
+inline constexpr double kRidgeRim = 0.42;
+
+/// [width] Height of the femur's end whose front is compared. Fails first: if too large, the shaft counts.
+inline constexpr double kRidgeHeight = 0.5;
+
+/// [width] Height of the tibia's plateau. Fails first: if too large, the tuberosity counts.
+inline constexpr double kPlateauHeight = 0.2;
+
 // layout_doubts
+
+/// [width] Least difference of two halves that tells a left knee from a right one (right knees: the femur 0.020 to
+/// 0.074 to the right, the tibia 0.024 to 0.114 to the left). Fails first: if too small, chance decides.
+inline constexpr double kSideTold = 0.01;
 
 /// [1] Ratio of the widths of femur and tibia. Fails first: if too small, good pairs get a warning.
 inline constexpr double kMaxWidthRatio = 3;
