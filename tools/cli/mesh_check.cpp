@@ -1,7 +1,7 @@
 // genu mesh-check femur.stl tibia.stl
 //   1. read each file and say everything there is to say about it, a line each with a number and a verdict
 //   2. with --repair OUT: take out what is wrong, fill what is missing, write STL, PLY or OBJ in the file's unit, and
-//      say the same of what was written
+//      say the same of what was written; with --smooth H also move every vertex by up to H to even out steps and noise
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -17,8 +17,10 @@
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "genu/core/timer.h"
+#include "genu/core/units.h"
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/mesh_care/mesh_repair.h"
+#include "genu/mesh_care/mesh_smooth.h"
 #include "genu/mesh_files/mesh_writer.h"
 #include "print_error.h"
 
@@ -31,6 +33,7 @@ struct CheckOptions {
   std::vector<std::string> files;
   std::string unit, repaired;
   bool repairs = false;
+  double smooth = 0;  ///< mm; 0: not at all
 };
 
 void print_findings(const MeshExamination& examination) {
@@ -66,20 +69,28 @@ int check_written(const std::string& file, double unit) {
   return examination.bad() ? kNotAllOk : kOk;
 }
 
-int repair(const std::string& from, Mesh mesh, double unit, const std::string& to) {
+void smooth(Mesh& mesh, double bound, const std::string& file) {
+  const SmoothReport r = smooth_mesh(mesh, bound);
+  fmt::print("{}: vertices moved by {:.3g} mm rms, {:.3g} mm at most; {} of {} held at the bound\n", printable(file),
+             to::kMillimetre * r.rms, to::kMillimetre * r.largest, r.held, mesh.vertices.size());
+  if (r.volume_before != 0)
+    fmt::print("{}: volume {:.5g} cm3, {:+.2g} % of what it was\n", printable(file), 1e6 * r.volume_after,
+               100 * (r.volume_after / r.volume_before - 1));
+}
+
+int repair(const std::string& from, Mesh mesh, double unit, const std::string& to, double smoothed) {
   const RepairReport r = repair_mesh(mesh);
   if (!r.problem.empty()) {
     print_error("{}: {}\n", printable(from), r.problem);
     return kRefused;
   }
+  if (smoothed > 0) smooth(mesh, smoothed * units::kMillimetre, to);
   if (const std::string error = write_mesh(mesh, to, unit, kRepaired); !error.empty()) {
     print_error("{}\n", printable(error));
     return kFailed;
   }
-  fmt::print(
-      "{}: {} triangles taken out, {} turned round, {} holes filled with {} triangles; no vertex that stays was "
-      "moved\n",
-      printable(to), r.removed, r.turned, r.filled, r.new_triangles);
+  fmt::print("{}: {} triangles taken out, {} turned round, {} holes filled with {} triangles{}\n", printable(to),
+             r.removed, r.turned, r.filled, r.new_triangles, smoothed > 0 ? "" : "; no vertex that stays was moved");
   if (r.left_open > 0) fmt::print("{}: {} holes could not be filled\n", printable(to), r.left_open);
   return check_written(to, unit);
 }
@@ -98,7 +109,7 @@ int check_file(const std::string& file, const CheckOptions& options) {
              options.unit.empty() ? " (guessed from the size)" : "");
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
-  if (options.repairs) return repair(file, std::move(*mesh), unit, options.repaired);
+  if (options.repairs) return repair(file, std::move(*mesh), unit, options.repaired, options.smooth);
   return examination.bad() ? kNotAllOk : kOk;
 }
 
@@ -126,6 +137,12 @@ void add_mesh_check(CLI::App& command, int& exit_code) {
   auto* repaired = command.add_option("--repair", options->repaired,
                                       "write the repaired mesh there, as STL, PLY or OBJ by the ending of the name, "
                                       "in the file's unit (needs CGAL)");
+  command
+      .add_option("--smooth", options->smooth,
+                  "with --repair: also even out steps and noise (Taubin 1995, the volume is kept); no vertex moves by "
+                  "more than so many mm")
+      ->check(CLI::Range(1e-6, 100.0))
+      ->needs(repaired);
   command.footer(
       "Exit code 0: no bad flaw; 3: contact near a BAD place cannot be trusted; 2: a file cannot be read.\n"
       "Example: genu mesh-check femur.stl --repair femur-repaired.stl");

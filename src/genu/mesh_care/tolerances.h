@@ -73,6 +73,17 @@ inline constexpr std::size_t kMaxThicknessRays = 400;
 /// [1] Ray-triangle tests spent on thickness. Fails first: if too large, mesh-check is slow on large meshes.
 inline constexpr double kThicknessRayTests = 4e7;
 
+// mesh_smooth
+
+/// [edge] Wavelength above which smoothing leaves a shape. Fails first: if too large, condyles are flattened.
+inline constexpr double kSmoothedEdges = 16;
+
+/// [1] Share of the way to the neighbours' mean in a step that shrinks (Taubin 1995). Fails first: above 1 it swings.
+inline constexpr double kSmoothStep = 0.5;
+
+/// [1] Rounds times the eigenvalue that passes. Fails first: if too small, steps stay.
+inline constexpr double kSmoothRounds = 4;
+
 // noise_field
 
 /// [1] Cosine waves of a random noise field. Fails first: if too small, error bars of noise are not Gaussian.
