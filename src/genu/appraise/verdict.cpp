@@ -181,6 +181,18 @@ void say_windows(const Prepared& prepared, const std::vector<PathEvent>& events,
   }
 }
 
+/// Vertices of a staircase are half a step off: no pose on it is known better.
+void say_steps(const Prepared& prepared, std::vector<std::string>& out) {
+  for (const SurfaceNote& note : prepared.notes) {
+    if (note.blend == nullptr || !note.blend->facts().steps) continue;
+    const StairSteps& steps = *note.blend->facts().steps;
+    out.push_back(
+        fmt::format("The mesh of {} is a staircase, a segmentation that was not smoothed: {} steps of {:.3g} mm. Poses "
+                    "are known to about ± {:.1g} mm at best (--error-bars), and forces accordingly.",
+                    note.name, steps.levels, 1e3 * steps.height, 2e3 * steps.rms));
+  }
+}
+
 void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& records,
                    const std::vector<ContactLocation>& locations, std::vector<std::string>& out) {
   for (const ContactLocation& c : locations) {
@@ -189,7 +201,7 @@ void say_locations(const Prepared& prepared, const std::vector<PoseRecord>& reco
     out.push_back(fmt::format(
         "The contact point of {} is uncertain by ± {:.2g} mm at {}: the surfaces are nearly parallel there (relative "
         "curvature {:.2g} ± {:.2g} 1/m, from the noise of the meshes). This holds for {} of {} poses, typically "
-        "± {:.2g} mm; the poses themselves are more accurate.",
+        "± {:.2g} mm; heights are known better.",
         c.contact, 1e3 * c.spread, place(prepared, worst.step, worst.target), c.least_curvature,
         c.curvature_uncertainty, c.doubtful, c.poses, 1e3 * c.typical_spread));
   }
@@ -312,6 +324,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   }
   changes.end(out);
   say_reaction_turns(prepared, events, out);
+  say_steps(prepared, out);
   say_locations(prepared, records, summary.locations, out);
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;

@@ -153,6 +153,40 @@ inline constexpr double kSheetRounding = 1e-9;
 /// plane of the axes.
 inline constexpr double kBoxGrowth = 1e-12;
 
+// stair_steps
+
+/// [1] Width of a cell of directions in which facets are counted. Fails first: if too large, the direction is blurred
+/// by what is not flat.
+inline constexpr double kStepDirectionCell = 0.01;
+
+/// [1] Cosine of the angle (78 deg) between directions of steps. Fails first: if too large, one direction counts twice.
+inline constexpr double kStepsAcross = 0.2;
+
+/// [1] Ratio of heights of steps that are equal. Fails first: nothing (a choice among equals).
+inline constexpr double kAlikeHeights = 1.01;
+
+/// [1] Cosine of the angle (1 deg) within which a facet lies across the steps. Fails first: if too small, round parts
+/// pass for steps.
+inline constexpr double kFlatStep = 0.99985;
+
+/// [edge] Spread of the heights of one level. Fails first: if too large, gentle slopes pass for steps.
+inline constexpr double kLevelSpread = 0.02;
+
+/// [1] Least share of the flat area that a level holds. Fails first: if too small, chance makes levels.
+inline constexpr double kLeastLevelShare = 0.004;
+
+/// [1] Fewest levels of a staircase. Fails first: if too small, a machined part has steps.
+inline constexpr int kLeastLevels = 4;
+
+/// [step] Deviation of a gap between levels from whole steps. Fails first: if too large, chance spaces levels.
+inline constexpr double kEvenStep = 0.05;
+
+/// [1] Share of gaps that are whole steps. Fails first: as kEvenStep.
+inline constexpr double kEvenShare = 0.8;
+
+/// [1] Least share of the mesh's area in flat steps. Fails first: if too large, staircases cut by bevels are missed.
+inline constexpr double kLeastStepsShare = 0.1;
+
 // vertex_fans
 
 /// [1] Most rounds in which fans at pinched vertices are removed. Fails first: if too small, pinched vertices stay in

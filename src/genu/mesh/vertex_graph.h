@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "genu/mesh/mesh.h"
+#include "genu/mesh/stair_steps.h"
 
 namespace genu {
 
@@ -17,10 +19,19 @@ struct VertexGraph {
   std::vector<int> adjacent;   ///< ascending for each vertex
   /// Edges with one triangle: {from, to, triangle}, the triangle on the left.
   std::vector<std::array<int, 3>> boundary;
-  double median_edge = 0;  ///< m
-  double area = 0;         ///< m^2
+  std::vector<char> on_crease, near_crease;  ///< of each vertex; empty where the mesh has no creases (creases.h)
+  std::vector<int> face;            ///< of each vertex, the part within creases; -1 on a crease; empty as on_crease
+  std::optional<StairSteps> steps;  ///< of a segmentation that was not smoothed (creases.h)
+  bool machined = false;            ///< with creases, and off them even to the rounding of its coordinates
+  double median_edge = 0;           ///< m
+  double area = 0;                  ///< m^2
 
   std::span<const int> neighbours(int v) const;
+  bool is_on_crease(int v) const { return !on_crease.empty() && on_crease[static_cast<std::size_t>(v)] != 0; }
+  int face_of(int v) const {
+    return face.empty() ? component[static_cast<std::size_t>(v)] : face[static_cast<std::size_t>(v)];
+  }
+  bool is_near_crease(int v) const { return !near_crease.empty() && near_crease[static_cast<std::size_t>(v)] != 0; }
 };
 
 /// The graph of a mesh whose triangles name existing vertices.

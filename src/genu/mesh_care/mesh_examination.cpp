@@ -175,6 +175,17 @@ class Examiner {
     if (clean_.empty()) return say("smooth surface", "none", Verdict::bad, "nothing is left without the flaws");
     const MeshShape s = shape_of(clean_);
     const double edge = report_.edge_length[2];
+    if (s.steps) {
+      const Vec3& d = s.steps->direction;
+      say("steps",
+          fmt::format("{} of {:.3g} mm along ({:.2g}, {:.2g}, {:.2g})", s.steps->levels,
+                      to::kMillimetre * s.steps->height, d.x(), d.y(), d.z()),
+          Verdict::bad,
+          fmt::format("a segmentation that was not smoothed: smooth it there, or --repair OUT --smooth {:.2g}",
+                      to::kMillimetre * s.steps->height));
+    } else {
+      say("steps", "0", Verdict::good);
+    }
     say("noise", fmt::format("{:.2g} mm rms", to::kMillimetre * s.noise),
         s.noise > 0.1 * edge ? Verdict::note : Verdict::good, "fit radius " + lengths({s.fit_radius}, 2));
     if (s.fits > 0) {

@@ -12,6 +12,7 @@
 #include "genu/core/decompositions.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh_care/tolerances.h"
+#include "genu/surface/creases.h"
 #include "genu/surface/fit_choice.h"
 #include "genu/surface/local_fit.h"
 #include "genu/surface/tolerances.h"
@@ -134,10 +135,11 @@ Pieces pieces_with_volume(const Mesh& mesh) {
 
 MeshShape shape_of(const Mesh& mesh) {
   MeshShape shape;
-  const VertexGraph graph = vertex_graph(mesh);
+  const VertexGraph graph = graph_with_creases(mesh);
   if (!(graph.area > 0 && graph.median_edge > 0)) return shape;
   const FitChoice choice = choose_fit(mesh, graph, std::nullopt, std::nullopt);
   shape.noise = choice.noise.rms;
+  shape.steps = graph.steps;
   shape.fit_radius = choice.radius;
   measure_curvature(mesh, graph, choice.degree, shape);
   measure_thickness(mesh, graph, shape);

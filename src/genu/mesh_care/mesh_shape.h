@@ -2,13 +2,16 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "genu/mesh/mesh.h"
+#include "genu/mesh/stair_steps.h"
 
 namespace genu {
 
 struct MeshShape {
   double noise = 0;                   ///< m, rms of the vertices about the surface (fit_choice.h)
+  std::optional<StairSteps> steps;    ///< of a segmentation that was not smoothed
   double fit_radius = 0;              ///< m, as a scene would use it
   int fits = 0;                       ///< how many vertices the next two were measured at
   std::array<double, 3> curvature{};  ///< 1/m: 1 %, median, 99 % of both principal curvatures, > 0 bulges outward

@@ -13,6 +13,7 @@
 #include "genu/shape_fit/patch_border.h"
 #include "genu/shape_fit/tame_degree.h"
 #include "genu/shape_fit/tolerances.h"
+#include "genu/surface/creases.h"
 #include "genu/surface/mesh_noise.h"
 #include "genu/surface/polynomial_surface.h"
 
@@ -307,7 +308,7 @@ SurfaceFit Fitter::finish(const PlacedFit& at, int degree, std::vector<DegreeSco
     if (std::abs(*gap) > std::abs(fit.residual.largest)) fit.residual.largest = *gap, fit.residual.where = q.p;
   }
   fit.residual.rms = area > 0 ? std::sqrt(square / area) : 0;
-  fit.noise = estimate_noise(fit.zone, vertex_graph(fit.zone)).rms;
+  fit.noise = estimate_noise(fit.zone, graph_with_creases(fit.zone)).rms;
   return fit;
 }
 

@@ -26,12 +26,18 @@ void pack(const HeightFit& fit, int degree, double* record) {
 
 }  // namespace
 
-BlendField::BlendField(std::span<const HeightFit> fits, std::vector<int> sheet, int degree, double blend_radius)
+BlendField::BlendField(std::span<const HeightFit> fits, std::vector<int> sheet, int degree, double blend_radius,
+                       const std::vector<Crease>& creases)
     : degree_(degree),
       blend_radius_(blend_radius),
       stride_(kRecordHeader + coefficient_count(degree)),
       records_(fits.size() * stride_, 0.0),
       sheet_(std::move(sheet)) {
+  for (const Crease& c : creases) {
+    across_.resize(std::max(across_.size(), static_cast<std::size_t>(std::max(c.a, c.b)) + 1));
+    across_[static_cast<std::size_t>(c.a)].emplace_back(c.b, c.convex);
+    across_[static_cast<std::size_t>(c.b)].emplace_back(c.a, c.convex);
+  }
   std::vector<Vec3> centres;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     pack(fits[i], degree, &records_[i * stride_]);
@@ -62,8 +68,24 @@ int BlendField::nearest_node(const Vec3& x, std::span<const int> candidates) con
   return best;
 }
 
+/// The sheet that answers for x where those of a crease are in reach.
+template <int D>
+int BlendField::across_creases(const Vec3& x, std::span<const int> candidates, int nearest) const {
+  if (static_cast<std::size_t>(nearest) >= across_.size() || across_[static_cast<std::size_t>(nearest)].empty())
+    return nearest;
+  double f = 0;
+  if (!sum<D, 0>(x, candidates, nearest, f, nullptr, nullptr)) return nearest;
+  int sheet = nearest;
+  for (const auto& [other, convex] : across_[static_cast<std::size_t>(nearest)]) {
+    double g = 0;
+    if (!sum<D, 0>(x, candidates, other, g, nullptr, nullptr)) continue;
+    if (convex ? g > f : g < f) f = g, sheet = other;
+  }
+  return sheet;
+}
+
 template <int D, int Order>
-bool BlendField::sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const {
+bool BlendField::evaluate(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const {
   const int cell = cells_.cell_of(x);
   const auto candidates = cells_.list(cell);
   if (candidates.empty()) return false;
@@ -72,7 +94,15 @@ bool BlendField::sum(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) co
     const int nearest = nearest_node(x, candidates);
     if (nearest < 0) return false;
     sheet = sheet_[nearest];
+    if (!across_.empty()) sheet = across_creases<D>(x, candidates, sheet);
   }
+  return sum<D, Order>(x, candidates, sheet, f, gradient, hessian);
+}
+
+/// Of one sheet; -1: of all nodes in reach.
+template <int D, int Order>
+bool BlendField::sum(const Vec3& x, std::span<const int> candidates, int sheet, double& f, Vec3* gradient,
+                     Mat3* hessian) const {
   const double inverse = 1 / (blend_radius_ * blend_radius_);
   // Sums of w, w g and of their gradients and Hessians (upper triangles xx, xy, xz, yy, yz, zz).
   double W = 0, F = 0, W1[3] = {}, F1[3] = {}, W2[6] = {}, F2[6] = {}, K1 = 0, G1 = 0;
@@ -141,11 +171,11 @@ template <int Order>
 bool BlendField::dispatch(const Vec3& x, double& f, Vec3* gradient, Mat3* hessian) const {
   switch (degree_) {
     case 2:
-      return sum<2, Order>(x, f, gradient, hessian);
+      return evaluate<2, Order>(x, f, gradient, hessian);
     case 3:
-      return sum<3, Order>(x, f, gradient, hessian);
+      return evaluate<3, Order>(x, f, gradient, hessian);
     default:
-      return sum<4, Order>(x, f, gradient, hessian);
+      return evaluate<4, Order>(x, f, gradient, hessian);
   }
 }
 

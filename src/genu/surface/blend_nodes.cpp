@@ -59,19 +59,34 @@ class Thinner {
   std::vector<int> next_;
 };
 
+/// Whether all these vertices are on a crease: a fit there takes from both sides.
+bool amid_crease(const VertexGraph& graph, const std::array<int, 3>& vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return graph.is_on_crease(v); });
+}
+
+/// Whether a node of a face stands near enough to reach over a place on the crease beside it.
+bool covered(const NodeSeed& place, const std::vector<NodeSeed>& nodes, double spacing) {
+  const double reach = kCreaseReach * spacing;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const NodeSeed& node) {
+    return (node.position - place.position).squaredNorm() < reach * reach && node.component == place.component &&
+           node.normal.dot(place.normal) > kFacesAlike;
+  });
+}
+
 /// Offers points inside triangle t, as close together as the spacing asks.
 void offer_facet(const Mesh& mesh, const VertexGraph& graph, int t, double spacing, Thinner& thinner) {
   const auto& [a, b, c] = mesh.triangles[t];
   const Vec3 &A = mesh.vertices[a], &B = mesh.vertices[b], &C = mesh.vertices[c];
   const double longest = std::sqrt(std::max({(B - A).squaredNorm(), (C - B).squaredNorm(), (A - C).squaredNorm()}));
   const int parts = static_cast<int>(std::min(64.0, std::floor(longest / spacing)));
-  if (parts < 2) return;
+  if (parts < 2 || amid_crease(graph, {a, b, c})) return;
+  const int face = std::max({graph.face_of(a), graph.face_of(b), graph.face_of(c)});
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; j <= parts - i; ++j) {
       const double s = static_cast<double>(i) / parts, r = static_cast<double>(j) / parts, q = 1 - s - r;
       const Vec3 n = q * graph.normals[a] + s * graph.normals[b] + r * graph.normals[c];
       if (n.norm() < 0.1) continue;
-      thinner.offer({q * A + s * B + r * C, n.normalized(), {a, b, c}, graph.component[a]});
+      thinner.offer({q * A + s * B + r * C, n.normalized(), {a, b, c}, graph.component[a], face});
     }
   }
 }
@@ -82,10 +97,16 @@ std::vector<NodeSeed> sample_nodes(const Mesh& mesh, const VertexGraph& graph, d
   std::vector<NodeSeed> seeds;
   Thinner thinner(spacing, seeds);
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    if (graph.component[v] < 0 || graph.normals[v].isZero()) continue;
-    thinner.offer({mesh.vertices[v], graph.normals[v], {v, v, v}, graph.component[v]});
+    if (graph.component[v] < 0 || graph.normals[v].isZero() || graph.is_on_crease(v)) continue;
+    thinner.offer({mesh.vertices[v], graph.normals[v], {v, v, v}, graph.component[v], graph.face_of(v)});
   }
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) offer_facet(mesh, graph, t, spacing, thinner);
+  const std::vector<NodeSeed> of_faces = graph.on_crease.empty() ? std::vector<NodeSeed>() : seeds;
+  for (int v = 0; v < static_cast<int>(graph.on_crease.size()); ++v) {
+    const NodeSeed place{mesh.vertices[v], graph.normals[v], {v, v, v}, graph.component[v], -1};
+    if (!graph.is_on_crease(v) || graph.component[v] < 0 || graph.normals[v].isZero()) continue;
+    if (!covered(place, of_faces, spacing)) thinner.offer(place);
+  }
   return seeds;
 }
 
@@ -127,11 +148,12 @@ NodeLinks link_nodes(std::span<const Vec3> positions, double distance) {
 }
 
 std::vector<int> label_sheets(std::span<const Vec3> positions, std::span<const Vec3> normals,
-                              std::span<const int> components, const NodeLinks& near, double blend_radius) {
+                              std::span<const int> faces, const NodeLinks& near, double blend_radius) {
   const int count = static_cast<int>(positions.size());
   const double step = 0.8 * blend_radius;
   const auto conflict = [&](int i, int j) {
-    return components[i] != components[j] || normals[i].dot(normals[j]) < kFacesAway;
+    const bool apart = faces[i] != faces[j] && faces[i] >= 0 && faces[j] >= 0;
+    return apart || normals[i].dot(normals[j]) < kFacesAway;
   };
   std::vector<int> sheet(count, -1);
   const auto fits_into = [&](int i, int label) {

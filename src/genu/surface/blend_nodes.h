@@ -13,6 +13,7 @@ struct NodeSeed {
   Vec3 normal = Vec3::UnitZ();    ///< outward
   std::array<int, 3> vertices{};  ///< where a walk over the mesh starts; entry 0 is repeated for a vertex
   int component = 0;
+  int face = 0;  ///< the part of the component within creases; -1 on a crease
 };
 
 /// Points of the mesh no nearer than `spacing` (m) to each other within a sheet, and no point of the mesh much farther
@@ -51,8 +52,8 @@ struct NodeLinks {
 NodeLinks link_nodes(std::span<const Vec3> positions, double distance);
 
 /// A sheet for each node, decided once: two nodes that a single point could reach (`blend_radius`, m) but that face
-/// opposite ways, or lie on different components, are never in one sheet.
+/// opposite ways, or lie on different `faces` (-1: on any), are never in one sheet.
 std::vector<int> label_sheets(std::span<const Vec3> positions, std::span<const Vec3> normals,
-                              std::span<const int> components, const NodeLinks& near, double blend_radius);
+                              std::span<const int> faces, const NodeLinks& near, double blend_radius);
 
 }  // namespace genu

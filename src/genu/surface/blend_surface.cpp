@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "genu/mesh/mesh_order.h"
+#include "genu/surface/creases.h"
 #include "genu/surface/fit_choice.h"
 #include "genu/surface/tolerances.h"
 
@@ -70,6 +72,23 @@ std::size_t drop_failures(std::vector<NodeSeed>& seeds, std::vector<HeightFit>& 
   return dropped;
 }
 
+/// Pairs of sheets that a crease parts, and on which side of it the solid is: by where nodes of one lie to the tangent
+/// planes of the other.
+std::vector<BlendField::Crease> creases_between(const std::vector<int>& sheets, const std::vector<int>& faces,
+                                                const std::vector<Vec3>& positions, const std::vector<Vec3>& normals,
+                                                const NodeLinks& near) {
+  std::map<std::pair<int, int>, double> above;
+  for (int i = 0; i < static_cast<int>(positions.size()); ++i)
+    for (const int j : near.of(i)) {
+      if (sheets[i] == sheets[j] || faces[i] == faces[j] || faces[i] < 0 || faces[j] < 0) continue;
+      if (normals[i].dot(normals[j]) < kFacesAway) continue;
+      above[std::minmax(sheets[i], sheets[j])] += normals[i].dot(positions[j] - positions[i]);
+    }
+  std::vector<BlendField::Crease> out;
+  for (const auto& [pair, sum] : above) out.push_back({pair.first, pair.second, sum < 0});
+  return out;
+}
+
 }  // namespace
 
 std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions& options, const std::string& name,
@@ -80,7 +99,7 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   };
   if (const std::string fault = fault_of(mesh); !fault.empty()) return error(fault);
   sort_canonically(mesh);
-  const VertexGraph graph = vertex_graph(mesh);
+  const VertexGraph graph = graph_with_creases(mesh);
   if (!(graph.area > 0 && graph.median_edge > 0)) return error("the mesh has no area");
   if (!check_options(options, graph.median_edge, name, diagnostics)) return nullptr;
 
@@ -91,9 +110,17 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   facts.blend_radius = kBlendRadius * choice.radius;
   facts.node_spacing = kNodeSpacing * choice.radius;
   facts.median_edge = graph.median_edge;
+  facts.steps = graph.steps;
   facts.noise = choice.noise;
   facts.uncertainty = choice.uncertainty;
   facts.why = std::move(choice.why);
+
+  if (graph.steps) {
+    diagnostics.add(warning_at({}, Code::mesh_coordinates, name, {},
+                               fmt::format("is a staircase of {} steps of {:.3g} mm, a segmentation that was not "
+                                           "smoothed: its vertices are about {:.2g} mm off the surface it stands for",
+                                           graph.steps->levels, 1e3 * graph.steps->height, 1e3 * graph.steps->rms)));
+  }
 
   std::vector<NodeSeed> seeds = sample_nodes(mesh, graph, facts.node_spacing);
   std::vector<HeightFit> fits = fit_nodes(mesh, graph, seeds, choice.radius, choice.least_radius, facts.degree);
@@ -112,19 +139,23 @@ BlendSurface::BlendSurface(Mesh mesh, BlendFacts facts, const VertexGraph& graph
                            const std::vector<HeightFit>& fits)
     : mesh_(std::move(mesh)), facts_(std::move(facts)), boundary_(mesh_, graph, kEdgeCap * facts_.blend_radius) {
   std::vector<Vec3> positions, normals;
+  std::vector<int> faces;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     positions.push_back(fits[i].origin);
     normals.push_back(fits[i].axes.col(2));
     node_component_.push_back(seeds[i].component);
+    faces.push_back(seeds[i].face);
   }
   const NodeLinks near = link_nodes(positions, kNodeReach * facts_.blend_radius);
-  std::vector<int> sheets = label_sheets(positions, normals, node_component_, near, facts_.blend_radius);
+  std::vector<int> sheets = label_sheets(positions, normals, faces, near, facts_.blend_radius);
+  std::vector<BlendField::Crease> creases;
+  if (!graph.face.empty()) creases = creases_between(sheets, faces, positions, normals, near);
   facts_.node_count = static_cast<int>(fits.size());
   facts_.sheet_count = 1 + *std::max_element(sheets.begin(), sheets.end());
   node_links_ = near.kept([&](int i, int j) {
     return sheets[i] == sheets[j] && (positions[i] - positions[j]).norm() < kLinkReach * facts_.node_spacing;
   });
-  field_ = BlendField(fits, std::move(sheets), facts_.degree, facts_.blend_radius);
+  field_ = BlendField(fits, std::move(sheets), facts_.degree, facts_.blend_radius, creases);
   place_nodes(fits, graph);
 }
 

@@ -38,7 +38,7 @@ class Probe {
     // motion of the mesh none.
     const double apart = rounded(std::sqrt(graph.area / kRadiusProbes));
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      if (graph.component[v] < 0) continue;
+      if (graph.component[v] < 0 || graph.is_near_crease(static_cast<int>(v))) continue;
       const bool taken = std::any_of(vertices_.begin(), vertices_.end(), [&](int w) {
         return (mesh.vertices[static_cast<std::size_t>(w)] - mesh.vertices[v]).squaredNorm() < apart * apart;
       });
@@ -50,6 +50,7 @@ class Probe {
   double disagreement(double radius) {
     return lower_quantile(collect([&](HeightFitter& fitter, std::size_t i, double& out) {
                             const int v = vertices_[i];
+                            if (near_crease(v, radius)) return false;
                             const HeightFit a = at(fitter, v, radius);
                             if (a.degree == 0) return false;
                             const Vec3 target =
@@ -88,6 +89,16 @@ class Probe {
   Vec3 toward_neighbour(int v, const Vec3& normal) const {
     const Vec3 edge = mesh_.vertices[graph_.neighbours(v).front()] - mesh_.vertices[v];
     return (edge - normal * normal.dot(edge)).normalized();
+  }
+
+  /// Whether one of the two fits reaches a crease, which is within the narrowest patch of what is marked as near it.
+  bool near_crease(int v, double radius) const {
+    if (graph_.near_crease.empty()) return false;
+    const double clear = (1 + kPartnerDistance) * radius - kNarrowestPatch * graph_.median_edge;
+    const Vec3& x = mesh_.vertices[static_cast<std::size_t>(v)];
+    for (std::size_t w = 0; w < mesh_.vertices.size(); ++w)
+      if (graph_.near_crease[w] != 0 && (mesh_.vertices[w] - x).squaredNorm() < clear * clear) return true;
+    return false;
   }
 
   int advance_toward(int v, const Vec3& target) const {
@@ -135,13 +146,15 @@ double curvature_noise(Probe& probe, double h, int degree) {
 
 /// Sets the radius of a choice whose degree is set, and says why.
 void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice) {
-  const double h = graph.median_edge, narrowest = kRadiusWithoutNoise * h;
+  const double h = graph.median_edge,
+               narrowest = std::max(kRadiusWithoutNoise * h, graph.steps ? kRadiusOfSteps * graph.steps->height : 0.0);
   Probe probe(mesh, graph, choice.degree);
   const double noise = curvature_noise(probe, h, choice.degree);
   const int components = 1 + *std::max_element(graph.component.begin(), graph.component.end());
   const double sheet = kMaxPatchOfSheet * std::sqrt(graph.area / components);
   choice.radius = choice.least_radius = narrowest;
-  choice.why = fmt::format("3 edges of {:.3g} mm", 1e3 * h);
+  choice.why = narrowest > kRadiusWithoutNoise * h ? fmt::format("{:g} steps of the mesh", kRadiusOfSteps)
+                                                   : fmt::format("3 edges of {:.3g} mm", 1e3 * h);
   if (noise * narrowest < kNegligibleNoise) return;
   // The curvature itself is known only as well as the radius is wide: a few rounds settle both.
   for (int round = 0; round < kRadiusRounds; ++round) {
@@ -164,15 +177,20 @@ void choose_radius(const Mesh& mesh, const VertexGraph& graph, FitChoice& choice
 FitChoice choose_fit(const Mesh& mesh, const VertexGraph& graph, std::optional<double> radius,
                      std::optional<int> degree) {
   FitChoice choice;
-  choice.degree = degree.value_or(3);
+  choice.degree = degree.value_or(graph.machined ? 4 : 3);
   if (radius) {
     choice.radius = choice.least_radius = *radius;
     choice.why = "fit radius as given";
   } else {
     choose_radius(mesh, graph, choice);
   }
-  choice.noise = estimate_noise(mesh, graph);
+  choice.noise = graph.steps ? MeshNoise{graph.steps->rms, graph.steps->height} : estimate_noise(mesh, graph);
   choice.uncertainty = fit_uncertainty(choice.noise, graph.median_edge, choice.radius, choice.degree);
+  if (graph.steps) {
+    const Vec3& d = graph.steps->direction;
+    choice.why += fmt::format("; {} steps of {:.3g} mm along ({:.2g}, {:.2g}, {:.2g})", graph.steps->levels,
+                              1e3 * graph.steps->height, d.x(), d.y(), d.z());
+  }
   if (choice.noise.rms > 0) {
     choice.why += fmt::format("; noise {:.3g} um over {:.2g} mm: curvature known to {:.2g} 1/m, normal to {:.2g} deg",
                               1e6 * choice.noise.rms, 1e3 * choice.noise.correlation_length,

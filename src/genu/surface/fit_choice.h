@@ -15,6 +15,10 @@
 // Degree 3 unless the scene asks for another: the radius suits the degree. Under noise of 15 to 50 um degree 3 erred by
 // at most 1.4 times what the best of 2, 3 and 4 did, on tori, ellipsoids and knees; 2 and 4 by up to 2.8 times. Degree
 // 4 is the best without noise, but the disagreement of fits does not tell: both fits of a pair err alike by truncation.
+// The edges of a staircase (stair_steps.h) are no shape: fits reach over 3 of its steps at least, and its noise is that
+// of even steps, height / sqrt(12), alike over a step.
+// A machined shape with creases has degree 4: no noise, and beside a crease fits have one side only, where truncation
+// is at its worst.
 // Nodes stand a quarter of the fit radius apart, whatever the noise: the blend's own error is then well below a fit's.
 // Thickness sets no limit: a fit walks over its own face, and faces that a point could see together are parted into
 // sheets (blend_nodes.h).

@@ -78,9 +78,13 @@ void HeightFitter::gather(const FitRequest& request, double radius) {
   ++now_;
   gathered_.clear();
   const double limit = radius * radius;
+  // Beyond a crease lies another face, and vertices on it may belong to either. Of a crease itself all are taken.
+  const bool amid =
+      std::all_of(request.seeds.begin(), request.seeds.end(), [&](int v) { return graph_.is_on_crease(v); });
   const auto visit = [&](int v) {
     if (stamp_[v] == now_) return;
     stamp_[v] = now_;
+    if (!amid && graph_.is_on_crease(v)) return;
     if ((mesh_.vertices[v] - request.origin).squaredNorm() >= limit) return;
     if (graph_.normals[v].dot(request.normal) < kConeCosine) return;
     gathered_.push_back(v);

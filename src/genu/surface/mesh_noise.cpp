@@ -21,6 +21,13 @@ namespace {
 
 constexpr std::size_t kFirstShell = 2;  // degrees 0 and 1 are how the patch lies
 
+/// m: the largest coordinate.
+double size_of(const Mesh& mesh) {
+  double size = 0;
+  for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+  return size;
+}
+
 /// Medians over the mesh of the energies within one radius.
 struct Band {
   int step = 0;  ///< radius = narrowest * sqrt(2)^step
@@ -39,7 +46,9 @@ T median(std::vector<T>& values) {
 using Fitters = tbb::enumerable_thread_specific<ShellFitter>;
 
 Band measure(const Mesh& mesh, const VertexGraph& graph, Fitters& fitters, double radius) {
-  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kNoiseProbes);
+  // Beside creases fewer patches are whole: more are tried.
+  const std::size_t probes = graph.near_crease.empty() ? kNoiseProbes : kCreasedNoiseProbes;
+  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / probes);
   const std::size_t count = (mesh.vertices.size() + step - 1) / step;
   std::vector<ShellEnergies> found(count);
   std::vector<int> samples(count, 0);
@@ -231,6 +240,7 @@ MeshNoise estimate_noise(const Mesh& mesh, const VertexGraph& graph) {
     return MeshNoise{fit->noise_rms, mixture.length(static_cast<int>(fit - fits.begin()))};
   };
   const MeshNoise shortest = good(kAlikeMisfit), best = good(0);
+  if (best.rms < std::numeric_limits<double>::epsilon() * size_of(mesh)) return {};  // of coordinates' last digits
   if (shortest.correlation_length == 0) return shortest;
   return {std::sqrt(shortest.rms * best.rms), std::sqrt(shortest.correlation_length * best.correlation_length)};
 }

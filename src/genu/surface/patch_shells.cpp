@@ -40,7 +40,10 @@ void for_columns(F&& f) {
 ShellFitter::ShellFitter(const Mesh& mesh, const VertexGraph& graph)
     : mesh_(mesh), graph_(graph), stamp_(mesh.vertices.size(), 0) {}
 
-void ShellFitter::gather(int v, double radius) {
+/// False at a crease. A vertex near one has it within the narrowest patch, so it may lie that far within this one.
+bool ShellFitter::gather(int v, double radius) {
+  const double clear = std::max(0.0, radius - kNarrowestPatch * graph_.median_edge);
+  if (graph_.is_near_crease(v)) return false;
   ++now_;
   gathered_.assign(1, v);
   stamp_[v] = now_;
@@ -48,19 +51,21 @@ void ShellFitter::gather(int v, double radius) {
     for (int w : graph_.neighbours(gathered_[next])) {
       if (stamp_[w] == now_) continue;
       stamp_[w] = now_;
-      if ((mesh_.vertices[w] - mesh_.vertices[v]).squaredNorm() >= radius * radius) continue;
+      const double square = (mesh_.vertices[w] - mesh_.vertices[v]).squaredNorm();
+      if (square >= radius * radius) continue;
+      if (square <= clear * clear && graph_.is_near_crease(w)) return false;
       if (graph_.normals[w].dot(graph_.normals[v]) >= kConeCosine) gathered_.push_back(w);
     }
   }
   const std::size_t all = gathered_.size(), most = kMaxShellSamples;
-  if (all <= most) return;
+  if (all <= most) return true;
   for (std::size_t i = 0; i < most; ++i) gathered_[i] = gathered_[i * all / most];
   gathered_.resize(most);
+  return true;
 }
 
 bool ShellFitter::energies(int v, double radius, ShellEnergies& out) {
-  gather(v, radius);
-  if (samples() < kFewestSamples) return false;
+  if (!gather(v, radius) || samples() < kFewestSamples) return false;
   Vec3 n = Vec3::Zero();
   for (int w : gathered_) n += graph_.areas[w] * graph_.normals[w];
   if (!(n.norm() > 0)) return false;

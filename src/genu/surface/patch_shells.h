@@ -25,14 +25,14 @@ class ShellFitter {
  public:
   ShellFitter(const Mesh& mesh, const VertexGraph& graph);
 
-  /// Of the patch round vertex v. False where it has too few vertices.
+  /// Of the patch round vertex v. False where it has too few vertices, or reaches a crease.
   bool energies(int v, double radius, ShellEnergies& out);
 
   /// How many vertices the last patch counted.
   int samples() const { return static_cast<int>(gathered_.size()); }
 
  private:
-  void gather(int v, double radius);
+  bool gather(int v, double radius);
 
   const Mesh& mesh_;
   const VertexGraph& graph_;

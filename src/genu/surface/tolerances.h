@@ -39,6 +39,10 @@ inline constexpr double kFacesAlike = 0.3;
 /// small, both faces of a shell are one.
 inline constexpr double kFacesAway = -0.2;
 
+/// [spacing] Distance from the nodes of a face, out of their 2.8, beyond which a crease has nodes of its own. Fails
+/// first: if too large, gaps along creases; if too small, creases are rounded more than they need be.
+inline constexpr double kCreaseReach = 2;
+
 /// [1] A fit is repeated only for a radius narrower by this. Fails first: if too small, fits too wide for their
 /// curvature.
 inline constexpr double kWorthwhileRadius = 0.95;
@@ -105,11 +109,60 @@ inline constexpr double kBlendRayMet = 2e-6;
 /// reported.
 inline constexpr double kEdgeCap = 3;
 
+// creases
+
+/// [1] Share of a mesh's patches that are quiet. Fails first: if too large, a small solid is all rim.
+inline constexpr double kQuietShare = 0.1;
+
+/// [1] Heights off any polynomial, over those of quiet patches, of a crease (bones and cartilage 36 at most). Fails
+/// first: if too small, roughness passes for creases.
+inline constexpr double kLoudPatch = 40;
+
+/// [1] Vertices of a part within creases that is a face. Fails first: if too small, scraps are fitted by themselves.
+inline constexpr std::size_t kFewestOfFace = 20;
+
+/// [1] Cosine of the angle (30 deg) by which a rough patch bends at a crease. Fails first: if too large, rough places
+/// pass for creases.
+inline constexpr double kCreasePatchBend = 0.866;
+
+/// [1] Patches looked at first. Fails first: if too small, short creases are missed.
+inline constexpr std::size_t kCreaseProbes = 400;
+
+/// [1] Share of them that are loud from which a mesh has creases. Fails first: if too small, holes and spikes of a bone
+/// count.
+inline constexpr double kLoudShare = 0.02;
+
+/// [rad] Bend of an edge (60 deg) that is a fold, whatever its patch: rows of vertices hide it from polynomials. Fails
+/// first: if too small, coarse bones fold.
+inline constexpr double kFold = 1.047;
+
+/// [1] The same over the median bend. Fails first: if too small, rough meshes fold.
+inline constexpr double kFoldOverMedian = 4;
+
+/// [1] Share of vertices at folds from which a mesh has creases (bones 0.5 % at most). Fails first: as kLoudShare.
+inline constexpr double kFoldedShare = 0.01;
+
+/// [1] Rings round a fold that the narrowest patch reaches. Fails first: if too small, patches take in a fold.
+inline constexpr int kNarrowestRings = 2;
+
+/// [rad] Bend of an edge (25 deg) that fits stop at in a rough mesh with creases. Fails first: if too large, fits reach
+/// over; if too small, fits stop on round parts.
+inline constexpr double kSharpEdge = 0.436;
+
+/// [1] The same over the usual bend, in a machined one. Fails first: as kSharpEdge.
+inline constexpr double kUnusualBend = 2;
+
+/// [rad] The smallest such bend (2 deg). Fails first: if too small, rounding of flat faces stops fits.
+inline constexpr double kLeastSharpEdge = 0.035;
+
 // fit_choice
 
 /// [edge] Fit radius of a mesh without noise. Fails first: if too small, curvature of facets; if too large, curvature
 /// is smoothed away.
 inline constexpr double kRadiusWithoutNoise = 3;
+
+/// [step] Fit radius of a staircase at least. Fails first: if too small, fits follow its steps.
+inline constexpr double kRadiusOfSteps = 3;
 
 /// [1] Ratio of the two radii at which disagreement is measured. Fails first: if too near to 1, noise is misjudged.
 inline constexpr double kSecondRadius = 1.4;
@@ -165,6 +218,9 @@ inline constexpr int kMinBands = 2;
 
 /// [1] Patches a radius. Fails first: if too small, the estimate scatters.
 inline constexpr int kNoiseProbes = 64;
+
+/// [1] The same on a mesh with creases. Fails first: if too small, too few are whole.
+inline constexpr int kCreasedNoiseProbes = 1000;
 
 /// [1] Fewest patches a radius. Fails first: if too small, the estimate scatters.
 inline constexpr int kMinProbes = 5;
