@@ -184,8 +184,8 @@ void say_windows(const Prepared& prepared, const std::vector<PathEvent>& events,
 /// Vertices of a staircase are half a step off: no pose on it is known better.
 void say_steps(const Prepared& prepared, std::vector<std::string>& out) {
   for (const SurfaceNote& note : prepared.notes) {
-    if (note.blend == nullptr || !note.blend->facts().steps) continue;
-    const StairSteps& steps = *note.blend->facts().steps;
+    if (!note.steps) continue;
+    const StairSteps& steps = *note.steps;
     out.push_back(
         fmt::format("The mesh of {} is a staircase, a segmentation that was not smoothed: {} steps of {:.3g} mm. Poses "
                     "are known to about ± {:.1g} mm at best (--error-bars), and forces accordingly.",

@@ -63,6 +63,14 @@ std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Di
   return places;
 }
 
+void warn_steps(const std::optional<StairSteps>& steps, const SurfaceDef& def, Diagnostics& out) {
+  if (!steps) return;
+  out.warning(Code::mesh_coordinates, def.file,
+              fmt::format("is a staircase of {} steps of {:.3g} mm, a segmentation that was not smoothed: it is about "
+                          "{:.2g} mm off the surface it stands for",
+                          steps->levels, to::kMillimetre * steps->height, to::kMillimetre * steps->rms));
+}
+
 void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
   if (turned == 0) return;
   out.warning(Code::mesh_repaired, def.file,
@@ -171,6 +179,8 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
       turn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);
       warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
+      note.steps = stair_steps(*mesh);
+      warn_steps(note.steps, def, found);
       move_to_body(def, *mesh);
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
@@ -218,7 +228,7 @@ std::vector<std::shared_ptr<const Surface>> build_surfaces(const PlacedScene& sc
   const Timer timer;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const SurfaceDef& def = scene.surfaces[i];
-    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr, {}};
+    SurfaceNote note{def.name, "closed form", std::nullopt, nullptr, {}, {}};
     if (def.shape == SurfaceDef::Shape::mesh)
       surfaces.push_back(build_mesh_surface(scene, def, triangles_alone(scene, i), meshes, note, read, out));
     else

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "genu/mesh/mesh_check.h"
+#include "genu/mesh/stair_steps.h"
 #include "genu/mesh_care/mesh_flaws.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/model/step_plan.h"
@@ -24,6 +25,7 @@ struct SurfaceNote {
   std::string text;
   std::optional<MeshReport> mesh;
   std::shared_ptr<const BlendSurface> blend;  ///< of a mesh: the whole of it, whatever patch is used; else null
+  std::optional<StairSteps> steps = {};       ///< of a segmentation that was not smoothed
   std::string space = {};                     ///< the frame that a mesh file names (mesh_space.h); empty: none
 };
 

@@ -110,17 +110,9 @@ std::unique_ptr<BlendSurface> BlendSurface::build(Mesh mesh, const BlendOptions&
   facts.blend_radius = kBlendRadius * choice.radius;
   facts.node_spacing = kNodeSpacing * choice.radius;
   facts.median_edge = graph.median_edge;
-  facts.steps = graph.steps;
   facts.noise = choice.noise;
   facts.uncertainty = choice.uncertainty;
   facts.why = std::move(choice.why);
-
-  if (graph.steps) {
-    diagnostics.add(warning_at({}, Code::mesh_coordinates, name, {},
-                               fmt::format("is a staircase of {} steps of {:.3g} mm, a segmentation that was not "
-                                           "smoothed: its vertices are about {:.2g} mm off the surface it stands for",
-                                           graph.steps->levels, 1e3 * graph.steps->height, 1e3 * graph.steps->rms)));
-  }
 
   std::vector<NodeSeed> seeds = sample_nodes(mesh, graph, facts.node_spacing);
   std::vector<HeightFit> fits = fit_nodes(mesh, graph, seeds, choice.radius, choice.least_radius, facts.degree);

@@ -34,10 +34,9 @@ struct BlendFacts {
   double node_spacing = 0;  ///< m
   int node_count = 0;
   int sheet_count = 0;
-  double median_edge = 0;           ///< m
-  std::optional<StairSteps> steps;  ///< of a segmentation that was not smoothed
-  MeshNoise noise;                  ///< of the mesh's vertices about the surface; 0 where none is seen
-  FitUncertainty uncertainty;       ///< what it does to the surface; rms over it
+  double median_edge = 0;      ///< m
+  MeshNoise noise;             ///< of the mesh's vertices about the surface; 0 where none is seen
+  FitUncertainty uncertainty;  ///< what it does to the surface; rms over it
   std::string why;
 };
 
