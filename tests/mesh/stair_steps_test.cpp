@@ -9,6 +9,7 @@
 #include "genu/core/pose.h"
 #include "support/blend_meshes.h"
 #include "support/layers.h"
+#include "support/random_points.h"
 #include "support/shells.h"
 #include "support/voxels.h"
 
@@ -55,6 +56,15 @@ TEST(StairSteps, OtherShapesHaveNone) {
   EXPECT_FALSE(stair_steps(test::ball(20e-3, 1e-3)));
   EXPECT_FALSE(stair_steps(test::jittered_torus(15e-3, 5e-3, 1e-3)));
   EXPECT_FALSE(stair_steps(test::jittered_patch(20e-3, 1e-3, [](double x, double y) { return 2 * (x * x + y * y); })));
+  // A plane that is rough by less than its facets are large: heights of all sizes.
+  for (const double rough : {1e-6, 5e-6, 20e-6, 100e-6}) {
+    test::RandomPoints random(3);
+    Mesh plane = test::sheet(20e-3, 60);
+    for (Vec3& v : plane.vertices) v.z() += random.uniform(-rough, rough);
+    EXPECT_FALSE(stair_steps(plane)) << rough;
+    for (Vec3& v : plane.vertices) v.z() = 1e-5 * std::round(v.z() / 1e-5);  // written with two decimals
+    EXPECT_FALSE(stair_steps(plane)) << rough;
+  }
 }
 
 }  // namespace

@@ -179,11 +179,11 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
       turn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);
       warn_turned(note.mesh->flipped + turn_odd_pieces(*mesh), def, found);
-      note.steps = stair_steps(*mesh);
-      warn_steps(note.steps, def, found);
       move_to_body(def, *mesh);
       for (DoubtfulPlace& d : doubtful)
         for (Vec3& p : d.points) p = def.placement * p;
+      note.steps = stair_steps(*mesh);
+      warn_steps(note.steps, def, found);
     }
   }
   if (mesh && !found.has_errors() && facets) {

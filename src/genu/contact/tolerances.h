@@ -200,8 +200,8 @@ inline constexpr double kCellBulge = 0.8;
 /// sheet.
 inline constexpr double kSameNormalCosine = 0.5;
 
-/// [1] Cosine of a corner's normal with a facet's at it (50 deg) below which it lies on a sharp edge. Fails first: if too
-/// large, coarse round meshes have edges.
+/// [1] Cosine of a corner's normal with a facet's at it (50 deg) below which it lies on a sharp edge. Fails first: if
+/// too large, coarse round meshes have edges.
 inline constexpr double kRidgeCosine = 0.64;
 
 // smooth_layer

@@ -72,16 +72,17 @@ Levels levels_along(const Vec3& direction, const std::vector<Facet>& facets, dou
   Levels out;
   double all = 0;
   for (const auto& [height, area] : flat) all += area;
-  const double together = kLevelSpread * edge;
+  const double spread = kLevelSpread * edge;
   for (std::size_t first = 0; first < flat.size();) {
     std::size_t last = first;
     double area = 0, moment = 0;
-    while (last < flat.size() && flat[last].first - flat[first].first <= together) {
+    do {
       area += flat[last].second;
       moment += flat[last].second * flat[last].first;
       ++last;
-    }
-    if (area > kLeastLevelShare * all) {
+    } while (last < flat.size() && flat[last].first - flat[last - 1].first <= kLevelGap * spread);
+    const bool level = flat[last - 1].first - flat[first].first <= spread;  // else heights of all sizes: no steps
+    if (level && area > kLeastLevelShare * all) {
       out.heights.push_back(moment / area);
       out.area += area;
     }
@@ -117,7 +118,7 @@ std::optional<StairSteps> stair_steps(const Mesh& mesh) {
   for (const Vec3& direction : candidates(facets)) {
     const Levels levels = levels_along(direction, facets, edge);
     const double share = levels.area / area, height = even_spacing(levels.heights);
-    if (height == 0 || share < kLeastStepsShare) continue;
+    if (height < kLeastStepHeight * edge || share < kLeastStepsShare) continue;
     squares += height * height / 12;
     if (!best || height > best->height * kAlikeHeights)
       best = StairSteps{direction, height, share, static_cast<int>(levels.heights.size()), 0};

@@ -172,6 +172,10 @@ inline constexpr double kFlatStep = 0.99985;
 /// [edge] Spread of the heights of one level. Fails first: if too large, gentle slopes pass for steps.
 inline constexpr double kLevelSpread = 0.02;
 
+/// [spread] Heights further apart than this belong to two levels. Fails first: if too large, a rough plane has no
+/// levels but one; if too small, rounding parts a level.
+inline constexpr double kLevelGap = 0.25;
+
 /// [1] Least share of the flat area that a level holds. Fails first: if too small, chance makes levels.
 inline constexpr double kLeastLevelShare = 0.004;
 
@@ -183,6 +187,9 @@ inline constexpr double kEvenStep = 0.05;
 
 /// [1] Share of gaps that are whole steps. Fails first: as kEvenStep.
 inline constexpr double kEvenShare = 0.8;
+
+/// [edge] Least height of steps. Fails first: if too small, coordinates rounded to few decimals pass for a staircase.
+inline constexpr double kLeastStepHeight = 0.1;
 
 /// [1] Least share of the mesh's area in flat steps. Fails first: if too large, staircases cut by bevels are missed.
 inline constexpr double kLeastStepsShare = 0.1;
