@@ -82,8 +82,8 @@ TEST(ReadContacts, Model) {
                  "must be one of \"rigid\", \"cartilage\"; did you mean \"rigid\"?");
   expect_refused("[contact.medial]\n" + kPair + "\nmodel = \"rigid\"", "[contact.@medial]\n" + kPair,
                  "contact.medial.model", "", "is missing");
-  for (const std::string key :
-       {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "search_depth", "tolerance", "damping"}) {
+  for (const std::string key : {"modulus", "poisson", "thickness", "law", "quadrature", "cast_from", "rim",
+                                "search_depth", "tolerance", "damping"}) {
     expect_refused("model = \"rigid\"", "model = \"rigid\"\n@" + key + " = 1", "contact.medial." + key, "1",
                    "is no key of a rigid contact");
   }
@@ -110,6 +110,12 @@ TEST(ReadContacts, Layer) {
   EXPECT_EQ(layer.law, LayerDef::Law::logarithmic);
   EXPECT_EQ(layer.quadrature, LayerDef::Quadrature::triangles);
   EXPECT_EQ(layer.cast_from, layer.pair.surface_b);
+  EXPECT_EQ(layer.rim, LayerDef::Rim::weighted);
+  for (const auto& [word, rim] : {std::pair("weighted", LayerDef::Rim::weighted), {"cut", LayerDef::Rim::cut}}) {
+    const Scene other = good(edited("model = \"rigid\"", kLayer + "\nrim = \"" + word + "\""));
+    ASSERT_EQ(other.layers.size(), 1u);
+    EXPECT_EQ(other.layers[0].rim, rim);
+  }
 }
 
 TEST(ReadContacts, LayerOverSmoothSurfaces) {
@@ -154,6 +160,7 @@ TEST(ReadContacts, QuadratureThatNobodyNames) {
   EXPECT_EQ(layer("sphere", "").quadrature, Quadrature::smooth);
   EXPECT_EQ(layer("mesh", "tolerance = 1e-3").quadrature, Quadrature::smooth);
   EXPECT_EQ(layer("mesh", "quadrature = \"smooth\"").quadrature, Quadrature::smooth);
+  EXPECT_EQ(layer("sphere", "rim = \"cut\"").quadrature, Quadrature::triangles);
   const LayerDef cast = layer("sphere", "cast_from = \"upper\"");
   EXPECT_EQ(cast.quadrature, Quadrature::triangles);
   EXPECT_EQ(cast.cast_from, cast.pair.surface_a);
@@ -185,6 +192,9 @@ TEST(ReadContacts, LayerRefused) {
   refused("\"logarithmic\"", "@\"log\"", "law", "\"log\"", "must be one of");
   refused("\"triangles\"", "@\"gauss\"", "quadrature", "\"gauss\"", "must be one of");
   refused("\"triangles\"\ncast_from = \"floor\"", "\"smooth\"\ncast_from = @\"floor\"", "cast_from", "\"floor\"",
+          "belongs to quadrature = \"triangles\"");
+  refused("search_depth = 4", "rim = @\"wieghted\"", "rim", "\"wieghted\"", "did you mean \"weighted\"?");
+  refused("\"triangles\"\ncast_from = \"floor\"", "\"smooth\"\nrim = @\"cut\"", "rim", "\"cut\"",
           "belongs to quadrature = \"triangles\"");
   refused("search_depth = 4", "tolerance = @1e-3", "tolerance", "0.001", "belongs to quadrature = \"smooth\"");
   const std::string smooth = "quadrature = \"triangles\"\ncast_from = \"floor\"";

@@ -176,7 +176,8 @@ class Explanation {
   std::string quadrature_name(const LayerDef& l) const {
     if (l.quadrature == LayerDef::Quadrature::smooth)
       return fmt::format("summed over smooth surfaces to {:g} of the force", l.tolerance);
-    return "rays from the triangles of " + scene_.surfaces[at(l.cast_from)].name;
+    return "rays from the triangles of " + scene_.surfaces[at(l.cast_from)].name +
+           (l.rim == LayerDef::Rim::cut ? ", cut at the rim" : "");
   }
 
   std::string value(const StepDef::Prescribed& p) const {

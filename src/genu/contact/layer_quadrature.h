@@ -49,10 +49,21 @@ struct LayerPoint {
   bool guessed = false;  ///< a thickness there was filled in and not measured
 };
 
+/// The rays of a triangle layer near the rim of the other mesh.
+struct RimRays {
+  enum class Side : char { away, near, over };  ///< away from the rim; near it; and known to meet the mesh
+  LayerRays::Memory rays;
+  std::vector<Side> side;  ///< of each ray
+  std::vector<int> near;   ///< rays that may be near, also a little later,
+  Pose listed;             ///< since this pose
+  bool known = false;
+};
+
 class LayerQuadrature {
  public:
   struct Memory : LayerRays::Memory {
     SmoothNodes nodes;
+    RimRays rim;
     Cancelled cancelled;  ///< once true a long sum stops without a result
   };
   virtual ~LayerQuadrature() = default;
@@ -72,17 +83,28 @@ class LayerQuadrature {
   virtual const TriangleTree& target() const = 0;
 };
 
+/// Adds a load (N) along a line of the casting body: `line`: its force and moment for 1 N; `load_rate` (N/m, N): rate
+/// of the load, a row (. twist of the casting body). All in casting axes.
+inline void add_load(const Vec6& line, double load, const Vec6& load_rate, LayerSum& out) {
+  out.wrench += load * line;
+  for (Eigen::Index j = 0; j < 6; ++j) out.tangent.col(j) += load_rate[j] * line;
+}
+
+/// Line of a pressure at x, on the casting body with outward unit normal n.
+inline Vec6 pressure_line(const Vec3& x, const Vec3& n) {
+  Vec6 line;
+  line << -n, -x.cross(n);
+  return line;
+}
+
 /// Adds the effect of a pressure on a small area. `x`: its place; `n`: outward unit normal of the casting body; `y`:
 /// the point of the other surface; `w`: d' = w . (velocity of the ray at y - velocity of the other surface there). All
 /// in casting axes; `load` = p A (N), `load_slope` = p' A (N/m).
 inline void add_pressure(const Vec3& x, const Vec3& n, const Vec3& y, const Vec3& w, double load, double load_slope,
                          LayerSum& out) {
-  Vec6 line, rate;
-  line << -n, -x.cross(n);
+  Vec6 rate;
   rate << w, y.cross(w);
-  out.wrench += load * line;
-  const Vec6 turn = load_slope * rate;
-  for (Eigen::Index j = 0; j < 6; ++j) out.tangent.col(j) += turn[j] * line;
+  add_load(pressure_line(x, n), load, load_slope * rate, out);
 }
 
 /// h' = u . (velocity of the ray at the target's surface - velocity of the target there), for a thickness on the target

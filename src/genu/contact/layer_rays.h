@@ -108,6 +108,9 @@ class LayerRays {
       });
   }
 
+  /// m: upper bound of the motion of any point of any ray between two poses.
+  double motion(const Pose& from, const Pose& to) const { return rays_.empty() ? 0 : motion(groups_[0], from, to); }
+
   const std::vector<Ray>& rays() const { return rays_; }
   const TriangleTree& target() const { return *target_; }
   double length() const { return length_; }

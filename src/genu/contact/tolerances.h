@@ -249,7 +249,28 @@ inline constexpr double kSideKept = 0.1;
 /// [spacing] Error of facets about the smooth surface's side. Fails first: if too small, facets are called swallowed.
 inline constexpr double kFacetError = 0.05;
 
+// rim_cover
+
+/// [disc radius] Distance of a ray from a border edge within which rounding decides its side. Fails first: if too
+/// large, a step of the share in a crack of the mesh.
+inline constexpr double kOnBorder = 1e-9;
+
+/// [disc radius] Distance along a ray from where it meets a mesh within which the border cuts its disc: slopes up to 76
+/// deg. Fails first: if too large, other borders behind cut it; if too small, a step at a steep rim.
+inline constexpr double kRimDepth = 4;
+
+/// [1] Border edges in a leaf of their tree. Fails first: if too large, slow search.
+inline constexpr int kRimLeaf = 4;
+
 // triangle_layer
+
+/// [largest disc radius] Distance from their discs' border within which rays are listed for the rim. Fails first: if
+/// too small, they are listed at every pose; if too large, many are listed (time).
+inline constexpr double kRimMargin = 1;
+
+/// [1] Least share of a triangle over the other mesh that carries load. Fails first: if too small, rounding counts as a
+/// point of contact.
+inline constexpr double kMinRimShare = 1e-9;
 
 /// [1] Fewest rays of a layer cast on several threads. Fails first: if too small, overhead.
 inline constexpr std::size_t kMinThreadedRays = 2000;

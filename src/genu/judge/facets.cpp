@@ -110,7 +110,9 @@ void Facets::find_normals() {
       const auto& [sum, count] = edges.at(std::minmax(a, b));
       edge_normals_[t][k] = sum;
       border_edge_[t][k] = count == 1;
-      if (count == 1) border_vertex_[at(a)] = border_vertex_[at(b)] = true;
+      if (count != 1) continue;
+      border_vertex_[at(a)] = border_vertex_[at(b)] = true;
+      rim_.add({vertices_[at(a)], vertices_[at(b)], area(static_cast<int>(t))});
     }
 }
 
@@ -167,9 +169,9 @@ std::optional<Facets::Nearest> Facets::nearest(const Vec3& x, double reach) cons
   return best;
 }
 
-std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length) const {
-  Hit out{length, -1};
-  double entered = length;
+/// Calls visit(triangle, m along the ray, normal . ray) for every triangle that a ray passes through, some repeatedly.
+template <typename Visit>
+void Facets::each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit) const {
   const Vec3 end = origin + length * direction;
   each_near(origin.cwiseMin(end), origin.cwiseMax(end), [&](int t) {
     const auto& c = triangles_[at(t)];
@@ -177,18 +179,32 @@ std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direc
     const double along = n.dot(direction);
     if (along == 0) return;
     const double s = n.dot(vertices_[at(c[0])] - origin) / along;
-    if (s < 0 || s > (along > 0 ? out.distance : entered)) return;
+    if (s < 0 || s > length) return;
     const Vec3 p = origin + s * direction;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& a = vertices_[at(c[k])];
       if (n.cross(vertices_[at(c[(k + 1) % 3])] - a).dot(p - a) < 0) return;
     }
-    if (along > 0)
+    visit(t, s, along);
+  });
+}
+
+std::optional<Facets::Hit> Facets::leaving(const Vec3& origin, const Vec3& direction, double length) const {
+  Hit out{length, -1};
+  double entered = length;
+  each_crossed(origin, direction, length, [&](int t, double s, double along) {
+    if (along < 0)
+      entered = std::min(entered, s);
+    else if (s <= out.distance)
       out = {s, t};
-    else
-      entered = s;
   });
   return out.triangle < 0 || entered < out.distance ? std::nullopt : std::optional(out);
+}
+
+bool Facets::enters(const Vec3& origin, const Vec3& direction, double length) const {
+  bool found = false;
+  each_crossed(origin, direction, length, [&](int, double, double along) { found = found || along < 0; });
+  return found;
 }
 
 Facets::Lean Facets::lean(const Vec3& x, double radius) const {

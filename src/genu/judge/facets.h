@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "genu/judge/rim.h"
 #include "genu/mesh/mesh.h"
 #include "genu/scene/scene.h"
 
@@ -38,6 +39,10 @@ class Facets {
   };
   std::optional<Hit> leaving(const Vec3& origin, const Vec3& direction, double length) const;
 
+  /// Whether a ray enters the surface (outward normal against the ray) within `length`.
+  bool enters(const Vec3& origin, const Vec3& direction, double length) const;
+  const Rim& rim() const { return rim_; }
+
   /// The orientation of a smooth surface near x: mean normal of the triangles there, and its error bounds.
   struct Lean {
     Vec3 normal = Vec3::UnitZ();
@@ -62,6 +67,8 @@ class Facets {
   Cell cell_of(const Vec3& x) const;
   template <typename Visit>
   void each_near(const Vec3& low, const Vec3& high, Visit visit) const;
+  template <typename Visit>
+  void each_crossed(const Vec3& origin, const Vec3& direction, double length, Visit visit) const;
   void index();
   void find_normals();
 
@@ -72,6 +79,7 @@ class Facets {
   std::vector<std::array<Vec3, 3>> edge_normals_;  // of the edge from corner k to the next
   std::vector<std::array<bool, 3>> border_edge_;
   std::vector<bool> border_vertex_;
+  Rim rim_;
   std::vector<std::pair<Vec3, double>> balls_;  // around each triangle
   double edge_ = 0, cell_ = 1;
   std::unordered_map<Cell, std::vector<int>, Hash> cells_;

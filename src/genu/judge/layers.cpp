@@ -109,6 +109,19 @@ class Layers {
     forces_.forces.push_back({body(false), X.p, -force, -moment});
   }
 
+  /// The same for a triangle of this area: at the rim of a mesh its share over the mesh counts.
+  Rim::Part part_of(const Side& other, const Vec3& x, const Vec3& n, double area, double most) const {
+    const double depth = depth_of(other, x, n, most);
+    const bool weighted =
+        layer_->quadrature == LayerDef::Quadrature::triangles && layer_->rim == LayerDef::Rim::weighted;
+    if (!weighted || !other.facets) return {depth > 0 ? 1.0 : 0.0, depth};
+    const Rim::Part part = other.facets->rim().part({x, -n, std::sqrt(area / M_PI), most},
+                                                    depth > 0 ? std::optional(depth) : std::nullopt);
+    const bool carries =
+        part.share > kLeastDiscShare && part.depth > 0 && (depth > 0 || !other.facets->enters(x, -n, part.depth));
+    return carries ? part : Rim::Part();
+  }
+
   /// Depth of overlap along the inward normal of a surface to the other; 0 without overlap.
   double depth_of(const Side& other, const Vec3& x, const Vec3& n, double most) const {
     if (other.facets) {
@@ -141,7 +154,7 @@ class Layers {
     Resultant sum;
     const auto add = [&](const Vec3& on_surface, const Vec3& n, double area, double side) {
       const Vec3 p = on_surface + raised * n;
-      const double depth = depth_of(other, X_oc * p, X_oc.R * n, most);
+      const auto [share, depth] = part_of(other, X_oc * p, X_oc.R * n, area, most);
       const Vec3 x = X_bc * p;
       if (depth > 0 && !other.facets)
         sum.lean = std::max(sum.lean, 1 + (X_oc.R * n).dot(other.shape->normal(X_oc * (p - depth * n))));
@@ -149,7 +162,7 @@ class Layers {
         ++sum.outside;
       else if (depth > 0)
         sum.side = std::max(sum.side, side),
-        sum.add(x, X_bc.R * (second ? Vec3(-n) : n), pressure_of(*layer_, depth), area, depth);
+        sum.add(x, X_bc.R * (second ? Vec3(-n) : n), pressure_of(*layer_, depth), share * area, depth);
     };
     if (casting.facets) {
       each_triangle(*casting.facets, fine, add);

@@ -87,6 +87,17 @@ inline constexpr double kMissedDepth = 0.1;
 /// rejected.
 inline constexpr double kMinLoadShare = 0.01;
 
+/// [disc radius] Distance along a ray from the mesh within which its border counts (docs/scene-reference.md). Fails
+/// first: it is part of a definition, and triangle layers are rejected.
+inline constexpr double kBorderDepth = 4;
+
+/// [disc radius] Distance at which a ray passes through the border, and its side is rounding. Fails first: if too
+/// small, a ray through the border is taken for one on its other side.
+inline constexpr double kThroughBorder = 1e-9;
+
+/// [1] Least share of a disc that carries load. Fails first: if too small, rounding counts as a triangle that carries.
+inline constexpr double kLeastDiscShare = 1e-9;
+
 /// [1] Error of facets for a smooth surface's load. Fails first: if too small, smooth layers are rejected.
 inline constexpr double kFacetLoadError = 0.05;
 

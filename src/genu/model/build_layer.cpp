@@ -97,8 +97,10 @@ bool build_layer(const PlacedScene& scene, const Bones& bones, JointModel& model
   const bool from_a = def.cast_from == def.pair.surface_a;
   const auto tree_a = std::make_shared<const TriangleTree>(a), tree_b = std::make_shared<const TriangleTree>(b);
   const LayerThickness thickness{def.thickness, from_a ? on_a : on_b, from_a ? on_b : on_a};
+  const auto rim =
+      def.rim == LayerDef::Rim::weighted ? std::make_shared<const RimCover>(from_a ? b : a, thickness.target) : nullptr;
   const auto casting = std::make_shared<TriangleLayer>(from_a ? a : b, from_a ? tree_b : tree_a, between.search_depth,
-                                                       law_of(def), thickness);
+                                                       law_of(def), thickness, rim);
   between.layer = std::make_shared<const ElasticLayer>(std::vector<ElasticLayer::Side>{{from_a, 1.0, casting}},
                                                        buried_deeper(a, tree_a, b, tree_b, between), def.damping);
   return true;

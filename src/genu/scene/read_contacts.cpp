@@ -59,18 +59,27 @@ bool is_mesh(const ReadContext& context, int surface) {
 
 /// What is wanted where nothing is said: the way that a given key belongs to; between two meshes triangles, which take
 /// a small part of the time.
-int usual_quadrature(const ReadContext& context, const LayerDef& layer, bool tolerance, bool cast_from) {
-  if (tolerance != cast_from) return cast_from ? 1 : 0;
+int usual_quadrature(const ReadContext& context, const LayerDef& layer, bool tolerance, bool of_triangles) {
+  if (tolerance != of_triangles) return of_triangles ? 1 : 0;
   return is_mesh(context, layer.pair.surface_a) && is_mesh(context, layer.pair.surface_b) ? 1 : 0;
 }
 
-/// How the pressure is summed, and the key that belongs to that way alone.
+/// How the triangles count at the rim of the other surface.
+void read_rim(ReadContext& context, const Item& item, bool smooth, LayerDef& layer) {
+  if (!item) return;
+  layer.rim = static_cast<LayerDef::Rim>(read_choice(context, item, {"weighted", "cut"}).value_or(0));
+  if (smooth)
+    refuse(context, item, Code::conflict,
+           "belongs to quadrature = \"triangles\": smooth surfaces have no rays to weight");
+}
+
+/// How the pressure is summed, and the keys that belong to that way alone.
 void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
   const Item quadrature = section.find("quadrature"), tolerance = section.find("tolerance"),
-             cast_from = section.find("cast_from");
+             cast_from = section.find("cast_from"), rim = section.find("rim");
   const std::optional<int> choice =
       quadrature ? read_choice(context, quadrature, {"smooth", "triangles"})
-                 : usual_quadrature(context, layer, static_cast<bool>(tolerance), static_cast<bool>(cast_from));
+                 : usual_quadrature(context, layer, static_cast<bool>(tolerance), cast_from || rim);
   // Where nobody knows which of the two is meant each key is still looked at for what it holds.
   const bool triangles = choice == 1, smooth = choice == 0;
   if (triangles) {
@@ -82,6 +91,7 @@ void read_quadrature(ReadContext& context, Section& section, LayerDef& layer) {
            "belongs to quadrature = \"triangles\": smooth surfaces both send rays, half and half");
   else
     read_cast_from(context, cast_from, layer);
+  read_rim(context, rim, smooth, layer);
   if (!tolerance) return;
   if (triangles)
     return refuse(context, tolerance, Code::conflict, "belongs to quadrature = \"smooth\": triangles have none");

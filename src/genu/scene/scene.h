@@ -45,6 +45,7 @@ struct ContactDef {
 struct LayerDef {
   enum class Law { linear, logarithmic };
   enum class Quadrature { triangles, smooth };
+  enum class Rim { weighted, cut };
   ContactDef pair;
   double modulus = 0;     ///< Young's, Pa
   double poisson = 0;     ///< in [0, 0.5)
@@ -54,6 +55,7 @@ struct LayerDef {
   Quadrature quadrature = Quadrature::smooth;
   double tolerance = 1e-4;  ///< smooth: relative error of the force
   int cast_from = -1;       ///< triangles: index into Scene::surfaces
+  Rim rim = Rim::weighted;  ///< triangles: how they count at the rim of the other surface (contact/rim_cover.h)
   double damping = 0;       ///< c, s/m: the pressure is p (1 + c d'); only with dynamics
   double search_depth = 0;  ///< m: how far rays look; 0: as deep as the layers are thick, where that is measured
 
