@@ -48,7 +48,8 @@ std::vector<Vec3> candidates(const std::vector<Facet>& facets) {
     found.emplace_back(area_and_sum.first, area_and_sum.second.normalized());
   std::stable_sort(found.begin(), found.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
   std::vector<Vec3> out;
-  for (const auto& [area, direction] : found) {
+  for (const auto& area_and_direction : found) {
+    const Vec3& direction = area_and_direction.second;
     const bool across =
         std::all_of(out.begin(), out.end(), [&](const Vec3& d) { return std::abs(d.dot(direction)) < kStepsAcross; });
     if (across) out.push_back(direction);
