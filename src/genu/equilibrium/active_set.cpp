@@ -54,7 +54,7 @@ ActiveSetSolver::ActiveSetSolver(const JointModel& model, ContactField& field, c
 }
 
 int ActiveSetSolver::contact_limit(const Target& target) const {
-  return std::max(0, 6 * model_->moving_count - 1 - static_cast<int>(constraint_count(*model_, target)));
+  return std::max(0, 6 * model_->moving_count - static_cast<int>(constraint_count(*model_, target)));
 }
 
 PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton, const Findings& findings) const {
