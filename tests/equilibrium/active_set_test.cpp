@@ -96,12 +96,19 @@ TEST(ActiveSet, FailureLeavesThePoseAsItWas) {
   EXPECT_EQ(bench.pose.state.multipliers, before.state.multipliers);
 }
 
-TEST(ActiveSet, LeavesRoomForOneFreedom) {
+TEST(ActiveSet, ContactsMayTakeTheLastFreedom) {
   LiftedBall bench;
-  EXPECT_EQ(bench.solver.contact_limit(bench.lifted(0)), 2);  // three angles and two contacts make five
+  EXPECT_EQ(bench.solver.contact_limit(bench.lifted(0)), 3);  // three angles and three contacts make six
   Target more = bench.lifted(0);
   for (int i = 3; i < 6; ++i) more.prescribed.push_back({{0, i}, 0});
   EXPECT_EQ(bench.solver.contact_limit(more), 0);
+}
+
+TEST(ActiveSet, ContactsThatNothingCanMoveForAreOverconstrained) {
+  LiftedBall bench(19.5);
+  Target into_the_floor = bench.lifted(0);
+  for (int i = 3; i < 6; ++i) into_the_floor.prescribed.push_back({{0, i}, i == 5 ? 0.01 : 0});
+  EXPECT_EQ(bench.solver.settle(bench.pose, into_the_floor).status, PoseStatus::overconstrained);
 }
 
 TEST(ActiveSet, ColdStartsMeet) {

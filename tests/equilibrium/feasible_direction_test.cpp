@@ -131,5 +131,21 @@ TEST(FeasibleDirection, WithoutBoundsEverythingIsWithin) {
   EXPECT_TRUE(feasible_direction(MatX(0, 2), kPlane).isZero(0));  // there is nothing to leave
 }
 
+TEST(FeasibleDirection, NonnegativeLeastSquaresMeetTheirConditions) {
+  // y >= 0, A^T (A y - b) >= 0, and one of the two is 0 in each place (Karush, Kuhn, Tucker).
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  for (int draw = 0; draw < 200; ++draw) {
+    MatX A(6, 1 + draw % 8);
+    VecX b(6);
+    for (double& x : A.reshaped()) x = any(random);
+    for (double& x : b.reshaped()) x = any(random);
+    const VecX y = nonnegative_least_squares(A, b), rate = A.transpose() * (A * y - b);
+    EXPECT_GE(y.minCoeff(), 0) << draw;
+    EXPECT_GE(rate.minCoeff(), -1e-10) << draw;
+    EXPECT_NEAR(y.cwiseProduct(rate).cwiseAbs().maxCoeff(), 0, 1e-10) << draw;
+  }
+}
+
 }  // namespace
 }  // namespace genu

@@ -5,6 +5,7 @@
 
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/piece_changes.h"
+#include "genu/equilibrium/rigid_descent.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
 #include "genu/equilibrium/tolerances.h"
 
@@ -306,6 +307,36 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
     }
   }
   return false;
+}
+
+PoseReport ActiveSetSolver::settle_downhill(Balanced& pose, const Target& target) {
+  Balanced trial = pose;
+  for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
+  const RestReport rest = slide_to_rest(*model_, *field_, target, trial.state, options_.cancelled);
+  PoseReport report;
+  report.iterations = rest.steps;
+  if (!rest.at_rest) {
+    if (rest.over_edge) report.status = PoseStatus::over_edge;
+    report.why = rest.over_edge ? "sliding downhill, the joint dislocates over the edge of a surface"
+                                : "no pose of rest was found by sliding downhill";
+    return report;
+  }
+  const State slid = trial.state;
+  follow_open(trial);
+  for (std::size_t k = 0; k < rest.pressing.size(); ++k) {
+    close(trial, rest.pressing[k]);
+    trial.state.contacts.back().force = rest.forces[k];
+  }
+  report = settle(trial, target);
+  report.iterations += rest.steps;
+  if (report.status != PoseStatus::ok) return report;
+  if (passes_through(slid, trial.state)) {
+    report.status = PoseStatus::overlap;
+    report.why = kBehind;
+    return report;
+  }
+  pose = std::move(trial);
+  return report;
 }
 
 PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {

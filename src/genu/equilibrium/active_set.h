@@ -61,6 +61,9 @@ class ActiveSetSolver {
   /// in energy (descent_seed.h) and so ends at a stable pose.
   PoseReport settle_from_seed(Balanced& pose, const Target& target, bool downhill = false);
 
+  /// From where an equilibrium has ended: slides in contact to the next pose of rest (rigid_descent.h).
+  PoseReport settle_downhill(Balanced& pose, const Target& target);
+
   /// From a pose that was never solved: starts from the contacts that touch or overlap, else from a compliant seed. The
   /// seed is also used where bodies would otherwise pass through each other. Where Newton's method wanders, descent
   /// seeds follow: first with long steps, then with short ones.
@@ -81,7 +84,8 @@ class ActiveSetSolver {
   void close(Balanced& pose, const Candidate& candidate) const;
   void release(Balanced& pose, int contact) const;
 
-  /// Largest number of contacts for `target`: N + M <= 5 for one moving body, M constraints.
+  /// Largest number of contacts for `target`: N + M <= 6 for one moving body, M constraints. With 6 nothing is free to
+  /// move.
   int contact_limit(const Target& target) const;
 
   /// Whether the bodies overlap on the straight way between two poses by more than rolling explains. `followed`: the

@@ -124,4 +124,6 @@ VecX interior_direction(const MatX& bounds, const MatX& motions) {
   return (rows * way).maxCoeff() < -kBoundTolerance ? VecX(motions * way) : none;
 }
 
+VecX nonnegative_least_squares(const MatX& A, const VecX& b) { return LeastSum(A, b, 0).solve(); }
+
 }  // namespace genu

@@ -19,4 +19,7 @@ VecX feasible_direction(const MatX& bounds, const MatX& motions);
 /// norm 1). By Gordan's theorem it exists unless that point is 0.
 VecX interior_direction(const MatX& bounds, const MatX& motions);
 
+/// The y >= 0 that minimises |A y - b|, by Lawson and Hanson's method.
+VecX nonnegative_least_squares(const MatX& A, const VecX& b);
+
 }  // namespace genu

@@ -166,6 +166,33 @@ inline constexpr double kUsualResidual = 1e-9;
 /// [force scale] Round-off of the unbalanced force. Fails first: if too small, exact poses have no error.
 inline constexpr double kForceRounding = 1e-15;
 
+// rigid_descent
+
+/// [1] Steps of a slide. Fails first: if too small, long slides are given up.
+inline constexpr int kMaxSlides = 600;
+
+/// [1] Damping factors tried for a step. Fails first: if too small, a steep slide is given up.
+inline constexpr int kMaxSlideTries = 40;
+
+/// [1] Ratio of damping from step to step. Fails first: if too large, steps are needlessly short (time).
+inline constexpr double kSlideDampingRatio = 3;
+
+/// [step] Step of a slide below which damping decreases. Fails first: if too large, damping rises and falls in turn
+/// (time).
+inline constexpr double kShortSlide = 0.5;
+
+/// [stiffness scale] Damping below which there is none, over the least stiffness. Fails first: if too large, the last
+/// steps are needlessly short (time).
+inline constexpr double kNoSlideDamping = 1e-3;
+
+/// [1] Residual of the least distance problem at which the surfaces leave no way. Fails first: if too small, a step of
+/// rounding.
+inline constexpr double kNoWay = 1e-12;
+
+/// [step] Longest step of a slide over that of a descent on a foundation. Fails first: if too large, contacts are seen
+/// too late.
+inline constexpr double kSlideStride = 0.15;
+
 // scaled_solver
 
 /// [1] Reciprocal condition below which LU gives way to the orthogonal decomposition. Two contacts 0.1 mm apart on a
