@@ -98,17 +98,37 @@ TEST(Path, GainsASecondContactOnTheWay) {
   }
 }
 
-TEST(Path, TooManyContactsAreNamedOverconstrained) {
-  // A ball of 10 mm in a trough of 8.3 mm stands on both flanks: one pair, two contacts, and room for one.
-  const Followed w =
-      follow(test::bone_on_ground("{ z = 10.2 }") + test::surface("ball", "bone", "sphere", "radius = 10") +
-             test::surface("trough", "ground", "polynomial", "terms = [[2, 0, 0.06]]") +
-             test::contact("c", "ball", "trough") + test::load("w", "force = [0, 0, -10]") +
-             test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nincrements = 2"));
-  EXPECT_FALSE(w.result.complete);
-  ASSERT_FALSE(w.points.empty());
-  EXPECT_EQ(w.points[0].report.status, PoseStatus::overconstrained) << w.story();
-  EXPECT_EQ(w.of(Kind::stopped).size(), 1u);
+TEST(Path, ContactsMayLeaveNoFreedom) {
+  // A ball of 10 mm in the trough z = x^2 / (16 2/3 mm) stands on both flanks, at x^2 = 100 - (8 1/3)^2: four
+  // prescribed coordinates and two contacts hold it in place, and statics has one answer. A side load shifts force from
+  // one flank to the other, until one of them opens and the ball rolls up the other.
+  constexpr double kDepth = 25.0 / 3;  // mm: a parabola's subnormal is constant
+  const Followed w = follow(
+      test::bone_on_ground("{ z = 10.2 }") + test::surface("ball", "bone", "sphere", "radius = 10") +
+      test::surface("trough", "ground", "polynomial", "terms = [[2, 0, 0.06]]") + test::contact("c", "ball", "trough") +
+      test::load("w", "force = [0, 0, -10]") + test::load("side", "force = [1, 0, 0]") +
+      test::step("prescribe = { \"j.y\" = 0, " + kNoTurn + " }\nload = { side = [0, 8] }\nincrements = 8"));
+  ASSERT_TRUE(w.result.complete) << w.story();
+  const double cosine = kDepth / 10, sine = std::sqrt(1 - cosine * cosine);
+  ASSERT_EQ(w.points.size(), 9u);
+  for (const PosePoint& p : w.points) {
+    const double side = p.target.load_factors[1];
+    if (side > 10 * sine / cosine) {
+      EXPECT_EQ(p.pose.state.contacts.size(), 1u) << side;
+      EXPECT_GT(p.pose.state.poses[1].p.x(), 0) << side;
+      continue;
+    }
+    ASSERT_EQ(p.pose.state.contacts.size(), 2u) << side;
+    EXPECT_NEAR(p.pose.state.poses[1].p.x(), 0, 1e-14) << side;
+    EXPECT_NEAR(1e3 * p.pose.state.poses[1].p.z(), kDepth + 0.06 * 100 * sine * sine, 1e-10) << side;
+    EXPECT_EQ(p.stability.free_motions, 0) << side;
+    EXPECT_EQ(p.stability.verdict, Stability::Verdict::stable) << side;
+    std::vector<double> forces{p.pose.state.contacts[0].force, p.pose.state.contacts[1].force};
+    std::sort(forces.begin(), forces.end());
+    EXPECT_NEAR(forces[0], 5 / cosine - side / (2 * sine), 1e-10) << side;
+    EXPECT_NEAR(forces[1], 5 / cosine + side / (2 * sine), 1e-10) << side;
+  }
+  EXPECT_EQ(w.of(Kind::contact_lost).size(), 1u) << w.story();
 }
 
 constexpr double kSnapLoad =
@@ -252,6 +272,49 @@ increments = 10
   EXPECT_TRUE(w.of(PathEvent::Kind::stepped_over).empty()) << w.story();
   EXPECT_EQ(w.of(PathEvent::Kind::turns_back).size(), 1u) << w.story();
   EXPECT_EQ(w.of(PathEvent::Kind::snaps).size(), 1u) << w.story();
+}
+
+TEST(Path, SnapsBetweenRigidSurfacesWhereAStablePoseLiesBeyond) {
+  // A ball of 5 mm rests on z = a x^4 / 4 - b x^2 / 2 + c x y where the slope along x is 0: a x^3 - b x + c y = 0 at
+  // the contact point. Along y the valley at x > 0 ends at x = sqrt(b / (3 a)), and the ball falls to the other one.
+  constexpr double a = 4e-4, b = 0.04, c = 0.02, r = 5;  // mm
+  const auto [ground, drive] = std::pair(
+      test::surface("ball", "bone", "sphere", "radius = 5") +
+          test::surface("valleys", "ground", "polynomial", "terms = [[4, 0, 1e-4], [2, 0, -0.02], [1, 1, 0.02]]") +
+          test::contact("c", "ball", "valleys") + test::load("w", "force = [0, 0, -10]"),
+      test::step("prescribe = { \"j.y\" = [0, 12], " + kNoTurn + " }\nincrements = 12"));
+  const Followed w = follow(test::bone_on_ground("{ x = 10, z = 4 }") + ground + drive, fine());
+  ASSERT_TRUE(w.result.complete) << w.story();
+  const auto ball_y = [&](double x) {  // mm: its centre lies on the normal
+    const double slope = c * x;
+    return (b * x - a * x * x * x) / c - r * slope / std::hypot(1, slope);
+  };
+  const auto snapped = w.of(Kind::snapped), landed = w.of(Kind::new_branch);
+  ASSERT_EQ(snapped.size(), 1u) << w.story();
+  ASSERT_EQ(landed.size(), 1u) << w.story();
+  double fold = 0;  // mm: the largest y of the first valley
+  for (double x = 4; x < 10; x += 1e-4) fold = std::max(fold, ball_y(x));
+  EXPECT_NEAR(1e3 * snapped[0].target.prescribed[0].value, fold, 1e-5);
+  EXPECT_GT(snapped[0].coordinates[0][3], 0);
+  EXPECT_LT(landed[0].coordinates[0][3], 0);
+  EXPECT_EQ(landed[0].what, "stable");
+  for (const PosePoint& p : w.points) {
+    const double x = 1e3 * p.pose.state.poses[1].p.x(), y = 1e3 * p.target.prescribed[0].value;
+    EXPECT_EQ(x > 0, y < fold) << y;
+    EXPECT_NEAR(ball_y(x), y, 1e-9) << y;
+    EXPECT_EQ(p.stability.verdict, Stability::Verdict::stable) << y;
+  }
+}
+
+TEST(Path, EndsAtAFoldBeyondWhichNothingIsAtRest) {
+  // The same with one valley: a x^3 falls away beyond it.
+  const Followed w =
+      follow(test::bone_on_ground("{ x = -4, z = 4.9 }") + test::surface("ball", "bone", "sphere", "radius = 5") +
+             test::surface("slope", "ground", "polynomial", "terms = [[3, 0, -1e-3], [1, 0, 0.05], [1, 1, -0.01]]") +
+             test::contact("c", "ball", "slope") + test::load("w", "force = [0, 0, -10]") +
+             test::step("prescribe = { \"j.y\" = [0, 12], " + kNoTurn + " }\nincrements = 12"));
+  EXPECT_FALSE(w.result.complete);
+  EXPECT_TRUE(w.of(Kind::snapped).empty()) << w.story();
 }
 
 TEST(Path, StopsWhenCancelled) {

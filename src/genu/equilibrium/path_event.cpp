@@ -41,6 +41,10 @@ const char* to_string(PathEvent::Kind kind) {
       return "snaps";
     case PathEvent::Kind::snapped:
       return "snapped";
+    case PathEvent::Kind::new_branch:
+      return "new_branch";
+    case PathEvent::Kind::ramped:
+      return "ramped";
     case PathEvent::Kind::flutter:
       return "flutter";
     case PathEvent::Kind::stability_changed:

@@ -31,6 +31,8 @@ struct PathEvent {
     closed,             ///< the path has returned to its start
     snaps,              ///< the equilibrium ends, the next one is a jump away, and the path ends here
     snapped,            ///< the same, and the path continues there
+    new_branch,         ///< after `snapped`: the pose where the joint has come to rest
+    ramped,             ///< no first pose was found under the whole load, but under a part of it, which was then raised
     flutter,
     stopped
   };

@@ -90,6 +90,7 @@ class PathRun {
     const Target start = plan.target(0);
     report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : settle_freed(solver_, pose_, start);
     result_.iterations += report_.iterations;
+    if (report_.status != PoseStatus::ok && step_ == 1) settle_ramped(plan, start);
     if (report_.status != PoseStatus::ok) {
       if (settle_past_flaw(step, report_)) return true;
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
@@ -102,6 +103,7 @@ class PathRun {
     follower_.begin(plan, kApproach, pose_, report_);
     while (!follower_.advance_to(1)) {
       if (follower_.law_jump().empty() && follower_.step_over(window(plan))) continue;
+      if (follower_.law_jump().empty() && follower_.snap_beyond(window(plan))) continue;
       pose_ = follower_.pose();
       if (settle_past_flaw(step, follower_.failure())) return true;
       fail(step, 0, 0, follower_.failure(), "the start of the step cannot be reached from the reference pose");
@@ -111,6 +113,45 @@ class PathRun {
     report_ = follower_.report();
     approaching_ = false;
     return true;
+  }
+
+  /// Where no first pose is found under the whole load: finds one under a part of it, and raises the load from there.
+  void settle_ramped(const StepPlan& approach, const Target& start) {
+    if (report_.status == PoseStatus::flawed_mesh) return;
+    for (const double share : kFirstLoadShares) {
+      if (asked_to_stop(observer_.cancelled)) return;
+      StepPlan ramp = approach;
+      ramp.increments = kRampIncrements;
+      for (auto& p : ramp.prescribed) p.to = p.from;
+      for (std::size_t i = 0; i < ramp.factors.size(); ++i)
+        ramp.factors[i] = {share * start.load_factors[i], start.load_factors[i]};
+      if (ramp.varies_nothing()) return;
+      Balanced trial = pose_;
+      const PoseReport part = solver_.settle_cold(trial, ramp.target(0));
+      result_.iterations += part.iterations;
+      if (part.status != PoseStatus::ok) continue;
+      std::vector<PathEvent> events;  // of a ramp that fails they mean nothing
+      const std::function<void(PathEvent)> keep = [&](const PathEvent& event) { events.push_back(event); };
+      PathFollower follower(solver_, options_, keep);
+      follower.begin(ramp, kApproach, trial, part);
+      bool arrived = follower.advance_to(1);
+      while (!arrived && follower.law_jump().empty() && follower.step_over(window(ramp)))
+        arrived = follower.advance_to(1);
+      result_.substeps += follower.substeps();
+      result_.iterations += follower.iterations();
+      Balanced whole = follower.pose();
+      PoseReport report = follower.report();
+      // Where the path ends under a part of the load, the joint slides to the pose of rest under the whole load.
+      if (!arrived) report = solver_.settle_downhill(whole, ramp.target(1));
+      if (!arrived) result_.iterations += report.iterations;
+      if (report.status != PoseStatus::ok) continue;
+      emit({PathEvent::Kind::ramped, kApproach, 0, ramp.target(0), fmt::format("from {:g} of the loads", share),
+            trial.state.coordinates});
+      for (const PathEvent& event : events) emit(event);
+      pose_ = std::move(whole);
+      report_ = report;
+      return;
+    }
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start
@@ -205,7 +246,7 @@ class PathRun {
     while (!follower_.advance_to(t)) {
       const PoseStatus status = follower_.failure().status;
       const bool edge = status == PoseStatus::over_edge || status == PoseStatus::flawed_mesh;
-      if (!edge && follower_.law_jump().empty() && follower_.step_over(window(step))) {
+      if (!edge && follower_.law_jump().empty() && follower_.step_over(window(step), t)) {
         if (follower_.t() <= t) continue;
         fail(step, k, t, follower_.failure(), "", false);
         return;
@@ -222,7 +263,8 @@ class PathRun {
   /// With layers, a pose without equilibrium (forces jump where a ray leaves an edge) says little about the next one:
   /// the joint may settle there from here.
   bool may_skip(const StepPlan& step, int k) {
-    return follower_.can_snap() && k < step.increments && ++skipped_ <= kMaxSkippedRows;
+    return !solver_.model().layers.empty() && follower_.drives() && k < step.increments &&
+           ++skipped_ <= kMaxSkippedRows;
   }
 
   /// Longest gap without solution that may be stepped over, in units of the step's parameter.
@@ -250,6 +292,8 @@ class PathRun {
         report.why = kTurnsBack;
       }
     }
+    if (follower_.no_rest().status == PoseStatus::over_edge && !report.why.empty())
+      report.why += "; " + follower_.no_rest().why;
     const auto [distance, angle] = follower_.snap();
     if (distance > 0 || angle > 0) {
       emit({PathEvent::Kind::snaps, step_, follower_.t(), step.target(follower_.t()),

@@ -8,6 +8,7 @@
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/state_difference.h"
+#include "genu/equilibrium/uniqueness.h"
 #include "genu/path/tolerances.h"
 
 namespace genu {
@@ -138,6 +139,7 @@ bool PathFollower::passes_through(const Attempt& trial) {
 
 bool PathFollower::advance_to(double t_end) {
   snap_ = {0, 0};
+  no_rest_ = {};
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
@@ -283,7 +285,7 @@ bool PathFollower::balance_at(double t, Balanced& next, PoseReport& report) {
   return false;
 }
 
-bool PathFollower::step_over(double window) {
+bool PathFollower::step_over(double window, double row) {
   const double from = t_;
   // A gap without solution is plausible only where contacts change; elsewhere its start is a limit point. A path with
   // too many gaps is given up.
@@ -301,6 +303,8 @@ bool PathFollower::step_over(double window) {
         snap_ = largest_motion(pose_.state, next.state);
         return false;
       }
+      // A row within the gap can still have a pose: that to which the joint slides.
+      if (row < t && drives() && snap_to(row, false)) return true;
       const Balanced before = pose_;
       emit(PathEvent::Kind::stepped_over, "from here");
       accept(t, std::move(next), report);
@@ -313,26 +317,48 @@ bool PathFollower::step_over(double window) {
   return false;
 }
 
-bool PathFollower::can_snap() const {
-  return !solver_.model().layers.empty() &&
-         std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+bool PathFollower::drives() const {
+  return std::any_of(plan_.prescribed.begin(), plan_.prescribed.end(), [](const auto& p) { return p.from != p.to; });
+}
+
+PoseReport PathFollower::rest_at(double t, bool seeded, Balanced& next) {
+  next = pose_;
+  const Target target = plan_.target(t);
+  PoseReport report = seeded ? solver_.settle_from_seed(next, target, true) : solver_.settle_downhill(next, target);
+  iterations_ += report.iterations;
+  if (seeded || report.status != PoseStatus::ok) return report;
+  // Newton's method may have gone from the pose of rest to another equilibrium.
+  if (stability_of(solver_, next, report, target).verdict == Stability::Verdict::stable) return report;
+  report.status = PoseStatus::no_equilibrium;
+  report.why = "no stable equilibrium was found beyond the end of the path";
+  return report;
+}
+
+bool PathFollower::snap_to(double t, bool seeded) {
+  Balanced next;
+  const PoseReport report = rest_at(t, seeded, next);
+  if (report.status != PoseStatus::ok) {
+    no_rest_ = report;
+    return false;
+  }
+  const auto [distance, angle] = largest_motion(pose_.state, next.state);
+  const Balanced before = pose_;
+  emit(PathEvent::Kind::snapped,
+       fmt::format("to an equilibrium {:.2f} mm and {:.2f} deg away", 1e3 * distance, angle * 180 / M_PI));
+  accept(t, std::move(next), report, true);
+  emit(PathEvent::Kind::new_branch, to_string(stability()));
+  report_changes(before, pose_);
+  return true;
 }
 
 bool PathFollower::snap_beyond(double window) {
-  if (!can_snap()) return false;
-  for (const double fraction : {0.03, 0.3, 1.0}) {
-    const double t = std::min(1.0, t_ + fraction * window);
-    Balanced next = pose_;
-    const PoseReport report = solver_.settle_from_seed(next, plan_.target(t), true);
-    iterations_ += report.iterations;
-    if (report.status != PoseStatus::ok) continue;
-    const auto [distance, angle] = largest_motion(pose_.state, next.state);
-    const Balanced before = pose_;
-    emit(PathEvent::Kind::snapped,
-         fmt::format("to an equilibrium {:.2f} mm and {:.2f} deg away", 1e3 * distance, angle * 180 / M_PI));
-    accept(t, std::move(next), report, true);
-    report_changes(before, pose_);
-    return true;
+  no_rest_ = {};
+  if (!drives()) return false;
+  // A layer is its own foundation: with it descent is quicker than a slide.
+  for (const bool seeded : {true, false}) {
+    if (seeded && solver_.model().layers.empty()) continue;
+    for (const double fraction : {0.03, 0.3, 1.0})
+      if (snap_to(std::min(1.0, t_ + fraction * window), seeded)) return true;
   }
   return false;
 }

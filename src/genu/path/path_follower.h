@@ -29,14 +29,17 @@ class PathFollower {
 
   /// After advance_to() failed: tries to continue beyond a gap without solution, at most `window` of t long and not
   /// past t = 1. True if a pose is solved at some t() > the old one near the old pose. A pose far away lies on another
-  /// branch, to which the joint would snap; it is rejected.
-  bool step_over(double window);
+  /// branch, to which the joint would snap; it is rejected. If the gap contains `row`, the joint snaps to a pose of
+  /// rest there where one is found.
+  bool step_over(double window, double row = 1);
 
   /// After advance_to() failed: lets the joint snap, downhill in energy, to the pose where it comes to rest within
-  /// `window` of t ahead, at any distance, and reports the event. Only with elastic layers and a driven coordinate:
-  /// between rigid surfaces the way is not known well enough, and under too large a load no pose of rest exists.
+  /// `window` of t ahead, at any distance, and reports the events. Only with a driven coordinate: under too large a
+  /// load no pose of rest may exist. Between rigid surfaces the bodies slide there in contact, and only a stable pose
+  /// counts.
   bool snap_beyond(double window);
-  bool can_snap() const;
+  /// Whether a prescribed coordinate varies over the step.
+  bool drives() const;
 
   double t() const { return t_; }
   const Balanced& pose() const { return pose_; }
@@ -44,6 +47,8 @@ class PathFollower {
   const Stability& stability() const { return tangent_.stability; }
   /// Why advance_to() failed.
   const PoseReport& failure() const { return failure_; }
+  /// Why the last snap_beyond() found no pose of rest.
+  const PoseReport& no_rest() const { return no_rest_; }
   bool turning_back() const;
   /// Distance (m and rad of the body that moves most) to the equilibrium that the last step_over() found and rejected
   /// as too far; else 0, 0.
@@ -99,6 +104,9 @@ class PathFollower {
   bool passes_through(const Attempt& trial);
   bool jumped(const State& state, double h) const;
   bool balance_at(double t, Balanced& next, PoseReport& report);
+  /// The pose of rest at `t` to which the joint falls from here: on an elastic foundation (`seeded`), or in contact.
+  PoseReport rest_at(double t, bool seeded, Balanced& next);
+  bool snap_to(double t, bool seeded);
   bool pass_event(double t, Attempt violated);
   /// Whether events follow each other too closely to continue.
   bool events_without_end();
@@ -143,7 +151,7 @@ class PathFollower {
   int step_ = 0;
   double t_ = 0;
   Balanced pose_;
-  PoseReport report_, failure_;
+  PoseReport report_, failure_, no_rest_;
   Tangent tangent_, next_, between_;
   PathPrediction prediction_;
   int driven_ = -1;  // the only prescribed coordinate that varies over the step
