@@ -95,7 +95,7 @@ void expect_said(const std::string& text, const std::string& piece) {
 
 TEST(Explain, TheTorusKneeIsSeventeenEquations) {
   const std::string text = torus_knee();
-  expect_said(text, "7 + 5 N in all (6B + M + 5N: B = 1, M = 1); room for N <= 4; N = 2: 17 x 17");
+  expect_said(text, "7 + 5 N in all (6B + M + 5N: B = 1, M = 1); room for N <= 5; N = 2: 17 x 17");
   expect_said(text, "reaction of knee.flexion (moment)");
   expect_said(text, "angles flexion about x");
   expect_said(text, "off           cartilage layer, loads");

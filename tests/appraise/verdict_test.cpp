@@ -122,13 +122,13 @@ TEST_F(Verdict, OverloadedLayersAreNoMatterOfWhereToStart) {
   summary.bearable_loads = 0;
   records.insert(records.begin(), PoseRecord{});
   records[0].point.report.status = PoseStatus::ok;
-  expect_said("Try smaller increments");
+  expect_said("Follow the step with `control = \"arc_length\"`");
   prepared.scene.layers.emplace_back();
-  expect_said("Try smaller increments");
+  expect_said("Follow the step with `control = \"arc_length\"`");
   prepared.steps[0].factors = {{0.5, 1}};
   expect_said("The layers may not carry this load");
   prepared.steps[0].factors = {{1, 0.5}};
-  expect_said("Try smaller increments");
+  expect_said("Follow the step with `control = \"arc_length\"`");
 }
 
 }  // namespace

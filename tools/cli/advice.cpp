@@ -62,13 +62,17 @@ std::string advice_on(const Diagnostic& problem, const std::string& command) {
 std::string advice_on_status(const std::string& status) {
   static const std::map<std::string, std::string> by_status = {
       {"no_equilibrium",
-       "try smaller `increments`, or a `start` nearer to where the joint balances; check that something "
-       "holds each motion that is not prescribed"},
+       "follow the step with `control = \"arc_length\"`, or give a `start` nearer to where the joint balances; check "
+       "that "
+       "something holds each motion that is not prescribed"},
       {"over_edge", "extend the mesh or the `patch` where contact leaves it, or shorten the motion"},
       {"overlap",
        "check frames, units and outward sides (`inside`) of the surfaces, or give the joint another `start`"},
-      {"overconstrained", "prescribe fewer coordinates"},
-      {"chatter", "try smaller `increments`, or another `fit_radius`: two active sets exclude each other here"},
+      {"overconstrained", "if several coordinates are prescribed, prescribe fewer; else use a cartilage layer"},
+      {"chatter",
+       "follow the step with `control = \"arc_length\"`, or try another `fit_radius`: two active sets exclude each "
+       "other "
+       "here"},
       {"flawed_mesh", "repair the mesh with `genu mesh-check FILE --repair OUT`, or keep contact away with `patch`"},
       {"undetermined", "prescribe the motion that the verdict calls free, or add the ligament or load that holds it"}};
   const auto found = by_status.find(status);

@@ -258,7 +258,7 @@ class Explanation {
     out_ +=
         "     5 N  for each of N contact points found: where       5 N  closure 2, gap 1, tangency 2\n"
         "          on either surface (2 + 2), normal force\n";
-    const std::size_t most = moving == 1 ? 5 - constraints : 6 * moving - 1 - constraints;
+    const std::size_t most = 6 * moving - std::min(6 * moving, constraints);
     out_ += fmt::format("     {} + 5 N in all (6B + M + 5N{}: B = {}, M = {}); room for N <= {}", square,
                         s.arc_length ? " + 1" : "", moving, constraints, most);
     const std::size_t likely = std::min(most, scene_.contacts.size());

@@ -59,6 +59,14 @@ std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
 
 std::string in_brackets(const std::string& text) { return text.empty() ? text : " (" + text + ")"; }
 
+/// After a snap: ", on another branch that begins at knee.adduction ...", from the event that follows.
+std::string new_branch(const Prepared& prepared, const std::vector<PathEvent>& events, const PathEvent& snap) {
+  const PathEvent* next = &snap + 1;
+  if (next >= events.data() + events.size() || next->kind != PathEvent::Kind::new_branch) return {};
+  return fmt::format(", on another branch ({}){}; `control = \"arc_length\"` follows the first one past its end",
+                     next->what, in_brackets(free_coordinates(prepared, *next)));
+}
+
 /// At a peak of the reaction the joint would snap through under a dead load of that size: the first peak, and the
 /// number of the others.
 void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& events, std::vector<std::string>& out) {
@@ -133,7 +141,8 @@ std::string advice_without_pose(const Prepared& prepared, const PosePoint& point
   if (!prepared.scene.layers.empty() && raises_a_load(prepared, point.step))
     return "The layers may not carry this load (`modulus`, `thickness`, `search_depth`). Smaller load increments show "
            "how much they carry.";
-  return std::string("Try smaller increments") + (meshed ? " or another `fit_radius`." : ".");
+  return std::string("Follow the step with `control = \"arc_length\"`") +
+         (meshed ? ", or try another `fit_radius`." : ".");
 }
 
 /// Another start does not help where a layer cannot carry the load.
@@ -146,16 +155,18 @@ std::string overload_advice(double part) {
       part, part);
 }
 
-std::string advice(PoseStatus status) {
+std::string advice(PoseStatus status, std::size_t prescribed) {
   switch (status) {
     case PoseStatus::over_edge:
       return "The surface ends there: extend its mesh or its patch, or shorten the motion.";
     case PoseStatus::overlap:
       return "Check the frames, units and outward sides of the surfaces, or start nearer with the joint's `start`.";
     case PoseStatus::overconstrained:
-      return "Prescribe fewer coordinates.";
+      if (prescribed > 1) return "Prescribe fewer coordinates.";
+      return "Try another `fit_radius`, or a cartilage layer, which can share the load among any number of places.";
     case PoseStatus::chatter:
-      return "Two active sets exclude each other here. Try smaller increments or another `fit_radius`.";
+      return "Two active sets exclude each other here. Follow the step with `control = \"arc_length\"`, or try another "
+             "`fit_radius`.";
     case PoseStatus::flawed_mesh:
       return "Repair the mesh there (genu mesh-check FILE --repair OUT), or keep contact away with the surface's "
              "`patch`.";
@@ -300,8 +311,10 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                                 place(prepared, e.step, e.target), e.what));
     if (e.kind == PathEvent::Kind::snapped)
       out.push_back(
-          fmt::format("At {} the equilibrium path ends and the joint snaps {}. Later poses continue from there.",
-                      place(prepared, e.step, e.target), e.what));
+          fmt::format("At {} the equilibrium path ends and the joint snaps {}. Later poses continue from there{}.",
+                      place(prepared, e.step, e.target), e.what, new_branch(prepared, events, e)));
+    if (e.kind == PathEvent::Kind::ramped)
+      out.push_back(fmt::format("No first pose was found under the whole load. The load was raised {}.", e.what));
     if (e.kind == PathEvent::Kind::held)
       out.push_back(
           fmt::format("From {} on a ligament stays at the jump of its law, with a force between both sides: {}.",
@@ -329,7 +342,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;
     if (report.status == PoseStatus::ok) continue;
-    std::string what_next = advice(report.status);
+    std::string what_next = advice(report.status, r.point.target.prescribed.size());
     if (report.status == PoseStatus::no_equilibrium)
       what_next = advice_without_pose(prepared, r.point, &r == &records.front(), turned_back);
     if (&r == &records.front() && summary.bearable_loads > 0) what_next = overload_advice(summary.bearable_loads);
