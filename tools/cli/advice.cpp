@@ -18,7 +18,8 @@ const std::map<std::string, std::string>& topic_of_section() {
       {"gravity", "header"},     {"body", "bodies"},       {"joint", "joints"},
       {"surface", "surfaces"},   {"contact", "contacts"},  {"combination", "combinations"},
       {"ligament", "ligaments"}, {"load", "loads"},        {"step", "steps"},
-      {"solver", "solver"},      {"dynamics", "dynamics"}, {"solid", "solids"}};
+      {"solver", "solver"},      {"dynamics", "dynamics"}, {"solid", "solids"},
+      {"plausible", "plausible"}};
   return topics;
 }
 
@@ -29,6 +30,9 @@ std::string advice_on_command(const std::string& command, int exit_code) {
   const std::map<std::string, std::string>& hints = advice().hints();
   if (exit_code == kNotAllOk)
     if (const auto found = hints.find(command); found != hints.end()) return found->second;
+  if (exit_code == kDoubtful)
+    return "look at the rows that the verdict names in report.html; [plausible] in the scene sets the limits "
+           "(`genu explain plausible`), and `control = \"arc_length\"` follows a path that ends";
   if (exit_code == kFailed)
     return "make room on the disk or in memory, check that the folder can be written, and try again";
   if (command == "explain") return "`genu explain` without a word lists the topics";

@@ -11,6 +11,7 @@
 
 #include "commands.h"
 #include "genu/mesh_care/mesh_crossings.h"
+#include "genu/study/anatomy_doubts.h"
 #include "genu/study/run_scene.h"
 
 namespace genu::cli {
@@ -39,6 +40,7 @@ int check(const std::string& scene) {
   if (good) {
     ContactField field(prepared->model);
     good = check_start(*prepared, field, diagnostics);
+    warn_about_anatomy(*prepared, diagnostics);
     for (const auto& body : prepared->bodies) fmt::print("  {}\n", to_text(body));
     for (std::size_t i = 0; i < prepared->notes.size(); ++i)
       describe_surface(prepared->notes[i], *prepared->surfaces[i]);

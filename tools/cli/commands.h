@@ -17,8 +17,8 @@ enum class Code;
 
 namespace genu::cli {
 
-/// What commands exit with.
-inline constexpr int kOk = 0, kFailed = 1, kRefused = 2, kNotAllOk = 3;
+/// What commands exit with. Of a run (assemble/solution.h): kDoubtful is solved, with jumps or doubts.
+inline constexpr int kOk = 0, kFailed = 1, kRefused = 2, kNotAllOk = 3, kDoubtful = 4;
 
 // add_NAME() for each command of the registry: options, help text with an example, and the work.
 #define GENU_COMMAND(name, group, synopsis, purpose) void add_##name(CLI::App& command, int& exit_code);

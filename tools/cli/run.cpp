@@ -187,7 +187,7 @@ int run_scene_file(const RunArguments& arguments) {
   note_status(solution.poses);
   const std::string mark = solution.summary.partial ? ".partial" : "";
   if (solution.stopped == "interrupted") advice().next("the same command with --resume continues, if rows were kept");
-  const bool unsaid = quiet && code == kExitIncomplete;  // why, that is
+  const bool unsaid = quiet && (code == kExitIncomplete || code == kExitDoubtful);  // why, that is
   if ((!mark.empty() || unsaid) && !solution.summary.verdict.empty())
     print_error("{}\n", printable(solution.summary.verdict.front()));
   const bool any = solution.poses.rows() > 0;  // none where it was interrupted in the first pose

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExpectEnding = ".expect.toml";
-constexpr int kMostExitCode = 3;
+constexpr int kMostExitCode = 4;
 
 /// An array of tables; absent: none.
 std::vector<Item> tables_of(ReadContext& context, const Item& item) {

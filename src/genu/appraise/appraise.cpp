@@ -1,10 +1,13 @@
 #include "genu/appraise/appraise.h"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "genu/appraise/contact_location.h"
 #include "genu/appraise/hertz_check.h"
+#include "genu/appraise/implausible.h"
+#include "genu/appraise/jumps.h"
 #include "genu/appraise/layer_doubts.h"
 #include "genu/appraise/layer_verdict.h"
 #include "genu/appraise/overload.h"
@@ -24,7 +27,25 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }
 
+std::string capital(std::string sentence) {
+  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  return sentence;
+}
+
 }  // namespace
+
+void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& s) {
+  if (s.exit_code != kExitOk) {
+    s.verdict_class = RunSummary::Class::not_solved;
+    for (const std::string& sentence : doubts) s.verdict.push_back(capital(sentence) + ".");
+    return;
+  }
+  if (doubts.empty() && !doubted) return;
+  s.verdict_class = RunSummary::Class::doubtful;
+  s.exit_code = kExitDoubtful;
+  for (std::size_t k = doubts.size(); k-- > 0;)
+    s.verdict.insert(s.verdict.begin(), (k > 0 ? capital(doubts[k]) : "Solved, but " + doubts[k]) + ".");
+}
 
 RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
                     const NewtonOptions& newton) {
@@ -46,9 +67,14 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
     s.verdict.insert(s.verdict.end(), sentences.begin(), sentences.end());
   };
   add(layer_sentences(prepared.scene, prepared.model, poses));
+  const std::size_t before = s.verdict.size();
   say_layer_doubts(prepared, solved.records, s.verdict);
+  const bool doubted = !prepared.facing.empty() || s.verdict.size() > before;
   s.hertz = hertz_checks(prepared, solved.records, poses);
   add(hertz_sentences(s.hertz));
+  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
+  for (std::string& sentence : implausible(prepared, solved.records, poses)) doubts.push_back(std::move(sentence));
+  classify(doubts, doubted, s);
   return s;
 }
 

@@ -1,6 +1,9 @@
 // What a solved path is worth: counts, certificate, doubts, and the sentences of the verdict.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "genu/assemble/prepare.h"
 #include "genu/assemble/solution.h"
 #include "genu/equilibrium/newton.h"
@@ -11,5 +14,9 @@ namespace genu {
 /// `poses`: the pose_table() of what was solved. `newton`: for the loads that an overloaded layer would bear.
 RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
                     const NewtonOptions& newton);
+
+/// Sets the class of a verdict and, where all is solved and `doubts` or what else is `doubted` remain, the exit code.
+/// The doubts (appraise/jumps.h, implausible.h) become sentences: of a solved run they come first.
+void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& summary);
 
 }  // namespace genu

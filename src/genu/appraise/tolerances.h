@@ -26,6 +26,11 @@ inline constexpr double kThickLayer = 1;
 /// contact.
 inline constexpr double kEllipseTolerance = 0.2;
 
+// jumps
+
+/// [1] Jumps that are told one by one. Fails first: if too large, the verdict is a list.
+inline constexpr int kJumpsTold = 3;
+
 // layer_doubts
 
 /// [search depth] How far the other surface is looked for. Fails first: if too small, doubts are not seen.

@@ -5,39 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/place.h"
 #include "genu/appraise/tolerances.h"
 
 namespace genu {
 namespace {
-
-/// The varying quantities of a step: "knee.flexion = 41.2 deg", "load pull x 0.5"; all that is prescribed where
-/// nothing varies.
-std::string place(const Prepared& prepared, int step, const Target& target) {
-  const PlacedScene& scene = prepared.scene;
-  const StepPlan* plan = step > 0 ? &prepared.steps[static_cast<std::size_t>(step - 1)] : nullptr;
-  std::string varying, held;
-  const auto add = [&](bool varies, const std::string& part) {
-    std::string& text = varies ? varying : held;
-    text += (text.empty() ? "" : ", ") + part;
-  };
-  for (std::size_t i = 0; i < target.prescribed.size(); ++i) {
-    const auto& p = target.prescribed[i];
-    const bool angle = p.coordinate.is_rotation();
-    add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
-        fmt::format("{} = {:.4g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
-                    angle ? "deg" : "mm"));
-  }
-  for (std::size_t i = 0; i < target.load_factors.size(); ++i)
-    if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
-      add(true, fmt::format("load {} x {:.4g}", scene.loads[i].name, target.load_factors[i]));
-  for (const LoadDef& load : scene.loads)
-    if (plan != nullptr && load.in_time()) {
-      add(true, fmt::format("time = {:.4g} s", target.time));
-      break;
-    }
-  const std::string& text = varying.empty() ? held : varying;
-  return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
-}
 
 /// The coordinates that no step prescribes, where an event happened: "knee.flexion 80.9 deg, knee.x 1.2 mm".
 std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
@@ -59,10 +31,11 @@ std::string free_coordinates(const Prepared& prepared, const PathEvent& event) {
 
 std::string in_brackets(const std::string& text) { return text.empty() ? text : " (" + text + ")"; }
 
-/// After a snap: ", on another branch that begins at knee.adduction ...", from the event that follows.
+/// After a snap: ", on another branch (stable) (knee.adduction ...)", from the event where it has come to rest.
 std::string new_branch(const Prepared& prepared, const std::vector<PathEvent>& events, const PathEvent& snap) {
-  const PathEvent* next = &snap + 1;
-  if (next >= events.data() + events.size() || next->kind != PathEvent::Kind::new_branch) return {};
+  const auto next = std::find_if(events.begin() + (&snap - events.data()), events.end(),
+                                 [](const PathEvent& e) { return e.kind == PathEvent::Kind::new_branch; });
+  if (next == events.end()) return {};
   return fmt::format(", on another branch ({}){}; `control = \"arc_length\"` follows the first one past its end",
                      next->what, in_brackets(free_coordinates(prepared, *next)));
 }
@@ -313,8 +286,6 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
       out.push_back(
           fmt::format("At {} the equilibrium path ends and the joint snaps {}. Later poses continue from there{}.",
                       place(prepared, e.step, e.target), e.what, new_branch(prepared, events, e)));
-    if (e.kind == PathEvent::Kind::ramped)
-      out.push_back(fmt::format("No first pose was found under the whole load. The load was raised {}.", e.what));
     if (e.kind == PathEvent::Kind::held)
       out.push_back(
           fmt::format("From {} on a ligament stays at the jump of its law, with a force between both sides: {}.",

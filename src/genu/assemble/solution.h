@@ -20,7 +20,11 @@ namespace genu {
 
 class Checkpoint;
 
-enum ExitCode : int { kExitOk = 0, kExitFailed = 1, kExitRefused = 2, kExitIncomplete = 3 };
+/// kExitDoubtful: solved, with jumps or doubts (RunSummary::Class).
+enum ExitCode : int { kExitOk = 0, kExitFailed = 1, kExitRefused = 2, kExitIncomplete = 3, kExitDoubtful = 4 };
+
+/// Whether every pose is solved.
+inline bool all_solved(int exit_code) { return exit_code == kExitOk || exit_code == kExitDoubtful; }
 
 /// What following a scene's steps has found, before anything is said of it (study/solve_path.h).
 struct Solved {

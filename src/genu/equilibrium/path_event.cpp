@@ -3,6 +3,11 @@
 
 namespace genu {
 
+bool PathEvent::begins_branch() const {
+  const bool steps_over = kind == Kind::stepped_over && what == kFromHere;
+  return rows_before > 0 && (steps_over || kind == Kind::snapped || kind == Kind::jump);
+}
+
 const char* to_string(PathEvent::Kind kind) {
   switch (kind) {
     case PathEvent::Kind::contact_gained:
@@ -43,8 +48,6 @@ const char* to_string(PathEvent::Kind kind) {
       return "snapped";
     case PathEvent::Kind::new_branch:
       return "new_branch";
-    case PathEvent::Kind::ramped:
-      return "ramped";
     case PathEvent::Kind::flutter:
       return "flutter";
     case PathEvent::Kind::stability_changed:

@@ -10,6 +10,9 @@
 namespace genu {
 
 /// An event between two rows, located on the path.
+/// PathEvent::what of the two events of a window that is stepped over.
+inline constexpr const char *kFromHere = "from here", *kToHere = "to here";
+
 struct PathEvent {
   enum class Kind {
     contact_gained,
@@ -32,7 +35,6 @@ struct PathEvent {
     snaps,              ///< the equilibrium ends, the next one is a jump away, and the path ends here
     snapped,            ///< the same, and the path continues there
     new_branch,         ///< after `snapped`: the pose where the joint has come to rest
-    ramped,             ///< no first pose was found under the whole load, but under a part of it, which was then raised
     flutter,
     stopped
   };
@@ -43,6 +45,10 @@ struct PathEvent {
   std::string what;                           ///< e.g. "medial.2"
   std::vector<JointValues> coordinates = {};  ///< of every joint, where the pose is known
   int rows_before = 0;                        ///< number of poses handed over before it
+
+  /// Whether no path connects the row before with the next one (PosePoint::branch). Windows that are stepped over have
+  /// two events; the first has this.
+  bool begins_branch() const;
 };
 const char* to_string(PathEvent::Kind kind);
 /// The event that ends a path where findings are final().

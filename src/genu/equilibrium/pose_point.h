@@ -13,6 +13,7 @@ struct PosePoint {
   int step = 0;       ///< from 1
   int increment = 0;  ///< from 0
   double t = 0;       ///< position in its step, 0 to 1
+  int branch = 1;     ///< a path connects the rows of one number; where the joint jumps the next begins
   Target target;
   Balanced pose;
   PoseReport report;

@@ -9,6 +9,7 @@
 #include "genu/judge/motion.h"
 #include "genu/judge/pose.h"
 #include "genu/judge/required.h"
+#include "genu/judge/start_sides.h"
 
 namespace genu::judge {
 namespace {
@@ -25,7 +26,7 @@ bool has_columns(const Scene& scene, const ResultsFile& table, const std::string
   return all;
 }
 
-void judge_static(const Subject& subject, const Row& row, bool surfaces, Findings& out) {
+void judge_static(const Subject& subject, const StartSides& sides, const Row& row, bool surfaces, Findings& out) {
   PoseCase pose;
   if (!begin_pose(subject, row, out, pose)) return;
   PoseForces forces;
@@ -35,6 +36,7 @@ void judge_static(const Subject& subject, const Row& row, bool surfaces, Finding
   add_loads(pose, forces);
   check_contacts(pose, forces);
   if (surfaces) check_gaps(pose);
+  if (surfaces) sides.check(pose);
   check_layers(pose, surfaces, forces);
   check_balance(pose, forces);
 }
@@ -83,17 +85,21 @@ std::optional<Judgement> judge_results(const Scene& scene, const std::string& cs
   judgement.judged = good.size();
   std::vector<Findings> each;
   for (const std::size_t r : good) each.emplace_back(r);
+  const StartSides sides(*subject);
   const MotionRows motion(*subject, *table, good);
   tbb::parallel_for(std::size_t{0}, good.size(), [&](std::size_t k) {
     const bool surfaces = k % std::max<std::size_t>(1, options.every) == 0 || k + 1 == good.size();
     if (scene.dynamics)
       motion.judge(k, surfaces, each[k]);
     else
-      judge_static(*subject, {&*table, good[k]}, surfaces, each[k]);
+      judge_static(*subject, sides, {&*table, good[k]}, surfaces, each[k]);
   });
   for (const Findings& f : each) judgement.findings.merge(f);
   if (options.every > 1 && !(scene.contacts.empty() && scene.layers.empty()))
     judgement.findings.skip(fmt::format("overlap and pressure of all rows but every {}th", options.every));
+  for (std::size_t r = 1; r < table->rows(); ++r)
+    if (table->has("branch") && table->number(r, "branch") != table->number(r - 1, "branch"))
+      judgement.jumps.push_back(r);
   say_what_is_left(scene, *table, judgement);
   return judgement;
 }

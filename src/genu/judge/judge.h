@@ -23,6 +23,7 @@ struct Judgement {
   std::size_t rows = 0, judged = 0;                         ///< in the table; of these called ok
   std::vector<std::pair<std::size_t, std::string>> not_ok;  ///< rows (from 0) with another status: not judged
   std::vector<std::string> not_judged;                      ///< checks left out, with reasons
+  std::vector<std::size_t> jumps;                           ///< rows (from 0) that no path connects with those before
 
   std::size_t rejected() const;
   bool accepted() const { return rejected() == 0; }

@@ -29,6 +29,9 @@ std::string to_text(const Judgement& j) {
     out += fmt::format("not judged: {} more rows that are not ok\n", j.not_ok.size() - kRowsListed);
   if (j.judged == 0) return out + "verdict: no pose is called ok, there is nothing to judge\n";
   const std::size_t bad = j.rejected();
+  for (std::size_t k = 0; k < std::min(kRowsListed, j.jumps.size()); ++k)
+    out += fmt::format("jump: no path connects row {} with row {}; from there on it is another position\n", j.jumps[k],
+                       j.jumps[k] + 1);
   return out + (bad == 0 ? fmt::format("verdict: accepted, all {} poses that are called ok\n", j.judged)
                          : fmt::format("verdict: REJECTED, {} of {} poses that are called ok\n", bad, j.judged));
 }
@@ -36,6 +39,8 @@ std::string to_text(const Judgement& j) {
 std::string to_json(const Judgement& j) {
   nlohmann::ordered_json out;
   out["accepted"] = j.accepted();
+  out["jumps_at_rows"] = nlohmann::ordered_json::array();
+  for (const std::size_t row : j.jumps) out["jumps_at_rows"].push_back(row + 1);
   out["poses"] = {{"rows", j.rows}, {"judged", j.judged}, {"rejected", j.rejected()}};
   const auto number = [](double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr; };
   for (const Finding& f : j.findings.all()) {

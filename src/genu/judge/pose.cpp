@@ -61,6 +61,12 @@ void check_row(const PoseCase& pose) {
   const bool whole = std::floor(step) == step && std::floor(increment) == increment;
   const bool named = step >= 1 && step <= steps && whole && (by_arc || (increment >= 0 && increment <= last));
   bool follows = true;
+  const double branch = pose.row("branch");
+  if (pose.row.has("branch")) {
+    const Row before{pose.row.file, pose.row.index > 0 ? pose.row.index - 1 : 0};
+    const double least = pose.row.index > 0 ? before("branch") : 1;
+    pose.out->expect("branches are counted", "", std::floor(branch) == branch && branch >= least ? 0 : 1, 0, "branch");
+  }
   if (pose.row.index > 0) {
     const Row before{pose.row.file, pose.row.index - 1};
     follows = before("step") < step || (before("step") == step && (by_arc || before("increment") < increment));

@@ -122,6 +122,19 @@ inline constexpr double kMaxSlack = 1e-8;
 /// [1] Ratio of the judge's norm of a residual to the solver's. Fails first: if too small, good rows are rejected.
 inline constexpr double kResidualNorms = 30;
 
+// start_sides
+
+/// [1] Vertices of a mesh whose side is looked at. Fails first: if too small, a pair is not recognised; if too large,
+/// the check takes long.
+inline constexpr std::size_t kSideVertices = 300;
+
+/// [1] Fewest vertices over the other mesh that tell how a pair lies. Fails first: if too small, chance decides.
+inline constexpr std::size_t kFewestOver = 20;
+
+/// [1] Mean distance in the middle third over that in the outer third below which a gap widens. Fails first: if too
+/// large, surfaces that overlap at the start are taken for inside out.
+inline constexpr double kGapWidens = 0.9;
+
 // subject
 
 /// [stiffness] Force of a strain that round-off makes. Fails first: if too small, slack ligaments are rejected.

@@ -90,7 +90,6 @@ class PathRun {
     const Target start = plan.target(0);
     report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : settle_freed(solver_, pose_, start);
     result_.iterations += report_.iterations;
-    if (report_.status != PoseStatus::ok && step_ == 1) settle_ramped(plan, start);
     if (report_.status != PoseStatus::ok) {
       if (settle_past_flaw(step, report_)) return true;
       fail(step, 0, 0, report_, "no balanced pose was found to start from");
@@ -113,45 +112,6 @@ class PathRun {
     report_ = follower_.report();
     approaching_ = false;
     return true;
-  }
-
-  /// Where no first pose is found under the whole load: finds one under a part of it, and raises the load from there.
-  void settle_ramped(const StepPlan& approach, const Target& start) {
-    if (report_.status == PoseStatus::flawed_mesh) return;
-    for (const double share : kFirstLoadShares) {
-      if (asked_to_stop(observer_.cancelled)) return;
-      StepPlan ramp = approach;
-      ramp.increments = kRampIncrements;
-      for (auto& p : ramp.prescribed) p.to = p.from;
-      for (std::size_t i = 0; i < ramp.factors.size(); ++i)
-        ramp.factors[i] = {share * start.load_factors[i], start.load_factors[i]};
-      if (ramp.varies_nothing()) return;
-      Balanced trial = pose_;
-      const PoseReport part = solver_.settle_cold(trial, ramp.target(0));
-      result_.iterations += part.iterations;
-      if (part.status != PoseStatus::ok) continue;
-      std::vector<PathEvent> events;  // of a ramp that fails they mean nothing
-      const std::function<void(PathEvent)> keep = [&](const PathEvent& event) { events.push_back(event); };
-      PathFollower follower(solver_, options_, keep);
-      follower.begin(ramp, kApproach, trial, part);
-      bool arrived = follower.advance_to(1);
-      while (!arrived && follower.law_jump().empty() && follower.step_over(window(ramp)))
-        arrived = follower.advance_to(1);
-      result_.substeps += follower.substeps();
-      result_.iterations += follower.iterations();
-      Balanced whole = follower.pose();
-      PoseReport report = follower.report();
-      // Where the path ends under a part of the load, the joint slides to the pose of rest under the whole load.
-      if (!arrived) report = solver_.settle_downhill(whole, ramp.target(1));
-      if (!arrived) result_.iterations += report.iterations;
-      if (report.status != PoseStatus::ok) continue;
-      emit({PathEvent::Kind::ramped, kApproach, 0, ramp.target(0), fmt::format("from {:g} of the loads", share),
-            trial.state.coordinates});
-      for (const PathEvent& event : events) emit(event);
-      pose_ = std::move(whole);
-      report_ = report;
-      return;
-    }
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start
@@ -279,7 +239,10 @@ class PathRun {
     pose_ = follower_.pose();
     if (follower_.turning_back()) {
       const auto limit = limit_point(step);
-      if (limit) emit(*limit);
+      if (limit) {
+        emit(*limit);
+        report.status = PoseStatus::no_equilibrium;  // what the last trial met lies beyond the end
+      }
       report.why =
           limit ? kTurnsBack : "the path is too steep before this pose; control = \"arc_length\" may follow it";
     } else if (report.status == PoseStatus::chatter) {
@@ -337,6 +300,7 @@ class PathRun {
   void hand_over(const StepPlan& step, PosePoint point) {
     if (asked_to_stop(observer_.cancelled)) return stop();
     point.step = step_;
+    point.branch = branch_;
     point.target = step.target(point.t);
     result_.complete = judge_uniqueness(solver_, point) && result_.complete;
     result_.worst_residual = std::max(result_.worst_residual, point.report.certificate.residual);
@@ -349,6 +313,7 @@ class PathRun {
     if (asked_to_stop(observer_.cancelled)) return stop();
     PosePoint point;
     point.step = step_;
+    point.branch = branch_;
     point.increment = k;
     point.t = t;
     point.target = step.target(t);
@@ -393,12 +358,13 @@ class PathRun {
   template <typename Archive>
   void remember(Archive& archive) {
     archive(pose_, report_, result_.complete, result_.substeps, result_.iterations, result_.worst_residual, step_, row_,
-            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, follower_);
+            factors_, approaching_, handed_over_, rows_, rested_, where_, skipped_, branch_, follower_);
   }
 
-  void emit(PathEvent event) const {
+  void emit(PathEvent event) {
     if (asked_to_stop(observer_.cancelled)) return;  // a search cancelled here proves nothing
     event.rows_before = rows_;
+    if (event.begins_branch()) ++branch_;
     if (observer_.event) observer_.event(event);
   }
 
@@ -419,6 +385,7 @@ class PathRun {
   int skipped_ = 0;   // rows without a pose since the last row with one
   int row_ = 0;       // last row requested of a step; 0 before the first
   int rested_ = 0;    // number of rows at the last rest()
+  int branch_ = 1;    // PosePoint::branch of the next row
   bool stopped_ = false;
 };
 

@@ -68,7 +68,7 @@ void PathFollower::accept(double t, Balanced pose, const PoseReport& report, boo
   // Contacts may have changed here, and with them the rates.
   if (stability().verdict != next_.stability.verdict)
     emit(PathEvent::Kind::stability_changed, to_string(stability().verdict));
-  if (!opposite(reaction_rate(next_), reaction_rate(tangent_))) return;
+  if (leaps || !opposite(reaction_rate(next_), reaction_rate(tangent_))) return;
   if (const std::string words = reaction_words(tangent_, pose_.state); !words.empty())
     emit(PathEvent::Kind::reaction_turns, words);
 }
@@ -306,9 +306,9 @@ bool PathFollower::step_over(double window, double row) {
       // A row within the gap can still have a pose: that to which the joint slides.
       if (row < t && drives() && snap_to(row, false)) return true;
       const Balanced before = pose_;
-      emit(PathEvent::Kind::stepped_over, "from here");
+      emit(PathEvent::Kind::stepped_over, kFromHere);
       accept(t, std::move(next), report);
-      emit(PathEvent::Kind::stepped_over, "to here");
+      emit(PathEvent::Kind::stepped_over, kToHere);
       report_changes(before, pose_);
       return true;
     }

@@ -117,13 +117,6 @@ inline constexpr int kRestRows = 16;
 /// [rows] Unsolved rows in a row that are stepped over. Fails first: if too large, time on a path that has ended.
 inline constexpr int kMaxSkippedRows = 3;
 
-/// [1] Parts of the loads under which a first pose is looked for, largest first. Fails first: if too large, heavy loads
-/// find no first pose.
-inline constexpr double kFirstLoadShares[] = {0.5, 0.2, 0.05, 0.01};
-
-/// [1] Increments of the ramp from there to the whole load. Fails first: if too small, wide gaps are stepped over.
-inline constexpr int kRampIncrements = 20;
-
 /// [step] How far beyond the last pose a limit point is looked for. Fails first: if too small, limit points are not
 /// reported.
 inline constexpr double kLimitReach = 0.5;

@@ -27,6 +27,12 @@ constexpr std::size_t kMostPoints = 2000, kMostEventLines = 12;
 constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                  "#56B4E9", "#E69F00", "#000000", "#888888"};
 
+}  // namespace
+
+bool Chart::breaks_before(std::size_t k) const { return std::binary_search(breaks.begin(), breaks.end(), k); }
+
+namespace {
+
 /// With room for the longest name.
 double panel_width(const Chart& chart) {
   std::size_t longest = 0;
@@ -76,6 +82,7 @@ std::string draw_series(const Chart& chart, const ChartSeries& series, const Svg
     run = 0;
   };
   for (std::size_t k = 0; k < n; ++k) {
+    if (chart.breaks_before(k)) end_run();
     if (!std::isfinite(chart.x[k]) || !std::isfinite(series.y[k])) {
       end_run();
     } else if (k % stride == 0 || k + 1 == n) {
@@ -101,6 +108,7 @@ std::string draw_band(const Chart& chart, const ChartSeries& series, const SvgAx
     lower.clear();
   };
   for (std::size_t k = 0; k < n; ++k) {
+    if (chart.breaks_before(k)) end_run();
     if (!std::isfinite(chart.x[k]) || !std::isfinite(series.y[k]) || !std::isfinite(series.bar[k])) {
       end_run();
     } else if (k % stride == 0 || k + 1 == n) {

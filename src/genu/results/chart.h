@@ -2,6 +2,7 @@
 // ticks, and marks of events through all panels. Knows nothing of joints.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,11 @@ struct ChartEvent {
 struct Chart {
   std::string title, x_title;
   std::vector<double> x;
+  std::vector<std::size_t> breaks = {};  ///< where in x another branch begins: no line leads there, ascending
   std::vector<ChartPanel> panels;
   std::vector<ChartEvent> events;
+
+  bool breaks_before(std::size_t k) const;
 };
 
 /// The picture. Words are escaped, numbers have fixed decimals: the same chart gives the same bytes.

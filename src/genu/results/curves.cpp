@@ -46,6 +46,7 @@ class Curves {
   Chart draw(const std::vector<PathEvent>& events) {
     chart_.title = scene_.title.empty() ? scene_.file : scene_.title;
     choose_x();
+    find_breaks();
     add("Rotations [deg]", coordinates(0), false);
     add("Translations [mm]", coordinates(3), false);
     add("Contact force [N]", contact_forces(), true);
@@ -67,6 +68,12 @@ class Curves {
 
  private:
   std::string coordinate_column(const QuantityRef& c) const { return quantity_name(scene_, c) + "_" + unit(c); }
+
+  void find_breaks() {
+    if (!poses_.has_column("branch")) return;
+    for (std::size_t row = 1; row < poses_.rows(); ++row)
+      if (poses_.number(row, "branch") != poses_.number(row - 1, "branch")) chart_.breaks.push_back(row);
+  }
 
   void choose_x() {
     if (scene_.dynamics) return over_time();

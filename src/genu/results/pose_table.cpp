@@ -20,6 +20,8 @@ class PoseTable {
     add_columns(steps);
     if (std::any_of(records.begin(), records.end(), [](const PoseRecord& r) { return r.given.has_value(); }))
       add_residual_columns();
+    else
+      table_.add_column("branch");
     for (const PoseRecord& record : records) add_row(record);
   }
   ResultTable take() { return std::move(table_); }
@@ -79,6 +81,7 @@ class PoseTable {
     table_.set("increment", static_cast<long>(point.increment));
     table_.set("time_s", point.target.time);
     table_.set("status", std::string(to_string(point.report.status)));
+    if (!record.given) table_.set("branch", static_cast<long>(point.branch));
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
         table_.set(coordinate_column(scene_, p.coordinate), shown_value(p.coordinate, p.value));

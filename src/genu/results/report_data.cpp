@@ -186,6 +186,7 @@ ordered_json chart_json(const Chart& chart) {
     }
     j["panels"].push_back({{"title", panel.title}, {"from_zero", panel.from_zero}, {"series", series}});
   }
+  j["breaks"] = chart.breaks;
   j["events"] = ordered_json::array();
   for (const ChartEvent& e : chart.events)
     j["events"].push_back(
@@ -201,10 +202,12 @@ ordered_json summary_json(const RunSummary& s) {
   for (const auto& b : s.bodies) bodies.push_back(to_text(b));
   for (const auto& v : s.variants)
     variants.push_back({{"cause", v.cause}, {"name", v.name}, {"poses_solved", v.poses_solved}});
-  ordered_json j = {{"version", s.version},     {"title", s.title},         {"scene", s.scene_file},
-                    {"verdict", s.verdict},     {"exit_code", s.exit_code}, {"asked", s.poses_asked},
-                    {"solved", s.poses_solved}, {"effects", effects},       {"surfaces", surfaces},
-                    {"bodies", bodies},         {"error_bars", variants}};
+  ordered_json j = {{"version", s.version},   {"title", s.title},
+                    {"scene", s.scene_file},  {"class", to_string(s.verdict_class)},
+                    {"verdict", s.verdict},   {"exit_code", s.exit_code},
+                    {"asked", s.poses_asked}, {"solved", s.poses_solved},
+                    {"effects", effects},     {"surfaces", surfaces},
+                    {"bodies", bodies},       {"error_bars", variants}};
   if (!s.motion) j["stable"] = s.poses_stable;
   const auto add = [&](const char* name, double value) {
     if (!s.motion && std::isfinite(value)) j[name] = value;

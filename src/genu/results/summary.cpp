@@ -106,6 +106,11 @@ std::string to_text(const RunSummary::BodyFacts& b) {
       I(1, 2));
 }
 
+const char* to_string(RunSummary::Class verdict) {
+  constexpr const char* kWords[] = {"solved", "doubtful", "not_solved"};
+  return kWords[static_cast<int>(verdict)];
+}
+
 std::string to_json(const RunSummary& s) {
   ordered_json j;
   j["genu"] = s.version;
@@ -118,7 +123,7 @@ std::string to_json(const RunSummary& s) {
     j["results"] = {
         {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"xxh128", s.results->checksum.xxh128}};
   j["title"] = s.title;
-  j["verdict"] = s.verdict;
+  j["verdict"] = {{"class", to_string(s.verdict_class)}, {"sentences", s.verdict}};
   j["exit_code"] = s.exit_code;
   j["partial"] = s.partial;
   for (const auto& e : s.effects) j["effects"].push_back(effect_json(e));

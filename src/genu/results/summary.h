@@ -118,10 +118,16 @@ struct RunSummary {
   std::vector<ContactLocation> locations;               ///< of pairs with a noisy mesh
   std::vector<HertzCheck> hertz;                        ///< of layers in contact
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
-  std::vector<std::string> verdict;                     ///< sentences
-  bool partial = false;  ///< the work was stopped before its end: there would be more rows
+  /// solved; solved, with jumps or doubts; not all of it solved.
+  enum class Class { solved, doubtful, not_solved };
+  Class verdict_class = Class::solved;
+  std::vector<std::string> verdict;  ///< sentences
+  bool partial = false;              ///< the work was stopped before its end: there would be more rows
   int exit_code = 0;
 };
+
+/// "solved", "doubtful", "not_solved"
+const char* to_string(RunSummary::Class verdict);
 
 /// Pretty-printed JSON.
 std::string to_json(const RunSummary& summary);

@@ -15,6 +15,7 @@ void read_ligaments(ReadContext& context, Section& root);
 void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
 void read_solver(ReadContext& context, Section& root);
+void read_plausible(ReadContext& context, Section& root);
 void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read
 
 /// [solid.NAME] of a file for `genu mesh`; no scene has them.

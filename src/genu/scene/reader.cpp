@@ -138,6 +138,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_loads(context, root);
   read_steps(context, root);
   read_solver(context, root);
+  read_plausible(context, root);
   read_dynamics(context, root);
   root.finish();
   check_scene(context);

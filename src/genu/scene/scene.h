@@ -11,6 +11,7 @@
 #include "genu/scene/body_def.h"
 #include "genu/scene/joint_def.h"
 #include "genu/scene/load_def.h"
+#include "genu/scene/plausible_def.h"
 #include "genu/scene/solid_def.h"
 #include "genu/scene/surface_def.h"
 
@@ -192,6 +193,7 @@ struct SceneTables {
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
   SolverDef solver;
+  PlausibleDef plausible;
   std::optional<DynamicsDef> dynamics;
   std::vector<SolidDef> solids;  ///< of a file for `genu mesh` alone
 };

@@ -224,7 +224,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
                   const RunOptions& options, Diagnostics& out) {
   const auto say = [&](Code code, const std::string& rule) { out.warning(code, file, rule); };
   const bool refused = found.records.empty() && found.stopped.empty() && !found.summary.motion;
-  if (!refused && found.summary.exit_code == kExitOk)
+  if (!refused && all_solved(found.summary.exit_code))
     return say(Code::not_applicable, "is not written: nothing failed");
   Names names;
   names.scene = scene;

@@ -312,7 +312,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   if (error.empty()) {
     auto found = try_out(staged_file, report.file, asked, true, out);
     const bool stl = asked.kind == NewScene::Kind::stl;
-    if (found && stl && found->summary.exit_code != kExitOk && found->summary.poses_solved > kSettlingRows) {
+    if (found && stl && !all_solved(found->summary.exit_code) && found->summary.poses_solved > kSettlingRows) {
       ask_for_flexion(composed->words, found->summary.poses_solved - kSettlingRows, true);
       write();
       if (error.empty()) found = try_out(staged_file, report.file, asked, false, out);

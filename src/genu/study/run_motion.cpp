@@ -1,11 +1,13 @@
 #include "genu/study/run_motion.h"
-#include "genu/appraise/effects.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "genu/appraise/appraise.h"
+#include "genu/appraise/effects.h"
+#include "genu/appraise/implausible.h"
 #include "genu/core/timer.h"
 #include "genu/motion/motion_rates.h"
 #include "genu/results/motion_table.h"
@@ -124,6 +126,7 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
   s.verdict = verdict(prepared, result, s);
   s.seconds.emplace_back("integrating", timer.seconds());
   out.poses = motion_table(prepared.scene, prepared.model, points);
+  classify(implausible(prepared, out.poses), false, s);
   out.event_rows = event_table(prepared.scene, prepared.steps, out.events);
   out.motion = std::move(points);
   return out;

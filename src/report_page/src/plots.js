@@ -16,7 +16,14 @@ class Sorted {
     this.x = this.order.map((k) => x[k]);
   }
   of(y) { return this.order.map((k) => (Number.isFinite(y[k]) ? y[k] : null)); }
+  /** Where no line goes: from the row before one that begins another branch, in pixels of a plot. */
+  gaps(u, breaks) {
+    const at = (i) => u.valToPos(this.x[i], "x", true);
+    return breaks.map((k) => this.order.indexOf(k)).filter((i) => i > 0).map((i) => [at(i - 1), at(i)]);
+  }
 }
+
+const inOrder = (gaps) => gaps.sort((a, b) => a[0] - b[0]);
 
 function padded(low, high, fromZero) {
   if (Math.max(Math.abs(low), Math.abs(high)) < 1e-11) return [fromZero ? 0 : -1, 1];  // nothing, or what rounding leaves of it
@@ -107,7 +114,8 @@ export class Plots {
     const { raw, styles } = panel, count = this.sorted[0].x.length;
     const series = [{}];
     this.runs.forEach((_, r) => raw.series.forEach((s, i) => series.push({
-      label: s.name, stroke: styles[i].colour, width: r === 0 ? 1.8 : 1.5, dash: this.runs.length === 1 ? styles[i].dash : kRuns[r % kRuns.length], points: { show: r === 0 && count <= 2, size: 7, fill: styles[i].colour } })));
+      label: s.name, stroke: styles[i].colour, width: r === 0 ? 1.8 : 1.5, dash: this.runs.length === 1 ? styles[i].dash : kRuns[r % kRuns.length], points: { show: r === 0 && count <= 2, size: 7, fill: styles[i].colour },
+      gaps: (u, _s, _from, _to, empty) => (this.runs.length > 1 ? empty : inOrder([...empty, ...this.sorted[0].gaps(u, this.run.chart.breaks)])) })));
     const axis = { stroke: kAxis, font: kFont, grid: { stroke: kGrid, width: 1 }, ticks: { stroke: kGrid, width: 1, size: 4 } };
     const options = {
       width, height, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],

@@ -7,11 +7,11 @@ import { differences } from "./differences.js";
 export function head(runs) {
   if (runs.length === 1) return headOf(runs[0]);
   const row = (run, i) => {
-    const s = run.summary, good = s.exit_code === 0;
-    return h("tr", {}, h("td", {}, runLine(i)), h("th", { scope: "row" }, run.name), h("td", {}, s.title), h("td", {}, good ? "✓ solved" : "! not all solved"), h("td", {}, s.verdict[0] ?? ""));
+    const s = run.summary, { mark, brief } = kClasses[s.class];
+    return h("tr", {}, h("td", {}, runLine(i)), h("th", { scope: "row" }, run.name), h("td", {}, s.title), h("td", {}, `${mark} ${brief}`), h("td", {}, s.verdict[0] ?? ""));
   };
   return [h("h1", {}, `${runs.length} results compared`),
-    h("div.verdict", { class: `verdict ${runs.every((r) => r.summary.exit_code === 0) ? "good" : "bad"}` }, h("div.wide", {}, h("table", {}, h("tbody", {}, runs.map(row))),
+    h("div.verdict", { class: `verdict ${worstOf(runs).look}` }, h("div.wide", {}, h("table", {}, h("tbody", {}, runs.map(row))),
       h("p.facts", {}, `In the picture ${runs[0].name} is drawn whole, with its ligaments and contacts, the others as ghosts; each stands where its axis has the same value.`)))];
 }
 
@@ -28,8 +28,16 @@ function runLine(i) {
   return line;
 }
 
+/** Of the classes of a verdict, better ones first: how it looks, its mark, and what comes before its first sentence. */
+const kClasses = {
+  solved: { look: "good", mark: "✓", brief: "solved", word: "Solved. " },
+  doubtful: { look: "doubtful", mark: "?", brief: "solved, with doubts", word: "" },
+  not_solved: { look: "bad", mark: "!", brief: "not all solved", word: "Not all of it is solved. " },
+};
+const worstOf = (runs) => kClasses[Object.keys(kClasses).findLast((c) => runs.some((r) => r.summary.class === c))];
+
 function headOf(run) {
-  const s = run.summary, good = s.exit_code === 0;
+  const s = run.summary, { look, mark, word } = kClasses[s.class];
   const facts = [`${s.solved} of ${s.asked} ${run.motion ? "rows" : "poses"} solved`];
   if (s.stable !== undefined) facts.push(`${s.stable} stable`);
   if (s.smallest_gap_mm !== undefined) facts.push(`smallest gap anywhere ${short(s.smallest_gap_mm, 2)} mm`);
@@ -38,8 +46,8 @@ function headOf(run) {
   const on = s.effects.map((e) => `${e.name} (${e.count})`).join(", "), seconds = cost(run);
   return [
     h("h1", {}, s.title || s.scene),
-    h("div.verdict", { class: `verdict ${good ? "good" : "bad"}` }, h("span.mark", { "aria-hidden": "true" }, good ? "✓" : "!"),
-      h("div", {}, h("p", {}, h("strong", {}, good ? "Solved. " : "Not all of it is solved. "), s.verdict[0] ?? ""),
+    h("div.verdict", { class: `verdict ${look}` }, h("span.mark", { "aria-hidden": "true" }, mark),
+      h("div", {}, h("p", {}, h("strong", {}, word), s.verdict[0] ?? ""),
         notes(s.verdict.slice(1)),
         h("p.facts", {}, facts.join(" · ")),
         h("p.facts", {}, `Effects on: ${on || "none"}${seconds > 0 ? ` · ${short(seconds, 3)} s in all` : ""}`))),

@@ -1,0 +1,243 @@
+#include "genu/appraise/implausible.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "genu/appraise/place.h"
+#include "genu/core/units.h"
+#include "genu/results/columns.h"
+
+namespace genu {
+namespace {
+
+/// The largest of numbers that have a name each.
+struct Worst {
+  double value = 0;
+  std::size_t row = 0;
+  std::string name;
+
+  void see(double x, std::size_t at_row, const std::string& of) {
+    if (x > value) value = x, row = at_row, name = of;
+  }
+};
+
+class Implausible {
+ public:
+  /// `where`: of a row.
+  Implausible(const Prepared& prepared, const ResultTable& table, std::function<std::string(std::size_t)> where)
+      : prepared_(prepared), limits_(prepared.scene.plausible), table_(table), where_(std::move(where)) {}
+
+  void ligaments() {
+    Worst strain, force;
+    for (const auto& ligament : prepared_.model.ligaments)
+      for (std::size_t row = 0; row < table_.rows(); ++row) {
+        const double pull = table_.number(row, ligament.name + ".force_N");
+        if (pull > 0) strain.see(table_.number(row, ligament.name + ".strain"), row, ligament.name);
+        force.see(pull, row, ligament.name);
+      }
+    if (strain.value > limits_.strain)
+      say("the strain of {} reaches {:.0f} %", strain, 100, "limit {:g} %", limits_.strain);
+    if (force.value > limits_.ligament_force)
+      say("the force of {} reaches {:.0f} N", force, 1, "limit {:g} N", limits_.ligament_force);
+  }
+
+  void contacts() {
+    Worst force, pressure;
+    const auto see = [&](const std::string& contact) {
+      for (std::size_t row = 0; row < table_.rows(); ++row)
+        if (const std::string column = contact + ".force_N"; table_.has_column(column))
+          force.see(table_.number(row, column), row, contact);
+    };
+    for (const ContactDef& contact : prepared_.scene.contacts) see(contact.name);
+    for (const LayerDef& layer : prepared_.scene.layers) {
+      see(layer.pair.name);
+      for (std::size_t row = 0; row < table_.rows(); ++row)
+        pressure.see(units::kMegapascal * table_.number(row, layer.pair.name + ".max_pressure_MPa"), row,
+                     layer.pair.name);
+    }
+    const double loads = largest_load();
+    if (loads > 0 && force.value > limits_.contact_force * loads)
+      say("the force of contact {} reaches {:.3g} times all loads", force, 1 / loads, "limit {:g} times",
+          limits_.contact_force, 1);
+    if (pressure.value > limits_.pressure)
+      say("the pressure of {} reaches {:.3g} MPa", pressure, 1 / units::kMegapascal, "limit {:g} MPa",
+          limits_.pressure);
+  }
+
+  void rotations(const std::vector<PoseRecord>& records) {
+    Worst worst;
+    const auto first = first_solved(records);
+    for (std::size_t row = 0; first && row < records.size(); ++row) {
+      const PosePoint &from = records[*first].point, &point = records[row].point;
+      if (!point.solved()) continue;
+      for (int j = 0; j < static_cast<int>(prepared_.scene.joints.size()); ++j)
+        for (int i = 0; i < 3; ++i)
+          if (is_held_beside(point.target, j, i))
+            worst.see(std::abs(point.pose.state.coordinates[at(j)][at(i)] - from.pose.state.coordinates[at(j)][at(i)]),
+                      row, coordinate_name(prepared_.scene, {j, i}));
+    }
+    if (worst.value > limits_.rotation)
+      say("{} is {:.0f} deg from where it began", worst, to::kDegree, "limit {:g} deg", limits_.rotation);
+  }
+
+  void travels(const std::vector<PoseRecord>& records) {
+    Worst worst;
+    const auto first = first_solved(records);
+    const auto see = [&](const ContactDef& contact,
+                         const std::function<std::optional<Vec3>(std::size_t, bool)>& place) {
+      for (std::size_t row = 0; first && row < records.size(); ++row) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const bool second : {false, true}) {
+          const auto began = place(*first, second), now = place(row, second);
+          least = began && now ? std::min(least, (*now - *began).norm()) : 0;
+        }
+        worst.see(least, row, contact.name);
+      }
+    };
+    for (std::size_t pair = 0; pair < prepared_.scene.contacts.size(); ++pair)
+      see(prepared_.scene.contacts[pair],
+          [&](std::size_t row, bool second) { return middle_of(records[row].point, static_cast<int>(pair), second); });
+    for (const LayerDef& layer : prepared_.scene.layers)
+      see(layer.pair, [&](std::size_t row, bool second) { return centre_of(row, layer.pair, second); });
+    if (worst.value > limits_.travel)
+      say("contact {} is {:.0f} mm from where it began, on both surfaces", worst, to::kMillimetre, "limit {:g} mm",
+          limits_.travel);
+  }
+
+  std::vector<std::string> take() { return std::move(out_); }
+
+ private:
+  void say(const char* what, const Worst& worst, double unit, const char* limit, double bound) {
+    say(what, worst, unit, limit, bound, unit);
+  }
+  void say(const char* what, const Worst& worst, double unit, const char* limit, double bound, double bound_unit) {
+    out_.push_back(fmt::format("{} at {} ({})", fmt::format(fmt::runtime(what), worst.name, unit * worst.value),
+                               where_(worst.row), fmt::format(fmt::runtime(limit), bound_unit * bound)));
+  }
+
+  static std::optional<std::size_t> first_solved(const std::vector<PoseRecord>& records) {
+    for (std::size_t row = 0; row < records.size(); ++row)
+      if (records[row].point.solved()) return row;
+    return std::nullopt;
+  }
+
+  /// Whether coordinate i of joint j is free while another of the same joint is prescribed. A joint of which nothing is
+  /// prescribed goes where its loads take it.
+  bool is_held_beside(const Target& target, int j, int i) const {
+    if (!prepared_.scene.joints[at(j)].leaves(i)) return false;
+    bool beside = false;
+    const auto names = [&](const CoordinateRef& c) {
+      if (c.joint != j) return false;
+      beside = true;
+      return c.index == i;
+    };
+    for (const auto& p : target.prescribed) {
+      if (p.coordinate.combination < 0) {
+        if (names(p.coordinate.first)) return false;
+        continue;
+      }
+      for (const auto& term : prepared_.scene.combinations[at(p.coordinate.combination)].terms)
+        if (names(term.coordinate)) return false;
+    }
+    return beside;
+  }
+
+  /// The mean place of a rigid pair's contacts on its first or second surface, weighted by force.
+  static std::optional<Vec3> middle_of(const PosePoint& point, int pair, bool second) {
+    Vec3 sum = Vec3::Zero();
+    double force = 0;
+    for (const ActiveContact& c : point.pose.state.contacts)
+      if (point.solved() && c.pair == pair && c.force > 0) {
+        sum += c.force * (second ? c.geometry.b.p : c.geometry.a.p);
+        force += c.force;
+      }
+    if (!(force > 0)) return std::nullopt;
+    return Vec3(sum / force);
+  }
+
+  std::optional<Vec3> centre_of(std::size_t row, const ContactDef& contact, bool second) const {
+    Vec3 out;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      out[static_cast<Eigen::Index>(axis)] =
+          units::kMillimetre * table_.number(row, centre_column(prepared_.scene, contact, second, axis));
+    if (!out.allFinite()) return std::nullopt;
+    return out;
+  }
+
+  /// N: the sum of all loads and weights in the row where it is largest, moments over the length scale. What holds the
+  /// prescribed coordinates counts as well.
+  double largest_load() const {
+    const JointModel& model = prepared_.model;
+    double weights = 0, largest = 0;
+    for (const Load& weight : model.weights) weights += weight.force.norm();
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      double sum = weights;
+      for (const Load& load : model.loads) sum += load_size(load) * share_of(load.name, row);
+      if (sum > 0) largest = std::max(largest, sum + reactions(row));
+    }
+    return largest;
+  }
+
+  double load_size(const Load& load) const {
+    const bool moment = load.kind == Load::Kind::coordinate && load.coordinate.index < 3;
+    const double length = prepared_.model.scales.length;
+    return load.force.norm() + load.moment.norm() / length + std::abs(load.value) / (moment ? length : 1);
+  }
+
+  double share_of(const std::string& load, std::size_t row) const {
+    double share = 1;
+    for (const char* part : {".factor", ".scale"})
+      if (const std::string column = load + part; table_.has_column(column))
+        if (const double x = table_.number(row, column); std::isfinite(x)) share *= std::abs(x);
+    return share;
+  }
+
+  double reactions(std::size_t row) const {
+    double sum = 0;
+    std::set<std::string> seen;
+    for (const StepPlan& step : prepared_.steps)
+      for (const auto& p : step.prescribed) {
+        const std::string column = reaction_column(prepared_.scene, p.coordinate);
+        if (!seen.insert(column).second) continue;
+        const double x = table_.has_column(column) ? std::abs(table_.number(row, column)) : 0;
+        if (std::isfinite(x)) sum += x / (p.coordinate.is_rotation() ? prepared_.model.scales.length : 1);
+      }
+    return sum;
+  }
+
+  const Prepared& prepared_;
+  const PlausibleDef& limits_;
+  const ResultTable& table_;
+  const std::function<std::string(std::size_t)> where_;
+  std::vector<std::string> out_;
+};
+
+}  // namespace
+
+std::vector<std::string> implausible(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                                     const ResultTable& poses) {
+  Implausible found(prepared, poses, [&](std::size_t row) {
+    return place(prepared, records[row].point.step, records[row].point.target);
+  });
+  found.ligaments();
+  found.contacts();
+  found.rotations(records);
+  found.travels(records);
+  return found.take();
+}
+
+std::vector<std::string> implausible(const Prepared& prepared, const ResultTable& motion) {
+  Implausible found(prepared, motion,
+                    [&](std::size_t row) { return fmt::format("{:.4g} s", motion.number(row, "time_s")); });
+  found.ligaments();
+  found.contacts();
+  return found.take();
+}
+
+}  // namespace genu

@@ -1,0 +1,36 @@
+#include "genu/appraise/place.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace genu {
+
+std::string place(const Prepared& prepared, int step, const Target& target) {
+  const PlacedScene& scene = prepared.scene;
+  const StepPlan* plan = step > 0 ? &prepared.steps[static_cast<std::size_t>(step - 1)] : nullptr;
+  std::string varying, held;
+  const auto add = [&](bool varies, const std::string& part) {
+    std::string& text = varies ? varying : held;
+    text += (text.empty() ? "" : ", ") + part;
+  };
+  for (std::size_t i = 0; i < target.prescribed.size(); ++i) {
+    const auto& p = target.prescribed[i];
+    const bool angle = p.coordinate.is_rotation();
+    add(plan != nullptr && plan->prescribed[i].from != plan->prescribed[i].to,
+        fmt::format("{} = {:.4g} {}", quantity_name(scene, p.coordinate), p.value * (angle ? 180 / M_PI : 1e3),
+                    angle ? "deg" : "mm"));
+  }
+  for (std::size_t i = 0; i < target.load_factors.size(); ++i)
+    if (plan != nullptr && plan->factors[i].from != plan->factors[i].to)
+      add(true, fmt::format("load {} x {:.4g}", scene.loads[i].name, target.load_factors[i]));
+  for (const LoadDef& load : scene.loads)
+    if (plan != nullptr && load.in_time()) {
+      add(true, fmt::format("time = {:.4g} s", target.time));
+      break;
+    }
+  const std::string& text = varying.empty() ? held : varying;
+  return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
+}
+
+}  // namespace genu

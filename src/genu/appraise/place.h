@@ -1,0 +1,14 @@
+// Where on its path a joint is, in words.
+#pragma once
+
+#include <string>
+
+#include "genu/assemble/prepare.h"
+
+namespace genu {
+
+/// The varying quantities of a step (from 1; 0: the approach to one): "knee.flexion = 41.2 deg", "load pull x 0.5"; all
+/// that is prescribed where nothing varies.
+std::string place(const Prepared& prepared, int step, const Target& target);
+
+}  // namespace genu

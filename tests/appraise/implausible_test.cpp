@@ -1,0 +1,111 @@
+// Each limit of [plausible], just above and just below the largest number of its kind.
+#include "genu/appraise/implausible.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/scenes.h"
+
+namespace genu {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Implausible : public ::testing::Test {
+ protected:
+  Implausible() {
+    Diagnostics out;
+    scene_ = *read_scene(test::dortmans_file(), out);
+    scene_.plausible = {1e9, 1e9, 1e9, 1e15, 1e9, 1e9};
+    first_ = test::solved(scene_);
+  }
+  /// The largest number in columns that end so, of contacts or ligaments.
+  double largest(const std::string& ending) const {
+    double most = 0;
+    for (const std::string& column : first_.poses.columns())
+      if (column.ends_with(ending))
+        for (std::size_t row = 0; row < first_.poses.rows(); ++row)
+          most = std::max(most, first_.poses.number(row, column));
+    return most;
+  }
+  std::string headline(double PlausibleDef::*member, double limit) {
+    scene_.plausible.*member = limit;
+    const RunSummary s = test::solved(scene_).summary;
+    EXPECT_EQ(s.exit_code == kExitDoubtful, s.verdict[0].starts_with("Solved, but"));
+    return s.verdict[0];
+  }
+
+  Scene scene_;
+  Solution first_;
+};
+
+TEST_F(Implausible, NothingWithinTheLimits) { EXPECT_EQ(first_.summary.exit_code, kExitOk); }
+
+TEST_F(Implausible, StrainOfALigament) {
+  double most = 0;
+  for (const LigamentDef& l : scene_.ligaments)
+    for (std::size_t row = 0; row < first_.poses.rows(); ++row)
+      if (first_.poses.number(row, l.name + ".force_N") > 0)
+        most = std::max(most, first_.poses.number(row, l.name + ".strain"));
+  ASSERT_GT(most, 0);
+  EXPECT_THAT(headline(&PlausibleDef::strain, 1.001 * most), HasSubstr("Every pose is solved"));
+  EXPECT_THAT(headline(&PlausibleDef::strain, 0.999 * most), HasSubstr("Solved, but the strain of "));
+}
+
+TEST_F(Implausible, RotationBesideWhatIsPrescribed) {
+  const auto change = [&](const std::string& column) {
+    double most = 0;
+    for (std::size_t row = 0; row < first_.poses.rows(); ++row)
+      most = std::max(most, std::abs(first_.poses.number(row, column) - first_.poses.number(0, column)));
+    return most * M_PI / 180;
+  };
+  const double most = std::max(change("knee.adduction_deg"), change("knee.rotation_deg"));
+  EXPECT_LT(most, change("knee.flexion_deg"));
+  EXPECT_THAT(headline(&PlausibleDef::rotation, 1.001 * most), HasSubstr("Every pose is solved"));
+  EXPECT_THAT(headline(&PlausibleDef::rotation, 0.999 * most),
+              HasSubstr(" deg from where it began at knee.flexion = "));
+}
+
+TEST_F(Implausible, ForceOfALigament) {
+  double most = 0;
+  for (const LigamentDef& l : scene_.ligaments) most = std::max(most, largest(l.name + ".force_N"));
+  EXPECT_THAT(headline(&PlausibleDef::ligament_force, 1.001 * most), HasSubstr("Every pose is solved"));
+  EXPECT_THAT(headline(&PlausibleDef::ligament_force, 0.999 * most), HasSubstr("Solved, but the force of "));
+}
+
+TEST_F(Implausible, TravelOfAContactIsThatOfTheSurfaceItMovesLessOn) {
+  double most = 0;
+  for (const ContactDef& contact : scene_.contacts)
+    for (std::size_t row = 0; row < first_.records.size(); ++row) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const bool second : {false, true}) {
+        const auto at_row = [&](std::size_t r) {
+          for (const ActiveContact& c : first_.records[r].point.pose.state.contacts)
+            if (scene_.contacts[static_cast<std::size_t>(c.pair)].name == contact.name)
+              return second ? c.geometry.b.p : c.geometry.a.p;
+          ADD_FAILURE() << contact.name;
+          return Vec3(Vec3::Zero());
+        };
+        least = std::min(least, (at_row(row) - at_row(0)).norm());
+      }
+      most = std::max(most, least);
+    }
+  EXPECT_THAT(headline(&PlausibleDef::travel, 1.001 * most), HasSubstr("Every pose is solved"));
+  EXPECT_THAT(headline(&PlausibleDef::travel, 0.999 * most), HasSubstr("mm from where it began, on both surfaces"));
+}
+
+TEST_F(Implausible, ForceOfAContactOverTheLoads) {
+  EXPECT_THAT(headline(&PlausibleDef::contact_force, 1e-3), HasSubstr("times all loads at knee.flexion = "));
+}
+
+/// The measured limits of common sense leave every shipped path alone.
+TEST_F(Implausible, DefaultsLetTheKneePass) {
+  scene_.plausible = {};
+  EXPECT_EQ(test::solved(scene_).summary.exit_code, kExitOk);
+}
+
+}  // namespace
+}  // namespace genu
