@@ -1,6 +1,7 @@
 #include "genu/equilibrium/active_set.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "genu/equilibrium/force_guess.h"
@@ -12,6 +13,7 @@
 namespace genu {
 namespace {
 
+constexpr int kWrapsFrom = std::numeric_limits<int>::min() / 2;  // apart from pairs and ligaments
 constexpr const char* kBehind = "the equilibrium lies behind a surface: the bodies would have to pass through it";
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
@@ -19,6 +21,8 @@ std::vector<std::pair<int, int>> signature(const State& state) {
   for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
   for (const LigamentPiece& p : state.pieces)
     if (!p.by_length) s.emplace_back(-1 - p.ligament, 2 * p.piece + p.held);
+  for (std::size_t i = 0; i < state.wraps.size(); ++i)
+    if (!state.wraps[i].by_length) s.emplace_back(kWrapsFrom - static_cast<int>(i), state.wraps[i].touching);
   std::sort(s.begin(), s.end());
   return s;
 }

@@ -29,6 +29,7 @@ struct Findings {
   std::vector<int> not_minimal;             ///< active contacts at a saddle of the gap
   std::vector<Candidate> beside;            ///< minima found beside those saddles
   std::vector<int> left_piece;              ///< entries of State::pieces whose ligament has left its piece of the law
+  std::vector<int> left_touch;              ///< entries of State::wraps that have to touch or leave
   bool over_edge = false;                   ///< a contact point or an overlap lies past the edge of a patch
   bool deep_overlap = false;                ///< samples overlap and no contact explains it
   bool doubtful = false;                    ///< a contact touches a place where a mesh is flawed
@@ -37,11 +38,12 @@ struct Findings {
   std::string where;                                       ///< place for over_edge, deep_overlap and doubtful, in words
 
   bool only_left_piece() const {
-    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() &&
+    return left_piece.size() + left_touch.size() == 1 && pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() &&
            !over_edge && !deep_overlap && !doubtful;
   }
   bool none() const {
     return pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() && left_piece.empty() &&
+           left_touch.empty() &&
            !over_edge && !deep_overlap && !doubtful;
   }
   /// Violations that no change of the active set can repair.

@@ -17,6 +17,10 @@ const char* to_string(PathEvent::Kind kind) {
       return "transition";
     case PathEvent::Kind::held:
       return "held";
+    case PathEvent::Kind::wraps:
+      return "wraps";
+    case PathEvent::Kind::unwraps:
+      return "unwraps";
     case PathEvent::Kind::jump:
       return "jump";
     case PathEvent::Kind::stepped_over:

@@ -18,6 +18,8 @@ struct PathEvent {
     slack,
     transition,  ///< a ligament passes another break of its law
     held,        ///< a ligament stays at a jump of its law; its force is between those of the two sides
+    wraps,       ///< a ligament or cable begins to touch a surface on its way
+    unwraps,     ///< it leaves that surface
     jump,        ///< no equilibrium is near beyond this: the force of a ligament drops
     stepped_over,
     over_edge,

@@ -14,7 +14,7 @@ const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPi
 }
 
 double length_of(const JointModel& model, const State& state, const LigamentPiece& piece) {
-  return model.ligaments[at(piece.ligament)].path.length(state.poses);
+  return model.ligaments[at(piece.ligament)].path.length(state.poses, state.wraps);
 }
 
 /// Distance of a ligament from the ends of its piece, scaled; negative outside.
@@ -72,6 +72,32 @@ PathEvent::Kind passed(const LawBreak& b, bool up) {
   return PathEvent::Kind::transition;
 }
 
+namespace {
+
+void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
+  out.left_touch.clear();
+  if (state.wraps.empty()) return;
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+      const std::size_t k = path.touch_index(i);
+      if (state.wraps[k].by_length) continue;
+      const double inside = path.touch_margin(state.poses, state.wraps, i) / model.scales.length;
+      out.worst = std::min(out.worst, inside);
+      if (inside < -kLengthRounding) out.left_touch.push_back(static_cast<int>(k));
+    }
+  });
+}
+
+void change_touches(const JointModel& model, const Findings& findings, State& state) {
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i)
+      if (std::count(findings.left_touch.begin(), findings.left_touch.end(), static_cast<int>(path.touch_index(i))) > 0)
+        path.switch_touch(state.poses, state.wraps, i);
+  });
+}
+
+}  // namespace
+
 void inspect_pieces(const JointModel& model, const State& state, Findings& out) {
   out.left_piece.clear();
   for (std::size_t i = 0; i < state.pieces.size(); ++i) {
@@ -81,11 +107,13 @@ void inspect_pieces(const JointModel& model, const State& state, Findings& out) 
     out.worst = std::min(out.worst, inside);
     if (inside < -(piece.held ? kPullTolerance : kLengthRounding)) out.left_piece.push_back(static_cast<int>(i));
   }
+  inspect_wraps(model, state, out);
 }
 
 bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops) {
   for (const int i : findings.left_piece) move(model, state, hold_drops, state.pieces[at(i)]);
-  return !findings.left_piece.empty();
+  if (!findings.left_touch.empty()) change_touches(model, findings, state);
+  return !findings.left_piece.empty() || !findings.left_touch.empty();
 }
 
 bool holds_a_drop(const JointModel& model, const State& state) {
@@ -151,6 +179,15 @@ std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointMod
     for (int k = from.piece; k < to.piece; ++k) say(k, true);
     for (int k = from.piece; k > to.piece; --k) say(k - 1, false);
   }
+  if (before.wraps.size() != after.wraps.size() || after.wraps.empty()) return out;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+      const std::size_t k = path.touch_index(i);
+      if (before.wraps[k].touching == after.wraps[k].touching) continue;
+      out.emplace_back(after.wraps[k].touching ? PathEvent::Kind::wraps : PathEvent::Kind::unwraps,
+                       name + " " + path.obstacles()[i].name);
+    }
+  });
   return out;
 }
 

@@ -54,16 +54,16 @@ struct MovingLine {
   double length_rate() const { return u.dot(end_B - end_A); }
 };
 
-std::vector<MovingLine> lines_of(const LigamentPath& path, const std::vector<Pose>& poses, const Direct& change) {
+std::vector<MovingLine> lines_of(const LigamentPath& path, const std::vector<Pose>& poses, const Wraps& wraps,
+                                 const Direct& change) {
   std::vector<MovingLine> out;
-  path.for_each_line([&](const LigamentPath::Point& from, const LigamentPath::Point& to, const TautLine& taut) {
+  path.for_each_line(wraps, [&](const LigamentPath::Point& from, const LigamentPath::Point& to, const TautLine& taut) {
     const int a = from.body, b = to.body;
     const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
-    const int first = static_cast<int>(out.size());
     const auto velocity = [&](const Pose& pose, int point) {
       return point == change.point ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
     };
-    MovingLine line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1),
+    MovingLine line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, from.index), velocity(X_WB, to.index),
                     0, {}};
     const Vec3 d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
     line.length = d.norm();
@@ -104,7 +104,8 @@ double slack_from_force(const LigamentAt& at, const Direct& d, double length, do
 
 double slack_rate(const LigamentAt& at, const Direct& d) {
   if (at.def.rest == Rest::slack_length) return d.rest;
-  const auto [length, length_rate] = length_of(lines_of(at.made.path, at.reference_poses, d));
+  auto [length, length_rate] = length_of(lines_of(at.made.path, at.reference_poses, at.reference_wraps, d));
+  length = at.made.path.length(at.reference_poses, at.reference_wraps);
   if (at.def.rest == Rest::reference_force) return slack_from_force(at, d, length, length_rate);
   const double slack = at.made.law.slack_length();
   return slack / length * length_rate - slack / (1 + at.def.rest_value) * d.rest;
@@ -115,8 +116,8 @@ double slack_rate(const LigamentAt& at, const Direct& d) {
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
   const Direct change = direct_change(at.def, parameter);
   const LigamentLaw& law = at.made.law;
-  const std::vector<MovingLine> lines = lines_of(at.made.path, at.poses, change);
-  const auto [length, length_rate] = length_of(lines);
+  const std::vector<MovingLine> lines = lines_of(at.made.path, at.poses, at.wraps, change);
+  const double length_rate = length_of(lines).second, length = at.made.path.length(at.poses, at.wraps);
   const double slack = law.slack_length(), slack_change = slack_rate(at, change);
   LigamentRate out;
   if (slack == 0 && length == 0) {  // a spring without length: t = k d, whose size has no derivative
@@ -138,6 +139,15 @@ LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
     const Vec3 turned = line.length > 0 ? Vec3(value.force / line.length * across) : Vec3::Zero();
     out.lines.push_back(
         {line.body_a, line.body_b, wrench_rate(line, value.force * line.u, out.force * line.u + turned)});
+  }
+  if (!at.made.path.obstacles().empty() && change.point >= 0) {
+    LigamentPath::Change moved;
+    moved.points.assign(at.made.path.points().size(), Vec3::Zero());
+    moved.obstacles.assign(at.made.path.obstacles().size(), Vec3::Zero());
+    const auto k = static_cast<std::size_t>(change.point);
+    moved.points[k] = at.poses[static_cast<std::size_t>(at.made.path.points()[k].body)].R.col(change.axis);
+    out.touches.setZero(6 * at.moving_count);
+    at.made.path.add_touch_rate(at.poses, at.wraps, moved, value.force, out.touches);
   }
   return out;
 }

@@ -22,11 +22,15 @@ void add_load_rate(const PlacedScene& scene, const JointModel& model, const Stat
   const Load& load = model.loads[at(parameter.object)];
   const double scale = load_scale(load, state, target.time).factor;
   if (parameter.kind == Kind::factor) {
-    add_wrench(model, load.body_a, load.body_b, scale * load_wrench(model, state, load).wrench, out);
+    add_load_wrench(model, state, load, scale, out);
     return;
   }
   const double factor = scale * target.load_factors[at(parameter.object)];
   const Load change = load_change(scene, parameter);
+  if (load.kind == Load::Kind::cable) {
+    load.path.add_tension(state.poses, factor * change.value, out, state.wraps);
+    return;
+  }
   Vec12 wrench;
   if (load.kind == Load::Kind::coordinate)
     wrench =
@@ -105,9 +109,11 @@ void residual_rate(const PlacedScene& scene, const JointModel& model, const Stat
   for (ContactBlock& block : out.contacts) block.residual.setZero();
   if (parameter.of_ligament()) {
     const std::size_t l = at(parameter.object);
-    const LigamentRate rate =
-        ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses}, parameter);
+    const LigamentRate rate = ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses,
+                                             model.reference_wraps, state.wraps, model.moving_count},
+                                            parameter);
     for (const auto& line : rate.lines) add_wrench(model, line.body_a, line.body_b, line.wrench, out.wrench);
+    if (rate.touches.size() > 0) out.wrench += rate.touches;
   } else if (parameter.of_surface()) {
     add_contact_rates(scene, model, state, parameter, out);
   } else if (parameter.of_load()) {

@@ -139,7 +139,7 @@ class MotionTable {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
       const auto& l = model_.ligaments[i];
       const LigamentShown law = show_ligament(model_, point.state, static_cast<int>(i));
-      const double rate = l.path.length_rate(point.state.poses, point.twist);
+      const double rate = l.path.length_rate(point.state.poses, point.twist, point.state.wraps);
       const double damper = damper_tension(l, point.modes[i], law.force, rate);
       table_.set(l.name + ".length_mm", to::kMillimetre * law.length);
       table_.set(l.name + ".strain", law.strain);

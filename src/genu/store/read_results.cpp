@@ -151,6 +151,7 @@ std::optional<ResultsRead> read_results(const std::string& scene, const std::str
     State& state = record.point.pose.state;
     state.coordinates = pose.coordinates;
     state.poses = poses_from_coordinates(read.prepared.model, pose.coordinates);
+    settle_wraps(read.prepared.model, state);
     state.contacts = contacts.in_row(row);
   }
   contacts.tell_lost(file, out);

@@ -29,9 +29,9 @@ struct SurfacePoint {
 
 /// How a surface bends under a geodesic: x'' = normal_curvature n, and neighbours part by y'' = -gauss y.
 struct Bending {
-  Vec3 n = Vec3::UnitZ();        ///< outward unit normal
-  double normal_curvature = 0;   ///< t . S t, 1/m: negative where the surface bulges outward along t
-  double gauss = 0;              ///< Gaussian curvature det S, 1/m^2
+  Vec3 n = Vec3::UnitZ();       ///< outward unit normal
+  double normal_curvature = 0;  ///< t . S t, 1/m: negative where the surface bulges outward along t
+  double gauss = 0;             ///< Gaussian curvature det S, 1/m^2
 };
 
 /// A sphere, or a circular cylinder without ends: their geodesics are closed forms.
@@ -70,8 +70,8 @@ class Surface {
   /// the place, `normal` the outward unit normal there. False, with both unspecified, where it does not arrive.
   [[nodiscard]] virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;
 
-  /// How the surface bends under a geodesic that passes x, within rounding of the surface, along the unit tangent t. May
-  /// answer for the parallel or level surface through x. False where there is no surface near.
+  /// How the surface bends under a geodesic that passes x, within rounding of the surface, along the unit tangent t.
+  /// May answer for the parallel or level surface through x. False where there is no surface near.
   [[nodiscard]] virtual bool bending(const Vec3& x, const Vec3& t, Bending& out) const;
 
   /// The sphere or cylinder it is; empty for all others.

@@ -69,8 +69,8 @@ class Shooter {
     return true;
   }
 
-  /// Gragg, Bulirsch and Stoer: modified midpoint rules of 2, 4, ... substeps, extrapolated to none in the square of the
-  /// substep.
+  /// Gragg, Bulirsch and Stoer: modified midpoint rules of 2, 4, ... substeps, extrapolated to none in the square of
+  /// the substep.
   bool extrapolated() {
     const double whole = std::abs(length_);
     double done = 0, h = std::min(whole, kFirstStepTurn * scale_);

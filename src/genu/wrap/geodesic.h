@@ -26,7 +26,7 @@ struct ArcEnd {
 
 struct Geodesic {
   ArcEnd begin, end;
-  double length = 0;  ///< m; negative: run backwards, the continuation of a string that is about to leave
+  double length = 0;     ///< m; negative: run backwards, the continuation of a string that is about to leave
   double c = 1, dc = 0;  ///< Jacobi field from (1, 0) at the end, and its derivative (1/m)
   double a = 0, da = 1;  ///< m, and the one from (0, 1)
   /// Largest kappa on the way, 1/m: where it is positive the string would lift off.

@@ -20,7 +20,7 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnk
 struct Tip {
   Vec3 p, t, n, b;
   const Geodesic* arc = nullptr;
-  bool at_end = false;  ///< of the arc
+  bool at_end = false;     ///< of the arc
   Eigen::Index first = 0;  ///< unknown of the arc: s, y, theta, length
 
   const ArcEnd& end() const { return at_end ? arc->end : arc->begin; }
@@ -171,8 +171,8 @@ bool solve_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> ob
     for (int halving = 0; halving < trials && !better; ++halving, share /= 2) {
       bool good = true;
       for (std::size_t i = 0; i < m && good; ++i)
-        good = moved(*obstacles[i].surface, arcs[i], share * step.segment<4>(static_cast<Eigen::Index>(4 * i)),
-                     trial[i]);
+        good =
+            moved(*obstacles[i].surface, arcs[i], share * step.segment<4>(static_cast<Eigen::Index>(4 * i)), trial[i]);
       if (!good) continue;
       set_system(from, to, obstacles, std::span(trial.data(), m), next);
       better = next.worst < system.worst;

@@ -36,8 +36,8 @@ struct Obstacle {
 /// Most arcs between two fixed points.
 inline constexpr int kMostArcs = 8;
 
-/// The second derivatives of the length of a string by moves across it: for each arc y (m) at its begin, and theta times
-/// the root of |a|, so that nothing vanishes where an arc has length 0.
+/// The second derivatives of the length of a string by moves across it: for each arc y (m) at its begin, and theta
+/// times the root of |a|, so that nothing vanishes where an arc has length 0.
 struct StringHessian {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * kMostArcs, 2 * kMostArcs>;
   Matrix H;

@@ -50,7 +50,8 @@ inline constexpr int kClearanceLooks = 8;
 /// called clear.
 inline constexpr double kClearanceStep = 0.5;
 
-/// [1] Steps to the place where a line is nearest. Fails first: if too small, the depth of a line that cuts is too small.
+/// [1] Steps to the place where a line is nearest. Fails first: if too small, the depth of a line that cuts is too
+/// small.
 inline constexpr int kMaxClearanceSteps = 60;
 
 /// [1] Slope of the gap at that place. Fails first: if too large, the depth of a line that cuts is too small.
