@@ -45,7 +45,7 @@ class LigamentPath {
     int body = 0;
     std::shared_ptr<const Surface> surface;
     int after = 0;  ///< it lies between points `after` and `after` + 1
-    Side side = {};
+    WrapSide side = {};
     bool ignore_inside = false;  ///< with an end inside it, the path passes through it
     int moving = -1;
   };
@@ -113,6 +113,18 @@ class LigamentPath {
       }
       f(last, points_[k + 1], TautLine{last.p, points_[k + 1].p});
       last = points_[k + 1];
+    }
+  }
+
+  /// Calls f(body, point of it in m) along the whole path, with points at most `spacing` (m) apart on obstacles.
+  template <typename F>
+  void for_each_place(const Wraps& wraps, double spacing, const F& f) const {
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      f(points_[k].body, points_[k].p);
+      for (; i < obstacles_.size() && at(obstacles_[i].after) == k; ++i)
+        if (const WrapTouch& touch = wraps[first_ + i]; touch.touching)
+          for_points(*obstacles_[i].surface, touch.arc, spacing, [&](const Vec3& p) { f(obstacles_[i].body, p); });
     }
   }
 

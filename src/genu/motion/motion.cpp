@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/twist.h"
 #include "genu/motion/layer_onset.h"
 #include "genu/motion/motion_contacts.h"

@@ -15,6 +15,7 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/settle_freed.h"
 #include "genu/equilibrium/uniqueness.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/path/arc_length_follower.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"

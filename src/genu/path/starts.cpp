@@ -6,6 +6,7 @@
 
 #include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/uniqueness.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/potential_energy.h"
 #include "genu/path/tolerances.h"
 

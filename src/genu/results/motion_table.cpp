@@ -9,6 +9,7 @@
 #include "genu/motion/motion_rates.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
+#include "genu/results/wrap_columns.h"
 
 namespace genu {
 namespace {
@@ -61,6 +62,7 @@ class MotionTable {
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
         table_.add_column(l.name + "." + quantity);
+    add_wrap_columns(model_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
     for (const char* name :
@@ -81,6 +83,7 @@ class MotionTable {
     set_joints(point);
     contacts_.set(table_, point.state, {}, point.pair_gap, {}, true, &point.twist);
     set_ligaments(point);
+    set_wrap_columns(model_, point.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);
     const MechanicalEnergy energy = mechanical_energy(model_, point.state, point.twist);

@@ -10,6 +10,7 @@
 #include "genu/assemble/long_errors.h"
 #include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
 #include "genu/store/tolerances.h"
 

@@ -132,7 +132,8 @@ std::vector<Vec3> lifted(const Vec3& from, const Vec3& to, std::span<const Obsta
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Vec3 middle = middle_of(obstacles[i], from, to);
     Vec3 corner = middle;
-    for (int k = 1; k <= kLiftSteps; ++k) {
+    for (int k = obstacles[i].surface->gap(in_body(obstacles[i], middle)).value_or(-1) > 0 ? 0 : 1; k <= kLiftSteps;
+         ++k) {
       corner = middle + sides[i] * (2 * reach * k / kLiftSteps);
       const double before = clearance(obstacles[i], corners.back(), corner),
                    after = clearance(obstacles[i], corner, to);
@@ -198,10 +199,10 @@ bool settle_touches(const Vec3& from, const Vec3& to, std::span<const Obstacle> 
 }
 
 std::optional<std::vector<Touch>> first_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles,
-                                               std::span<const Side> sides) {
+                                               std::span<const WrapSide> sides) {
   const Vec3 chord = (to - from).normalized();
   const Mat32 across = tangent_basis(chord);
-  const bool free_choice = std::any_of(sides.begin(), sides.end(), [](const Side& s) { return !s; });
+  const bool free_choice = std::any_of(sides.begin(), sides.end(), [](const WrapSide& s) { return !s; });
   std::optional<std::vector<Touch>> best;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < (free_choice ? kSidesTried : 1); ++k) {

@@ -19,12 +19,12 @@ struct Touch {
 };
 
 /// A side of an obstacle that a string passes: a direction in its body, from the middle of the obstacle; empty: any.
-using Side = std::optional<Vec3>;
+using WrapSide = std::optional<Vec3>;
 
 /// The string between two points over obstacles in order, on the given sides; the shortest of the sides tried where
 /// none is given. Empty where none is found. Each touch is solved to rounding.
 std::optional<std::vector<Touch>> first_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles,
-                                               std::span<const Side> sides);
+                                               std::span<const WrapSide> sides);
 
 /// Lets go of arcs of negative length and adds obstacles that a line cuts, until neither is left. False where the
 /// string is not found. `touches` begins as the string of a pose nearby.
