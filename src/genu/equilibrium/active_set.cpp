@@ -47,6 +47,10 @@ const char* to_string(PoseStatus status) {
       return "undetermined";
     case PoseStatus::flawed_mesh:
       return "flawed_mesh";
+    case PoseStatus::slips_off:
+      return "slips_off";
+    case PoseStatus::lifts_off:
+      return "lifts_off";
   }
   return "";
 }
@@ -72,7 +76,14 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
-  if (findings.doubtful) {
+  if (findings.slips_off) {
+    report.status = PoseStatus::slips_off;
+    report.why = findings.where + " is no shortest way any more: it slips off";
+  } else if (findings.lifts_off) {
+    report.status = PoseStatus::lifts_off;
+    report.why =
+        findings.where + ": it would lift off there; name the surface twice in its path for two places of touch";
+  } else if (findings.doubtful) {
     report.status = PoseStatus::flawed_mesh;
     report.why = "the contact touches " + findings.where;
   } else if (findings.over_edge) {

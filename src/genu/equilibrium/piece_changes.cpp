@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
 #include "genu/equilibrium/tolerances.h"
 
 namespace genu {
@@ -74,10 +77,27 @@ PathEvent::Kind passed(const LawBreak& b, bool up) {
 
 namespace {
 
+/// Whether a path is still a shortest one that presses on its surfaces all along.
+void look_for_lost(const State& state, const LigamentPath& path, const std::string& name, Findings& out) {
+  std::string on;
+  for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+    const WrapTouch& touch = state.wraps[path.touch_index(i)];
+    if (!touch.touching) continue;
+    on += (on.empty() ? "" : ", ") + path.obstacles()[i].name;
+    if (!(touch.arc.lift() > kHollowTolerance * touch.arc.length)) continue;
+    out.lifts_off = true;
+    out.where = fmt::format("{} on {} is hollow {:.3g} mm along its arc of {:.3g} mm", name, path.obstacles()[i].name,
+                            to::kMillimetre * touch.arc.hollow_at, to::kMillimetre * touch.arc.length);
+  }
+  if (on.empty() || path.is_shortest(state.poses, state.wraps)) return;
+  out.slips_off = true;
+  out.where = name + " round " + on;
+}
+
 void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
   out.left_touch.clear();
   if (state.wraps.empty()) return;
-  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
     for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
       const std::size_t k = path.touch_index(i);
       if (state.wraps[k].by_length) continue;
@@ -85,6 +105,7 @@ void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
       out.worst = std::min(out.worst, inside);
       if (inside < -kLengthRounding) out.left_touch.push_back(static_cast<int>(k));
     }
+    if (!path.obstacles().empty() && out.left_touch.empty()) look_for_lost(state, path, name, out);
   });
 }
 

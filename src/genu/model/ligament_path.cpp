@@ -95,7 +95,7 @@ bool LigamentPath::find_touches(const std::vector<Pose>& poses, Wraps& wraps) co
   for_each_span([&](std::size_t first, std::size_t end) {
     const Span span = span_at(poses, wraps, first);
     std::vector<genu::Obstacle> places;
-    std::vector<Side> sides;
+    std::vector<WrapSide> sides;
     std::vector<std::size_t> kept;
     for (std::size_t i = first; i < end; ++i) {
       wraps[first_ + i] = {};

@@ -25,6 +25,7 @@ class Shooter {
   bool run() {
     const double smooth = surface_.smooth_length();
     if (!(std::isfinite(smooth) ? by_pieces(kGeodesicStep * smooth) : extrapolated())) return false;
+    out_.hollow_length = std::abs(length_) * hollows_ / looks_;
     out_.c = y_[6];
     out_.dc = sign_ * y_[7];
     out_.a = sign_ * y_[8];
@@ -43,6 +44,8 @@ class Shooter {
   }
 
   void watch(double s, double a) {
+    ++looks_;
+    hollows_ += kappa_ > 0;
     if (kappa_ > out_.most_hollow) out_.most_hollow = kappa_, out_.hollow_at = s;
     out_.conjugate = out_.conjugate || (s > 0 && !(a > 0));
   }
@@ -143,6 +146,7 @@ class Shooter {
 
   const Surface& surface_;
   double length_, sign_, scale_ = 1, kappa_ = 0;
+  int looks_ = 0, hollows_ = 0;
   Values y_;
   Geodesic& out_;
 };
@@ -205,6 +209,7 @@ bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic&
   if (!shape) return Shooter(surface, begin, length, out).run();
   out.most_hollow = begin.kappa;
   out.hollow_at = 0;
+  out.hollow_length = begin.kappa > 0 ? std::abs(length) : 0;
   const double side = shape->inside ? -1 : 1;
   shape->axis.isZero() ? shoot_sphere(shape->radius, side, length / shape->radius, out)
                        : shoot_cylinder(*shape, side, out);

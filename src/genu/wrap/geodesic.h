@@ -8,6 +8,8 @@
 // are integrated with the geodesic; on spheres and cylinders all is in closed form.
 #pragma once
 
+#include <cmath>
+
 #include "genu/surface/surface.h"
 
 namespace genu {
@@ -31,7 +33,11 @@ struct Geodesic {
   double a = 0, da = 1;  ///< m, and the one from (0, 1)
   /// Largest kappa on the way, 1/m: where it is positive the string would lift off.
   double most_hollow = 0;
-  double hollow_at = 0;    ///< m along the arc: where that is
+  double hollow_at = 0;      ///< m along the arc: where that is
+  double hollow_length = 0;  ///< m: of the way where kappa is positive, about
+
+  /// m: how much shorter a string may be that lifts off where the surface is hollow (a chord for an arc).
+  double lift() const { return most_hollow > 0 ? most_hollow * most_hollow * std::pow(hollow_length, 3) / 24 : 0; }
   bool conjugate = false;  ///< a returns to 0 on the way: the arc is no shortest one
 };
 
