@@ -268,8 +268,8 @@ TEST(LineClearance, IsTheLeastGap) {
       const Vec3 from(-0.04, 0.006, height), to(0.03, -0.003, height + 0.002);
       double along = 0, least = 1;
       const double clearance = line_clearance(*surface, from, to, along);
-      for (int k = 0; k <= 20000; ++k)
-        least = std::min(least, surface->gap(from + k / 20000.0 * (to - from)).value_or(1));
+      for (int k = 0; k <= 100000; ++k)
+        least = std::min(least, surface->gap(from + k / 100000.0 * (to - from)).value_or(1));
       EXPECT_NEAR(clearance, least, 1e-9);
       EXPECT_LE(clearance, least + 1e-15);
       EXPECT_NEAR(surface->gap(from + along * (to - from)).value_or(1), clearance, 1e-15);
