@@ -6,6 +6,7 @@
 #include "genu/core/units.h"
 #include "genu/judge/curve.h"
 #include "genu/judge/tolerances.h"
+#include "genu/judge/wrapping.h"
 
 namespace genu::judge {
 namespace {
@@ -100,14 +101,44 @@ void check_prescribed(const PoseCase& pose) {
   }
 }
 
+namespace {
+
+/// Where the slack length of a wrapping ligament follows from the reference pose, of which there is no row, it is that
+/// of the row's strain: all rows have to agree with the law through it.
+LigamentDef with_slack_length(const PoseCase& pose, LigamentDef def) {
+  const double strain = pose.row(def.name + ".strain");
+  if (def.rest == LigamentDef::Rest::slack_length || !std::isfinite(strain)) return def;
+  def.rest = LigamentDef::Rest::slack_length;
+  def.rest_value = units::kMillimetre * pose.row(def.name + ".length_mm") / (1 + strain);
+  return def;
+}
+
+/// The pulls of a tension (N) along a path.
+void add_pulls(const std::vector<Vec3>& path, const std::vector<int>& bodies, const std::vector<bool>& arc,
+               double force, PoseForces& forces) {
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    if (arc[k] || bodies[k] == bodies[k + 1] || !((path[k + 1] - path[k]).norm() > 0)) continue;
+    const Vec3 pull = force * (path[k + 1] - path[k]).normalized();
+    forces.forces.push_back({bodies[k], path[k], pull, Vec3::Zero()});
+    forces.forces.push_back({bodies[k + 1], path[k + 1], -pull, Vec3::Zero()});
+  }
+}
+
+}  // namespace
+
 void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces) {
   const Scene& scene = pose.scene();
   for (std::size_t i = 0; i < scene.ligaments.size(); ++i) {
     const LigamentDef& def = scene.ligaments[i];
-    const TensionLaw& law = pose.subject->laws[i];
-    const std::vector<Vec3> path = path_of(def, pose.poses);
-    const std::vector<int> bodies = bodies_on(def);
-    const double length = length_of(path), sure = kFormulaRounding * length + pose.rounding;
+    const WrittenPath written = written_path(pose, def.name, def.path_points(), def.wraps);
+    const std::vector<Vec3>& path = written.points;
+    const std::vector<int>& bodies = written.bodies;
+    const double length = written.length;
+    const double sure = kFormulaRounding * length + pose.rounding + written.unsure;
+    LigamentDef in_row;
+    std::optional<TensionLaw> of_row;
+    if (!def.wraps.empty()) of_row.emplace(in_row = with_slack_length(pose, def), length);
+    const TensionLaw& law = of_row ? *of_row : pose.subject->laws[i];
     pose.out->expect("ligament lengths", "mm", std::abs(pose.row(def.name + ".length_mm") - to::kMillimetre * length),
                      to::kMillimetre * sure, def.name);
     if (law.slack_length() > 0)
@@ -122,6 +153,7 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
     if (velocities != nullptr && def.damping > 0) {
       double rate = 0;
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+        if (written.arc[k]) continue;
         const auto velocity = [&](std::size_t at_point) -> Vec3 {
           const int b = bodies[at_point];
           const Motion& m = (*velocities)[at(b)];
@@ -146,12 +178,7 @@ void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities
     const double off = std::max({0.0, tension.low - force, force - tension.high});
     pose.out->expect("ligament forces", "N", std::isfinite(force) ? off : force, unsure + 1e-12, def.name);
     // Tension along the path from the table: balance is judged with the written numbers.
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      if (bodies[k] == bodies[k + 1] || !((path[k + 1] - path[k]).norm() > 0)) continue;
-      const Vec3 pull = force * (path[k + 1] - path[k]).normalized();
-      forces.forces.push_back({bodies[k], path[k], pull, Vec3::Zero()});
-      forces.forces.push_back({bodies[k + 1], path[k + 1], -pull, Vec3::Zero()});
-    }
+    add_pulls(path, bodies, written.arc, force, forces);
   }
 }
 
@@ -171,6 +198,14 @@ void add_loads(const PoseCase& pose, PoseForces& out) {
       pose.out->expect("load scales", "1", std::abs(pose.row(load.name + ".scale") - scale),
                        1e-9 * (1 + std::abs(scale)), load.name);
       factor *= scale;
+    }
+    if (load.kind == LoadDef::Kind::cable) {
+      const WrittenPath path = written_path(pose, load.name, load.points, load.wraps);
+      pose.out->expect("cable lengths", "mm",
+                       std::abs(pose.row(load.name + ".length_mm") - to::kMillimetre * path.length),
+                       to::kMillimetre * (kFormulaRounding * path.length + pose.rounding + path.unsure), load.name);
+      add_pulls(path.points, path.bodies, path.arc, factor * load.activation * load.value, out);
+      continue;
     }
     if (load.kind == LoadDef::Kind::coordinate) {
       out.generalised.push_back({load.coordinate, factor * load.value});

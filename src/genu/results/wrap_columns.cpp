@@ -32,7 +32,7 @@ void add_wrap_columns(const JointModel& model, ResultTable& table) {
   for (const Load& load : model.loads)
     if (load.kind == Load::Kind::cable) table.add_column(load.name + ".length_mm");
   for_each_wrap(model, [&](const LigamentPath&, std::size_t, const std::string& name) {
-    table.add_column(name + ".wrap");
+    table.add_column(name + ".touches");
     table.add_column(name + ".arc_mm");
     for (const char* end : {"begin", "end"})
       for (const char* axis : kAxisNames) table.add_column(fmt::format("{}.{}.{}_mm", name, end, axis));
@@ -45,7 +45,7 @@ void set_wrap_columns(const JointModel& model, const State& state, ResultTable& 
       table.set(load.name + ".length_mm", to::kMillimetre * load.path.length(state.poses, state.wraps));
   for_each_wrap(model, [&](const LigamentPath& path, std::size_t i, const std::string& name) {
     const WrapTouch& touch = state.wraps[path.touch_index(i)];
-    table.set(name + ".wrap", std::string(touch.touching ? "touches" : "free"));
+    table.set(name + ".touches", static_cast<long>(touch.touching));
     table.set(name + ".arc_mm", to::kMillimetre * path.arc_length(state.wraps, i));
     if (!touch.touching) return;
     const Vec3& centre = model.bodies[at(path.obstacles()[i].body)].centre;

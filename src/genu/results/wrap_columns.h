@@ -1,6 +1,6 @@
 // Columns of ligaments and cables that wrap round surfaces; none without them.
 //
-//   PATH.SURFACE.wrap            touches or free
+//   PATH.SURFACE.touches         1 where it touches, 0 where it is free
 //   PATH.SURFACE.arc_mm          length along the surface
 //   PATH.SURFACE.begin.x_mm ...  where it comes onto the surface, and .end.x_mm ... where it leaves, in the frame of
 //   the
