@@ -92,10 +92,10 @@ LigamentMotion Sensitivity::ligament(int index) const {
   const double length = l.path.length(state().poses, state().wraps);
   if (!(length > 0)) return {kNoRate, kNoRate, kNoRate};
   LigamentRate own;
-  if (parameter_.of_ligament() && parameter_.object == index)
+  if (concerns(scene_->ligaments[at(index)], index, parameter_))
     own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses,
                          model_->reference_wraps, state().wraps, model_->moving_count},
-                        parameter_);
+                        parameter_, scene_->surfaces);
   const double stretch = l.path.length_rate(state().poses, motion_.twist, state().wraps);
   const LigamentLaw& law = l.law;
   return {own.length + stretch, own.strain + stretch / law.slack_length(),

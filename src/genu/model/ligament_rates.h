@@ -35,8 +35,12 @@ struct LigamentAt {
   int moving_count = 0;
 };
 
-/// The derivative of a ligament per SI unit of one of its own parameters. NaN where the slack length has no derivative
+/// Whether a parameter is one of the ligament's own, or of a surface that it wraps round.
+bool concerns(const LigamentDef& def, int ligament, const Parameter& parameter);
+
+/// The derivative of a ligament per SI unit of a parameter that concerns it. NaN for a surface's number that is no
+/// origin: they bend the geodesics. `surfaces`: of the scene. NaN also where the slack length has no derivative
 /// (a reference force of 0 in a law that is flat there).
-LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter);
+LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter, const std::vector<SurfaceDef>& surfaces);
 
 }  // namespace genu
