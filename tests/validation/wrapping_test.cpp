@@ -17,7 +17,7 @@ using test::table_of;
 
 constexpr double kRadius = 10;  // mm
 
-/// A crank about z that winds a cord over a rod at its axis.
+/// A crank about z that winds a cord over a rod at its axis. (The flap is there because something has to be free.)
 std::string crank(const std::string& cord, const std::string& step) {
   return R"(format = 1
 units = { length = "mm", angle = "deg" }
@@ -29,6 +29,13 @@ type = "revolute"
 parent = "frame"
 child = "crank"
 axis = [0, 0, 1]
+[body.flap]
+[joint.flap]
+type = "revolute"
+parent = "frame"
+child = "flap"
+axis = [0, 0, 1]
+stiffness = 1
 [surface.rod]
 body = "frame"
 shape = "cylinder"

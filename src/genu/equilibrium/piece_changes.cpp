@@ -78,11 +78,13 @@ PathEvent::Kind passed(const LawBreak& b, bool up) {
 namespace {
 
 /// Whether a path is still a shortest one that presses on its surfaces all along.
-void look_for_lost(const State& state, const LigamentPath& path, const std::string& name, Findings& out) {
+void look_for_lost(const State& state, const LigamentPath& path, const std::string& name, double rounding,
+                   Findings& out) {
   std::string on;
   for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
     const WrapTouch& touch = state.wraps[path.touch_index(i)];
     if (!touch.touching) continue;
+    if (touch.arc.length <= rounding) return;  // about to touch or to leave
     on += (on.empty() ? "" : ", ") + path.obstacles()[i].name;
     if (!(touch.arc.lift() > kHollowTolerance * touch.arc.length)) continue;
     out.lifts_off = true;
@@ -96,6 +98,7 @@ void look_for_lost(const State& state, const LigamentPath& path, const std::stri
 
 void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
   out.left_touch.clear();
+  out.slips_off = out.lifts_off = false;
   if (state.wraps.empty()) return;
   for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
     for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
@@ -105,7 +108,8 @@ void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
       out.worst = std::min(out.worst, inside);
       if (inside < -kLengthRounding) out.left_touch.push_back(static_cast<int>(k));
     }
-    if (!path.obstacles().empty() && out.left_touch.empty()) look_for_lost(state, path, name, out);
+    if (!path.obstacles().empty() && out.left_touch.empty())
+      look_for_lost(state, path, name, kLengthRounding * model.scales.length, out);
   });
 }
 

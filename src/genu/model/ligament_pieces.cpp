@@ -67,8 +67,8 @@ void reset_pieces(const JointModel& model, State& state) {
 }
 
 void follow_lengths(const JointModel& model, State& state) {
-  if (state.wraps.size() != model.reference_wraps.size()) settle_wraps(model, state);
   for (LigamentPiece& piece : state.pieces) piece.by_length = !jumps(model.ligaments[at(piece.ligament)].law);
+  settle_wraps(model, state);
   for (WrapTouch& touch : state.wraps) touch.by_length = true;
 }
 

@@ -104,7 +104,7 @@ std::vector<ReportContact> contacts_of(const Prepared& p, const Solution& soluti
 }
 
 std::vector<ReportPath> wrapped_paths(const JointModel& model, const std::vector<const State*>& states) {
-  constexpr double kSpacing = 5e-4;  // m: as fine as a page shows
+  constexpr double kSpacing = 1e-3;  // m: as fine as a page shows
   std::vector<ReportPath> out;
   for (std::size_t l = 0; l < model.ligaments.size(); ++l) {
     const LigamentPath& path = model.ligaments[l].path;
