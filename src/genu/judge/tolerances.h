@@ -141,7 +141,7 @@ inline constexpr double kSkinReach = 3;
 inline constexpr int kChainLinks = 48;
 
 /// [1] Rounds in which a chain is shortened, for each link. Fails first: if too small, good arcs are rejected.
-inline constexpr int kChainRounds = 40;
+inline constexpr int kShorteningRounds = 40;
 
 /// [arc] Move of a point in one round at which a chain is settled. Fails first: if too large, good arcs are rejected.
 inline constexpr double kChainSettled = 1e-13;
@@ -158,6 +158,6 @@ inline constexpr double kLegTangent = 1e-7;
 inline constexpr double kLegCorner = 2e-3;
 
 /// [size] Arcs shorter than this have no course of their own. Fails first: if too small, round-off is judged.
-inline constexpr double kShortestArc = 1e-4;
+inline constexpr double kShortestCourse = 1e-4;
 
 }  // namespace genu::judge

@@ -81,7 +81,7 @@ std::optional<Arc> chain(const Skin& skin, const Vec3& a, const Vec3& b, const V
     x[at(i)] = *foot;
   }
   const double relaxation = 2 / (1 + std::sin(EIGEN_PI / count));
-  for (int round = 0; round < kChainRounds * count; ++round) {
+  for (int round = 0; round < kShorteningRounds * count; ++round) {
     double moved = 0;
     for (int i = 1; i < count; ++i) {
       const Vec3 old = x[at(i)];
@@ -167,7 +167,7 @@ class PathJudge {
                         told.stem);
     }
     if (skin.is_mesh() && told.arc < 2 * skin.edge()) return void(out_.unsure += told.arc);
-    if (told.arc < kShortestArc * pose_.subject->size) return;  // too short to have a course
+    if (told.arc < kShortestCourse * pose_.subject->size) return;  // too short to have a course
     const auto coarse = chain(skin, a, b, u, v, told.arc, kChainLinks);
     const auto fine = chain(skin, a, b, u, v, told.arc, 2 * kChainLinks);
     if (!coarse || !fine) return pose_.out->expect("arcs", "mm", std::nan(""), 0, told.stem);
@@ -239,6 +239,16 @@ std::vector<std::string> touch_stems(const Scene& scene, const std::string& name
 WrittenPath written_path(const PoseCase& pose, const std::string& name, const std::vector<PathEnd>& points,
                          const std::vector<WrapDef>& wraps) {
   return PathJudge(pose, name, wraps).judge(points);
+}
+
+void add_pulls(const WrittenPath& path, double force, PoseForces& forces) {
+  for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+    const Vec3 way = path.points[k + 1] - path.points[k];
+    if (path.arc[k] || path.bodies[k] == path.bodies[k + 1] || !(way.norm() > 0)) continue;
+    const Vec3 pull = force * way.normalized();
+    forces.forces.push_back({path.bodies[k], path.points[k], pull, Vec3::Zero()});
+    forces.forces.push_back({path.bodies[k + 1], path.points[k + 1], -pull, Vec3::Zero()});
+  }
 }
 
 }  // namespace genu::judge

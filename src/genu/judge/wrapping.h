@@ -26,4 +26,7 @@ std::vector<std::string> touch_stems(const Scene& scene, const std::string& name
 WrittenPath written_path(const PoseCase& pose, const std::string& name, const std::vector<PathEnd>& points,
                          const std::vector<WrapDef>& wraps);
 
+/// The pulls of a tension (N) along a path.
+void add_pulls(const WrittenPath& path, double force, PoseForces& forces);
+
 }  // namespace genu::judge

@@ -39,6 +39,8 @@ void add_wrap_columns(const JointModel& model, ResultTable& table) {
   });
 }
 
+void settle_shown_wraps(const JointModel& model, State& state) { settle_wraps(model, state); }
+
 void set_wrap_columns(const JointModel& model, const State& state, ResultTable& table) {
   for (const Load& load : model.loads)
     if (load.kind == Load::Kind::cable)

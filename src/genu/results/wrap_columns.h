@@ -16,6 +16,9 @@ namespace genu {
 
 void add_wrap_columns(const JointModel& model, ResultTable& table);
 
+/// Settles the paths of a state that results were read into.
+void settle_shown_wraps(const JointModel& model, State& state);
+
 /// Fills the last row.
 void set_wrap_columns(const JointModel& model, const State& state, ResultTable& table);
 
