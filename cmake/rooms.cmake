@@ -15,7 +15,7 @@ endfunction()
 
 # Which rooms each room may include, besides itself. Each names rooms above it alone, so that there can be no cycle. A
 # test (tests/style) holds the includes to this list.
-set(genu_rooms core mesh law scene surface mesh_files mesh_care judge shape_fit contact model equilibrium path motion
+set(genu_rooms core mesh law scene surface wrap mesh_files mesh_care judge shape_fit contact model equilibrium path motion
     results assemble store appraise study)
 set(genu_core_uses)
 set(genu_mesh_uses core)
@@ -26,8 +26,9 @@ set(genu_mesh_files_uses core mesh)
 set(genu_mesh_care_uses core mesh surface mesh_files)
 set(genu_judge_uses core scene mesh mesh_files)
 set(genu_shape_fit_uses core mesh surface mesh_care)
+set(genu_wrap_uses core mesh surface)
 set(genu_contact_uses core mesh surface)
-set(genu_model_uses core law scene mesh surface contact)
+set(genu_model_uses core law scene mesh surface wrap contact)
 set(genu_equilibrium_uses core contact model)
 set(genu_path_uses core contact model equilibrium)
 set(genu_motion_uses core contact model equilibrium path)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/model/ligament_law.h"
+#include "genu/surface/analytic.h"
 
 namespace genu {
 namespace {
@@ -96,6 +97,163 @@ TEST(LigamentPath, LinesWithinOneBodyAndOnFixedOnesExertNothing) {
   LigamentPath path({{0, {0, 0, 0}}, {1, {0.03, 0, 0}}, {1, {0.03, 0.04, 0}}});
   path.move_with({-1, -1});
   EXPECT_EQ(path.length_gradient({Pose(), Pose()}, 1), VecX::Zero(6));
+}
+
+/// The same to fourth order, where derivatives change within millimetres.
+template <typename F>
+MatX fine_differences(const F& f) {
+  MatX out(f(some_poses()).size(), 12);
+  for (int i = 0; i < 12; ++i) {
+    const auto across = [&](double h) {
+      const VecX step = h * VecX::Unit(12, i);
+      return VecX((f(moved(some_poses(), step)) - f(moved(some_poses(), -step))) / (2 * h));
+    };
+    out.col(i) = (4 * across(kStep) - across(2 * kStep)) / 3;
+  }
+  return out;
+}
+
+/// From body 0 to body 2 over a ball on the fixed body 1 and an ellipsoid or rod on body 2, with a via point on body 1
+/// behind them and another ball on body 0 after that.
+LigamentPath wrapped_path(std::shared_ptr<const Surface> second) {
+  LigamentPath path({{0, {0.0, 0.0, 0.0}}, {1, {0.09, 0.005, -0.10}}, {2, {0.02, 0.08, -0.03}}});
+  const std::vector<Pose> poses = some_poses();
+  const auto in_body = [&](int body, const Vec3& world) -> Vec3 { return poses[at(body)].inverse() * world; };
+  path.set_point(0, in_body(0, Vec3(-0.06, 0.0, 0.001)));
+  path.set_point(1, Vec3(0.07, 0.0, -0.002));
+  path.set_point(2, in_body(2, Vec3(0.075, 0.06, 0.01)));
+  path.set_obstacles(
+      {{"ball", 1, make_sphere({Mat3::Identity(), Vec3(-0.03, -0.004, 0)}, 0.01, false), 0, Vec3(0, 1, 0)},
+       {"second", 2, std::move(second), 0, Vec3(poses[2].R.transpose() * Vec3(0, -1, 0))},
+       {"third", 0, make_sphere({Mat3::Identity(), in_body(0, Vec3(0.082, 0.03, 0.004))}, 0.012, false), 1}},
+      0);
+  path.move_with({0, -1, 1});
+  return path;
+}
+
+std::vector<std::shared_ptr<const Surface>> second_obstacles() {
+  const Pose X = some_poses()[2].inverse() * Pose{exp_rotation(Vec3(0.2, 0.1, 0.4)), Vec3(0.03, 0.006, 0)};
+  return {make_ellipsoid(X, Vec3(0.02, 0.012, 0.016), false), make_cylinder(X, 0.012, false)};
+}
+
+/// The touches at moved poses, from those of some_poses().
+Wraps followed(const LigamentPath& path, const std::vector<Pose>& poses, const Wraps& from) {
+  Wraps out = from;
+  EXPECT_TRUE(path.follow_touches(poses, out));
+  return out;
+}
+
+void expect_derivatives(const LigamentPath& path, const Wraps& wraps, double tolerance) {
+  const auto length = [&](const auto& poses) {
+    return VecX::Constant(1, path.length(poses, followed(path, poses, wraps)));
+  };
+  const VecX gradient = path.length_gradient(some_poses(), 2, wraps);
+  EXPECT_LT((fine_differences(length) - gradient.transpose()).cwiseAbs().maxCoeff(), tolerance);
+  const auto pull = [&](const auto& poses) {
+    VecX out = VecX::Zero(12);
+    path.add_tension(poses, 1, out, followed(path, poses, wraps));
+    return out;
+  };
+  VecX same, wrench = VecX::Zero(12);
+  MatX stiffness = MatX::Zero(12, 12);
+  path.linearize(some_poses(), {1, 0, 0}, same, wrench, &stiffness, wraps);
+  EXPECT_LT((same - gradient).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((fine_differences(pull) - stiffness).cwiseAbs().maxCoeff(), tolerance * stiffness.cwiseAbs().maxCoeff());
+}
+
+TEST(WrappedPath, DerivativesAreThoseOfItsLength) {
+  for (const auto& second : second_obstacles()) {
+    const LigamentPath path = wrapped_path(second);
+    Wraps wraps(3);
+    ASSERT_TRUE(path.find_touches(some_poses(), wraps));
+    for (const WrapTouch& touch : wraps) EXPECT_TRUE(touch.touching);
+    EXPECT_TRUE(path.is_shortest(some_poses(), wraps));
+    expect_derivatives(path, wraps, 2e-9);
+  }
+}
+
+/// A line that cuts a rod, or clears it, by a nanometre: the touching path goes on smoothly to arcs of negative length.
+TEST(WrappedPath, DerivativesBesideTheTouchAreExactToo) {
+  for (const double depth : {1e-9, -1e-9, 0.0}) {
+    LigamentPath path({{0, {0, 0, 0}}, {2, {0, 0, 0}}});
+    const std::vector<Pose> poses = some_poses();
+    path.set_point(0, poses[0].inverse() * Vec3(-0.05, 0.01 - depth, 0.003));
+    path.set_point(1, poses[2].inverse() * Vec3(0.04, 0.01 - depth, -0.002));
+    path.set_obstacles({{"rod", 1, make_cylinder({}, 0.01, false), 0, Vec3(0, 1, 0)}}, 0);
+    path.move_with({0, -1, 1});
+    Wraps wraps(1);
+    wraps[0].touching = true;
+    wraps[0].arc.begin.p = Vec3(0, 0.01, 0);
+    wraps[0].arc.begin.t = Vec3(0.09, 0, -0.005).normalized();
+    wraps[0].arc.length = 1e-5;
+    ASSERT_TRUE(path.follow_touches(poses, wraps));
+    EXPECT_NEAR(path.touch_margin(poses, wraps, 0), wraps[0].arc.length, 0);
+    EXPECT_LT(std::abs(wraps[0].arc.length), 1e-8);
+    EXPECT_EQ(wraps[0].arc.length > 0, depth > 0);
+    expect_derivatives(path, wraps, 2e-9);
+  }
+}
+
+TEST(WrappedPath, PointsInsideAnObstacleAreFound) {
+  LigamentPath path({{0, {0, 0, 0}}, {0, {0.05, 0, 0}}});
+  path.set_obstacles({{"ball", 0, make_sphere({Mat3::Identity(), Vec3(0.045, 0, 0)}, 0.01, false), 0}}, 0);
+  const auto inside = path.points_inside({Pose()});
+  ASSERT_EQ(inside.size(), 1u);
+  EXPECT_EQ(inside[0].point, 1u);
+  EXPECT_NEAR(inside[0].depth, 0.005, 1e-15);
+}
+
+/// A belt round a pulley under one tension: the bearing carries 2 T sin(phi / 2).
+TEST(WrappedPath, ABeltPressesOnItsPulley) {
+  constexpr double kTension = 37, kRadius = 0.03;
+  for (const double phi : {0.1, 1.0, 2.5, 3.0}) {
+    const Vec3 from(-0.2, kRadius, 0), along(std::cos(phi), -std::sin(phi), 0), out(std::sin(phi), std::cos(phi), 0);
+    LigamentPath path({{0, from}, {0, kRadius * out + 0.2 * along}});
+    path.set_obstacles(
+        {{"pulley", 1, make_cylinder({}, kRadius, false), 0, Vec3(std::sin(phi / 2), std::cos(phi / 2), 0)}}, 0);
+    path.move_with({-1, 0});
+    Wraps wraps(1);
+    ASSERT_TRUE(path.find_touches({{}, {}}, wraps));
+    EXPECT_NEAR(wraps[0].arc.length, kRadius * phi, 1e-14);
+    VecX wrench = VecX::Zero(6);
+    path.add_tension({{}, {}}, kTension, wrench, wraps);
+    EXPECT_NEAR(wrench.head<3>().norm(), 2 * kTension * std::sin(phi / 2), 1e-12 * kTension);
+    EXPECT_LT(wrench.tail<3>().norm(), 1e-12 * kTension * kRadius);
+  }
+}
+
+/// The rates of the pull by a moved end and a moved obstacle, against differences.
+TEST(WrappedPath, RatesOfEndsAndObstacles) {
+  const LigamentPath path = wrapped_path(second_obstacles()[0]);
+  const std::vector<Pose> poses = some_poses();
+  Wraps wraps(3);
+  ASSERT_TRUE(path.find_touches(poses, wraps));
+  const Vec3 way(0.3, -0.5, 0.8);
+  const auto pull = [&](double step) {
+    LigamentPath other = path;
+    other.set_point(0, path.points()[0].p + step * poses[0].R.transpose() * way);
+    VecX out = VecX::Zero(12);
+    other.add_tension(poses, 1, out, followed(other, poses, wraps));
+    return out;
+  };
+  const auto across = [&](double h) { return VecX((pull(h) - pull(-h)) / (2 * h)); };
+  const VecX difference = (4 * across(kStep) - across(2 * kStep)) / 3;
+  LigamentPath::Change change;
+  change.points = {way, Vec3::Zero(), Vec3::Zero()};
+  change.obstacles.assign(3, Vec3::Zero());
+  VecX touches = VecX::Zero(12);
+  path.add_touch_rate(poses, wraps, change, 1, touches);
+  // At fixed touching points only the first line turns.
+  const auto fixed = [&](double step) {
+    LigamentPath other = path;
+    other.set_point(0, path.points()[0].p + step * poses[0].R.transpose() * way);
+    VecX out = VecX::Zero(12);
+    other.add_tension(poses, 1, out, wraps);
+    return out;
+  };
+  const VecX direct = (fixed(kStep) - fixed(-kStep)) / (2 * kStep);
+  EXPECT_GT(touches.norm(), 0.1);
+  EXPECT_LT((direct + touches - difference).cwiseAbs().maxCoeff(), 5e-8);
 }
 
 }  // namespace

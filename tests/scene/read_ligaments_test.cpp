@@ -187,8 +187,7 @@ TEST(ReadLigaments, ViaPointsThatCannotBe) {
                  "", "via point 1 and its last end coincide at the reference pose");
 }
 
-TEST(ReadLigaments, NotBuiltYet) {
-  expect_law_refused(kLaw + "@wrap = 50\n", "wrap", "50", "not built yet");
+TEST(ReadLigaments, DampingOutsideMotion) {
   expect_law_refused(kLaw + "@damping = 50\n", "damping", "50", "only in a scene with [dynamics]");
 }
 

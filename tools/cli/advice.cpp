@@ -77,6 +77,8 @@ std::string advice_on_status(const std::string& status) {
        "follow the step with `control = \"arc_length\"`, or try another `fit_radius`: two active sets exclude each "
        "other "
        "here"},
+      {"slips_off", "give the path another `side`, a via point, or a surface that holds it; or shorten the motion"},
+      {"lifts_off", "name the surface once more in the path of the ligament, or smooth the hollow out of its mesh"},
       {"flawed_mesh", "repair the mesh with `genu mesh-check FILE --repair OUT`, or keep contact away with `patch`"},
       {"undetermined", "prescribe the motion that the verdict calls free, or add the ligament or load that holds it"}};
   const auto found = by_status.find(status);

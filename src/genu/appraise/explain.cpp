@@ -43,6 +43,9 @@ std::string kind_name(const SceneTables& scene, const LoadDef& load) {
   switch (load.kind) {
     case LoadDef::Kind::toward:
       return "toward a point of " + scene.bodies[at(load.toward_body)].name + numbers(load);
+    case LoadDef::Kind::cable:
+      return "a cable from " + scene.bodies[at(load.points.front().body)].name + " to " +
+             scene.bodies[at(load.points.back().body)].name + numbers(load);
     case LoadDef::Kind::coordinate:
       return "on " + coordinate_name(scene, load.coordinate) + numbers(load);
     case LoadDef::Kind::wrench:

@@ -143,6 +143,11 @@ std::string advice(PoseStatus status, std::size_t prescribed) {
     case PoseStatus::flawed_mesh:
       return "Repair the mesh there (genu mesh-check FILE --repair OUT), or keep contact away with the surface's "
              "`patch`.";
+    case PoseStatus::slips_off:
+      return "Give the path another `side`, a via point, or a surface that holds it; or shorten the motion.";
+    case PoseStatus::lifts_off:
+      return "Name the surface once more in the path, for another place of touch, or smooth the hollow out of its "
+             "mesh.";
     case PoseStatus::undetermined:
     case PoseStatus::no_equilibrium:
     case PoseStatus::ok:

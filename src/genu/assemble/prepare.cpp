@@ -144,7 +144,14 @@ bool triangles_alone(const PlacedScene& scene, std::size_t surface) {
   const auto uses = [&](const ContactDef& c) {
     return c.surface_a == static_cast<int>(surface) || c.surface_b == static_cast<int>(surface);
   };
-  return std::none_of(scene.contacts.begin(), scene.contacts.end(), uses) &&
+  const auto wraps = [&](const auto& defs) {
+    return std::any_of(defs.begin(), defs.end(), [&](const auto& def) {
+      return std::any_of(def.wraps.begin(), def.wraps.end(),
+                         [&](const WrapDef& w) { return w.surface == static_cast<int>(surface); });
+    });
+  };
+  return !wraps(scene.ligaments) && !wraps(scene.loads) &&
+         std::none_of(scene.contacts.begin(), scene.contacts.end(), uses) &&
          std::none_of(
              scene.layers.begin(), scene.layers.end(),
              [&](const LayerDef& l) { return l.quadrature == LayerDef::Quadrature::smooth && uses(l.pair); }) &&

@@ -1,6 +1,7 @@
 #include "genu/equilibrium/active_set.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "genu/equilibrium/force_guess.h"
@@ -12,6 +13,7 @@
 namespace genu {
 namespace {
 
+constexpr int kWrapsFrom = std::numeric_limits<int>::min() / 2;  // apart from pairs and ligaments
 constexpr const char* kBehind = "the equilibrium lies behind a surface: the bodies would have to pass through it";
 /// A contact set as a sorted list of (pair, number), with the pieces of ligaments' laws; to notice when one comes back.
 std::vector<std::pair<int, int>> signature(const State& state) {
@@ -19,6 +21,8 @@ std::vector<std::pair<int, int>> signature(const State& state) {
   for (const ActiveContact& c : state.contacts) s.emplace_back(c.pair, c.number);
   for (const LigamentPiece& p : state.pieces)
     if (!p.by_length) s.emplace_back(-1 - p.ligament, 2 * p.piece + p.held);
+  for (std::size_t i = 0; i < state.wraps.size(); ++i)
+    if (!state.wraps[i].by_length) s.emplace_back(kWrapsFrom - static_cast<int>(i), state.wraps[i].touching);
   std::sort(s.begin(), s.end());
   return s;
 }
@@ -43,6 +47,10 @@ const char* to_string(PoseStatus status) {
       return "undetermined";
     case PoseStatus::flawed_mesh:
       return "flawed_mesh";
+    case PoseStatus::slips_off:
+      return "slips_off";
+    case PoseStatus::lifts_off:
+      return "lifts_off";
   }
   return "";
 }
@@ -68,7 +76,14 @@ PoseReport ActiveSetSolver::judge(const State& state, const NewtonReport& newton
     report.status = PoseStatus::overlap;
     report.why = "a contact presses from the inner side";
   }
-  if (findings.doubtful) {
+  if (findings.slips_off) {
+    report.status = PoseStatus::slips_off;
+    report.why = findings.where + " is no shortest way any more: it slips off";
+  } else if (findings.lifts_off) {
+    report.status = PoseStatus::lifts_off;
+    report.why =
+        findings.where + ": it would lift off there; name the surface twice in its path for two places of touch";
+  } else if (findings.doubtful) {
     report.status = PoseStatus::flawed_mesh;
     report.why = "the contact touches " + findings.where;
   } else if (findings.over_edge) {

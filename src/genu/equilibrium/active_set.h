@@ -29,7 +29,18 @@ struct Balanced {
 };
 
 /// Why a pose is or is not accepted. Column `status` of the results contains to_string() of it.
-enum class PoseStatus { ok, no_equilibrium, over_edge, overlap, chatter, overconstrained, undetermined, flawed_mesh };
+enum class PoseStatus {
+  ok,
+  no_equilibrium,
+  over_edge,
+  overlap,
+  chatter,
+  overconstrained,
+  undetermined,
+  flawed_mesh,
+  slips_off,
+  lifts_off
+};
 const char* to_string(PoseStatus status);
 
 struct PoseReport {

@@ -29,23 +29,26 @@ struct Findings {
   std::vector<int> not_minimal;             ///< active contacts at a saddle of the gap
   std::vector<Candidate> beside;            ///< minima found beside those saddles
   std::vector<int> left_piece;              ///< entries of State::pieces whose ligament has left its piece of the law
+  std::vector<int> left_touch;              ///< entries of State::wraps that have to touch or leave
   bool over_edge = false;                   ///< a contact point or an overlap lies past the edge of a patch
   bool deep_overlap = false;                ///< samples overlap and no contact explains it
   bool doubtful = false;                    ///< a contact touches a place where a mesh is flawed
+  bool slips_off = false;                   ///< a path over surfaces is no local minimum of its length
+  bool lifts_off = false;                   ///< a path touches a surface where that is hollow
   double worst = std::numeric_limits<double>::infinity();  ///< smallest of scaled forces and of scaled gaps without a
                                                            ///< contact; < 0: violated
-  std::string where;                                       ///< place for over_edge, deep_overlap and doubtful, in words
+  std::string where;  ///< place for over_edge, deep_overlap, doubtful, slips_off and lifts_off, in words
 
   bool only_left_piece() const {
-    return !left_piece.empty() && pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() &&
-           !over_edge && !deep_overlap && !doubtful;
+    return left_piece.size() + left_touch.size() == 1 && pulling.empty() && overlapping.empty() &&
+           not_minimal.empty() && merged.empty() && !final();
   }
   bool none() const {
     return pulling.empty() && overlapping.empty() && not_minimal.empty() && merged.empty() && left_piece.empty() &&
-           !over_edge && !deep_overlap && !doubtful;
+           left_touch.empty() && !final();
   }
   /// Violations that no change of the active set can repair.
-  bool final() const { return over_edge || deep_overlap || doubtful; }
+  bool final() const { return over_edge || deep_overlap || doubtful || slips_off || lifts_off; }
 };
 
 /// Smallest relative curvature of the two surfaces at a contact over all tangent directions, 1/m.

@@ -22,6 +22,14 @@ const char* to_string(PathEvent::Kind kind) {
       return "transition";
     case PathEvent::Kind::held:
       return "held";
+    case PathEvent::Kind::wraps:
+      return "wraps";
+    case PathEvent::Kind::unwraps:
+      return "unwraps";
+    case PathEvent::Kind::slips_off:
+      return "slips_off";
+    case PathEvent::Kind::lifts_off:
+      return "lifts_off";
     case PathEvent::Kind::jump:
       return "jump";
     case PathEvent::Kind::stepped_over:
@@ -59,6 +67,8 @@ const char* to_string(PathEvent::Kind kind) {
 }
 
 PathEvent::Kind end_of(const Findings& findings) {
+  if (findings.slips_off) return PathEvent::Kind::slips_off;
+  if (findings.lifts_off) return PathEvent::Kind::lifts_off;
   if (findings.doubtful) return PathEvent::Kind::flawed_mesh;
   return findings.over_edge ? PathEvent::Kind::over_edge : PathEvent::Kind::overlap;
 }

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
 #include "genu/equilibrium/tolerances.h"
 
 namespace genu {
@@ -14,7 +17,7 @@ const std::vector<LawBreak>& breaks_of(const JointModel& model, const LigamentPi
 }
 
 double length_of(const JointModel& model, const State& state, const LigamentPiece& piece) {
-  return model.ligaments[at(piece.ligament)].path.length(state.poses);
+  return model.ligaments[at(piece.ligament)].path.length(state.poses, state.wraps);
 }
 
 /// Distance of a ligament from the ends of its piece, scaled; negative outside.
@@ -72,6 +75,54 @@ PathEvent::Kind passed(const LawBreak& b, bool up) {
   return PathEvent::Kind::transition;
 }
 
+namespace {
+
+/// Whether a path is still a shortest one that presses on its surfaces all along.
+void look_for_lost(const State& state, const LigamentPath& path, const std::string& name, double rounding,
+                   Findings& out) {
+  std::string on;
+  for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+    const WrapTouch& touch = state.wraps[path.touch_index(i)];
+    if (!touch.touching) continue;
+    if (touch.arc.length <= rounding) return;  // about to touch or to leave
+    on += (on.empty() ? "" : ", ") + path.obstacles()[i].name;
+    if (!(touch.arc.lift() > kHollowTolerance * touch.arc.length)) continue;
+    out.lifts_off = true;
+    out.where = fmt::format("{} on {} is hollow {:.3g} mm along its arc of {:.3g} mm", name, path.obstacles()[i].name,
+                            to::kMillimetre * touch.arc.hollow_at, to::kMillimetre * touch.arc.length);
+  }
+  if (on.empty() || path.is_shortest(state.poses, state.wraps)) return;
+  out.slips_off = true;
+  out.where = name + " round " + on;
+}
+
+void inspect_wraps(const JointModel& model, const State& state, Findings& out) {
+  out.left_touch.clear();
+  out.slips_off = out.lifts_off = false;
+  if (state.wraps.empty()) return;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+      const std::size_t k = path.touch_index(i);
+      if (state.wraps[k].by_length) continue;
+      const double inside = path.touch_margin(state.poses, state.wraps, i) / model.scales.length;
+      out.worst = std::min(out.worst, inside);
+      if (inside < -kLengthRounding) out.left_touch.push_back(static_cast<int>(k));
+    }
+    if (!path.obstacles().empty() && out.left_touch.empty())
+      look_for_lost(state, path, name, kLengthRounding * model.scales.length, out);
+  });
+}
+
+void change_touches(const JointModel& model, const Findings& findings, State& state) {
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i)
+      if (std::count(findings.left_touch.begin(), findings.left_touch.end(), static_cast<int>(path.touch_index(i))) > 0)
+        path.switch_touch(state.poses, state.wraps, i);
+  });
+}
+
+}  // namespace
+
 void inspect_pieces(const JointModel& model, const State& state, Findings& out) {
   out.left_piece.clear();
   for (std::size_t i = 0; i < state.pieces.size(); ++i) {
@@ -81,11 +132,13 @@ void inspect_pieces(const JointModel& model, const State& state, Findings& out) 
     out.worst = std::min(out.worst, inside);
     if (inside < -(piece.held ? kPullTolerance : kLengthRounding)) out.left_piece.push_back(static_cast<int>(i));
   }
+  inspect_wraps(model, state, out);
 }
 
 bool change_pieces(const JointModel& model, const Findings& findings, State& state, bool hold_drops) {
   for (const int i : findings.left_piece) move(model, state, hold_drops, state.pieces[at(i)]);
-  return !findings.left_piece.empty();
+  if (!findings.left_touch.empty()) change_touches(model, findings, state);
+  return !findings.left_piece.empty() || !findings.left_touch.empty();
 }
 
 bool holds_a_drop(const JointModel& model, const State& state) {
@@ -151,6 +204,15 @@ std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointMod
     for (int k = from.piece; k < to.piece; ++k) say(k, true);
     for (int k = from.piece; k > to.piece; --k) say(k - 1, false);
   }
+  if (before.wraps.size() != after.wraps.size() || after.wraps.empty()) return out;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+      const std::size_t k = path.touch_index(i);
+      if (before.wraps[k].touching == after.wraps[k].touching) continue;
+      out.emplace_back(after.wraps[k].touching ? PathEvent::Kind::wraps : PathEvent::Kind::unwraps,
+                       name + " " + path.obstacles()[i].name);
+    }
+  });
   return out;
 }
 

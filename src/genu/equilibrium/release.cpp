@@ -73,7 +73,7 @@ bool release_held(const JointModel& model, const Target& target, const PoseAccur
     const auto& l = model.ligaments[at(p.ligament)];
     const LawBreak& b = l.law.sharp_breaks()[at(p.piece)];
     const bool above = std::abs(p.force - b.above.force) < std::abs(p.force - b.below.force);
-    const VecX longer = l.path.length_gradient(state.poses, model.moving_count);
+    const VecX longer = l.path.length_gradient(state.poses, model.moving_count, state.wraps);
     out.planes.push_back({.gradient = above ? VecX(-longer) : longer, .kind = Kind::closed});
     p.held = false;
     p.piece += above;

@@ -89,12 +89,14 @@ std::optional<KneeMotion> Sensitivity::clinical(int joint) const {
 
 LigamentMotion Sensitivity::ligament(int index) const {
   const auto& l = model_->ligaments[at(index)];
-  const double length = l.path.length(state().poses);
+  const double length = l.path.length(state().poses, state().wraps);
   if (!(length > 0)) return {kNoRate, kNoRate, kNoRate};
   LigamentRate own;
-  if (parameter_.of_ligament() && parameter_.object == index)
-    own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses}, parameter_);
-  const double stretch = l.path.length_rate(state().poses, motion_.twist);
+  if (concerns(scene_->ligaments[at(index)], index, parameter_))
+    own = ligament_rate({scene_->ligaments[at(index)], l, model_->reference_poses, state().poses,
+                         model_->reference_wraps, state().wraps, model_->moving_count},
+                        parameter_, scene_->surfaces);
+  const double stretch = l.path.length_rate(state().poses, motion_.twist, state().wraps);
   const LigamentLaw& law = l.law;
   return {own.length + stretch, own.strain + stretch / law.slack_length(),
           own.force + law.evaluate(length).stiffness * stretch};

@@ -134,6 +134,10 @@ inline constexpr double kSampleGapRounding = 1e-9;
 
 // piece_changes
 
+/// [1] How much shorter, over the length of its arc, a path may be that lifts off hollow places. Fails first: if too
+/// small, paths over noise of meshes are refused; if too large, lengths over hollows are too long.
+inline constexpr double kHollowTolerance = 1e-6;
+
 /// [length scale] Length past a break of a law that is round-off, as for gaps. Fails first: if too small, ligaments
 /// change pieces in turn.
 inline constexpr double kLengthRounding = 1e-12;

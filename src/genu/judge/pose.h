@@ -50,6 +50,11 @@ struct PoseCase {
   double length_tolerance() const { return 1e-9 * subject->size + rounding + slack * subject->size; }
 };
 
+/// The scene's step of a row; null where there is none.
+const StepDef* step_of(const Scene& scene, const Row& row);
+/// The position of a row in its step.
+double part_of(const StepDef& step, const Row& row);
+
 /// The case of a row. False where coordinates are empty, with a note in `out`.
 bool begin_pose(const Subject& subject, const Row& row, Findings& out, PoseCase& pose);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "genu/judge/joints.h"
+#include "genu/judge/wrapping.h"
 
 namespace genu::judge {
 namespace {
@@ -15,6 +16,15 @@ void add_points(const Scene& scene, const ContactDef& pair, std::vector<std::str
 
 void add_reaction(const Scene& scene, const QuantityRef& q, std::vector<std::string>& names) {
   names.push_back(quantity_name(scene, q) + ".reaction" + (q.is_rotation() ? "_Nm" : "_N"));
+}
+
+void add_touches(const Scene& scene, const std::string& name, const std::vector<WrapDef>& wraps,
+                 std::vector<std::string>& names) {
+  for (const std::string& stem : touch_stems(scene, name, wraps)) {
+    for (const char* quantity : {".touches", ".arc_mm"}) names.push_back(stem + quantity);
+    for (const char* end : {"begin", "end"})
+      for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}.{}.{}_mm", stem, end, axis));
+  }
 }
 
 }  // namespace
@@ -52,6 +62,11 @@ std::vector<std::string> required_columns(const Scene& scene) {
     }
   for (const LigamentDef& l : scene.ligaments)
     for (const char* end : {".length_mm", ".strain", ".force_N"}) names.push_back(l.name + end);
+  for (const LigamentDef& l : scene.ligaments) add_touches(scene, l.name, l.wraps, names);
+  for (const LoadDef& l : scene.loads) {
+    if (l.kind == LoadDef::Kind::cable) names.push_back(l.name + ".length_mm");
+    add_touches(scene, l.name, l.wraps, names);
+  }
   for (const LoadDef& l : scene.loads)
     if (l.scale) names.push_back(l.name + ".scale");
   return names;

@@ -36,8 +36,9 @@ std::optional<double> number_in(std::string_view cell) {
 
 /// Whether `word` is a value of column `status`.
 bool is_status(std::string_view word) {
-  constexpr std::string_view kWords[] = {"ok",      "no_equilibrium",  "over_edge",    "overlap",
-                                         "chatter", "overconstrained", "undetermined", "flawed_mesh"};
+  constexpr std::string_view kWords[] = {"ok",        "no_equilibrium",  "over_edge",    "overlap",
+                                         "chatter",   "overconstrained", "undetermined", "flawed_mesh",
+                                         "slips_off", "lifts_off"};
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 

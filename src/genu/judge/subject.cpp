@@ -56,6 +56,7 @@ double largest_force(const LoadDef& load, double size) {
     case LoadDef::Kind::wrench:
       return std::max(load.force.norm(), load.moment.norm() / size);
     case LoadDef::Kind::toward:
+    case LoadDef::Kind::cable:
       return std::abs(load.activation * load.value);
     case LoadDef::Kind::coordinate:
       return std::abs(load.value) / (QuantityRef(load.coordinate).is_rotation() ? size : 1);

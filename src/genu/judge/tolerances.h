@@ -145,4 +145,32 @@ inline constexpr double kStrainRounding = 1e-12;
 /// [1] Errors of results.csv that are listed. Fails first: if too large, a garbage file fills the terminal.
 inline constexpr std::size_t kMaxFileErrors = 20;
 
+// wrapping
+
+/// [edge] How far from a mesh its facets are looked for. Fails first: if too small, chains leave the mesh.
+inline constexpr double kSkinReach = 3;
+
+/// [1] Links of the coarser of two chains over an arc. Fails first: if too small, lengths of arcs are unsure.
+inline constexpr int kChainLinks = 48;
+
+/// [1] Rounds in which a chain is shortened, for each link. Fails first: if too small, good arcs are rejected.
+inline constexpr int kShorteningRounds = 40;
+
+/// [arc] Move of a point in one round at which a chain is settled. Fails first: if too large, good arcs are rejected.
+inline constexpr double kChainSettled = 1e-13;
+
+/// [1] Error of an extrapolated length over the difference of two chains. Fails first: if too small, good arcs are
+/// rejected; if too large, wrong ones pass.
+inline constexpr double kChainError = 0.02;
+
+/// [rad] Angle of a leg with the tangent plane where it touches. Fails first: if too small, solved paths are rejected.
+inline constexpr double kLegTangent = 1e-7;
+
+/// [rad] Angle of a leg with the chain that it continues. Fails first: if too small, coarse chains reject good paths;
+/// if too large, a path with a corner passes.
+inline constexpr double kLegCorner = 2e-3;
+
+/// [size] Arcs shorter than this have no course of their own. Fails first: if too small, round-off is judged.
+inline constexpr double kShortestCourse = 1e-4;
+
 }  // namespace genu::judge

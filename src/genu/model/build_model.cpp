@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "genu/core/units.h"
 #include "genu/model/build_layer.h"
 #include "genu/model/tolerances.h"
 
@@ -11,6 +14,9 @@ namespace {
 
 /// Attachment points of a load on a body.
 void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
+  if (load.kind == Load::Kind::cable)
+    for (const LigamentPath::Point& point : load.path.points())
+      if (point.body == body) ends.push_back(point.p);
   const bool toward = load.kind == Load::Kind::toward;
   if (load.body_a == body && (toward || !load.force.isZero())) ends.push_back(load.p_A);
   if (load.body_b == body && toward) ends.push_back(load.p_B);
@@ -79,12 +85,60 @@ std::vector<int> moving_indices(const JointModel& model) {
   return out;
 }
 
-LigamentPath path_on(const JointModel& model, const LigamentDef& def) {
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+/// A path in the scene: its points, its obstacles and where it is said.
+struct PathText {
+  std::string name;  ///< "ligament.MCL"
+  const std::vector<PathEnd>& points;
+  const std::vector<WrapDef>& wraps;
+};
+
+std::string point_name(std::size_t k, std::size_t count) {
+  return k == 0 ? "its first end" : k + 1 == count ? "its last end" : fmt::format("its via point {}", k);
+}
+
+/// Says which points of a path lie inside its obstacles at the reference pose. True if none does.
+bool check_inside(const JointModel& model, const LigamentPath& path, const PathText& text, const std::string& file,
+                  Diagnostics& out) {
+  bool good = true;
+  for (const LigamentPath::Inside& inside : path.points_inside(model.reference_poses)) {
+    const LigamentPath::Obstacle& o = path.obstacles()[inside.obstacle];
+    if (o.ignore_inside) continue;
+    good = false;
+    const LigamentPath::Point& point = path.points()[inside.point];
+    const Vec3 place = to::kMillimetre * (point.p + model.bodies[at(point.body)].centre);
+    out.add(
+        error_at({file, text.wraps[inside.obstacle].where}, Code::out_of_range, text.name + ".wrap", o.name,
+                 fmt::format("{} ({:.4g}, {:.4g}, {:.4g} mm on {}) lies {:.3g} mm inside the surface: move it out, or "
+                             "say inside = \"ignore\" to let the path pass through",
+                             point_name(inside.point, path.points().size()), place.x(), place.y(), place.z(),
+                             model.bodies[at(point.body)].name, to::kMillimetre * inside.depth)));
+  }
+  return good;
+}
+
+/// The path at the reference pose, its touches at the end of JointModel::reference_wraps.
+std::optional<LigamentPath> path_on(const PlacedScene& scene, const Surfaces& surfaces, const PathText& text,
+                                    JointModel& model, Diagnostics& out) {
   std::vector<LigamentPath::Point> points;
-  for (const LigamentDef::End& end : def.path_points()) points.push_back({end.body, end.point});
+  for (const PathEnd& end : text.points) points.push_back({end.body, end.point});
   LigamentPath path(std::move(points));
+  std::vector<LigamentPath::Obstacle> obstacles;
+  for (const WrapDef& wrap : text.wraps) {
+    const SurfaceDef& def = scene.surfaces[at(wrap.surface)];
+    obstacles.push_back({def.name, def.body, surfaces[at(wrap.surface)], wrap.after, wrap.side, wrap.ignore_inside});
+  }
+  const bool wraps = !obstacles.empty();
+  path.set_obstacles(std::move(obstacles), model.reference_wraps.size());
   path.move_with(moving_indices(model));
-  return path;
+  if (!wraps) return path;
+  model.reference_wraps.resize(model.reference_wraps.size() + text.wraps.size());
+  if (!check_inside(model, path, text, scene.file, out)) return std::nullopt;
+  if (path.find_touches(model.reference_poses, model.reference_wraps)) return path;
+  out.add(error_at({scene.file, text.wraps.front().where}, Code::out_of_range, text.name + ".wrap", {},
+                   "no shortest path round it is found at the reference pose: give the side, or check its points"));
+  return std::nullopt;
 }
 
 void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
@@ -94,11 +148,17 @@ void add_constraints_of(const JointDef& joint, int index, JointModel& model) {
   if (joint.damping > 0) model.joint_dampers.push_back({index, joint.damping});
 }
 
-bool make_loads(const PlacedScene& scene, JointModel& model, Diagnostics& out) {
+bool make_loads(const PlacedScene& scene, const Surfaces& surfaces, JointModel& model, Diagnostics& out) {
   bool good = true;
   for (const LoadDef& def : scene.loads) {
     std::string why;
     if (auto load = make_load(scene, def, why)) {
+      if (def.kind == LoadDef::Kind::cable) {
+        const auto path = path_on(scene, surfaces, {"load." + def.name, def.points, def.wraps}, model, out);
+        good = good && path;
+        if (!path) continue;
+        load->path = *path;
+      }
       model.loads.push_back(std::move(*load));
       continue;
     }
@@ -153,15 +213,19 @@ std::optional<JointModel> build_model(const PlacedScene& scene,
   bool good = true;
   for (const LigamentDef& def : scene.ligaments) {
     std::string why;
-    const auto law = make_law(def, path_length(def, model.reference_poses), why);
+    const std::vector<PathEnd> points = def.path_points();
+    const auto path = path_on(scene, surfaces, {"ligament." + def.name, points, def.wraps}, model, out);
+    good = good && path;
+    if (!path) continue;
+    const auto law = make_law(def, path->length(model.reference_poses, model.reference_wraps), why);
     if (!law) {
       good = false;
       out.add(error_at({scene.file, def.where}, Code::out_of_range, "ligament." + def.name, {}, why));
       continue;
     }
-    model.ligaments.push_back({def.name, path_on(model, def), *law, def.damping});
+    model.ligaments.push_back({def.name, *path, *law, def.damping});
   }
-  good = make_loads(scene, model, out) && good;
+  good = make_loads(scene, surfaces, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {
     const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];
     const SurfaceDef& b = scene.surfaces[at(contact.surface_b)];

@@ -1,5 +1,7 @@
 #include "genu/model/correction.h"
 
+#include "genu/model/ligament_pieces.h"
+
 namespace genu {
 namespace {
 
@@ -81,7 +83,7 @@ bool retract(const JointModel& model, const State& state, const Correction& corr
     contact.force += fraction * correction.forces(static_cast<Eigen::Index>(c));
   }
   update_coordinates(model, out);
-  return true;
+  return follow_wraps(model, out);
 }
 
 }  // namespace genu

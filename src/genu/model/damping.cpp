@@ -21,7 +21,7 @@ std::vector<DamperMode> damper_modes(const JointModel& model, const State& state
     const auto& l = model.ligaments[i];
     if (l.damping == 0 || pushes(l.law)) continue;
     const LigamentShown shown = show_ligament(model, state, static_cast<int>(i));
-    const double rate = l.path.length_rate(state.poses, twist);
+    const double rate = l.path.length_rate(state.poses, twist, state.wraps);
     if (shown.length <= l.law.slack_until())
       modes[i] = DamperMode::slack;
     else if (shown.force + l.damping * rate < 0)
@@ -44,10 +44,10 @@ double add_damping(const JointModel& model, const State& state, const std::vecto
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
     if (l.damping == 0 || modes[i] == DamperMode::slack) continue;
-    const double rate = l.path.length_rate(state.poses, twist);
+    const double rate = l.path.length_rate(state.poses, twist, state.wraps);
     const double tension = damper_tension(l, modes[i], show_ligament(model, state, static_cast<int>(i)).force, rate);
     power += tension * rate;
-    l.path.add_tension(state.poses, tension, wrench);
+    l.path.add_tension(state.poses, tension, wrench, state.wraps);
   }
   for (const auto& damper : model.joint_dampers) {
     const JointPoint::Gradient gradient = joint_point(model, state, damper.joint).gradient(0);

@@ -101,6 +101,7 @@ struct JointModel {
   std::vector<Pair> pairs;    ///< rigid contacts; the index is that of Scene::contacts
   std::vector<Layer> layers;
   std::vector<Pose> reference_poses;  ///< of every body in the world
+  Wraps reference_wraps;              ///< of every obstacle of a path, there: ligaments, then loads
   Scales scales;
   /// Counts evaluations if a run asks for it. Shared by copies of the model, not by threads.
   std::shared_ptr<EffectMeter> meter;

@@ -1,6 +1,7 @@
 #include "genu/model/ligament_pieces.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,8 +11,9 @@ LigamentShown show_ligament(const JointModel& model, const State& state, int lig
   const auto& l = model.ligaments[at(ligament)];
   const LigamentLaw& law = l.law;
   LigamentShown out;
-  out.length = l.path.length(state.poses);
+  out.length = l.path.length(state.poses, state.wraps);
   out.strain = law.strain(out.length);
+  for (std::size_t i = 0; i < l.path.obstacles().size(); ++i) out.arcs += l.path.arc_length(state.wraps, i);
   const auto piece = std::find_if(state.pieces.begin(), state.pieces.end(),
                                   [&](const LigamentPiece& p) { return p.ligament == ligament; });
   if (piece == state.pieces.end() || piece->by_length)
@@ -25,20 +27,49 @@ bool jumps(const LigamentLaw& law) {
   return std::any_of(law.breaks().begin(), law.breaks().end(), [](const LawBreak& b) { return b.jumps(); });
 }
 
+bool follow_wraps(const JointModel& model, State& state) {
+  if (state.wraps.empty()) return true;
+  bool good = true;
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    good = good && (path.obstacles().empty() || path.follow_touches(state.poses, state.wraps));
+  });
+  return good;
+}
+
+void settle_wraps(const JointModel& model, State& state) {
+  if (model.reference_wraps.empty()) return;
+  if (state.wraps.size() != model.reference_wraps.size()) state.wraps = model.reference_wraps;
+  for (WrapTouch& touch : state.wraps) touch.by_length = true;
+  for_each_path(model, [&](const LigamentPath& path, const std::string&) {
+    if (path.obstacles().empty()) return;
+    const Wraps before = state.wraps;
+    if (path.follow_touches(state.poses, state.wraps)) return;
+    state.wraps = before;
+    if (path.find_touches(state.poses, state.wraps)) return;
+    WrapTouch& lost = state.wraps[path.touch_index(0)];
+    lost.touching = true;
+    lost.arc.length = std::numeric_limits<double>::quiet_NaN();
+  });
+  for (WrapTouch& touch : state.wraps) touch.by_length = false;
+}
+
 void reset_pieces(const JointModel& model, State& state) {
+  settle_wraps(model, state);
   state.pieces.clear();
   for (std::size_t i = 0; i < model.ligaments.size(); ++i) {
     const auto& l = model.ligaments[i];
     if (l.law.sharp_breaks().empty()) continue;
     LigamentPiece piece;
     piece.ligament = static_cast<int>(i);
-    piece.piece = l.law.piece_at(l.path.length(state.poses));
+    piece.piece = l.law.piece_at(l.path.length(state.poses, state.wraps));
     state.pieces.push_back(piece);
   }
 }
 
 void follow_lengths(const JointModel& model, State& state) {
   for (LigamentPiece& piece : state.pieces) piece.by_length = !jumps(model.ligaments[at(piece.ligament)].law);
+  settle_wraps(model, state);
+  for (WrapTouch& touch : state.wraps) touch.by_length = true;
 }
 
 bool fix_pieces(const JointModel& model, State& state) {
@@ -46,9 +77,13 @@ bool fix_pieces(const JointModel& model, State& state) {
   for (LigamentPiece& piece : state.pieces) {
     if (!piece.by_length) continue;
     const auto& l = model.ligaments[at(piece.ligament)];
-    piece.piece = l.law.piece_at(l.path.length(state.poses));
+    piece.piece = l.law.piece_at(l.path.length(state.poses, state.wraps));
     piece.by_length = false;
     any = true;
+  }
+  for (WrapTouch& touch : state.wraps) {
+    any = any || touch.by_length;
+    touch.by_length = false;
   }
   return any;
 }
@@ -64,6 +99,7 @@ State reference_state(const JointModel& model) {
   State state;
   state.poses = model.reference_poses;
   for (const auto& joint : model.joints) state.coordinates.push_back(joint.reference);
+  state.wraps = model.reference_wraps;
   reset_pieces(model, state);
   return state;
 }
@@ -82,7 +118,8 @@ bool fits_model(const JointModel& model, const State& state) {
     return p.ligament >= 0 && at(p.ligament) < model.ligaments.size() && p.piece >= 0 &&
            at(p.piece) + (p.held ? 1 : 0) <= model.ligaments[at(p.ligament)].law.sharp_breaks().size();
   };
-  return state.poses.size() == model.bodies.size() && state.coordinates.size() == model.joints.size() &&
+  return state.poses.size() == model.bodies.size() && state.wraps.size() == model.reference_wraps.size() &&
+         state.coordinates.size() == model.joints.size() &&
          std::all_of(state.contacts.begin(), state.contacts.end(), of_pair) &&
          std::all_of(state.pieces.begin(), state.pieces.end(), of_ligament);
 }

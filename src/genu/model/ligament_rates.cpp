@@ -1,5 +1,6 @@
 #include "genu/model/ligament_rates.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace genu {
@@ -12,8 +13,9 @@ using Kind = Parameter::Kind;
 struct Direct {
   int number = -1;  ///< index in the law's table
   double rest = 0;
-  int point = -1;  ///< index of the points from end to end
-  int axis = 0;    ///< axis in its body
+  int point = -1;    ///< index of the points from end to end
+  int axis = 0;      ///< axis in its body
+  int surface = -1;  ///< index of the surface that moves along it
 };
 
 Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
@@ -37,6 +39,9 @@ Direct direct_change(const LigamentDef& def, const Parameter& parameter) {
     case Kind::to_point:
       d.point = static_cast<int>(def.path_points().size()) - 1;
       break;
+    case Kind::surface_number:
+      d.surface = parameter.object;
+      break;
     default:
       break;
   }
@@ -54,16 +59,22 @@ struct MovingLine {
   double length_rate() const { return u.dot(end_B - end_A); }
 };
 
-std::vector<MovingLine> lines_of(const LigamentPath& path, const std::vector<Pose>& poses, const Direct& change) {
+/// Whether a point of the path, or the surface that it lies on, moves along the axis.
+bool moves(const LigamentDef& def, const Direct& change, int index) {
+  return index >= 0 ? index == change.point
+                    : change.surface >= 0 && def.wraps[at(-1 - index)].surface == change.surface;
+}
+
+std::vector<MovingLine> lines_of(const LigamentDef& def, const LigamentPath& path, const std::vector<Pose>& poses,
+                                 const Wraps& wraps, const Direct& change) {
   std::vector<MovingLine> out;
-  path.for_each_line([&](const LigamentPath::Point& from, const LigamentPath::Point& to, const TautLine& taut) {
+  path.for_each_line(wraps, [&](const LigamentPath::Point& from, const LigamentPath::Point& to, const TautLine& taut) {
     const int a = from.body, b = to.body;
     const Pose &X_WA = poses[static_cast<std::size_t>(a)], &X_WB = poses[static_cast<std::size_t>(b)];
-    const int first = static_cast<int>(out.size());
     const auto velocity = [&](const Pose& pose, int point) {
-      return point == change.point ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
+      return moves(def, change, point) ? Vec3(pose.R.col(change.axis)) : Vec3(Vec3::Zero());
     };
-    MovingLine line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, first), velocity(X_WB, first + 1),
+    MovingLine line{a, b, X_WA.R * taut.p_A, X_WB.R * taut.p_B, velocity(X_WA, from.index), velocity(X_WB, to.index),
                     0, {}};
     const Vec3 d = (X_WB.p - X_WA.p) + (line.r_B - line.r_A);
     line.length = d.norm();
@@ -102,9 +113,16 @@ double slack_from_force(const LigamentAt& at, const Direct& d, double length, do
   return by_length + missing / r.force_by_slack_length;
 }
 
+/// Whether a surface's parameter moves it as a whole.
+bool is_origin(const SurfaceDef& def, const Parameter& parameter) {
+  return parameter.kind == Kind::surface_number &&
+         kind_of(def).numbers[static_cast<std::size_t>(parameter.number)].values_of(def) == def.placement.p.data();
+}
+
 double slack_rate(const LigamentAt& at, const Direct& d) {
   if (at.def.rest == Rest::slack_length) return d.rest;
-  const auto [length, length_rate] = length_of(lines_of(at.made.path, at.reference_poses, d));
+  auto [length, length_rate] = length_of(lines_of(at.def, at.made.path, at.reference_poses, at.reference_wraps, d));
+  length = at.made.path.length(at.reference_poses, at.reference_wraps);
   if (at.def.rest == Rest::reference_force) return slack_from_force(at, d, length, length_rate);
   const double slack = at.made.law.slack_length();
   return slack / length * length_rate - slack / (1 + at.def.rest_value) * d.rest;
@@ -112,11 +130,23 @@ double slack_rate(const LigamentAt& at, const Direct& d) {
 
 }  // namespace
 
-LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
+bool concerns(const LigamentDef& def, int ligament, const Parameter& parameter) {
+  if (parameter.of_ligament()) return parameter.object == ligament;
+  return parameter.of_surface() && std::any_of(def.wraps.begin(), def.wraps.end(),
+                                               [&](const WrapDef& w) { return w.surface == parameter.object; });
+}
+
+LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter, const std::vector<SurfaceDef>& surfaces) {
+  if (parameter.of_surface() && !is_origin(surfaces[static_cast<std::size_t>(parameter.object)], parameter)) {
+    LigamentRate none;
+    none.length = none.strain = none.force = std::numeric_limits<double>::quiet_NaN();
+    none.touches.setConstant(6 * at.moving_count, none.force);
+    return none;
+  }
   const Direct change = direct_change(at.def, parameter);
   const LigamentLaw& law = at.made.law;
-  const std::vector<MovingLine> lines = lines_of(at.made.path, at.poses, change);
-  const auto [length, length_rate] = length_of(lines);
+  const std::vector<MovingLine> lines = lines_of(at.def, at.made.path, at.poses, at.wraps, change);
+  const double length_rate = length_of(lines).second, length = at.made.path.length(at.poses, at.wraps);
   const double slack = law.slack_length(), slack_change = slack_rate(at, change);
   LigamentRate out;
   if (slack == 0 && length == 0) {  // a spring without length: t = k d, whose size has no derivative
@@ -138,6 +168,19 @@ LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter) {
     const Vec3 turned = line.length > 0 ? Vec3(value.force / line.length * across) : Vec3::Zero();
     out.lines.push_back(
         {line.body_a, line.body_b, wrench_rate(line, value.force * line.u, out.force * line.u + turned)});
+  }
+  if (!at.made.path.obstacles().empty() && (change.point >= 0 || change.surface >= 0)) {
+    LigamentPath::Change moved;
+    moved.points.assign(at.made.path.points().size(), Vec3::Zero());
+    moved.obstacles.assign(at.made.path.obstacles().size(), Vec3::Zero());
+    const auto axis_of = [&](int body) { return Vec3(at.poses[static_cast<std::size_t>(body)].R.col(change.axis)); };
+    for (std::size_t k = 0; k < moved.points.size(); ++k)
+      if (moves(at.def, change, static_cast<int>(k))) moved.points[k] = axis_of(at.made.path.points()[k].body);
+    for (std::size_t i = 0; i < moved.obstacles.size(); ++i)
+      if (moves(at.def, change, -1 - static_cast<int>(i)))
+        moved.obstacles[i] = axis_of(at.made.path.obstacles()[i].body);
+    out.touches.setZero(6 * at.moving_count);
+    at.made.path.add_touch_rate(at.poses, at.wraps, moved, value.force, out.touches);
   }
   return out;
 }

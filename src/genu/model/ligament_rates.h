@@ -21,7 +21,8 @@ struct LigamentRate {
     int body_a, body_b;
     Vec12 wrench;  ///< on [a; b] as in TwoBodyWrench
   };
-  std::vector<Line> lines;  ///< from end to end
+  std::vector<Line> lines;  ///< from end to end, touching points fixed to their bodies
+  VecX touches;             ///< 6 for each moving body: the wrench of the touching points' moves; empty without any
   double length = 0, strain = 0, force = 0;
 };
 
@@ -30,10 +31,16 @@ struct LigamentAt {
   const LigamentDef& def;
   const JointModel::Ligament& made;
   const std::vector<Pose>&reference_poses, &poses;
+  const Wraps &reference_wraps, &wraps;
+  int moving_count = 0;
 };
 
-/// The derivative of a ligament per SI unit of one of its own parameters. NaN where the slack length has no derivative
+/// Whether a parameter is one of the ligament's own, or of a surface that it wraps round.
+bool concerns(const LigamentDef& def, int ligament, const Parameter& parameter);
+
+/// The derivative of a ligament per SI unit of a parameter that concerns it. NaN for a surface's number that is no
+/// origin: they bend the geodesics. `surfaces`: of the scene. NaN also where the slack length has no derivative
 /// (a reference force of 0 in a law that is flat there).
-LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter);
+LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter, const std::vector<SurfaceDef>& surfaces);
 
 }  // namespace genu

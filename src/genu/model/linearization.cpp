@@ -37,7 +37,8 @@ void add_straight(const JointModel::Ligament& l, const State& state, int piece, 
 }
 
 void add_path(const JointModel::Ligament& l, const State& state, const LawValue& tension, Linearization& out) {
-  l.path.linearize(state.poses, tension, out.length_gradient, out.wrench, out.derivatives ? &out.stiffness : nullptr);
+  l.path.linearize(state.poses, tension, out.length_gradient, out.wrench, out.derivatives ? &out.stiffness : nullptr,
+                   state.wraps);
 }
 
 /// The multiplier is the tension, so the gradient of the constraint is that of shortening.
@@ -45,7 +46,7 @@ void add_held_ligament(const JointModel::Ligament& l, const State& state, const 
                        Linearization& out) {
   add_path(l, state, {piece.force, 0, 0}, out);
   out.gradient.row(row) = -out.length_gradient.transpose();
-  out.constraint[row] = l.law.sharp_breaks()[at(piece.piece)].length - l.path.length(state.poses);
+  out.constraint[row] = l.law.sharp_breaks()[at(piece.piece)].length - l.path.length(state.poses, state.wraps);
 }
 
 void add_ligaments(const JointModel& model, const State& state, Eigen::Index first_held, Linearization& out) {
@@ -59,17 +60,33 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
       add_held_ligament(l, state, *piece, first_held++, out);
     else if (l.path.is_straight())
       add_straight(l, state, k, pull, out);
-    else if (const LawValue tension = l.law.evaluate(l.path.length(state.poses), k);
+    else if (const LawValue tension = l.law.evaluate(l.path.length(state.poses, state.wraps), k);
              tension.force != 0 || tension.stiffness != 0)
       add_path(l, state, tension, out);
     if (has_piece) ++piece;
   }
 }
 
+void add_cable(const JointModel& model, const State& state, const Load& load, double factor,
+               const LoadScale::Value& scale, Linearization& out) {
+  load.path.linearize(state.poses, {factor * scale.factor * load.value, 0, 0}, out.length_gradient, out.wrench,
+                      out.derivatives ? &out.stiffness : nullptr, state.wraps);
+  if (!out.derivatives || scale.slope == 0 || !load.scale || !load.scale->coordinate()) return;
+  const CoordinateRef& q = *load.scale->coordinate();
+  const JointPoint::Gradient gradient = point_of(model, state, q.joint).gradient(q.index);
+  const auto& joint = model.joints[at(q.joint)];
+  const int moving[2] = {model.bodies[at(joint.parent)].moving, model.bodies[at(joint.child)].moving};
+  for (int i = 0; i < 2; ++i)
+    if (moving[i] >= 0)
+      out.stiffness.middleCols<6>(6 * moving[i]) -=
+          (factor * scale.slope * load.value) * out.length_gradient * gradient.segment<6>(6 * i);
+}
+
 void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
               Linearization& out) {
-  const LoadWrench unit = load_wrench(model, state, load);
   const LoadScale::Value scale = load_scale(load, state, time);
+  if (load.kind == Load::Kind::cable) return add_cable(model, state, load, factor, scale, out);
+  const LoadWrench unit = load_wrench(model, state, load);
   const TwoBodyScatter scatter = scatter_on(model, load.body_a, load.body_b);
   scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
   if (!out.derivatives) return;
@@ -280,6 +297,13 @@ LoadWrench load_wrench(const JointModel& model, const State& state, const Load& 
   return load.between(state.poses[at(load.body_a)], load.body_b < 0 ? Pose() : state.poses[at(load.body_b)]);
 }
 
+void add_load_wrench(const JointModel& model, const State& state, const Load& load, double factor, VecX& wrench) {
+  if (load.kind == Load::Kind::cable)
+    load.path.add_tension(state.poses, factor * load.value, wrench, state.wraps);
+  else
+    scatter_on(model, load.body_a, load.body_b).add_wrench(factor * load_wrench(model, state, load).wrench, wrench);
+}
+
 LoadScale::Value load_scale(const Load& load, const State& state, double time) {
   if (!load.scale) return {};
   const auto& q = load.scale->coordinate();
@@ -301,7 +325,7 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
     double speed = rate.load_factors[i] * scale.factor;
     if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
     if (speed == 0) continue;
-    scatter_on(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
+    add_load_wrench(model, state, load, speed, wrench);
   }
   return wrench;
 }

@@ -46,8 +46,11 @@ struct Linearization {
 /// Values and derivatives of a joint's coordinates at `state`.
 JointPoint joint_point(const JointModel& model, const State& state, int joint);
 
-/// A load with factor 1, without scales.
+/// A load with factor 1, without scales, that is no cable.
 LoadWrench load_wrench(const JointModel& model, const State& state, const Load& load);
+
+/// Adds a load of any kind times `factor`, without its scale, to the wrench on each moving body (6B).
+void add_load_wrench(const JointModel& model, const State& state, const Load& load, double factor, VecX& wrench);
 
 enum class Derivatives { all, none };
 

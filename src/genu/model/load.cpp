@@ -52,6 +52,7 @@ LoadWrench Load::between(const Pose& X_WA, const Pose& X_WB) const {
     case Kind::toward:
       return toward_wrench(*this, X_WA, X_WB);
     case Kind::coordinate:
+    case Kind::cable:
       break;
   }
   return {};
@@ -84,6 +85,9 @@ Load make_unscaled_load(const PlacedScene& scene, const LoadDef& def) {
       load.kind = Load::Kind::toward;
       load.body_b = def.toward_body;
       load.p_B = def.toward_point;
+      break;
+    case LoadDef::Kind::cable:
+      load.kind = Load::Kind::cable;
       break;
     case LoadDef::Kind::coordinate:
       load.kind = Load::Kind::coordinate;

@@ -6,6 +6,7 @@
 //               u = d / |d|, the pull on A is t = F u and dt = F / |d| (1 - u u^T) dd; its potential is F |d|
 //   coordinate  a generalised moment or force Q on a joint coordinate q of child B in parent A: the wrenches are
 //               Q grad q
+//   cable       a force of constant size along a path (ligament_path.h) that shortens it; its potential is F L
 // Weight is a dead force at the centre of mass. A moment constant in the world has no potential either.
 #pragma once
 
@@ -13,6 +14,7 @@
 
 #include "genu/core/pose.h"
 #include "genu/model/joint_coordinates.h"
+#include "genu/model/ligament_path.h"
 #include "genu/model/load_scale.h"
 
 namespace genu {
@@ -25,7 +27,7 @@ struct LoadWrench {
 };
 
 struct Load {
-  enum class Kind { dead, follower, toward, coordinate };
+  enum class Kind { dead, follower, toward, coordinate, cable };
   std::string name;
   Kind kind = Kind::dead;
   int body_a = -1;
@@ -34,12 +36,13 @@ struct Load {
   Vec3 p_B = Vec3::Zero();     ///< m, in B: toward
   Vec3 force = Vec3::Zero();   ///< N, dead: in the world, follower: in A
   Vec3 moment = Vec3::Zero();  ///< N m, as the force
-  double value = 0;            ///< toward: N; coordinate: N m for an angle, N for a translation
+  LigamentPath path;           ///< cable
+  double value = 0;            ///< toward, cable: N; coordinate: N m for an angle, N for a translation
   CoordinateRef coordinate;    ///< coordinate
   std::optional<LoadScale> scale;
 
-  /// Any load with factor 1 except `coordinate`, for the poses of A and B in the world (B is ignored where there is
-  /// none). A force toward a point less than 1e-9 m away is 0: its direction is undefined.
+  /// Any load with factor 1 except `coordinate` and `cable`, for the poses of A and B in the world (B is ignored where
+  /// there is none). A force toward a point less than 1e-9 m away is 0: its direction is undefined.
   LoadWrench between(const Pose& X_WA, const Pose& X_WB) const;
 
   /// A load on a coordinate, with factor 1.

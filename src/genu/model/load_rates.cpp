@@ -64,6 +64,7 @@ Vec12 load_wrench_rate(const Load& load, const Load& change, const Pose& X_WA, c
     case Load::Kind::toward:
       return toward_rate(load, change, X_WA, X_WB);
     case Load::Kind::coordinate:
+    case Load::Kind::cable:
       break;
   }
   return Vec12::Zero();

@@ -52,7 +52,8 @@ class Finder {
     const auto& l = model_.ligaments[i];
     const LigamentLaw& law = l.law;
     if (law.breaks().empty()) return;
-    const double length = l.path.length(state_.poses), unit = model_.scales.length, most = reach_.most * unit;
+    const double length = l.path.length(state_.poses, state_.wraps), unit = model_.scales.length,
+                 most = reach_.most * unit;
     const auto piece = std::find_if(state_.pieces.begin(), state_.pieces.end(),
                                     [&](const LigamentPiece& p) { return at(p.ligament) == i && !p.by_length; });
     const bool by_length = piece == state_.pieces.end();
@@ -67,7 +68,7 @@ class Finder {
       const double past = length - b.length, force = std::abs(pull.force);
       const bool begun = force > 0 && force <= reach_.little && (past > 0 ? b.below : b.above).slack && !b.jumps();
       if (!begun && std::abs(past) > most) continue;
-      if (gradient.size() == 0) gradient = l.path.length_gradient(state_.poses, model_.moving_count);
+      if (gradient.size() == 0) gradient = l.path.length_gradient(state_.poses, model_.moving_count, state_.wraps);
       if (!(begun && force <= reach_.idle) && std::abs(past) > reach(unit, gradient)) continue;
       if (b.jumps())
         out_.push_back({.gradient = gradient,
@@ -109,7 +110,8 @@ class Finder {
       if (std::abs(value - k.x) <= reach(unit, gradient)) meet(factor * k.below, factor * k.above, point);
     }
     if (!point || point->below == point->above) return;
-    const VecX wrench = scattered(load_wrench(model_, state_, load).wrench, load.body_a, load.body_b);
+    VecX wrench = VecX::Zero(6 * model_.moving_count);
+    add_load_wrench(model_, state_, load, 1, wrench);
     add(*point, factor * load.scale->evaluate(value).slope, gradient, wrench);
   }
 

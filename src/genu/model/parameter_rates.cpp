@@ -1,5 +1,8 @@
 #include "genu/model/parameter_rates.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "genu/model/ligament_rates.h"
 #include "genu/model/load_rates.h"
 #include "genu/model/surface_rates.h"
@@ -22,11 +25,15 @@ void add_load_rate(const PlacedScene& scene, const JointModel& model, const Stat
   const Load& load = model.loads[at(parameter.object)];
   const double scale = load_scale(load, state, target.time).factor;
   if (parameter.kind == Kind::factor) {
-    add_wrench(model, load.body_a, load.body_b, scale * load_wrench(model, state, load).wrench, out);
+    add_load_wrench(model, state, load, scale, out);
     return;
   }
   const double factor = scale * target.load_factors[at(parameter.object)];
   const Load change = load_change(scene, parameter);
+  if (load.kind == Load::Kind::cable) {
+    load.path.add_tension(state.poses, factor * change.value, out, state.wraps);
+    return;
+  }
   Vec12 wrench;
   if (load.kind == Load::Kind::coordinate)
     wrench =
@@ -84,6 +91,13 @@ void add_contact_rates(const PlacedScene& scene, const JointModel& model, const 
   }
 }
 
+/// A cable's derivative by the numbers of its surfaces is not computed.
+bool wrapped_by_cable(const PlacedScene& scene, int surface) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const LoadDef& load) {
+    return std::any_of(load.wraps.begin(), load.wraps.end(), [&](const WrapDef& w) { return w.surface == surface; });
+  });
+}
+
 }  // namespace
 
 PairChange pair_change(const PlacedScene& scene, const Parameter& parameter, int pair, const ContactGeometry& contact) {
@@ -103,20 +117,24 @@ void residual_rate(const PlacedScene& scene, const JointModel& model, const Stat
   out.constraint.setZero(static_cast<Eigen::Index>(constraint_count(model, target)));
   out.contacts.resize(state.contacts.size());
   for (ContactBlock& block : out.contacts) block.residual.setZero();
-  if (parameter.of_ligament()) {
-    const std::size_t l = at(parameter.object);
-    const LigamentRate rate =
-        ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses}, parameter);
+  for (std::size_t l = 0; l < model.ligaments.size(); ++l) {
+    if (!concerns(scene.ligaments[l], static_cast<int>(l), parameter)) continue;
+    const LigamentRate rate = ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses,
+                                             model.reference_wraps, state.wraps, model.moving_count},
+                                            parameter, scene.surfaces);
     for (const auto& line : rate.lines) add_wrench(model, line.body_a, line.body_b, line.wrench, out.wrench);
-  } else if (parameter.of_surface()) {
+    if (rate.touches.size() > 0) out.wrench += rate.touches;
+  }
+  if (parameter.of_surface()) {
     add_contact_rates(scene, model, state, parameter, out);
+    if (wrapped_by_cable(scene, parameter.object)) out.wrench.setConstant(std::numeric_limits<double>::quiet_NaN());
   } else if (parameter.of_load()) {
     add_load_rate(scene, model, state, target, parameter, out.wrench);
   } else if (parameter.of_body()) {
     add_weight_rate(scene, model, state, parameter, out.wrench);
   } else if (parameter.of_joint()) {
     add_spring_rate(scene, model, state, parameter, out.wrench);
-  } else {
+  } else if (!parameter.of_ligament()) {
     for (std::size_t m = 0; m < target.prescribed.size(); ++m)
       if (target.prescribed[m].coordinate == parameter.quantity) out.constraint[static_cast<Eigen::Index>(m)] = -1;
   }

@@ -15,6 +15,7 @@ double potential(const Load& load, const std::vector<Pose>& poses, double coordi
       return load.value * (poses[at(load.body_b)] * load.p_B - poses[at(load.body_a)] * load.p_A).norm();
     case Load::Kind::coordinate:
       return -load.value * coordinate;
+    case Load::Kind::cable:
     case Load::Kind::follower:
       break;
   }
@@ -28,6 +29,9 @@ double since_reference(const JointModel& model, const State& state, const Load& 
     now = state.coordinates[joint][index];
     before = model.joints[joint].reference[index];
   }
+  if (load.kind == Load::Kind::cable)
+    return load.value * (load.path.length(state.poses, state.wraps) -
+                         load.path.length(model.reference_poses, model.reference_wraps));
   return potential(load, state.poses, now) - potential(load, model.reference_poses, before);
 }
 
@@ -35,7 +39,7 @@ double since_reference(const JointModel& model, const State& state, const Load& 
 
 double stored_energy(const JointModel& model, const State& state) {
   double energy = 0;
-  for (const auto& l : model.ligaments) energy += l.law.evaluate(l.path.length(state.poses)).energy;
+  for (const auto& l : model.ligaments) energy += l.law.evaluate(l.path.length(state.poses, state.wraps)).energy;
   for (const JointSpring& spring : model.joint_springs) energy += spring.energy(state.coordinates[at(spring.joint)][0]);
   return energy;
 }

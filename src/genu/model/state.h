@@ -35,6 +35,7 @@ struct State {
                                          ///< quantities, then of coordinates held by joints
   std::vector<ActiveContact> contacts;
   std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
+  Wraps wraps;                        ///< of every obstacle of a path, in the model's order; at these poses
   std::vector<int> layer_levels;      ///< refinement level of each elastic layer (LayerQuadrature); empty: all 0
 
   int layer_level(std::size_t layer) const { return layer < layer_levels.size() ? layer_levels[layer] : 0; }

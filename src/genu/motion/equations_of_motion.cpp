@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "genu/model/layer_levels.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/motion/motion_rates.h"
 #include "genu/motion/tolerances.h"
 
@@ -128,6 +129,7 @@ bool EquationsOfMotion::project(MotionPoint& point) {
       if (const int b = model_.bodies[i].moving; b >= 0)
         point.state.poses[i] = retract(before.poses[i], Vec6(step.segment<6>(6 * b)));
     update_coordinates(model_, point.state);
+    if (!follow_wraps(model_, point.state)) return false;
     const double last = point.residual;
     if (!set_gradient(point)) return false;
     gram_.compute(J_ * J_.transpose());
@@ -227,6 +229,7 @@ bool EquationsOfMotion::complete(MotionPoint& point) {
   set_targets(point.time);
   point.state.multipliers.assign(constraint_count(model_, target_), 0.0);
   update_coordinates(model_, point.state);
+  if (!follow_wraps(model_, point.state)) return false;
   if (!project(point)) return false;
   project_twist(point);
   return accelerate(point);

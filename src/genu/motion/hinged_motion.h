@@ -2,6 +2,8 @@
 // dissipated energy]. There are no constraints (hinge_tree.h).
 #pragma once
 
+#include <algorithm>
+
 #include "genu/motion/hinge_tree.h"
 #include "genu/motion/ode_integrator.h"
 #include "genu/motion/wrenches.h"
@@ -12,7 +14,10 @@ class HingedMotion {
  public:
   /// Whether the model has this form: a tree of hinges without contacts, layers and prescribed coordinates.
   static bool fits(const JointModel& model) {
-    return HingeTree::describes(model) && model.drives.empty() && model.pairs.empty() && model.layers.empty();
+    return HingeTree::describes(model) && model.drives.empty() && model.pairs.empty() && model.layers.empty() &&
+           model.reference_wraps.empty() && std::none_of(model.loads.begin(), model.loads.end(), [](const Load& load) {
+             return load.kind == Load::Kind::cable;
+           });
   }
 
   explicit HingedMotion(const JointModel& model);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/twist.h"
 #include "genu/motion/layer_onset.h"
 #include "genu/motion/motion_contacts.h"
@@ -50,6 +51,8 @@ State start_of(const JointModel& model) {
       values[at(c.joint)][at(c.index)] = drive.course.evaluate(kJustAfterZero).factor;
   state.poses = poses_from_coordinates(model, values);
   state.coordinates = values;
+  settle_wraps(model, state);
+  for (WrapTouch& touch : state.wraps) touch.by_length = true;  // a motion follows them
   state.multipliers.assign(model.drives.size() + model.held.size(), 0.0);
   return state;
 }

@@ -45,6 +45,10 @@ double load_power(const JointModel& model, const State& state, const Target& tar
     const Load& load = model.loads[i];
     const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
     if (factor == 0) continue;
+    if (load.kind == Load::Kind::cable) {
+      power -= factor * load.value * load.path.length_rate(state.poses, twist, state.wraps);
+      continue;
+    }
     const Vec12 wrench = load_wrench(model, state, load).wrench;
     power += factor * (wrench.head<6>().dot(twist_of_body(model, load.body_a, twist)) +
                        wrench.tail<6>().dot(twist_of_body(model, load.body_b, twist)));

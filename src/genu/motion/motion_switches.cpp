@@ -55,12 +55,12 @@ void MotionSwitches::choose_sides(const MotionPoint& point, const std::vector<Da
     if (std::abs(now[k]) <= kSideRounding && k < watches_.size() && watches_[k].law_break < 0) {
       toward = modes[at(watches_[k].ligament)] == DamperMode::relaxed ? -1 : 1;
     } else if (std::abs(now[k]) <= kSideRounding) {
-      const double rate =
-          k < watches_.size()
-              ? model_.ligaments[at(watches_[k].ligament)].path.length_rate(point.state.poses, point.twist)
-              : joint_point(model_, point.state, limits_[k - watches_.size()].joint)
-                    .gradient(0)
-                    .dot(twist_of_pair(model_, limits_[k - watches_.size()].joint, point.twist));
+      const double rate = k < watches_.size()
+                              ? model_.ligaments[at(watches_[k].ligament)].path.length_rate(
+                                    point.state.poses, point.twist, point.state.wraps)
+                              : joint_point(model_, point.state, limits_[k - watches_.size()].joint)
+                                    .gradient(0)
+                                    .dot(twist_of_pair(model_, limits_[k - watches_.size()].joint, point.twist));
       if (rate != 0) toward = rate;
     }
     sides_[k] = toward < 0 ? -1 : 1;
@@ -72,10 +72,10 @@ void MotionSwitches::unshifted(const MotionPoint& point, const std::vector<Dampe
     const auto& l = model_.ligaments[at(w.ligament)];
     if (w.law_break >= 0) {
       const double length = l.law.breaks()[at(w.law_break)].length;
-      *out++ = (l.path.length(point.state.poses) - length) / model_.scales.length;
+      *out++ = (l.path.length(point.state.poses, point.state.wraps) - length) / model_.scales.length;
       continue;
     }
-    const double rate = l.path.length_rate(point.state.poses, point.twist);
+    const double rate = l.path.length_rate(point.state.poses, point.twist, point.state.wraps);
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     *out++ = modes[at(w.ligament)] == DamperMode::slack ? 1 : tension / model_.scales.force;
   }
@@ -89,10 +89,11 @@ void MotionSwitches::settle(const MotionPoint& point, State& pieces, std::vector
     const auto& l = model_.ligaments[at(w.ligament)];
     LigamentPiece* piece = piece_of(state, w.ligament);
     if (w.law_break < 0 || piece == nullptr) continue;
-    const double past = l.path.length(state.poses) - l.law.breaks()[at(w.law_break)].length;
-    const double rate = l.path.length_rate(state.poses, point.twist);
+    const double past = l.path.length(state.poses, state.wraps) - l.law.breaks()[at(w.law_break)].length;
+    const double rate = l.path.length_rate(state.poses, point.twist, state.wraps);
     if (std::abs(past) > kSideRounding * model_.scales.length || rate == 0) continue;
-    const double beside = l.path.length(state.poses) + (rate > 0 ? 2 : -2) * kSideRounding * model_.scales.length;
+    const double beside =
+        l.path.length(state.poses, state.wraps) + (rate > 0 ? 2 : -2) * kSideRounding * model_.scales.length;
     piece->piece = l.law.piece_at(beside);
   }
   pieces.pieces = state.pieces;
@@ -143,7 +144,7 @@ bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const
   for (const LigamentPiece& p : pieces.pieces) {
     const auto& l = model_.ligaments[at(p.ligament)];
     const auto& sharp = l.law.sharp_breaks();
-    const double length = l.path.length(point.state.poses);
+    const double length = l.path.length(point.state.poses, point.state.wraps);
     if (p.piece > 0 && length < sharp[at(p.piece - 1)].length - least) return true;
     if (p.piece < static_cast<int>(sharp.size()) && length > sharp[at(p.piece)].length + least) return true;
   }
@@ -152,8 +153,8 @@ bool MotionSwitches::astray(const MotionPoint& point, const State& pieces, const
     const DamperMode is = modes[at(w.ligament)], should = wanted[at(w.ligament)];
     if (w.law_break >= 0 || is == should) continue;
     const auto& l = model_.ligaments[at(w.ligament)];
-    const double past = l.path.length(point.state.poses) - l.law.slack_until();
-    const double rate = l.path.length_rate(point.state.poses, point.twist);
+    const double past = l.path.length(point.state.poses, point.state.wraps) - l.law.slack_until();
+    const double rate = l.path.length_rate(point.state.poses, point.twist, point.state.wraps);
     const double tension = show_ligament(model_, point.state, w.ligament).force + l.damping * rate;
     const bool by_length = is == DamperMode::slack || should == DamperMode::slack;
     if (by_length ? std::abs(past) > least : std::abs(tension) > kSideRounding * model_.scales.force) return true;

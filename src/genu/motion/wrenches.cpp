@@ -79,9 +79,8 @@ double add_ligament_wrenches(const JointModel& model, const State& state, const 
       continue;
     }
     const auto each_line = [&](const auto& f) {
-      l.path.for_each_line([&](const LigamentPath::Point& a, const LigamentPath::Point& b, const TautLine&) {
-        f(line_between(state, twist, a, b));
-      });
+      l.path.for_each_line(state.wraps, [&](const LigamentPath::Point& a, const LigamentPath::Point& b,
+                                            const TautLine&) { f(line_between(state, twist, a, b)); });
     };
     double length = 0, rate = 0;
     each_line([&](const MovingLine& line) {

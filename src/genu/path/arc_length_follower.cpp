@@ -188,10 +188,13 @@ void ArcLengthFollower::depart(const Point& changed, double arc, Point next) {
 }
 
 bool ArcLengthFollower::same_set(const State& a, const State& b) {
-  return same_contacts(a, b) && std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
-                                           [](const auto& p, const auto& q) {
-                                             return p.ligament == q.ligament && p.piece == q.piece && p.held == q.held;
-                                           });
+  return same_contacts(a, b) &&
+         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
+                    [](const auto& p, const auto& q) {
+                      return p.ligament == q.ligament && p.piece == q.piece && p.held == q.held;
+                    }) &&
+         std::equal(a.wraps.begin(), a.wraps.end(), b.wraps.begin(), b.wraps.end(),
+                    [](const WrapTouch& p, const WrapTouch& q) { return p.touching == q.touching; });
 }
 
 std::optional<ArcLengthFollower::Point> ArcLengthFollower::limit_ahead(const StepPlan& plan, const Balanced& pose,

@@ -16,8 +16,8 @@ bool EventNewton::correct(const StepPlan& plan, const Asked& asked, double t, co
   step_.solve(here_, correction_);
   step_.solve_rates(load_rate(*model_, state, target, rate), constraint_rate(rate, here_.constraint.size()), motion_);
   const auto& ligament = model_->ligaments[at(asked.ligament)];
-  const double fast = ligament.path.length_rate(state.poses, motion_.twist);
-  const double along = -(past + ligament.path.length_rate(state.poses, correction_.twist)) / fast;
+  const double fast = ligament.path.length_rate(state.poses, motion_.twist, state.wraps);
+  const double along = -(past + ligament.path.length_rate(state.poses, correction_.twist, state.wraps)) / fast;
   if (!std::isfinite(along)) return false;
   correction_.add(along, motion_);
   correction_.parameter = along;
@@ -33,7 +33,7 @@ bool EventNewton::solve(const StepPlan& plan, const Asked& asked, const NewtonOp
     linearize(*model_, state, target, here_);
     if (asked_to_stop(options.cancelled)) return false;
     const double residual = step_.residual(here_, target);
-    const double past = model_->ligaments[at(asked.ligament)].path.length(state.poses) - asked.length;
+    const double past = model_->ligaments[at(asked.ligament)].path.length(state.poses, state.wraps) - asked.length;
     if (!std::isfinite(residual) || !correct(plan, asked, t, state, past)) return false;
     const double along = correction_.parameter;
     const bool there = std::abs(past) <= asked.rounding || std::abs(along) <= asked.tolerance;

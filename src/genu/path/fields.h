@@ -45,8 +45,20 @@ void serialize(Archive& a, LigamentPiece& x) {
   a(x.ligament, x.piece, x.held, x.by_length, x.force);
 }
 template <typename Archive>
+void serialize(Archive& a, ArcEnd& x) {
+  a(x.p, x.t, x.n, x.kappa, x.tau, x.mu);
+}
+template <typename Archive>
+void serialize(Archive& a, Geodesic& x) {
+  a(x.begin, x.end, x.length, x.c, x.dc, x.a, x.da, x.most_hollow, x.hollow_at, x.hollow_length, x.shot, x.conjugate);
+}
+template <typename Archive>
+void serialize(Archive& a, WrapTouch& x) {
+  a(x.touching, x.arc, x.by_length);
+}
+template <typename Archive>
 void serialize(Archive& a, State& x) {
-  a(x.poses, x.coordinates, x.multipliers, x.contacts, x.pieces, x.layer_levels);
+  a(x.poses, x.coordinates, x.multipliers, x.contacts, x.pieces, x.wraps, x.layer_levels);
 }
 template <typename Archive>
 void serialize(Archive& a, CoordinateRef& x) {

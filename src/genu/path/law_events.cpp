@@ -76,12 +76,13 @@ const std::vector<LawEvents::Passed>& LawEvents::over(const End& from, const End
 }
 
 double LawEvents::length(const Watched& w, const State& state) const {
-  return model_->ligaments[at(w.ligament)].path.length(state.poses);
+  return model_->ligaments[at(w.ligament)].path.length(state.poses, state.wraps);
 }
 
 LawEvents::Node LawEvents::node(const Watched& w, const End& end, double u) const {
   Node out{u, length(w, end.state) - w.law_break.length, std::numeric_limits<double>::quiet_NaN()};
-  if (end.twist) out.rate = model_->ligaments[at(w.ligament)].path.length_rate(end.state.poses, *end.twist);
+  if (end.twist)
+    out.rate = model_->ligaments[at(w.ligament)].path.length_rate(end.state.poses, *end.twist, end.state.wraps);
   return out;
 }
 

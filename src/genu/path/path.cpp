@@ -15,6 +15,7 @@
 #include "genu/contact/elastic_layer.h"
 #include "genu/equilibrium/settle_freed.h"
 #include "genu/equilibrium/uniqueness.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/path/arc_length_follower.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"
@@ -124,6 +125,7 @@ class PathRun {
       if (const CoordinateRef& c = p.coordinate.first; p.coordinate.combination < 0)
         trial.state.coordinates[static_cast<std::size_t>(c.joint)][static_cast<std::size_t>(c.index)] = p.value;
     trial.state.poses = poses_from_coordinates(solver_.model(), trial.state.coordinates);
+    settle_wraps(solver_.model(), trial.state);
     const PoseReport report = solver_.settle_cold(trial, step.target(0));
     result_.iterations += report.iterations;
     if (report.status != PoseStatus::ok) return false;

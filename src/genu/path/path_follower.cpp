@@ -193,8 +193,7 @@ bool PathFollower::pass_event(double t, Attempt violated) {
   while (bracket.open()) {
     // A single ligament at a break: its length is smooth there, and the secant gives the distance past the break.
     const double worst_there = violated.findings.worst;
-    if (t == bracket.high() && violated.findings.only_left_piece() && violated.findings.left_piece.size() == 1 &&
-        std::isfinite(inside_) && inside_ > 0 &&
+    if (t == bracket.high() && violated.findings.only_left_piece() && std::isfinite(inside_) && inside_ > 0 &&
         -worst_there * bracket.width() <= options_.event_tolerance * (inside_ - worst_there))
       break;
     const double middle = bracket.next();

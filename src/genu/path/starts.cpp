@@ -6,6 +6,7 @@
 
 #include "genu/equilibrium/tolerances.h"
 #include "genu/equilibrium/uniqueness.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/potential_energy.h"
 #include "genu/path/tolerances.h"
 
@@ -99,6 +100,7 @@ class StartsSearcher {
       out.pose.state = State();
       out.pose.state.coordinates = start_coordinates(model_, target_, first_, k, share, options_);
       out.pose.state.poses = poses_from_coordinates(model_, out.pose.state.coordinates);
+      settle_wraps(model_, out.pose.state);
       if (k > 1 && overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap)) continue;
       // Ligaments would pull separated bodies together, and through each other, before a contact closes. Where surfaces
       // may touch, an elastic foundation comes first, unless start 1 is near.
@@ -182,6 +184,7 @@ class StartsSearcher {
     for (std::size_t j = 0; j < from.size(); ++j)
       for (std::size_t i = 0; i < 6; ++i) out.pose.state.coordinates[j][i] += share * (to[j][i] - from[j][i]);
     out.pose.state.poses = poses_from_coordinates(model_, out.pose.state.coordinates);
+    settle_wraps(model_, out.pose.state);
     if (!overlaps(model_, solver_.field(), out.pose.state, options_.largest_overlap))
       out.report = solver_.settle_from_seed(out.pose, driven, true);
     return out;

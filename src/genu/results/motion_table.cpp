@@ -9,6 +9,7 @@
 #include "genu/motion/motion_rates.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
+#include "genu/results/wrap_columns.h"
 
 namespace genu {
 namespace {
@@ -61,6 +62,7 @@ class MotionTable {
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
         table_.add_column(l.name + "." + quantity);
+    add_wrap_columns(model_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
     for (const char* name :
@@ -81,6 +83,7 @@ class MotionTable {
     set_joints(point);
     contacts_.set(table_, point.state, {}, point.pair_gap, {}, true, &point.twist);
     set_ligaments(point);
+    set_wrap_columns(model_, point.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);
     const MechanicalEnergy energy = mechanical_energy(model_, point.state, point.twist);
@@ -139,7 +142,7 @@ class MotionTable {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
       const auto& l = model_.ligaments[i];
       const LigamentShown law = show_ligament(model_, point.state, static_cast<int>(i));
-      const double rate = l.path.length_rate(point.state.poses, point.twist);
+      const double rate = l.path.length_rate(point.state.poses, point.twist, point.state.wraps);
       const double damper = damper_tension(l, point.modes[i], law.force, rate);
       table_.set(l.name + ".length_mm", to::kMillimetre * law.length);
       table_.set(l.name + ".strain", law.strain);

@@ -224,6 +224,10 @@ std::string why_not_smooth(const std::string& column) {
     return "has no exact derivative here: that of an eigenvalue of the stiffness needs third derivatives of the "
            "surfaces";
   if (ends_with(column, ".factor")) return kAskedFor;
+  if (ends_with(column, ".touches")) return "is 0 or 1: it has no derivative";
+  if (ends_with(column, ".arc_mm") || column.find(".begin.") != std::string::npos ||
+      column.find(".end.") != std::string::npos)
+    return "has no derivative here: that of a touching point is not computed";
   if (ends_with(column, ".points")) return "counts: it has no derivative";
   return {};
 }

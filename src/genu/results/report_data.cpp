@@ -93,7 +93,23 @@ ordered_json bodies_json(const ReportRun& run) {
   return j;
 }
 
-ordered_json ligaments_json(const PlacedScene& scene) {
+/// The course of a ligament in each row; null where it does not wrap.
+ordered_json courses_json(const ReportRun& run, std::size_t ligament) {
+  ordered_json rows;
+  for (const ReportPath& path : run.wrapped) {
+    if (at(path.ligament) != ligament) continue;
+    for (const auto& row : path.rows) {
+      ordered_json course = ordered_json::array();
+      for (const ReportPath::Point& point : row)
+        course.push_back({{"body", point.body}, {"point", place_json(point.p)}});
+      rows.push_back(std::move(course));
+    }
+  }
+  return rows;
+}
+
+ordered_json ligaments_json(const ReportRun& run) {
+  const PlacedScene& scene = *run.scene;
   std::vector<std::string> group(scene.ligaments.size());
   for (const LigamentGroup& g : ligament_groups(scene))
     for (const std::size_t member : g.members) group[member] = g.name;
@@ -104,6 +120,7 @@ ordered_json ligaments_json(const PlacedScene& scene) {
     for (const LigamentDef::End& end : l.path_points())
       path.push_back({{"body", end.body}, {"point", place_json(end.point)}});
     j.push_back({{"name", l.name}, {"group", group[i]}, {"path", path}});
+    if (ordered_json rows = courses_json(run, i); !rows.is_null()) j.back()["rows"] = std::move(rows);
   }
   return j;
 }
@@ -231,7 +248,7 @@ ordered_json run_json(const ReportRun& run) {
                     {"poses", poses_text(run, run.body_poses)},
                     {"reference", poses_text(run, {run.model->reference_poses})},
                     {"meshes", std::move(meshes)},
-                    {"ligaments", ligaments_json(*run.scene)},
+                    {"ligaments", ligaments_json(run)},
                     {"joints", joints_json(run)},
                     {"contacts", contacts_json(run.contacts)},
                     {"table", table_json(*run.poses)},

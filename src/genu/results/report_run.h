@@ -32,6 +32,16 @@ struct ReportContact {
   std::vector<Vec3> force;  ///< N, on the second body
 };
 
+/// The course of a ligament that wraps round surfaces, in each row: points on bodies, in the frames of their poses.
+struct ReportPath {
+  int ligament = -1;  ///< index into JointModel::ligaments
+  struct Point {
+    int body = 0;
+    Vec3 p = Vec3::Zero();  ///< m
+  };
+  std::vector<std::vector<Point>> rows;  ///< empty where there is no pose
+};
+
 /// One result. What is pointed at must live until report_html() (report.h) returns.
 struct ReportRun {
   const PlacedScene* scene = nullptr;
@@ -44,6 +54,7 @@ struct ReportRun {
   std::vector<std::vector<Pose>> body_poses;  ///< of each row the poses of all bodies; empty where there is none
   std::vector<ReportMesh> meshes;
   std::vector<ReportContact> contacts;
+  std::vector<ReportPath> wrapped;
 };
 
 }  // namespace genu

@@ -114,19 +114,35 @@ std::string VtkSeries::add_shape(std::size_t k, const VtkRow& row) {
   return write_(once, vtp_text(data));
 }
 
+/// The course of a ligament that wraps, in this row; null for all others.
+const std::vector<ReportPath::Point>* VtkSeries::wrapped(const VtkRow& row, std::size_t ligament) const {
+  for (const ReportPath& path : run_.wrapped)
+    if (at(path.ligament) == ligament && !path.rows[row.row].empty()) return &path.rows[row.row];
+  return nullptr;
+}
+
 std::string VtkSeries::add_ligaments(const VtkRow& row) {
   if (run_.scene->ligaments.empty()) return {};
   VtkPolyData data;
-  data.lines = ligament_lines_;
+  if (run_.wrapped.empty()) data.lines = ligament_lines_;
+  std::vector<std::vector<int>> lines;
   VtkWords names{"name", {}};
   VtkArray strain{"strain", {}}, force{"force_N", {}}, length{"length_mm", {}};
-  for (const LigamentDef& l : run_.scene->ligaments) {
-    for (const LigamentDef::End& end : l.path_points()) data.points.push_back(shown(row, end.body, end.point));
+  for (std::size_t i = 0; i < run_.scene->ligaments.size(); ++i) {
+    const LigamentDef& l = run_.scene->ligaments[i];
+    const auto first = static_cast<int>(data.points.size());
+    if (const auto* path = wrapped(row, i))
+      for (const ReportPath::Point& point : *path) data.points.push_back(shown(row, point.body, point.p));
+    else
+      for (const LigamentDef::End& end : l.path_points()) data.points.push_back(shown(row, end.body, end.point));
+    lines.emplace_back();
+    for (int k = first; k < static_cast<int>(data.points.size()); ++k) lines.back().push_back(k);
     names.values.push_back(l.name);
     strain.values.push_back(number_or_nan(row, l.name + ".strain"));
     force.values.push_back(number_or_nan(row, l.name + ".force_N"));
     length.values.push_back(number_or_nan(row, l.name + ".length_mm"));
   }
+  if (!run_.wrapped.empty()) data.lines = vtk_cells(lines);
   data.cell_data = {{std::move(strain), std::move(force), std::move(length)}, {std::move(names)}};
   return write_part("ligaments", "ligaments", std::move(data), row);
 }

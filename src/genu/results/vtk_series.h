@@ -48,6 +48,7 @@ class VtkSeries {
   void list(const VtkRow& row, const std::string& name, const std::string& file);
   std::string numbered(const std::string& file, const VtkRow& row) const;
   double number_or_nan(const VtkRow& row, const std::string& column) const;
+  const std::vector<ReportPath::Point>* wrapped(const VtkRow& row, std::size_t ligament) const;
   Vec3 shown(const VtkRow& row, int body, const Vec3& p) const;
 
   const ReportRun& run_;

@@ -25,6 +25,8 @@ void for_points(PlacedScene& scene, Visit visit) {
   of_tables(scene.joints);
   of_tables(scene.bodies);
   for (auto& l : scene.ligaments) LigamentDef::for_each_end(l, [&](auto& end) { visit(end.body, end.point); });
+  for (auto& l : scene.loads)
+    for (PathEnd& end : l.points) visit(end.body, end.point);
   for (auto& j : scene.joints) {
     if (!j.grood_suntay) continue;
     visit(j.grood_suntay->femur.body, j.grood_suntay->femur.origin);
@@ -56,6 +58,8 @@ std::vector<std::vector<Vec3>> telling_points(const SceneTables& scene, const st
   for (const LigamentDef& l : scene.ligaments)
     LigamentDef::for_each_end(l, [&](const auto& end) { points[at(end.body)].push_back(end.point); });
   for (const LoadDef& l : scene.loads) add_points(l, points);
+  for (const LoadDef& l : scene.loads)
+    for (const PathEnd& end : l.points) points[at(end.body)].push_back(end.point);
   for (const JointDef& j : scene.joints) {
     if (j.type == JointDef::Type::free) continue;  // a hinge is a point of both
     points[at(j.parent)].emplace_back(j.reference[3], j.reference[4], j.reference[5]);

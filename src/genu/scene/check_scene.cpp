@@ -140,10 +140,11 @@ void check_lengths(ReadContext& context) {
     if (std::any_of(points.begin(), points.end(), [](const auto& end) { return end.body < 0; })) continue;
     std::string broken = points.size() == 2 ? std::string() : path_rule_broken(ligament, poses);
     const double length = path_length(ligament, poses);
-    if (broken.empty()) broken = length_rule_broken(ligament, length);
-    if (broken.empty())
+    // With wraps the length is known when the surfaces are built.
+    if (broken.empty() && ligament.wraps.empty()) broken = length_rule_broken(ligament, length);
+    if (broken.empty() && ligament.wraps.empty())
       warn_stretched(context, ligament, length);
-    else
+    else if (!broken.empty())
       context.error(ligament.where, Code::out_of_range, "ligament." + ligament.name, {}, std::move(broken));
   }
 }
@@ -222,6 +223,8 @@ void check_columns(ReadContext& context) {
       columns.add("ligament." + ligament.name, ligament.where, ligament.name + quantity);
     }
   }
+  for (const LoadDef& load : scene.loads)
+    if (load.kind == LoadDef::Kind::cable) columns.add("load." + load.name, load.where, load.name + ".length_mm");
 }
 
 }  // namespace

@@ -7,12 +7,13 @@
 #include "genu/core/source_location.h"
 #include "genu/core/types.h"
 #include "genu/scene/number_table.h"
+#include "genu/scene/path_def.h"
 #include "genu/scene/scale_def.h"
 
 namespace genu {
 
 struct LoadDef {
-  enum class Kind { wrench, toward, coordinate };
+  enum class Kind { wrench, toward, coordinate, cable };
   enum class Frame { world, body };
   std::string name;
   Kind kind = Kind::wrench;
@@ -23,8 +24,10 @@ struct LoadDef {
   Frame frame = Frame::world;        ///< wrench
   int toward_body = -1;              ///< toward: the body pulled to, and pulled on as much
   Vec3 toward_point = Vec3::Zero();  ///< m, in that body
-  double value = 0;                  ///< toward: N; coordinate: N m or N
-  double activation = 1;             ///< toward: the share of the value that acts
+  double value = 0;                  ///< toward, cable: N; coordinate: N m or N
+  double activation = 1;             ///< toward, cable: the share of the value that acts
+  std::vector<PathEnd> points;       ///< cable: from end to end
+  std::vector<WrapDef> wraps;        ///< cable: surfaces between them, in order
   CoordinateRef coordinate;          ///< coordinate: where the generalised moment or force acts
   std::optional<ScaleDef> scale;
   SourceLocation where;
@@ -91,15 +94,18 @@ inline constexpr NumberOf<LoadDef> kMomentNumbers[] = {
 inline constexpr NumberOf<LoadDef> kForceNumbers[] = {
     {.row = load_row("value", Unit::force, 1, 1), .values = [](LoadDef& l) { return &l.value; }}};
 
+inline constexpr NumberOf<LoadDef> kCableNumbers[] = {kMagnitude, kActivation};
+
 /// In the order of LoadDef::Kind; of a load on a coordinate one kind for rotations, one for translations.
 inline constexpr KindOf<LoadDef> kLoadKinds[] = {{"", "a load", kWrenchNumbers},
                                                  {"toward", "a load toward a point", kTowardNumbers},
                                                  {"on", "a load on a joint coordinate", kMomentNumbers},
-                                                 {"on", "a load on a joint coordinate", kForceNumbers}};
+                                                 {"on", "a load on a joint coordinate", kForceNumbers},
+                                                 {"from", "a cable", kCableNumbers}};
 
 inline const KindOf<LoadDef>& kind_of(const LoadDef& l) {
   const bool on_translation = l.kind == LoadDef::Kind::coordinate && !l.on_rotation();
-  return kLoadKinds[static_cast<int>(l.kind) + (on_translation ? 1 : 0)];
+  return kLoadKinds[static_cast<int>(l.kind) + (on_translation || l.kind == LoadDef::Kind::cable ? 1 : 0)];
 }
 
 }  // namespace genu

@@ -12,37 +12,12 @@ namespace {
 
 using Rest = LigamentDef::Rest;
 
-LigamentDef::End read_point(ReadContext& context, const Item& item, const char* what = "the end of a ligament") {
-  LigamentDef::End end;
-  if (!is_table(context, item)) return end;
-  Section section(context, item, what);
-  end.body = read_reference(context, section.require("body"), "body", names_of(context.scene.bodies)).value_or(-1);
-  end.point = read_vector(context, section.require("point"), length_rule(context)).value_or(Vec3::Zero());
-  section.finish();
-  return end;
-}
-
-void read_via(ReadContext& context, const Item& item, LigamentDef& ligament) {
-  if (!item || !is_array(context, item, "via points [{ body, point }, ...]")) return;
-  for (std::size_t k = 0; k < item.node->children.size(); ++k)
-    ligament.via.push_back(read_point(context, item.element(k), "a via point"));
-}
-
 void read_ends(ReadContext& context, Section& section, LigamentDef& ligament) {
-  ligament.from = read_point(context, section.require("from"));
-  ligament.to = read_point(context, section.require("to"));
-  read_via(context, section.find("via"), ligament);
-  std::vector<int> bodies{ligament.from.body, ligament.to.body};
-  for (const LigamentDef::End& via : ligament.via) bodies.push_back(via.body);
-  const auto all = [&](const auto& holds) { return std::all_of(bodies.begin(), bodies.end(), holds); };
-  if (!all([](int body) { return body >= 0; })) return;
-  const std::string which = ligament.via.empty() ? "both ends" : "all its points";
-  const Item body_of_to = section.find("to").member(*section.find("to").node->member("body"));
-  if (all([&](int body) { return body == bodies[0]; })) {
-    refuse(context, body_of_to, Code::conflict, which + " are on the same body");
-  } else if (all([&](int body) { return context.scene.bodies[static_cast<std::size_t>(body)].fixed; })) {
-    refuse(context, body_of_to, Code::no_effect, which + " are on fixed bodies");
-  }
+  ReadPath path = read_path(context, section, "a ligament");
+  ligament.from = path.points.front();
+  ligament.to = path.points.back();
+  ligament.via.assign(path.points.begin() + 1, path.points.end() - 1);
+  ligament.wraps = std::move(path.wraps);
 }
 
 void read_force_table(ReadContext& context, const Item& item, LigamentDef& ligament) {
@@ -146,7 +121,6 @@ void read_ligaments(ReadContext& context, Section& root) {
     read_ends(context, section, ligament);
     const LawKind* law = read_law(context, section, ligament);
     read_rest(context, section, ligament, law);
-    section.not_built({"wrap"}, "ligaments that wrap");
     read_number_row(context, section, kLigamentDamping, {.objects = "ligaments"}, &ligament.damping);
     warn_unlikely(context, section, ligament);
     section.finish();

@@ -23,7 +23,8 @@ void read_wrench(ReadContext& context, Section& section, LoadDef& load) {
   for (const KindOf<LoadDef>& other : kLoadKinds)
     if (*other.word != 0) section.find(other.word);  // for messages
   if (!section.has("force") && !section.has("moment"))
-    section.error(Code::missing_key, "force", "is missing: a load needs a force, a moment, `toward` or `on`");
+    section.error(Code::missing_key, "force",
+                  "is missing: a load needs a force, a moment, `toward`, `on` or a path `from` ... `to`");
 }
 
 /// The other end of a force between two bodies.
@@ -50,6 +51,16 @@ void read_toward(ReadContext& context, Section& section, LoadDef& load) {
   read_end(context, section.find("toward"), load);
 }
 
+/// A force along a path.
+void read_cable(ReadContext& context, Section& section, LoadDef& load) {
+  load.kind = LoadDef::Kind::cable;
+  section.rename(kind_of(load).what);
+  ReadPath path = read_path(context, section, "a cable");
+  load.points = std::move(path.points);
+  load.wraps = std::move(path.wraps);
+  read_numbers(context, section, kind_of(load), load);
+}
+
 void read_on(ReadContext& context, Section& section, LoadDef& load) {
   load.kind = LoadDef::Kind::coordinate;
   section.rename(kind_of(load).what);
@@ -71,6 +82,8 @@ void read_loads(ReadContext& context, Section& root) {
     load.where = item.node->key_where;
     if (section.has("on")) {
       read_on(context, section, load);
+    } else if (section.has("from")) {
+      read_cable(context, section, load);
     } else if (section.has("toward")) {
       read_toward(context, section, load);
     } else {

@@ -40,6 +40,13 @@ Mat3 read_axes(ReadContext& context, Section& section);
 /// The same with `origin` before them.
 Pose read_placement(ReadContext& context, Section& section);
 
+/// The path of `what`, "a ligament" or "a cable": its points from end to end, and the surfaces between them.
+struct ReadPath {
+  std::vector<PathEnd> points;
+  std::vector<WrapDef> wraps;
+};
+ReadPath read_path(ReadContext& context, Section& section, const std::string& what);
+
 /// The file of a mesh, which must exist, as it is to be opened. `where` gets the value's place.
 std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocation& where);
 

@@ -11,6 +11,7 @@
 #include "genu/scene/body_def.h"
 #include "genu/scene/joint_def.h"
 #include "genu/scene/load_def.h"
+#include "genu/scene/path_def.h"
 #include "genu/scene/plausible_def.h"
 #include "genu/scene/solid_def.h"
 #include "genu/scene/surface_def.h"
@@ -71,10 +72,7 @@ inline constexpr NumberRow kLayerDamping{.key = "damping",
 
 struct LigamentDef {
   enum class Rest { slack_length, reference_strain, reference_force };
-  struct End {
-    int body = -1;
-    Vec3 point = Vec3::Zero();  ///< m, in the body
-  };
+  using End = PathEnd;
   struct Number {
     std::string key;
     double value = 0;  ///< SI
@@ -82,6 +80,7 @@ struct LigamentDef {
   std::string name;
   End from, to;
   std::vector<End> via;                           ///< on the way from `from` to `to`
+  std::vector<WrapDef> wraps;                     ///< surfaces between them, in order
   std::string law = "quadratic";                  ///< its word in the file (law/laws.h)
   std::vector<Number> numbers;                    ///< of the law, in the order of its table
   std::vector<std::pair<double, double>> points;  ///< (strain, N), of a law with points
@@ -207,7 +206,7 @@ struct PlacedScene : SceneTables {
   std::vector<Vec3> origins;  ///< m, of each body: where that origin is in the body as the file has it
 };
 
-/// Length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
+/// Straight length (m) of a ligament from point to point, bodies of the scene at `poses`. Every body must be known.
 double path_length(const LigamentDef& ligament, const std::vector<Pose>& poses);
 
 /// All files that the scene names, as opened; a file named twice stands there twice.

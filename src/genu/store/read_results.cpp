@@ -11,6 +11,7 @@
 #include "genu/core/units.h"
 #include "genu/mesh_files/text_words.h"
 #include "genu/results/columns.h"
+#include "genu/results/wrap_columns.h"
 #include "genu/store/tolerances.h"
 
 namespace genu {
@@ -151,6 +152,7 @@ std::optional<ResultsRead> read_results(const std::string& scene, const std::str
     State& state = record.point.pose.state;
     state.coordinates = pose.coordinates;
     state.poses = poses_from_coordinates(read.prepared.model, pose.coordinates);
+    settle_shown_wraps(read.prepared.model, state);
     state.contacts = contacts.in_row(row);
   }
   contacts.tell_lost(file, out);

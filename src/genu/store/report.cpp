@@ -103,6 +103,23 @@ std::vector<ReportContact> contacts_of(const Prepared& p, const Solution& soluti
   return out;
 }
 
+std::vector<ReportPath> wrapped_paths(const JointModel& model, const std::vector<const State*>& states) {
+  constexpr double kSpacing = 1e-3;  // m: as fine as a page shows
+  std::vector<ReportPath> out;
+  for (std::size_t l = 0; l < model.ligaments.size(); ++l) {
+    const LigamentPath& path = model.ligaments[l].path;
+    if (path.obstacles().empty()) continue;
+    ReportPath& drawn = out.emplace_back();
+    drawn.ligament = static_cast<int>(l);
+    for (const State* state : states) {
+      auto& row = drawn.rows.emplace_back();
+      if (state == nullptr || state->wraps.size() != model.reference_wraps.size()) continue;
+      path.for_each_place(state->wraps, kSpacing, [&](int body, const Vec3& p) { row.push_back({body, p}); });
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 ReportRun report_run(const Prepared& p, const Solution& solution) {
@@ -118,6 +135,7 @@ ReportRun report_run(const Prepared& p, const Solution& solution) {
   add_report_plots(p.scene, solution.poses, run.chart);
   const std::vector<const State*> states = states_of(solution);
   for (const State* state : states) run.body_poses.push_back(state != nullptr ? state->poses : std::vector<Pose>());
+  run.wrapped = wrapped_paths(p.model, states);
   run.contacts = contacts_of(p, solution, states);
   run.meshes = report_meshes(p, run);
   return run;

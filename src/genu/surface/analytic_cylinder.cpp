@@ -23,6 +23,8 @@ struct Cylinder {
     return true;
   }
 
+  Vec3 axis() const { return Vec3::UnitZ(); }
+
   std::optional<double> gap(const Vec3& x) const { return std::hypot(x.x(), x.y()) - radius; }
 
   Mesh start_mesh(double edge, const Vec3& centre, double reach) const {

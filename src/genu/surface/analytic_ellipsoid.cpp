@@ -51,6 +51,18 @@ struct Ellipsoid {
     return true;
   }
 
+  /// Of the similar ellipsoid through x: with D = diag(1 / a^2), n = D x / |D x|, the normal curvature is
+  /// -t . D t / |D x|, and Gauss' is det D (x . D x) / |D x|^4.
+  bool bending(const Vec3& x, const Vec3& t, Bending& out) const {
+    const Vec3 D = a.cwiseAbs2().cwiseInverse(), gradient = D.cwiseProduct(x);
+    const double square = gradient.squaredNorm(), length = std::sqrt(square);
+    if (!(square > 0) || !std::isfinite(square)) return false;
+    out.n = gradient / length;
+    out.normal_curvature = -t.cwiseAbs2().dot(D) / length;
+    out.gauss = D.prod() * gradient.dot(x) / (square * square);
+    return true;
+  }
+
   std::optional<double> gap(const Vec3& x) const {
     SurfacePoint foot;
     if (project(x, foot)) return (x - foot.p).dot(foot.n);

@@ -5,7 +5,8 @@
 //   std::optional<double> gap(const Vec3& x) const
 //   Mesh start_mesh(double edge, const Vec3& centre, double reach) const   (to be refined where it is too coarse)
 //   static constexpr bool kUnbounded, kKnowsDistance  (see Surface::is_unbounded, knows_distance)
-// and, where it has a better one than the default, bool retract(const SurfacePoint&, const Vec2&, SurfacePoint&) const.
+// and, where it has a better one than the default, bool retract(const SurfacePoint&, const Vec2&, SurfacePoint&) const
+// and bool bending(const Vec3& x, const Vec3& t, Bending& out) const. A sphere or cylinder has Vec3 axis() const.
 #pragma once
 
 #include <algorithm>
@@ -56,6 +57,24 @@ class Placed final : public Surface {
     } else {
       return Surface::retract(from, ds, out);
     }
+  }
+
+  bool bending(const Vec3& x, const Vec3& t, Bending& out) const override {
+    if constexpr (requires { shape_.bending(x, t, out); }) {
+      if (!shape_.bending(to_shape(x), X_BS_.R.transpose() * t, out)) return false;
+      out.n = X_BS_.R * out.n;
+      if (inside_) out.n = -out.n, out.normal_curvature = -out.normal_curvature;
+      return true;
+    } else {
+      return Surface::bending(x, t, out);
+    }
+  }
+
+  std::optional<RoundShape> round() const override {
+    if constexpr (requires { shape_.axis(); })
+      return RoundShape{X_BS_.p, X_BS_.R * shape_.axis(), shape_.radius, inside_};
+    else
+      return std::nullopt;
   }
 
   std::optional<double> gap(const Vec3& x) const override {

@@ -20,6 +20,8 @@ struct Sphere {
     return true;
   }
 
+  Vec3 axis() const { return Vec3::Zero(); }
+
   std::optional<double> gap(const Vec3& x) const { return x.norm() - radius; }
 
   Mesh start_mesh(double edge, const Vec3&, double) const {

@@ -29,6 +29,20 @@ struct Torus {
     return true;
   }
 
+  /// Of the torus round the same circle through x.
+  bool bending(const Vec3& x, const Vec3& t, Bending& out) const {
+    const double rho = x.head<2>().norm();
+    if (!(rho > kAmbiguousShare * R) || !x.allFinite()) return false;
+    const double tube = Vec2(rho - R, x.z()).norm();
+    if (!(tube > kAmbiguousShare * r)) return false;
+    const double ex = x.x() / rho, ey = x.y() / rho, c = (rho - R) / tube, s = x.z() / tube;
+    const double around = -ey * t.x() + ex * t.y(), up = c * t.z() - s * (ex * t.x() + ey * t.y());
+    out.n = Vec3(c * ex, c * ey, s);
+    out.normal_curvature = -c / rho * around * around - up * up / tube;
+    out.gauss = c / (rho * tube);
+    return true;
+  }
+
   std::optional<double> gap(const Vec3& x) const { return Vec2(x.head<2>().norm() - R, x.z()).norm() - r; }
 
   Mesh start_mesh(double edge, const Vec3&, double) const {

@@ -193,6 +193,18 @@ bool BlendSurface::project(const Vec3& x, SurfacePoint& out) const {
   return false;
 }
 
+bool BlendSurface::bending(const Vec3& x, const Vec3& t, Bending& out) const {
+  double f;
+  Vec3 gradient;
+  Mat3 hessian;
+  if (!implicit(x, f, gradient, hessian)) return false;
+  SurfacePoint point;
+  set_derivatives(gradient, hessian, point);
+  const Vec2 along = point.T.transpose() * t;
+  out = {point.n, along.dot(point.S * along), point.S.determinant()};
+  return true;
+}
+
 std::optional<double> BlendSurface::gap(const Vec3& x) const {
   double f;
   Vec3 gradient;

@@ -51,6 +51,10 @@ class BlendSurface final : public Surface {
   /// f/|grad f|: exact on the surface, second order off it.
   std::optional<double> gap(const Vec3& x) const override;
   bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override;
+  /// Of the level surface of f through x.
+  bool bending(const Vec3& x, const Vec3& t, Bending& out) const override;
+  /// The distance of its nodes: each is a piece of the blend.
+  double smooth_length() const override { return facts_.node_spacing; }
   /// Exact up to edge_cap(), which is returned beyond.
   double edge_distance(const Vec3& p) const override;
   Mesh triangles(double edge, const Vec3& centre, double reach) const override;

@@ -68,6 +68,10 @@ class PatchSurface final : public Surface {
     return whole_->retract(from, ds, out);
   }
 
+  bool bending(const Vec3& x, const Vec3& t, Bending& out) const override { return whole_->bending(x, t, out); }
+  std::optional<RoundShape> round() const override { return whole_->round(); }
+  double smooth_length() const override { return whole_->smooth_length(); }
+
   bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const override {
     return whole_->meet(origin, direction, t, normal);
   }

@@ -30,6 +30,16 @@ bool Surface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& n
   return false;
 }
 
+bool Surface::bending(const Vec3& x, const Vec3& t, Bending& out) const {
+  SurfacePoint foot;
+  if (!project(x, foot)) return false;
+  const Vec2 along = foot.T.transpose() * t;
+  out = {foot.n, along.dot(foot.S * along), foot.S.determinant()};
+  return true;
+}
+
+double Surface::smooth_length() const { return std::numeric_limits<double>::infinity(); }
+
 double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
 
 SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) const {

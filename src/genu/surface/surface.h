@@ -27,6 +27,21 @@ struct SurfacePoint {
   Mat2 S = Mat2::Zero();    ///< shape operator in that basis, 1/m, symmetric: dn = -T S ds
 };
 
+/// How a surface bends under a geodesic: x'' = normal_curvature n, and neighbours part by y'' = -gauss y.
+struct Bending {
+  Vec3 n = Vec3::UnitZ();       ///< outward unit normal
+  double normal_curvature = 0;  ///< t . S t, 1/m: negative where the surface bulges outward along t
+  double gauss = 0;             ///< Gaussian curvature det S, 1/m^2
+};
+
+/// A sphere, or a circular cylinder without ends: their geodesics are closed forms.
+struct RoundShape {
+  Vec3 centre = Vec3::Zero();  ///< m: a point of the axis, of a cylinder
+  Vec3 axis = Vec3::Zero();    ///< unit; 0: a sphere
+  double radius = 0;           ///< m
+  bool inside = false;         ///< the hollow side is the outward one
+};
+
 /// A place where what the surface was made from is wrong or missing: contact there is not to be trusted.
 struct DoubtfulPlace {
   std::string what;          ///< for the user: what is wrong, and where in the file
@@ -54,6 +69,16 @@ class Surface {
   /// Follows a line to the surface by Newton's method: `t` (m along the unit `direction`) is where to begin and becomes
   /// the place, `normal` the outward unit normal there. False, with both unspecified, where it does not arrive.
   [[nodiscard]] virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;
+
+  /// How the surface bends under a geodesic that passes x, within rounding of the surface, along the unit tangent t.
+  /// May answer for the parallel or level surface through x. False where there is no surface near.
+  [[nodiscard]] virtual bool bending(const Vec3& x, const Vec3& t, Bending& out) const;
+
+  /// The sphere or cylinder it is; empty for all others.
+  virtual std::optional<RoundShape> round() const { return std::nullopt; }
+
+  /// m: the length of a geodesic beyond which bending() is smooth piece by piece only; infinite for closed forms.
+  virtual double smooth_length() const;
 
   /// Distance (m) along the surface from p, a point on it, to the nearest edge of the patch, or the straight one, which
   /// is no longer: positive inside, negative past the edge, +infinity for a surface without edges.

@@ -17,13 +17,25 @@ export class Ligaments {
   constructor(run, size) {
     this.run = run;
     this.all = run.raw.ligaments;
-    this.pieces = this.all.flatMap((l, i) => l.path.slice(1).map((_, k) => ({ ligament: i, from: l.path[k], to: l.path[k + 1] })));
+    this.pieces = this.piecesIn(0);
     this.radius = size * (this.all.length > 20 ? 0.0055 : 0.0085);
-    const most = Math.max(1, this.pieces.length), matte = () => new MeshStandardMaterial({ roughness: 0.6 });
+    const most = Math.max(1, this.mostPieces()), matte = () => new MeshStandardMaterial({ roughness: 0.6 });
     this.tubes = new InstancedMesh(new CylinderGeometry(1, 1, 1, 10, 1, true), matte(), most);
     this.ends = new InstancedMesh(new SphereGeometry(1, 12, 8), matte(), 2 * most);
     for (const mesh of [this.tubes, this.ends]) { mesh.frustumCulled = false; mesh.count = 0; }
     this.scale = this.largest();
+  }
+
+  /** The straight pieces of all ligaments; of one that wraps round a surface its course in that row. */
+  piecesIn(row) {
+    return this.all.flatMap((l, i) => {
+      const path = l.rows?.[row]?.length > 0 ? l.rows[row] : l.path;
+      return path.slice(1).map((_, k) => ({ ligament: i, from: path[k], to: path[k + 1] }));
+    });
+  }
+
+  mostPieces() {
+    return this.all.reduce((sum, l) => sum + (l.rows ?? []).reduce((most, path) => Math.max(most, path.length), l.path.length) - 1, 0);
   }
 
   strain(i, row) { return this.run.number(`${this.all[i].name}.strain`, row); }
@@ -49,6 +61,7 @@ export class Ligaments {
     const m = new Matrix4(), a = new Vector3(), b = new Vector3(), q = new Quaternion(), colour = new Color();
     const bodies = this.run.bodies.map((_, i) => matrixOf(this.run, row, i));
     let count = 0;
+    this.pieces = this.piecesIn(row);
     this.pieces.forEach((piece) => {
       const { strain, force } = { strain: this.strain(piece.ligament, row), force: this.force(piece.ligament, row) };
       a.fromArray(piece.from.point).applyMatrix4(bodies[piece.from.body]);
