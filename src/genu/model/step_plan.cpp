@@ -27,6 +27,11 @@ Target StepPlan::rate() const {
   return out;
 }
 
+double StepPlan::part_within(double angle) const {
+  const double range = angle_range();
+  return range > 0 ? std::min(1.0, angle / range) : 1.0 / increments;
+}
+
 double StepPlan::angle_range() const {
   double range = 0;
   for (const Prescribed& p : prescribed)

@@ -30,6 +30,9 @@ struct StepPlan {
   Target rate() const;
   /// The largest change of a prescribed angle over the step, rad; 0 without one.
   double angle_range() const;
+  /// The part of the step over which no prescribed angle changes by more than `angle` (rad); of a step that changes
+  /// none an increment.
+  double part_within(double angle) const;
   /// Whether prescribed coordinates and loads are constant; time may change.
   bool varies_nothing() const;
   /// The prescribed coordinate that varies, if nothing else does; else -1.

@@ -229,12 +229,8 @@ class PathRun {
            ++skipped_ <= kMaxSkippedRows;
   }
 
-  /// Longest gap without solution that may be stepped over, in units of the step's parameter.
-  double window(const StepPlan& step) const {
-    const double range = step.angle_range();
-    const double increment = 1.0 / step.increments;
-    return range > 0 ? std::min(1.0, options_.largest_window / range) : increment;
-  }
+  /// Longest gap without solution that may be stepped over.
+  double window(const StepPlan& step) const { return step.part_within(options_.largest_window); }
 
   void explain_end(const StepPlan& step, int k, double t) {
     PoseReport report = follower_.failure();
