@@ -55,7 +55,8 @@ struct Bench {
   LigamentRate rate(const LigamentDef& def, const LigamentLaw& law, const Parameter& p) const {
     const JointModel::Ligament between{def.name, LigamentPath({{0, def.from.point, 0}, {1, def.to.point, 1}}), law};
     const std::vector<Pose> reference{reference_A, reference_B}, poses{X_WA, X_WB};
-    return ligament_rate({def, between, reference, poses}, p);
+    const Wraps none;
+    return ligament_rate({def, between, reference, poses, none, none, 2}, p, {});
   }
 
   std::optional<LigamentLaw> made(const LigamentDef& def) const {

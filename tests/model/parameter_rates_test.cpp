@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/model/ligament_pieces.h"
 #include "support/finite_difference.h"
 #include "support/scene_model.h"
 
@@ -52,7 +53,9 @@ int expect_derivatives(const test::SceneModel& s, const Target& target, const St
   double worst = 0;
   int compared = 0;
   for (const Parameter& p : parameters_of(s.scene)) {
-    if (p.of_surface()) continue;  // without contacts nothing to see
+    const bool moved =
+        p.of_surface() && p.name.find(".origin.") != std::string::npos && !s.model.reference_wraps.empty();
+    if (p.of_surface() && !moved) continue;  // without contacts nothing to see
     using Kind = Parameter::Kind;
     const auto residual = [&](double share) {
       const double delta = share * p.change;
@@ -67,7 +70,10 @@ int expect_derivatives(const test::SceneModel& s, const Target& target, const St
       for (const SurfaceDef& def : scene.surfaces) surfaces.push_back(test::formula_surface(def));
       Diagnostics out;
       Linearization at;
-      linearize(*build_model(scene, surfaces, out), state, aim, at);
+      const auto model = build_model(scene, surfaces, out);
+      State there = state;
+      settle_wraps(*model, there);
+      linearize(*model, there, aim, at);
       return stacked(at);
     };
     const Eigen::VectorXd truth = test::derivative(residual, 0.01);
@@ -106,6 +112,48 @@ TEST(ParameterRates, OfWeightsAndOfSpringsAtAndBeyondLimits) {
     update_coordinates(s.model, state);
     EXPECT_EQ(expect_derivatives(s, target, state), 4 + 4);  // mass and its place; stiffness and limits
   }
+}
+
+/// A bone on ligaments over an ellipsoid of its own and a rod of the ground, and on a cable over the rod.
+test::SceneModel wrapped_bone() {
+  const std::string ends =
+      "from = { body = \"ground\", point = [-40, 3, 2] }\nto = { body = \"bone\", point = [35, -4, 1] }\n";
+  const std::string law = "law = \"linear\"\nstiffness = 700\n";
+  return test::scene_model(
+      test::bone_on_ground() +
+      "[surface.rod]\nbody = \"ground\"\nshape = \"cylinder\"\nradius = 9\norigin = [-8, -5, 0]\n" +
+      "[surface.egg]\nbody = \"bone\"\nshape = \"ellipsoid\"\nradii = [9, 7, 12]\norigin = [14, -3, 1]\n" +
+      "[ligament.l]\n" + ends +
+      "wrap = [{ surface = \"rod\", side = [0, 1, 0] }, { surface = \"egg\", side = [0, 1, 0.3] }]\n" + law +
+      "reference_strain = 0.08\n" + "[load.cable]\n" + ends +
+      "wrap = [{ surface = \"rod\", side = [0, 1, 0] }]\nmagnitude = 12\n");
+}
+
+TEST(ParameterRates, OfWrappedLigamentsByTheirEndsAndByTheOriginsOfSurfaces) {
+  test::SceneModel s = wrapped_bone();
+  if (s.scene.bodies.empty()) return;
+  const Target target = test::target_of(s.scene);
+  State state = reference_state(s.model);
+  fit_multipliers(s.model, target, state);
+  state.poses[1] = retract(state.poses[1], (Vec6() << 2e-3, -1e-3, 1e-3, 0.05, -0.04, -0.06).finished());
+  update_coordinates(s.model, state);
+  settle_wraps(s.model, state);
+  for (const WrapTouch& touch : state.wraps) EXPECT_TRUE(touch.touching);
+  // Of the rod's origin without the cable, whose derivative by it is not computed.
+  for (const Parameter& p : parameters_of(s.scene)) {
+    if (!p.of_surface()) continue;
+    Linearization rate;
+    residual_rate(s.scene, s.model, state, target, p, rate);
+    const bool known = p.name.rfind("egg.origin.", 0) == 0;
+    EXPECT_EQ(rate.wrench.allFinite(), known) << p.name;
+  }
+  s.scene.loads.clear();
+  s.model.loads.clear();
+  s.model.reference_wraps.resize(2);
+  state.wraps.resize(2);
+  Target without = target;
+  without.load_factors.clear();
+  EXPECT_EQ(expect_derivatives(s, without, state), 2 + 6 + 6);  // stiffness and strain, ends, origins
 }
 
 }  // namespace

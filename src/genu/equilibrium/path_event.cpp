@@ -26,6 +26,8 @@ const char* to_string(PathEvent::Kind kind) {
       return "wraps";
     case PathEvent::Kind::unwraps:
       return "unwraps";
+    case PathEvent::Kind::wrap_side:
+      return "wrap_side";
     case PathEvent::Kind::slips_off:
       return "slips_off";
     case PathEvent::Kind::lifts_off:

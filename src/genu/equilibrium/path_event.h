@@ -23,6 +23,7 @@ struct PathEvent {
     held,        ///< a ligament stays at a jump of its law; its force is between those of the two sides
     wraps,       ///< a ligament or cable begins to touch a surface on its way
     unwraps,     ///< it leaves that surface
+    wrap_side,   ///< it is found on another side of that surface
     slips_off,   ///< its way round that surface is no shortest one any more
     lifts_off,   ///< it would leave that surface between two places where it touches it
     jump,        ///< no equilibrium is near beyond this: the force of a ligament drops

@@ -208,7 +208,11 @@ std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointMod
   for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
     for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
       const std::size_t k = path.touch_index(i);
-      if (before.wraps[k].touching == after.wraps[k].touching) continue;
+      const WrapTouch &from = before.wraps[k], &to = after.wraps[k];
+      const bool both = from.touching && to.touching;
+      if (both && from.arc.begin.n.dot(to.arc.begin.n) < 0 && from.arc.end.n.dot(to.arc.end.n) < 0)
+        out.emplace_back(PathEvent::Kind::wrap_side, name + " " + path.obstacles()[i].name);
+      if (from.touching == to.touching) continue;
       out.emplace_back(after.wraps[k].touching ? PathEvent::Kind::wraps : PathEvent::Kind::unwraps,
                        name + " " + path.obstacles()[i].name);
     }
