@@ -67,9 +67,10 @@ void add_ligaments(const JointModel& model, const State& state, Eigen::Index fir
 }
 
 void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
-              Linearization& out) {
+              const VecX* twist, Linearization& out) {
   const LoadWrench unit = load_wrench(model, state, load);
-  const LoadScale::Value scale = load_scale(load, state, time);
+  LoadScale::Value scale = load_scale(load, state, time);
+  if (twist != nullptr) scale.factor = load_scale_in_motion(model, load, state, time, *twist);
   const TwoBodyScatter scatter = scatter_on(model, load.body_a, load.body_b);
   scatter.add_wrench(factor * scale.factor * unit.wrench, out.wrench);
   if (!out.derivatives) return;
@@ -83,13 +84,15 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
                         out.stiffness);
 }
 
-void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+void add_loads(const JointModel& model, const State& state, const Target& target, const VecX* twist,
+               Linearization& out) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
-    if (target.load_factors[i] != 0) add_load(model, state, model.loads[i], target.load_factors[i], target.time, out);
+    if (target.load_factors[i] != 0)
+      add_load(model, state, model.loads[i], target.load_factors[i], target.time, twist, out);
 }
 
 void add_weights(const JointModel& model, const State& state, const Target& target, Linearization& out) {
-  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
+  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, nullptr, out);
 }
 
 /// Adds `factor` times a coordinate to constraint `row`, and the wrench of its part of the multiplier.
@@ -205,7 +208,7 @@ void add_forces(const JointModel& model, const State& state, const Target& targe
     evaluate_effect(model.meter.get(), kind, count, add);
   };
   effect(Effect::ligaments, model.ligaments.size(), [&] { add_ligaments(model, state, first_held, out); });
-  effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, out); });
+  effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, twist, out); });
   effect(Effect::weights, model.weights.size(), [&] { add_weights(model, state, target, out); });
   effect(Effect::joint_springs, model.joint_springs.size(), [&] { add_joint_springs(model, state, out); });
   effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, twist, out); });
@@ -283,7 +286,16 @@ LoadWrench load_wrench(const JointModel& model, const State& state, const Load& 
 LoadScale::Value load_scale(const Load& load, const State& state, double time) {
   if (!load.scale) return {};
   const auto& q = load.scale->coordinate();
-  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : time);
+  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : 0, time);
+}
+
+double load_scale_in_motion(const JointModel& model, const Load& load, const State& state, double time,
+                            const VecX& twist) {
+  const double factor = load_scale(load, state, time).factor;
+  if (!load.scale || !load.scale->has_rate()) return factor;
+  const CoordinateRef& q = *load.scale->coordinate();
+  const double rate = joint_point(model, state, q.joint).gradient(q.index).dot(twist_of_pair(model, q.joint, twist));
+  return factor + load.scale->rate_term(time, rate);
 }
 
 VecX constraint_rate(const Target& rate, Eigen::Index count) {
@@ -299,7 +311,7 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
     const Load& load = model.loads[i];
     const LoadScale::Value scale = load_scale(load, state, target.time);
     double speed = rate.load_factors[i] * scale.factor;
-    if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
+    if (load.scale) speed += target.load_factors[i] * load.scale->rate_in_time(target.time, scale.slope) * rate.time;
     if (speed == 0) continue;
     scatter_on(model, load.body_a, load.body_b).add_wrench(speed * load_wrench(model, state, load).wrench, wrench);
   }
