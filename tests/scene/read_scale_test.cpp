@@ -39,6 +39,36 @@ TEST(ReadScale, Values) {
   EXPECT_EQ(scale_of("{ sine = { amplitude = -1, frequency = 2 } }").start, 0);
 }
 
+TEST(ReadScale, Feedback) {
+  const ScaleDef held = scale_of("{ feedback = { of = \"knee.flexion\", target = 30, gain = 2 } }");
+  EXPECT_EQ(held.kind, ScaleDef::Kind::feedback);
+  EXPECT_EQ(held.coordinate, (CoordinateRef{0, 0}));
+  EXPECT_DOUBLE_EQ(held.gain, 2 * 180 / std::numbers::pi) << "per rad";
+  EXPECT_DOUBLE_EQ(held.target->table[0].second, std::numbers::pi / 6);
+  EXPECT_FALSE(held.in_time());
+  const ScaleDef moved =
+      scale_of("{ feedback = { of = \"knee.z\", target = { table = [[0, 1], [1, 5]] }, gain = 3 } }");
+  EXPECT_DOUBLE_EQ(moved.gain, 3e3) << "per m";
+  EXPECT_DOUBLE_EQ(moved.target->table[1].second, 5e-3);
+  EXPECT_TRUE(moved.in_time());
+}
+
+TEST(ReadScale, FeedbackErrors) {
+  expect_scale_refused("{ feedback = @3 }", ".feedback", "3", "must be a table");
+  expect_scale_refused("{ feedback = { of = @\"knee.flexon\", target = 0, gain = 1 } }", ".feedback.of",
+                       "\"knee.flexon\"", "did you mean \"knee.flexion\"?");
+  expect_scale_refused("{ feedback = { of = \"knee.flexion\", target = 0, gain = @-1 } }", ".feedback.gain", "-1",
+                       ">= 0");
+  expect_scale_refused("{ feedback = { of = \"knee.flexion\", target = 0, gain = @0 } }", ".feedback.gain", "0",
+                       "never acts");
+  expect_scale_refused("{ feedback = { of = \"knee.flexion\", target = 0, gain = 1, rate_gain = @2 } }",
+                       ".feedback.rate_gain", "2", "needs [dynamics]");
+  expect_scale_refused("{ feedback = { of = \"knee.flexion\", target = @\"x\", gain = 1 } }", ".feedback.target",
+                       "\"x\"", "must be a table");
+  expect_one_error(edited("frame = \"body\"", "scale = { @feedback = { of = \"knee.flexion\", gain = 1 } }"),
+                   "load.push.scale.feedback.target", "", "is missing");
+}
+
 TEST(ReadScale, EveryKindOfLoadMayHaveOne) {
   const std::string load = "force = [0, 100, 0]\npoint = [1, 0, 0]\nframe = \"body\"\n";
   const std::string scale = "scale = { over = \"time\", table = [[0, 0], [1, 1]] }\n";

@@ -1,4 +1,4 @@
-// The knee of wismans1980 with its polynomials cut into mesh files.
+// A knee of hand-made polynomials, as Wismans et al. 1980 have them, with its polynomials cut into mesh files.
 #pragma once
 
 #include <string>
@@ -14,11 +14,12 @@
 namespace genu::test {
 
 /// The wismans knee, whose surfaces are cut into meshes and fitted again.
-inline const std::string kWismans = genu::test::source_folder() + "/meshes/wismans1980/scene.toml";
+inline const std::string kWismans = genu::test::source_folder() + "/tests/support/polynomial_knee.toml";
 
 inline std::string text_of(const std::string& path) { return read_file(path); }
 
-/// A scene with the plateaus and condyles of wismans1980 as meshes, flexed from 0 to 30 deg; `extra` at its end.
+/// A scene with the plateaus and condyles of polynomial_knee.toml as meshes, flexed from 0 to 30 deg; `extra` at its
+/// end.
 inline std::string meshed_scene(const TemporaryFolder& folder) {
   Diagnostics out;
   const auto scene = read_scene(kWismans, out);

@@ -109,20 +109,30 @@ double sliding_share(const ContactShift& shift, std::size_t from, std::size_t to
   return (shift.sliding[to] - shift.sliding[from]) / (shift.femur[to] - shift.femur[from]);
 }
 
+DortmansReading reading_of(const SolvedScene& scene) {
+  DortmansReading r;
+  r.flexion = scene.column("knee.flexion_deg");
+  r.exorotation = since_start(scene.column("knee.rotation_deg"), -1);
+  r.anterior_strain = since_start(scene.column("AAC.strain"), 1);
+  r.posterior_strain = since_start(scene.column("PAC.strain"), 1);
+  r.moment = scene.column("knee.flexion.reaction_Nm");
+  for (const LigamentDef& l : scene.prepared.scene.ligaments) {
+    r.springs.push_back(l.name);
+    r.strains.push_back(since_start(scene.column(l.name + ".strain"), 1));
+  }
+  r.shifts = {shift_of(scene, "medial"), shift_of(scene, "lateral")};
+  r.all_stable = scene.all_stable();
+  return r;
+}
+
 std::vector<DortmansReading> solve_dortmans(const std::string& folder, Diagnostics& out) {
   std::vector<DortmansReading> readings;
   for (const Source& source : kReadings) {
     const auto scene = solve_scene(folder + "/" + source.file, out);
     if (!scene) continue;
-    DortmansReading r;
+    DortmansReading r = reading_of(*scene);
     r.scene = source.file;
     r.words = source.words;
-    r.flexion = scene->column("knee.flexion_deg");
-    r.exorotation = since_start(scene->column("knee.rotation_deg"), -1);
-    r.anterior_strain = since_start(scene->column("AAC.strain"), 1);
-    r.posterior_strain = since_start(scene->column("PAC.strain"), 1);
-    r.shifts = {shift_of(*scene, "medial"), shift_of(*scene, "lateral")};
-    r.all_stable = scene->all_stable();
     readings.push_back(std::move(r));
   }
   return readings;

@@ -24,9 +24,15 @@ struct DortmansReading {
   std::vector<double> flexion;                            ///< deg
   std::vector<double> exorotation;                        ///< deg, of the femur on the tibia since extension
   std::vector<double> anterior_strain, posterior_strain;  ///< AAC, PAC: strain less that in extension
+  std::vector<double> moment;                             ///< N m, that holds the flexion
+  std::vector<std::vector<double>> strains;               ///< of every spring less that in extension
+  std::vector<std::string> springs;                       ///< their names
   std::array<ContactShift, 2> shifts;                     ///< medial, lateral
   bool all_stable = false;
 };
+
+/// What the figures show, of a solved scene of either reading.
+DortmansReading reading_of(const SolvedScene& scene);
 
 /// Solves both readings in `folder` (meshes/dortmans1984); fewer than two where a scene is refused.
 std::vector<DortmansReading> solve_dortmans(const std::string& folder, Diagnostics& out);

@@ -14,14 +14,25 @@ bool SolvedScene::all_stable() const {
   return !solution.records.empty();
 }
 
-std::unique_ptr<SolvedScene> solve_scene(const std::string& file, Diagnostics& out) {
-  auto prepared = prepare(file, out);
+namespace {
+
+std::unique_ptr<SolvedScene> solve_prepared(std::optional<Prepared> prepared, Diagnostics& out) {
   if (!prepared) return nullptr;
   auto solved = std::make_unique<SolvedScene>(SolvedScene{std::move(*prepared), {}});
   ContactField field(solved->prepared.model);
   if (!check_start(solved->prepared, field, out)) return nullptr;
   solved->solution = solve(solved->prepared, field, {});
   return solved;
+}
+
+}  // namespace
+
+std::unique_ptr<SolvedScene> solve_scene(const std::string& file, Diagnostics& out) {
+  return solve_prepared(prepare(file, out), out);
+}
+
+std::unique_ptr<SolvedScene> solve_scene(const Scene& scene, Diagnostics& out, std::shared_ptr<MeshLibrary> meshes) {
+  return solve_prepared(prepare(scene, std::move(meshes), out), out);
 }
 
 }  // namespace genu::studies

@@ -22,6 +22,9 @@ struct SolvedScene {
 
 /// Null where the scene is refused: why is in `out`.
 std::unique_ptr<SolvedScene> solve_scene(const std::string& file, Diagnostics& out);
+/// The same of a scene in memory, which names no files or those of `meshes`.
+std::unique_ptr<SolvedScene> solve_scene(const Scene& scene, Diagnostics& out,
+                                         std::shared_ptr<MeshLibrary> meshes = std::make_shared<MeshLibrary>());
 
 /// What a study leaves in a knee's folder: file names and their contents.
 using Files = std::vector<std::pair<std::string, std::string>>;

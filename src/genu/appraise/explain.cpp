@@ -63,6 +63,9 @@ std::string scale_name(const SceneTables& scene, const LoadDef& load) {
       return "; scaled over " + coordinate_name(scene, load.scale->coordinate);
     case ScaleDef::Kind::over_time:
       return "; scaled over time";
+    case ScaleDef::Kind::feedback:
+      return fmt::format("; feedback of {}{}", coordinate_name(scene, load.scale->coordinate),
+                         load.scale->rate_gain != 0 ? " and its rate" : "");
     case ScaleDef::Kind::sine:
       return fmt::format("; a sine of {:g} Hz in time", load.scale->frequency);
     case ScaleDef::Kind::step:

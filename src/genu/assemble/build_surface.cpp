@@ -4,6 +4,7 @@
 #include "genu/assemble/tolerances.h"
 #include "genu/shape_fit/chart_mesh.h"
 #include "genu/surface/analytic.h"
+#include "genu/surface/front_distance.h"
 #include "genu/surface/patch.h"
 
 namespace genu {
@@ -53,12 +54,15 @@ std::shared_ptr<const Surface> within_patch(std::shared_ptr<const Surface> surfa
   if (!surface || !def.patch) return surface;
   std::function<Mesh(double)> own_mesh;
   // Past its patch a polynomial of high degree is anything: it is not cut into triangles there.
-  if (const auto known = known_patch(def))
+  std::function<double(const Vec3&)> front;
+  if (const auto known = known_patch(def)) {
     own_mesh = [k = *known, terms = polynomial_terms(def)](double edge) {
       return chart_mesh(k.chart, k.patch, terms, k.inside, edge);
     };
+    front = FrontDistance(known->chart, known->patch, polynomial_terms(def), known->inside);
+  }
   std::shared_ptr<const Surface> part = make_patch(
-      std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh);
+      std::move(surface), def.placement, {def.patch->box, def.patch->theta}, endless_axes(def.shape), own_mesh, front);
   if (part->triangles(kPatchProbeEdge, def.placement.p, kPatchProbeReach).triangles.empty()) return nullptr;
   return part;
 }

@@ -103,8 +103,14 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
     }
     for (int k = group.first; k < group.last; ++k) {
       const int i = order_[at(k)];
-      const Memory& known = memory_[at(i)];
-      if (known.clearance - (X_qs * samples_->points[at(i)] - known.at).norm() > window) continue;
+      Memory& known = memory_[at(i)];
+      const Vec3 x = X_qs * samples_->points[at(i)];
+      if (known.clearance - (x - known.at).norm() > window) continue;
+      if (const double front = queried_->clear_in_front(x); front > window) {
+        known.clearance = front;
+        known.at = x;
+        continue;
+      }
       visit(i);
     }
   }
@@ -132,7 +138,9 @@ bool Proximity::clear(Group& group, const Pose& X_qs, double window) const {
   if (group.clearance + kClearanceUse * moved <= window) return false;
   const Vec3 centre = X_qs * group.centre;
   group.measured = X_qs;
-  if (const auto clearance = near_clearance(queried_->gap(centre)))
+  if (const double front = queried_->clear_in_front(centre); front > 0)
+    group.clearance = front - group.radius;
+  else if (const auto clearance = near_clearance(queried_->gap(centre)))
     group.clearance = *clearance - group.radius;
   else
     group.clearance = far_clearance(far_.nearest(centre), group.radius, group.children >= 0);
@@ -146,7 +154,7 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   Memory& memory = memory_[i];
   memory.at = x;
   if (const auto gap = queried_->gap(x)) {
-    memory.clearance = near_clearance(gap).value_or(-1);
+    memory.clearance = near_clearance(gap).value_or(queried_->clear_in_front(x));
     SurfacePoint foot;
     if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
     if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;

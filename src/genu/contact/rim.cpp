@@ -80,8 +80,9 @@ double Rim::look_at(Point& point, const Pose& X_os) const {
   const Vec3 x = X_os * point.p;
   if (point.clearance - (x - point.at).norm() > kRimDip * spacing_) return kNoClearance;
   point.at = x;
+  point.clearance = other_->clear_in_front(x);
+  if (point.clearance > kRimDip * spacing_) return kNoClearance;
   const auto gap = other_->gap(x);
-  point.clearance = -1;
   if (!gap) return kNoClearance;
   if (other_->knows_distance()) point.clearance = *gap;
   if (!other_->is_global()) point.clearance = kFirstOrderGap * *gap;

@@ -42,6 +42,7 @@ double Swallowed::gap(const Vec3& x, double& clearance) {
     clearance = std::abs(g);
     return g;
   }
+  if (const double front = outer_->clear_in_front(x); front > 0) return clearance = front;
   double least = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < near_points_.size(); ++i) {

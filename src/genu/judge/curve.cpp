@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "genu/judge/tolerances.h"
+
 namespace genu::judge {
 namespace {
 
@@ -66,9 +68,17 @@ double scale_at(const ScaleDef& scale, double x) {
     }
     case ScaleDef::Kind::over_coordinate:
     case ScaleDef::Kind::over_time:
+    case ScaleDef::Kind::feedback:
       break;
   }
   return curve_at(scale.table, std::clamp(x, scale.table.front().first, scale.table.back().first));
+}
+
+double feedback_at(const ScaleDef& scale, double x, double rate, double time) {
+  const double h = kCourseStep, course = scale_at(*scale.target, time);
+  double speed = 0;
+  if (scale.rate_gain != 0) speed = (scale_at(*scale.target, time + h) - scale_at(*scale.target, time - h)) / (2 * h);
+  return scale.gain * (course - x) + scale.rate_gain * (speed - rate);
 }
 
 }  // namespace genu::judge

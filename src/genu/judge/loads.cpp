@@ -4,6 +4,7 @@
 
 #include "genu/core/units.h"
 #include "genu/judge/curve.h"
+#include "genu/judge/joints.h"
 #include "genu/judge/pose.h"
 #include "genu/judge/tolerances.h"
 #include "genu/judge/wrapping.h"
@@ -19,6 +20,22 @@ double factor_of(const PoseCase& pose, int load) {
   return 1;
 }
 
+/// The scale of a load at a row.
+double scale_of(const PoseCase& pose, const ScaleDef& scale) {
+  const CoordinateRef& c = scale.coordinate;
+  const auto q = [&] { return pose.q[at(c.joint)][at(c.index)]; };
+  if (scale.kind == ScaleDef::Kind::over_coordinate) return scale_at(scale, q());
+  const double time = pose.row.has("time_s") ? pose.row("time_s") : 0;
+  if (scale.kind != ScaleDef::Kind::feedback) return scale_at(scale, time);
+  const bool angle = c.index < 3;
+  const double rate =
+      scale.rate_gain == 0
+          ? 0
+          : pose.row(coordinate_name(pose.scene(), c) + (angle ? "_velocity_deg_s" : "_velocity_mm_s")) *
+                column_unit(c);
+  return feedback_at(scale, q(), rate, time);
+}
+
 }  // namespace
 
 void add_loads(const PoseCase& pose, PoseForces& out) {
@@ -30,12 +47,10 @@ void add_loads(const PoseCase& pose, PoseForces& out) {
       pose.out->expect("load factors", "1", std::abs(written - factor), (1e-9 + pose.slack) * (1 + std::abs(factor)),
                        load.name);
     if (load.scale) {
-      const bool timed = load.in_time();
-      const CoordinateRef& c = load.scale->coordinate;
-      const double x = timed ? pose.row("time_s") : pose.q[at(c.joint)][at(c.index)];
-      const double scale = scale_at(*load.scale, x);
+      const double scale = scale_of(pose, *load.scale);
+      const double tolerance = load.scale->rate_gain != 0 ? kFeedbackRateTolerance : 1e-9;
       pose.out->expect("load scales", "1", std::abs(pose.row(load.name + ".scale") - scale),
-                       1e-9 * (1 + std::abs(scale)), load.name);
+                       tolerance * (1 + std::abs(scale)), load.name);
       factor *= scale;
     }
     if (load.kind == LoadDef::Kind::cable) {

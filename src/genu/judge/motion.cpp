@@ -85,7 +85,8 @@ std::vector<int> MotionRows::pieces_in(const Row& row, const At& here) const {
 }
 
 bool MotionRows::knot_between(double from, double to) const {
-  const auto has_knot = [&](const ScaleDef& scale) {
+  const auto has_knot = [&](const ScaleDef& own) {
+    const ScaleDef& scale = own.kind == ScaleDef::Kind::feedback ? *own.target : own;
     std::vector<double> knots = {scale.start, scale.start + scale.rise};
     if (scale.kind == ScaleDef::Kind::over_time) {
       knots.clear();

@@ -29,6 +29,15 @@ inline constexpr int kMaxConeRounds = 30;
 /// [deg] Least opening of a cone of facets' normals. Fails first: if too small, round-off of a normal rejects a pose.
 inline constexpr double kMinCone = 1e-6;
 
+// curve
+
+/// [s] Half the interval over which the rate of a target is taken. Fails first: if too large, rates of fast targets are
+/// inexact; if too small, they are round-off.
+inline constexpr double kCourseStep = 1e-4;
+
+/// [1] Error of a scale with such a rate, over 1 + its size. Fails first: if too small, right scales are rejected.
+inline constexpr double kFeedbackRateTolerance = 1e-5;
+
 // facets
 
 /// [edge] How deep overlap is looked for. Fails first: if too small, deep overlap is missed.

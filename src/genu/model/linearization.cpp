@@ -83,8 +83,9 @@ void add_cable(const JointModel& model, const State& state, const Load& load, do
 }
 
 void add_load(const JointModel& model, const State& state, const Load& load, double factor, double time,
-              Linearization& out) {
-  const LoadScale::Value scale = load_scale(load, state, time);
+              const VecX* twist, Linearization& out) {
+  LoadScale::Value scale = load_scale(load, state, time);
+  if (twist != nullptr) scale.factor = load_scale_in_motion(model, load, state, time, *twist);
   if (load.kind == Load::Kind::cable) return add_cable(model, state, load, factor, scale, out);
   const LoadWrench unit = load_wrench(model, state, load);
   const TwoBodyScatter scatter = scatter_on(model, load.body_a, load.body_b);
@@ -100,13 +101,15 @@ void add_load(const JointModel& model, const State& state, const Load& load, dou
                         out.stiffness);
 }
 
-void add_loads(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+void add_loads(const JointModel& model, const State& state, const Target& target, const VecX* twist,
+               Linearization& out) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
-    if (target.load_factors[i] != 0) add_load(model, state, model.loads[i], target.load_factors[i], target.time, out);
+    if (target.load_factors[i] != 0)
+      add_load(model, state, model.loads[i], target.load_factors[i], target.time, twist, out);
 }
 
 void add_weights(const JointModel& model, const State& state, const Target& target, Linearization& out) {
-  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, out);
+  for (const Load& weight : model.weights) add_load(model, state, weight, 1, target.time, nullptr, out);
 }
 
 /// Adds `factor` times a coordinate to constraint `row`, and the wrench of its part of the multiplier.
@@ -222,7 +225,7 @@ void add_forces(const JointModel& model, const State& state, const Target& targe
     evaluate_effect(model.meter.get(), kind, count, add);
   };
   effect(Effect::ligaments, model.ligaments.size(), [&] { add_ligaments(model, state, first_held, out); });
-  effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, out); });
+  effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, twist, out); });
   effect(Effect::weights, model.weights.size(), [&] { add_weights(model, state, target, out); });
   effect(Effect::joint_springs, model.joint_springs.size(), [&] { add_joint_springs(model, state, out); });
   effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, twist, out); });
@@ -307,7 +310,16 @@ void add_load_wrench(const JointModel& model, const State& state, const Load& lo
 LoadScale::Value load_scale(const Load& load, const State& state, double time) {
   if (!load.scale) return {};
   const auto& q = load.scale->coordinate();
-  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : time);
+  return load.scale->evaluate(q ? state.coordinates[at(q->joint)][at(q->index)] : 0, time);
+}
+
+double load_scale_in_motion(const JointModel& model, const Load& load, const State& state, double time,
+                            const VecX& twist) {
+  const double factor = load_scale(load, state, time).factor;
+  if (!load.scale || !load.scale->has_rate()) return factor;
+  const CoordinateRef& q = *load.scale->coordinate();
+  const double rate = joint_point(model, state, q.joint).gradient(q.index).dot(twist_of_pair(model, q.joint, twist));
+  return factor + load.scale->rate_term(time, rate);
 }
 
 VecX constraint_rate(const Target& rate, Eigen::Index count) {
@@ -323,7 +335,7 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
     const Load& load = model.loads[i];
     const LoadScale::Value scale = load_scale(load, state, target.time);
     double speed = rate.load_factors[i] * scale.factor;
-    if (load.scale && !load.scale->coordinate()) speed += target.load_factors[i] * scale.slope * rate.time;
+    if (load.scale) speed += target.load_factors[i] * load.scale->rate_in_time(target.time, scale.slope) * rate.time;
     if (speed == 0) continue;
     add_load_wrench(model, state, load, speed, wrench);
   }

@@ -64,15 +64,19 @@ void linearize(const JointModel& model, const State& state, const Target& target
 void stop_layers_when(const Cancelled& cancelled, Linearization& out);
 
 /// Without constraints and rigid contacts: `wrench` and `stiffness` of all terms without unknowns of their own. With a
-/// `twist` (6B) elastic layers are damped; the stiffness does not include damping.
+/// `twist` (6B) elastic layers are damped and feedback has its term with rates; the stiffness includes neither.
 void linearize_forces(const JointModel& model, const State& state, const Target& target, Linearization& out,
                       const VecX* twist = nullptr);
 
 /// Constraints only: `gradient` and `constraint` of `out`; wrench and stiffness contain the effect of the multipliers.
 void linearize_constraints(const JointModel& model, const State& state, const Target& target, Linearization& out);
 
-/// The scale of a load at a state and a time (s); 1 without a scale.
+/// The scale of a load at a state and a time (s); 1 without a scale. Of feedback without its term with rates.
 LoadScale::Value load_scale(const Load& load, const State& state, double time);
+
+/// The scale in motion, with `twist` (6B) for the rate of feedback's coordinate.
+double load_scale_in_motion(const JointModel& model, const Load& load, const State& state, double time,
+                            const VecX& twist);
 
 /// Rate of the wrench on each moving body (6B) with the path's parameter at fixed poses, from step factors and scales
 /// over time. `rate`: derivative of `target`.

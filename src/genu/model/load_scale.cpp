@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "genu/model/tolerances.h"
+
 namespace genu {
 
 std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) {
@@ -26,6 +28,16 @@ std::optional<LoadScale> LoadScale::make(const ScaleDef& def, std::string& why) 
     scale.largest_ = std::max(std::abs(def.from), std::abs(def.to));
     return scale;
   }
+  if (def.kind == ScaleDef::Kind::feedback) {
+    const auto target = make(*def.target, why);
+    if (!target) return std::nullopt;
+    scale.target_ = std::make_shared<const LoadScale>(*target);
+    scale.coordinate_ = def.coordinate;
+    scale.gain_ = def.gain;
+    scale.rate_gain_ = def.rate_gain;
+    scale.largest_ = def.gain * std::max(target->largest(), kFeedbackError);
+    return scale;
+  }
   scale.table_ = MonotoneTable::make(def.table, why);
   if (!scale.table_) return std::nullopt;
   if (def.kind == ScaleDef::Kind::over_coordinate) scale.coordinate_ = def.coordinate;
@@ -46,9 +58,34 @@ LoadScale::Value LoadScale::evaluate(double x) const {
       return step(x);
     case ScaleDef::Kind::over_coordinate:
     case ScaleDef::Kind::over_time:
+    case ScaleDef::Kind::feedback:
       break;
   }
   return table(x);
+}
+
+LoadScale::Value LoadScale::evaluate(double x, double time) const {
+  if (!target_) return evaluate(coordinate_ ? x : time);
+  return {gain_ * (target_->evaluate(time).factor - x), -gain_, 0};
+}
+
+double LoadScale::rate_in_time(double time, double slope) const {
+  if (target_) return gain_ * target_->evaluate(time).slope;
+  return coordinate_ ? 0 : slope;
+}
+
+double LoadScale::rate_term(double time, double rate) const {
+  return has_rate() ? rate_gain_ * (target_->evaluate(time).slope - rate) : 0;
+}
+
+std::vector<double> LoadScale::nonsmooth_points_in_time() const {
+  if (target_) return target_->nonsmooth_points_in_time();
+  return coordinate_ ? std::vector<double>() : knots_;
+}
+
+double LoadScale::period() const {
+  if (target_) return target_->period();
+  return kind_ == ScaleDef::Kind::sine ? 2 * std::numbers::pi / angular_frequency_ : 0;
 }
 
 LoadScale::Value LoadScale::table(double x) const {
@@ -58,7 +95,7 @@ LoadScale::Value LoadScale::table(double x) const {
 }
 
 std::vector<LoadScale::NonsmoothPoint> LoadScale::nonsmooth_points_over_coordinate() const {
-  if (!coordinate_) return {};
+  if (!coordinate_ || target_) return {};
   return {{first_, 0, table_->evaluate(first_).slope}, {last_, table_->evaluate(last_).slope, 0}};
 }
 

@@ -1,8 +1,9 @@
 // A function of time or of a joint coordinate: multiplies a load in addition to its step factor, or gives the course of
-// a driven coordinate. A curve through points, a sine, or a smooth step.
+// a driven coordinate. A curve through points, a sine, or a smooth step. Feedback is a function of both: with the
+// course r of its target, gain (r(t) - q) + rate_gain (r'(t) - q'); the second term acts in motion only.
 #pragma once
 
-#include <numbers>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,19 @@ class LoadScale {
   /// second value from its start on.
   Value evaluate(double x) const;
 
+  /// The same at a time (s): x is the coordinate, where there is one. Of feedback without its term with rates.
+  Value evaluate(double x, double time) const;
+
+  /// d factor / d time (1/s) at a fixed pose; `slope` as evaluate() gave it.
+  double rate_in_time(double time, double slope) const;
+
+  /// Whether feedback depends on the coordinate's rate.
+  bool has_rate() const { return rate_gain_ != 0; }
+  /// That term, at a time (s) and a rate of the coordinate (rad/s, m/s).
+  double rate_term(double time, double rate) const;
+
   /// Times (s) where the factor or a derivative may jump; empty for a scale over a coordinate.
-  std::vector<double> nonsmooth_points_in_time() const { return coordinate_ ? std::vector<double>() : knots_; }
+  std::vector<double> nonsmooth_points_in_time() const;
 
   /// Where the slope jumps: the ends of a table over a coordinate (rad, m); none for other scales.
   struct NonsmoothPoint {
@@ -41,7 +53,7 @@ class LoadScale {
   std::vector<NonsmoothPoint> nonsmooth_points_over_coordinate() const;
 
   /// Of a sine, s; else 0.
-  double period() const { return kind_ == ScaleDef::Kind::sine ? 2 * std::numbers::pi / angular_frequency_ : 0; }
+  double period() const;
 
   /// The largest |factor|.
   double largest() const { return largest_; }
@@ -59,6 +71,8 @@ class LoadScale {
   double offset_ = 0, amplitude_ = 0, angular_frequency_ = 0, start_ = 0;
   double from_ = 0, to_ = 1, rise_ = 0;
   double largest_ = 0;
+  double gain_ = 0, rate_gain_ = 0;          ///< feedback
+  std::shared_ptr<const LoadScale> target_;  ///< feedback
 };
 
 }  // namespace genu

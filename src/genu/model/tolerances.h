@@ -101,6 +101,12 @@ inline constexpr double kMomentChange = 0.01;
 /// [m] Distance at which a polynomial's term changes by 1 mm. Fails first: nothing (a convention of the ranking).
 inline constexpr double kTermReach = 10e-3;
 
+// load_scale
+
+/// [rad or m] Distance from its target at which feedback gives the force scale, at least. Fails first: if too small,
+/// the force scale of a joint held by feedback alone is round-off.
+inline constexpr double kFeedbackError = 0.1;
+
 // step_plan
 
 /// [1] Scaled residual of an accepted pose, for the least size of a step. Fails first: if too small, steps below what a

@@ -28,7 +28,7 @@ void HingedMotion::place(OdeSystem::Values y, State& state, VecX& twist) {
 }
 
 /// Springs and loads about the hinges. Returns the power of the loads, W.
-double HingedMotion::add_hinge_moments(const State& state, const Target& target) {
+double HingedMotion::add_hinge_moments(const State& state, const Target& target, const VecX& twist) {
   EffectMeter* meter = model_.meter.get();
   evaluate_effect(meter, Effect::joint_springs, model_.joint_springs.size(), [&] {
     for (const JointSpring& spring : model_.joint_springs)
@@ -39,7 +39,8 @@ double HingedMotion::add_hinge_moments(const State& state, const Target& target)
     const Load& load = model_.loads[k];
     const int i = load.kind == Load::Kind::coordinate ? tree_.hinge(load.coordinate) : -1;
     if (i < 0) continue;
-    const double moment = target.load_factors[k] * load_scale(load, state, target.time).factor * load.value;
+    const double moment =
+        target.load_factors[k] * load_scale_in_motion(model_, load, state, target.time, twist) * load.value;
     moments_[i] += moment;
     power += moment * rates_[i];
   }
@@ -58,7 +59,7 @@ bool HingedMotion::rate(const State& state, const VecX& twist, const Target& tar
   evaluate_effect(meter, Effect::loads, model_.loads.size(),
                   [&] { power = add_load_wrenches(model_, state, target, twist, wrench_); });
   evaluate_effect(meter, Effect::weights, model_.weights.size(), [&] { add_weight_wrenches(model_, state, wrench_); });
-  power += add_hinge_moments(state, target);
+  power += add_hinge_moments(state, target, twist);
   evaluate_effect(meter, Effect::damping, damper_count_, [&] {
     for (const auto& damper : model_.joint_dampers) {
       const int i = tree_.hinge({damper.joint, 0});

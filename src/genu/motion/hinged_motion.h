@@ -39,7 +39,7 @@ class HingedMotion {
   void weights(OdeSystem::Values y, double tolerance, double second, Eigen::Ref<VecX> out) const;
 
  private:
-  double add_hinge_moments(const State& state, const Target& target);
+  double add_hinge_moments(const State& state, const Target& target, const VecX& twist);
 
   const JointModel& model_;
   HingeTree tree_;

@@ -43,7 +43,7 @@ double load_power(const JointModel& model, const State& state, const Target& tar
   double power = 0;
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
-    const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
+    const double factor = target.load_factors[i] * load_scale_in_motion(model, load, state, target.time, twist);
     if (factor == 0) continue;
     if (load.kind == Load::Kind::cable) {
       power -= factor * load.value * load.path.length_rate(state.poses, twist, state.wraps);

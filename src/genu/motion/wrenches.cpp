@@ -98,7 +98,7 @@ double add_load_wrenches(const JointModel& model, const State& state, const Targ
   double power = 0;
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
-    const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
+    const double factor = target.load_factors[i] * load_scale_in_motion(model, load, state, target.time, twist);
     if (load.kind == Load::Kind::coordinate || factor == 0) continue;
     const Vec12 unit = load_wrench(model, state, load).wrench;
     const Vec6 on_a = factor * unit.head<6>(), on_b = factor * unit.tail<6>();

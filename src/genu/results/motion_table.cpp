@@ -85,7 +85,7 @@ class MotionTable {
     set_ligaments(point);
     set_wrap_columns(model_, point.state, table_);
     for (const Load& l : model_.loads)
-      if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.state, point.time).factor);
+      if (l.scale) table_.set(l.name + ".scale", load_scale_in_motion(model_, l, point.state, point.time, point.twist));
     const MechanicalEnergy energy = mechanical_energy(model_, point.state, point.twist);
     table_.set("energy.kinetic_J", energy.kinetic);
     table_.set("energy.stored_J", energy.stored);

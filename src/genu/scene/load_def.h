@@ -33,7 +33,7 @@ struct LoadDef {
   SourceLocation where;
 
   /// Whether it changes with time by itself.
-  bool in_time() const { return scale && scale->kind != ScaleDef::Kind::over_coordinate; }
+  bool in_time() const { return scale && scale->in_time(); }
   bool on_rotation() const { return kind == Kind::coordinate && coordinate.index < 3; }
 };
 

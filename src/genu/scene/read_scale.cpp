@@ -69,6 +69,35 @@ ScaleDef constant(double value) {
   return course;
 }
 
+/// A controller: pulls a coordinate to its target, more strongly the farther, and against the difference of their
+/// rates.
+void read_feedback(ReadContext& context, const Item& item, ScaleDef& scale) {
+  scale.kind = ScaleDef::Kind::feedback;
+  scale.target = std::make_shared<const ScaleDef>(constant(0));
+  if (!is_table(context, item)) return;
+  Section section(context, item, "feedback");
+  const Item of = section.require("of");
+  const auto name = read_string(context, of);
+  const auto coordinate =
+      name ? find_coordinate(context, of.node->where, of.path, *name, literal(*of.node)) : std::nullopt;
+  scale.coordinate = coordinate.value_or(CoordinateRef{});
+  const bool angle = scale.coordinate.index < 3;
+  const NumberRule rule = angle ? any_turns(angle_rule(context)) : length_rule(context);
+  const double unit = rule.unit;
+  const Item gain = section.require("gain"), rate_gain = section.find("rate_gain");
+  const auto stiff = read_number(context, gain, non_negative({})),
+             damp = read_number(context, rate_gain, non_negative({}));
+  scale.gain = stiff.value_or(0) / unit;
+  scale.rate_gain = damp.value_or(0) / unit;
+  if (scale.rate_gain != 0 && !context.in_motion)
+    refuse(context, rate_gain, Code::no_effect, "needs [dynamics]: without it nothing has a rate");
+  if (stiff && scale.gain == 0 && scale.rate_gain == 0)
+    refuse(context, gain, Code::no_effect, "is 0, and so is `rate_gain`: the load never acts");
+  const Item target = section.require("target");
+  if (target.node != nullptr) scale.target = std::make_shared<const ScaleDef>(read_course(context, target, rule));
+  section.finish();
+}
+
 }  // namespace
 
 std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item) {
@@ -81,9 +110,12 @@ std::optional<ScaleDef> read_scale(ReadContext& context, const Item& item) {
   } else if (section.has("step")) {
     section.rename("a scale with a step");
     read_step_in_time(context, section.find("step"), plain_rule({}), !context.in_motion, scale);
+  } else if (section.has("feedback")) {
+    section.rename("a scale with feedback");
+    read_feedback(context, section.find("feedback"), scale);
   } else if (!section.has("over") && !section.has("table")) {
-    for (const char* key : {"sine", "step", "over", "table"}) section.find(key);
-    section.error(Code::missing_key, "", "says nothing: give `over` and `table`, or `sine`, or `step`");
+    for (const char* key : {"sine", "step", "feedback", "over", "table"}) section.find(key);
+    section.error(Code::missing_key, "", "says nothing: give `over` and `table`, or `sine`, `step` or `feedback`");
   } else {
     const auto rule = read_over(context, section.require("over"), scale);
     read_table(context, section.require("table"), rule.value_or(NumberRule{}), NumberRule{}, "factor", scale);

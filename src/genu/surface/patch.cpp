@@ -60,8 +60,14 @@ std::vector<PatchSide> sides_of(const Patch& patch) {
 class PatchSurface final : public Surface {
  public:
   PatchSurface(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-               const std::array<bool, 3>& endless, std::function<Mesh(double)> own_mesh)
-      : whole_(std::move(surface)), X_BS_(X_BS), patch_(patch), endless_(endless), own_mesh_(std::move(own_mesh)) {}
+               const std::array<bool, 3>& endless, std::function<Mesh(double)> own_mesh,
+               std::function<double(const Vec3&)> front)
+      : whole_(std::move(surface)),
+        X_BS_(X_BS),
+        patch_(patch),
+        endless_(endless),
+        own_mesh_(std::move(own_mesh)),
+        front_(std::move(front)) {}
 
   bool project(const Vec3& x, SurfacePoint& out) const override { return whole_->project(x, out); }
   bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const override {
@@ -118,6 +124,7 @@ class PatchSurface final : public Surface {
   std::span<const DoubtfulPlace> doubtful() const override { return whole_->doubtful(); }
   bool is_global() const override { return whole_->is_global(); }
   bool knows_distance() const override { return false; }
+  double clear_in_front(const Vec3& x) const override { return front_ ? front_(x) : 0; }
   bool is_unbounded() const override {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (endless_[axis] && !patch_.box[axis]) return true;
@@ -185,6 +192,7 @@ class PatchSurface final : public Surface {
   Patch patch_;
   std::array<bool, 3> endless_;
   std::function<Mesh(double)> own_mesh_;
+  std::function<double(const Vec3&)> front_;
 };
 
 }  // namespace
@@ -199,8 +207,10 @@ double Patch::edge_distance(const Vec3& p) const {
 }
 
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh) {
-  return std::make_unique<PatchSurface>(std::move(surface), X_BS, patch, endless, std::move(own_mesh));
+                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh,
+                                    std::function<double(const Vec3&)> front) {
+  return std::make_unique<PatchSurface>(std::move(surface), X_BS, patch, endless, std::move(own_mesh),
+                                        std::move(front));
 }
 
 }  // namespace genu

@@ -28,8 +28,10 @@ struct Patch {
 
 /// The part of the surface inside `patch`; X_BS is the surface's frame in its body. `endless` says along which axes of
 /// that frame the surface itself has no end: where the patch limits these, the surface is bounded.
-/// `own_mesh`, where given, makes the patch's triangles of about an edge (m), and the surface is not cut.
+/// `own_mesh`, where given, makes the patch's triangles of about an edge (m), and the surface is not cut. `front`,
+/// where given, is the patch's clear_in_front().
 std::unique_ptr<Surface> make_patch(std::shared_ptr<const Surface> surface, const Pose& X_BS, const Patch& patch,
-                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh = {});
+                                    const std::array<bool, 3>& endless, std::function<Mesh(double edge)> own_mesh = {},
+                                    std::function<double(const Vec3&)> front = {});
 
 }  // namespace genu

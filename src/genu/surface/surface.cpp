@@ -42,6 +42,8 @@ double Surface::smooth_length() const { return std::numeric_limits<double>::infi
 
 double Surface::edge_distance(const Vec3&) const { return std::numeric_limits<double>::infinity(); }
 
+double Surface::clear_in_front(const Vec3&) const { return 0; }
+
 SampleSet Surface::samples(double spacing, const Vec3& centre, double reach) const {
   return vertex_samples(triangles(spacing, centre, reach));
 }

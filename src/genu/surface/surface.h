@@ -103,6 +103,10 @@ class Surface {
 
   /// True for a shape without an extent of its own (a plane, a cylinder, a polynomial).
   virtual bool is_unbounded() const { return false; }
+
+  /// m: a ball about x that is smaller neither meets this surface nor reaches behind it. A bound that costs a few
+  /// operations, for surfaces whose distance does not; 0 where none is known.
+  virtual double clear_in_front(const Vec3& x) const;
 };
 
 /// Diagonal (m) of the box round a bounded surface, seen with triangles of about `edge` (m).

@@ -60,6 +60,12 @@ inline constexpr double kBlendRadius = kFitReach;
 /// [fit radius] Distance of nodes. Fails first: if too large, gaps between nodes.
 inline constexpr double kNodeSpacing = 0.25;
 
+// front_distance
+
+/// [1] Cells along each side of a patch in which a polynomial's slope is bounded. Fails first: if too small, slopes of
+/// high degree are overstated and contacts are searched for nearby (time).
+inline constexpr int kFrontCells = 8;
+
 // local_fit
 
 /// [1] Samples a coefficient needs. Fails first: if too small, fits swing between samples.

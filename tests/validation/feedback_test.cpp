@@ -1,0 +1,153 @@
+// Loads with feedback against closed forms: a hinge held by a controller is a damped oscillator, driven where its
+// target moves; at rest it stands where springs do; a coupling makes one joint follow another.
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/scenes.h"
+#include "support/text.h"
+#include "validation/motion_scene.h"
+
+namespace genu {
+namespace {
+
+using test::motion_of;
+
+constexpr double kServoInertia = 0.05;  // kg m^2, about the hinge
+
+std::string servo_hinge(const std::string& load, double duration) {
+  return fmt::format(R"(format = 1
+units = {{ length = "m", angle = "rad" }}
+[body.ground]
+fixed = true
+[body.arm]
+mass = 1
+inertia = [{0}, {0}, {0}]
+[joint.j]
+type = "revolute"
+parent = "ground"
+child = "arm"
+axis = [0, 0, 1]
+start = {{ angle = 0.4 }}
+{1}
+[dynamics]
+duration = {2}
+output_interval = 0.01
+tolerance = 1e-9
+)",
+                     kServoInertia, load, duration);
+}
+
+std::string servo(const std::string& target, double gain, double rate_gain) {
+  return fmt::format(
+      "[load.servo]\non = \"j.angle\"\nscale = {{ feedback = {{ of = \"j.angle\", target = {}, gain = {}, "
+      "rate_gain = {} }} }}\n",
+      target, gain, rate_gain);
+}
+
+TEST(Feedback, AHingeHeldByAControllerIsADampedOscillator) {
+  const double gain = 20, rate_gain = 0.3, target = 0.1;
+  const Solution s = motion_of(servo_hinge(servo(fmt::format("{}", target), gain, rate_gain), 3));
+  const double decay = rate_gain / (2 * kServoInertia), w = std::sqrt(gain / kServoInertia - decay * decay);
+  double worst = 0;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+    const double t = s.poses.number(row, "time_s");
+    const double q = target + (0.4 - target) * std::exp(-decay * t) * (std::cos(w * t) + decay / w * std::sin(w * t));
+    worst = std::max(worst, std::abs(s.poses.number(row, "j.angle_deg") * M_PI / 180 - q));
+    const double rate = s.poses.number(row, "j.angle_velocity_deg_s") * M_PI / 180;
+    EXPECT_NEAR(s.poses.number(row, "servo.scale"), gain * (target - q) - rate_gain * rate, 1e-6);
+  }
+  EXPECT_LT(worst, 1e-8) << "rad";
+  EXPECT_LT(s.summary.motion->worst_energy, 1e-7 * s.summary.motion->energy_scale);
+  fmt::print("  worst error of the angle {:.1e} rad\n", worst);
+}
+
+/// After the transient: the response of a driven oscillator to its target's sine.
+TEST(Feedback, FollowsAMovingTargetAsADrivenOscillatorDoes) {
+  const double gain = 20, rate_gain = 0.6, A = 0.2, f = 1.5, W = 2 * M_PI * f;
+  const Solution s = motion_of(
+      servo_hinge(servo(fmt::format("{{ sine = {{ amplitude = {}, frequency = {} }} }}", A, f), gain, rate_gain), 6));
+  // I q'' + D q' + k q = k r + D r':  H = (k + i W D) / (k - I W^2 + i W D)
+  const double re = gain - kServoInertia * W * W, im = W * rate_gain, size = re * re + im * im;
+  const double a = (gain * re + im * im) / size, b = (im * re - gain * im) / size;
+  double worst = 0;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+    const double t = s.poses.number(row, "time_s");
+    if (t < 4.5) continue;  // the transient decays by exp(-6 t)
+    const double q = A * (a * std::sin(W * t) + b * std::cos(W * t));
+    worst = std::max(worst, std::abs(s.poses.number(row, "j.angle_deg") * M_PI / 180 - q));
+  }
+  EXPECT_LT(worst, 1e-7) << "rad";
+  fmt::print("  worst error of the driven angle {:.1e} rad\n", worst);
+}
+
+/// The same motion with the bodies' poses as unknowns in the place of angles (a contact that never closes).
+TEST(Feedback, IsTheSameWithConstraintsInThePlaceOfAngles) {
+  const std::string contact =
+      "[surface.pin]\nbody = \"arm\"\nshape = \"sphere\"\nradius = 0.001\n[surface.wall]\nbody = \"ground\"\nshape = "
+      "\"plane\"\norigin = [0, 0, -1]\n[contact.never]\nsurfaces = [\"pin\", \"wall\"]\nmodel = \"rigid\"\n";
+  const std::string load = servo("{ sine = { amplitude = 0.2, frequency = 1.5 } }", 20, 0.6);
+  const Solution angles = motion_of(servo_hinge(load, 2)), bodies = motion_of(servo_hinge(load + contact, 2));
+  ASSERT_EQ(angles.poses.rows(), bodies.poses.rows());
+  for (std::size_t row = 0; row < angles.poses.rows(); ++row)
+    for (const char* column : {"j.angle_deg", "servo.scale", "energy.load_work_J"})
+      EXPECT_NEAR(angles.poses.number(row, column), bodies.poses.number(row, column), 1e-6) << column << " " << row;
+}
+
+const std::string kServoHinges = R"(format = 1
+units = { length = "m", angle = "rad" }
+[body.ground]
+fixed = true
+[body.first]
+[body.second]
+[joint.a]
+type = "revolute"
+parent = "ground"
+child = "first"
+axis = [0, 0, 1]
+[joint.b]
+type = "revolute"
+parent = "ground"
+child = "second"
+origin = [1, 0, 0]
+axis = [0, 0, 1]
+stiffness = 3
+[load.push]
+on = "a.angle"
+value = 2
+[load.servo]
+on = "a.angle"
+scale = { feedback = { of = "a.angle", target = 0.5, gain = 10 } }
+[load.coupling]
+on = "b.angle"
+scale = { feedback = { of = "a.angle", target = 0, gain = COUPLING } }
+[[step]]
+load = { push = [0, 1] }
+increments = 4
+)";
+
+/// 10 (0.5 - a) + 2 = 0 and 3 b = -g a.
+TEST(Feedback, AtRestItIsASpringAndACouplingIsFollowed) {
+  const ResultTable t = test::table_of(test::with_first(kServoHinges, "COUPLING", "1.5"));
+  const std::size_t last = t.rows() - 1;
+  EXPECT_NEAR(t.number(last, "a.angle_deg") * M_PI / 180, 0.7, 1e-12);
+  EXPECT_NEAR(t.number(last, "b.angle_deg") * M_PI / 180, -0.35, 1e-12);
+  EXPECT_EQ(test::word(t, last, "stability"), "stable");
+  EXPECT_NEAR(t.number(last, "coupling.scale"), -1.05, 1e-12);
+}
+
+/// Each of two joints driven by the other: beyond a loop gain of 1 nothing holds them, and that is said.
+TEST(Feedback, ALoopThatDrivesItselfIsUnstable) {
+  const std::string loop =
+      "[load.back]\non = \"a.angle\"\nscale = { feedback = { of = \"b.angle\", target = 0, gain = 30 } }\n[[step]]";
+  for (const double gain : {0.5, 1.5}) {  // loop gain: gain / 3 x 30 / 10
+    const std::string text =
+        test::with_first(test::with_first(kServoHinges, "COUPLING", fmt::format("{}", gain)), "[[step]]", loop);
+    const ResultTable t = test::table_of(text);
+    EXPECT_EQ(test::word(t, t.rows() - 1, "stability"), gain < 1 ? "stable" : "unstable") << gain;
+  }
+}
+
+}  // namespace
+}  // namespace genu
