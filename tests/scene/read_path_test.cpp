@@ -5,7 +5,7 @@ namespace {
 
 const std::string kEnd = "to = { body = \"tibia\", point = [-6.04, 4.0, -3.0] }\n";
 
-LigamentDef ligament(const std::string& more) { return good(edited(kEnd, kEnd + more)).ligaments.at(0); }
+LigamentDef with_path(const std::string& more) { return good(edited(kEnd, kEnd + more)).ligaments.at(0); }
 
 void expect_path_refused(const std::string& more, const std::string& key, const std::string& found,
                          const std::string& rule) {
@@ -13,7 +13,7 @@ void expect_path_refused(const std::string& more, const std::string& key, const 
 }
 
 TEST(ReadPath, SurfacesByNameOrWithASide) {
-  const LigamentDef l = ligament("wrap = [\"ball\", { surface = \"ball\", side = [0, 0, 2], inside = \"ignore\" }]\n");
+  const LigamentDef l = with_path("wrap = [\"ball\", { surface = \"ball\", side = [0, 0, 2], inside = \"ignore\" }]\n");
   ASSERT_EQ(l.wraps.size(), 2u);
   EXPECT_EQ(l.wraps[0].surface, 0);
   EXPECT_FALSE(l.wraps[0].side);
@@ -21,11 +21,11 @@ TEST(ReadPath, SurfacesByNameOrWithASide) {
   EXPECT_EQ(*l.wraps[1].side, Vec3(0, 0, 1));
   EXPECT_TRUE(l.wraps[1].ignore_inside);
   EXPECT_EQ(l.wraps[1].after, 0);
-  EXPECT_FALSE(ligament("wrap = [{ surface = \"ball\", side = \"shortest\" }]\n").wraps.at(0).side);
+  EXPECT_FALSE(with_path("wrap = [{ surface = \"ball\", side = \"shortest\" }]\n").wraps.at(0).side);
 }
 
 TEST(ReadPath, PointsAndSurfacesInOneOrder) {
-  const LigamentDef l = ligament(
+  const LigamentDef l = with_path(
       "path = [\"ball\", { body = \"femur\", point = [1, 2, 3] }, { surface = \"ball\" }, { body = \"tibia\", point = "
       "[4, 5, 6] }]\n");
   ASSERT_EQ(l.via.size(), 2u);

@@ -81,4 +81,14 @@ inline constexpr double kNearSearchDepth = 0.95;
 /// on a flaw is not reported.
 inline constexpr double kNearFlaw = 3;
 
+// shorter_sides
+
+/// [1] Rows of a run in which other sides of surfaces are tried. Fails first: if too small, a shorter side is noticed
+/// late; if too large, runs of wrapped paths take longer.
+inline constexpr std::size_t kRowsForSides = 8;
+
+/// [1] How much shorter, over its length, a path round another side has to be. Fails first: if too small, sides of
+/// equal length are reported.
+inline constexpr double kShorterShare = 0.01;
+
 }  // namespace genu

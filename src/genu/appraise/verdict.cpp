@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/appraise/place.h"
+#include "genu/appraise/shorter_sides.h"
 #include "genu/appraise/tolerances.h"
 
 namespace genu {
@@ -315,6 +316,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
   say_reaction_turns(prepared, events, out);
   say_steps(prepared, out);
   say_locations(prepared, records, summary.locations, out);
+  for (const std::string& sentence : shorter_sides(prepared.model, records)) out.push_back(sentence);
   for (const PoseRecord& r : records) {
     const PoseReport& report = r.point.report;
     if (report.status == PoseStatus::ok) continue;

@@ -50,7 +50,7 @@ void serialize(Archive& a, ArcEnd& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Geodesic& x) {
-  a(x.begin, x.end, x.length, x.c, x.dc, x.a, x.da, x.most_hollow, x.hollow_at, x.hollow_length, x.shot, x.conjugate);
+  a(x.begin, x.end, x.length, x.c, x.dc, x.a, x.da, x.most_hollow, x.hollow_at, x.hollow_length, x.conjugate);
 }
 template <typename Archive>
 void serialize(Archive& a, WrapTouch& x) {

@@ -204,7 +204,6 @@ bool arc_end(const Surface& surface, const Vec3& p, const Vec3& t, ArcEnd& out) 
 bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out) {
   out.begin = begin;
   out.length = length;
-  out.shot = true;
   if (!std::isfinite(length)) return false;
   const std::optional<RoundShape> shape = surface.round();
   if (!shape) return Shooter(surface, begin, length, out).run();

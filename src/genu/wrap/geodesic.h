@@ -38,7 +38,6 @@ struct Geodesic {
 
   /// m: how much shorter a string may be that lifts off where the surface is hollow (a chord for an arc).
   double lift() const { return most_hollow > 0 ? most_hollow * most_hollow * std::pow(hollow_length, 3) / 24 : 0; }
-  bool shot = false;       ///< shoot() has set it; else begin and length are a guess
   bool conjugate = false;  ///< a returns to 0 on the way: the arc is no shortest one
 };
 

@@ -154,7 +154,6 @@ bool solve_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> ob
   const std::size_t m = arcs.size();
   for (std::size_t i = 0; i < m; ++i) {
     Geodesic& arc = arcs[i];
-    if (arc.shot) continue;
     ArcEnd begin;
     if (!arc_end(*obstacles[i].surface, arc.begin.p, arc.begin.t, begin) ||
         !shoot(*obstacles[i].surface, begin, arc.length, arc))

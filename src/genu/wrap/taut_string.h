@@ -45,7 +45,7 @@ struct StringHessian {
   std::array<Vec2, kMostArcs> at_begin, at_end;
 };
 
-/// Finds the arcs from those given, which it replaces: one for each obstacle. Of a guess begin.p, begin.t and length
+/// Finds the arcs from those given, which it replaces: one for each obstacle, of which begin.p, begin.t and length
 /// count. In the frames of the obstacles' bodies. False where Newton's method does not arrive; they are then
 /// unspecified.
 [[nodiscard]] bool solve_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles,
