@@ -2,6 +2,7 @@
 #include "genu/model/load_scale.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -147,6 +148,32 @@ TEST(LoadScale, AStepIsSmoothAndEndsWhereItShould) {
   def.rise = 0;
   EXPECT_EQ(made(def).evaluate(2 - 1e-12).factor, 1);
   EXPECT_EQ(made(def).evaluate(2).factor, 5);
+}
+
+TEST(LoadScale, FeedbackIsAFunctionOfItsCoordinateAndOfTime) {
+  ScaleDef course;
+  course.kind = ScaleDef::Kind::sine;
+  course.amplitude = 0.3;
+  course.frequency = 0.7;
+  ScaleDef def;
+  def.kind = ScaleDef::Kind::feedback;
+  def.coordinate = {0, 1};
+  def.gain = 5;
+  def.rate_gain = 0.4;
+  def.target = std::make_shared<const ScaleDef>(course);
+  const LoadScale scale = made(def);
+  EXPECT_TRUE(scale.is_feedback() && scale.has_rate());
+  EXPECT_EQ(*scale.coordinate(), (CoordinateRef{0, 1}));
+  const double time = 1.3, x = 0.2, h = 1e-4;
+  const LoadScale::Value value = scale.evaluate(x, time);
+  EXPECT_NEAR(value.factor, 5 * (0.3 * std::sin(2 * M_PI * 0.7 * time) - x), 1e-14);
+  EXPECT_NEAR(value.slope, test::derivative([&](double d) { return scale.evaluate(x + d, time).factor; }, 1e-3), 1e-9);
+  EXPECT_NEAR(scale.rate_in_time(time, value.slope),
+              (scale.evaluate(x, time + h).factor - scale.evaluate(x, time - h).factor) / (2 * h), 1e-6);
+  EXPECT_NEAR(scale.rate_term(time, 0.7), 0.4 * (0.3 * 2 * M_PI * 0.7 * std::cos(2 * M_PI * 0.7 * time) - 0.7), 1e-14);
+  EXPECT_EQ(scale.nonsmooth_points_in_time(), std::vector<double>{0}) << "of its target";
+  EXPECT_NEAR(scale.period(), 1 / 0.7, 1e-14);
+  EXPECT_TRUE(scale.nonsmooth_points_over_coordinate().empty());
 }
 
 }  // namespace

@@ -60,8 +60,14 @@ poisson = 0.45
 thickness = 6
 quadrature = "triangles"
 cast_from = "cell"
+[ligament.guide]
+from = { body = "block", point = [0, 0, 0] }
+to = { body = "ground", point = [0, 100, 0] }
+law = "spring"
+stiffness = 1
+slack_length = 100
 [[step]]
-prescribe = { "j.a" = 0, "j.b" = 0, "j.c" = 0, "j.x" = 0, "j.y" = 0, "j.z" = [-0.1, -0.2] }
+prescribe = { "j.a" = 0, "j.b" = 0, "j.c" = 0, "j.x" = 0, "j.z" = [-0.1, -0.2] }
 increments = 1
 )";
   std::ofstream(folder / "scene.toml") << text;

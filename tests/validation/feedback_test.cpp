@@ -149,5 +149,32 @@ TEST(Feedback, ALoopThatDrivesItselfIsUnstable) {
   }
 }
 
+/// A load that follows the angle of a hinge with a sign that drives it on: the motion grows, and that is said.
+TEST(Feedback, AMotionThatGrowsIsSaid) {
+  const auto verdict_of = [](double push) {
+    // gain (0 - q) times value = -push: a spring that pulls (push < 0 pushes away).
+    const std::string load = fmt::format(
+        "[load.servo]\non = \"j.angle\"\nvalue = {}\nscale = {{ feedback = {{ of = \"j.angle\", target = 0.39, gain = "
+        "1, "
+        "rate_gain = 0.01 }} }}\n",
+        push);
+    std::string text;
+    for (const std::string& sentence : motion_of(servo_hinge(load, 2)).summary.verdict) text += sentence + "\n";
+    return text;
+  };
+  EXPECT_NE(verdict_of(-0.5).find("load servo misses its target by more and more"), std::string::npos);
+  EXPECT_EQ(verdict_of(0.5).find("more and more"), std::string::npos);
+}
+
+/// A gain beyond reason makes a fast decay: integrated by BDF, and said.
+TEST(Feedback, AStiffMotionIsSaid) {
+  const Solution s = motion_of(servo_hinge(servo("0.1", 1e4, 5e3), 2));
+  EXPECT_LT(s.summary.motion->steps, 20'000);
+  std::string text;
+  for (const std::string& sentence : s.summary.verdict) text += sentence + "\n";
+  EXPECT_NE(text.find("is stiff from"), std::string::npos) << text;
+  EXPECT_NEAR(s.poses.number(s.poses.rows() - 1, "j.angle_deg") * M_PI / 180, 0.1 + 0.3 * std::exp(-2.0 * 2), 0.01);
+}
+
 }  // namespace
 }  // namespace genu

@@ -6,7 +6,8 @@
 
 namespace genu::studies {
 
-/// bones.svg: from the front and from the outer side, in the pose of angle 0.
+/// bones.svg: from the front and from the outer side, in the pose of angle 0; bones-flexed.svg: where the torque of
+/// scene-bones.toml flexes the tibia most.
 Files bones_files(const std::string& folder, Diagnostics& problems);
 
 }  // namespace genu::studies

@@ -74,11 +74,11 @@ double scale_at(const ScaleDef& scale, double x) {
   return curve_at(scale.table, std::clamp(x, scale.table.front().first, scale.table.back().first));
 }
 
-double feedback_at(const ScaleDef& scale, double x, double rate, double time) {
-  const double h = kCourseStep, course = scale_at(*scale.target, time);
-  double speed = 0;
-  if (scale.rate_gain != 0) speed = (scale_at(*scale.target, time + h) - scale_at(*scale.target, time - h)) / (2 * h);
-  return scale.gain * (course - x) + scale.rate_gain * (speed - rate);
+double feedback_at(const ScaleDef& scale, double x, double rate, double time, int side) {
+  const double h = side * kCourseStep;
+  const auto course = [&](int k) { return scale_at(*scale.target, time + k * h); };
+  const double speed = scale.rate_gain == 0 ? 0 : (-3 * course(0) + 4 * course(1) - course(2)) / (2 * h);
+  return scale.gain * (course(0) - x) + scale.rate_gain * (speed - rate);
 }
 
 }  // namespace genu::judge

@@ -17,7 +17,8 @@ double curve_at(const Points& points, double x);
 /// A scale or course (docs/scene-reference.md, Loads) at x: s, or the value of its coordinate.
 double scale_at(const ScaleDef& scale, double x);
 
-/// A scale with feedback, at its coordinate, the coordinate's rate and a time (s).
-double feedback_at(const ScaleDef& scale, double x, double rate, double time);
+/// A scale with feedback, at its coordinate, the coordinate's rate and a time (s). `side`: 1 or -1, of that time: the
+/// rate of its target may jump there.
+double feedback_at(const ScaleDef& scale, double x, double rate, double time, int side);
 
 }  // namespace genu::judge

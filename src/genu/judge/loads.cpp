@@ -20,8 +20,8 @@ double factor_of(const PoseCase& pose, int load) {
   return 1;
 }
 
-/// The scale of a load at a row.
-double scale_of(const PoseCase& pose, const ScaleDef& scale) {
+/// The scale of a load at a row; of two that a time may have, the one nearer to what is written.
+double scale_of(const PoseCase& pose, const ScaleDef& scale, double written) {
   const CoordinateRef& c = scale.coordinate;
   const auto q = [&] { return pose.q[at(c.joint)][at(c.index)]; };
   if (scale.kind == ScaleDef::Kind::over_coordinate) return scale_at(scale, q());
@@ -33,7 +33,8 @@ double scale_of(const PoseCase& pose, const ScaleDef& scale) {
           ? 0
           : pose.row(coordinate_name(pose.scene(), c) + (angle ? "_velocity_deg_s" : "_velocity_mm_s")) *
                 column_unit(c);
-  return feedback_at(scale, q(), rate, time);
+  const double before = feedback_at(scale, q(), rate, time, -1), after = feedback_at(scale, q(), rate, time, 1);
+  return std::abs(before - written) < std::abs(after - written) ? before : after;
 }
 
 }  // namespace
@@ -47,10 +48,9 @@ void add_loads(const PoseCase& pose, PoseForces& out) {
       pose.out->expect("load factors", "1", std::abs(written - factor), (1e-9 + pose.slack) * (1 + std::abs(factor)),
                        load.name);
     if (load.scale) {
-      const double scale = scale_of(pose, *load.scale);
+      const double written = pose.row(load.name + ".scale"), scale = scale_of(pose, *load.scale, written);
       const double tolerance = load.scale->rate_gain != 0 ? kFeedbackRateTolerance : 1e-9;
-      pose.out->expect("load scales", "1", std::abs(pose.row(load.name + ".scale") - scale),
-                       tolerance * (1 + std::abs(scale)), load.name);
+      pose.out->expect("load scales", "1", std::abs(written - scale), tolerance * (1 + std::abs(scale)), load.name);
       factor *= scale;
     }
     if (load.kind == LoadDef::Kind::cable) {

@@ -31,7 +31,7 @@ inline constexpr double kMinCone = 1e-6;
 
 // curve
 
-/// [s] Half the interval over which the rate of a target is taken. Fails first: if too large, rates of fast targets are
+/// [s] Step of the difference that is the rate of a target. Fails first: if too large, rates of fast targets are
 /// inexact; if too small, they are round-off.
 inline constexpr double kCourseStep = 1e-4;
 

@@ -38,6 +38,8 @@ class LoadScale {
   /// d factor / d time (1/s) at a fixed pose; `slope` as evaluate() gave it.
   double rate_in_time(double time, double slope) const;
 
+  bool is_feedback() const { return target_ != nullptr; }
+
   /// Whether feedback depends on the coordinate's rate.
   bool has_rate() const { return rate_gain_ != 0; }
   /// That term, at a time (s) and a rate of the coordinate (rad/s, m/s).

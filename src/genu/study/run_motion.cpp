@@ -9,6 +9,7 @@
 #include "genu/appraise/effects.h"
 #include "genu/appraise/implausible.h"
 #include "genu/core/timer.h"
+#include "genu/model/linearization.h"
 #include "genu/motion/motion_rates.h"
 #include "genu/results/motion_table.h"
 #include "genu/store/stop_of.h"
@@ -44,7 +45,36 @@ bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
   return m.worst_energy <= allowed * (m.energy_scale + scales.length * scales.force);
 }
 
-std::vector<std::string> verdict(const Prepared& prepared, const MotionResult& result, const RunSummary& s) {
+/// The largest |factor| of a load in each of equal parts of the motion.
+std::vector<double> largest_in_parts(const Load& load, const std::vector<MotionPoint>& points) {
+  std::vector<double> largest(kGrowthParts, 0.0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    double& part = largest[k * kGrowthParts / points.size()];
+    part = std::max(part, std::abs(load_scale(load, points[k].state, points[k].time).factor));
+  }
+  return largest;
+}
+
+/// Loads with feedback whose target is missed by more and more.
+std::vector<std::string> growing_feedback(const JointModel& model, const std::vector<MotionPoint>& points) {
+  std::vector<std::string> out;
+  if (points.size() < kGrowthParts) return out;
+  for (const Load& load : model.loads) {
+    if (!load.scale || !load.scale->is_feedback()) continue;
+    const std::vector<double> largest = largest_in_parts(load, points);
+    bool grows = largest.front() > 0;
+    for (std::size_t k = 1; k < kGrowthParts; ++k) grows = grows && largest[k] > kGrowth * largest[k - 1];
+    if (grows)
+      out.push_back(fmt::format(
+          "The feedback of load {} misses its target by more and more: its scale grows from {:.3g} to {:.3g}. It is "
+          "unstable, or its target runs away. Lower its gain, raise its rate_gain, or look for a loop of couplings.",
+          load.name, largest.front(), largest.back()));
+  }
+  return out;
+}
+
+std::vector<std::string> verdict(const Prepared& prepared, const MotionResult& result,
+                                 const std::vector<MotionPoint>& points, const RunSummary& s) {
   std::vector<std::string> out;
   if (result.complete)
     out.push_back(fmt::format("The motion is integrated to its end, {:g} s.", s.motion->duration));
@@ -55,6 +85,11 @@ std::vector<std::string> verdict(const Prepared& prepared, const MotionResult& r
         "Its energies do not balance: they are off by {:.2g} of {:.3g} J. What is prescribed or loads it may "
         "change too fast for the tolerance.",
         s.motion->worst_energy, s.motion->energy_scale));
+  for (std::string& sentence : growing_feedback(prepared.model, points)) out.push_back(std::move(sentence));
+  if (result.stiff_from && std::any_of(prepared.model.loads.begin(), prepared.model.loads.end(),
+                                       [](const Load& l) { return l.scale && l.scale->is_feedback(); }))
+    out.push_back(fmt::format("The motion is stiff from {:g} s on: a gain or a rate_gain may be higher than needed.",
+                              *result.stiff_from));
   if (s.motion->switches > 0)
     out.push_back(
         fmt::format("{} times a ligament became slack or taut, a law changed formula or a joint passed its limit: "
@@ -123,7 +158,7 @@ Solution solve_motion(const Prepared& prepared, const RunOptions& options) {
               impacts(out.events)};
   if (!points.empty()) note_energy(prepared.model, points, *s.motion);
   s.exit_code = result.complete && balances(prepared, *s.motion) ? kExitOk : kExitIncomplete;
-  s.verdict = verdict(prepared, result, s);
+  s.verdict = verdict(prepared, result, points, s);
   s.seconds.emplace_back("integrating", timer.seconds());
   out.poses = motion_table(prepared.scene, prepared.model, points);
   classify(implausible(prepared, out.poses), false, s);

@@ -151,6 +151,14 @@ inline constexpr std::size_t kFewKneeTriangles = 100;
 
 // run_motion
 
+/// [1] Equal parts of a motion in which the largest error of feedback is compared. Fails first: if too small, a target
+/// that moves late looks like growth.
+inline constexpr std::size_t kGrowthParts = 4;
+
+/// [1] Growth from part to part that is called unstable. Fails first: if too small, slow targets are; if too large, a
+/// slowly growing oscillation is not seen.
+inline constexpr double kGrowth = 1.3;
+
 /// [1] Energy error that is always allowed. Fails first: if too small, good motions are rejected.
 inline constexpr double kMinEnergyError = 1e-3;
 

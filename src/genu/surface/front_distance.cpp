@@ -36,17 +36,12 @@ std::vector<PolynomialTerm> derivative(const std::vector<PolynomialTerm>& terms,
   return out;
 }
 
-/// The range over the patch, in cells: the smaller, the nearer to the true one.
-std::pair<double, double> range_over(const std::vector<PolynomialTerm>& terms, const ChartBox& patch) {
-  std::pair<double, double> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+constexpr std::size_t kCells = kFrontCells;
+
+ChartBox cell_of(const ChartBox& patch, std::size_t i, std::size_t j) {
   const double du = patch.width() / kFrontCells, dv = patch.height() / kFrontCells;
-  for (int i = 0; i < kFrontCells; ++i)
-    for (int j = 0; j < kFrontCells; ++j) {
-      const double u = patch.u0 + i * du, v = patch.v0 + j * dv;
-      const auto cell = polynomial_range(terms, {u, u + du, v, v + dv});
-      range = {std::min(range.first, cell.first), std::max(range.second, cell.second)};
-    }
-  return range;
+  const double u = patch.u0 + static_cast<double>(i) * du, v = patch.v0 + static_cast<double>(j) * dv;
+  return {u, u + du, v, v + dv};
 }
 
 double largest(const std::pair<double, double>& range) { return std::max(-range.first, range.second); }
@@ -69,29 +64,66 @@ std::pair<double, double> polynomial_range(const std::vector<PolynomialTerm>& te
 
 FrontDistance::FrontDistance(const SurfaceChart& chart, const ChartBox& patch, const std::vector<PolynomialTerm>& terms,
                              bool inside)
-    : chart_(chart), patch_(patch), P_(terms), side_(inside ? -1 : 1) {
-  const double along_u = largest(range_over(derivative(terms, true), patch)),
-               along_v = largest(range_over(derivative(terms, false), patch));
-  if (!chart.cylindrical) {
-    slope_ = along_u * along_u + along_v * along_v;
-    return;
+    : chart_(chart),
+      patch_(patch),
+      P_(terms),
+      side_(inside ? -1 : 1),
+      near_(kCells * kCells),
+      cell_u_(patch.width() / kFrontCells),
+      cell_v_(patch.height() / kFrontCells) {
+  if (chart.cylindrical) {
+    least_radius_ = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kCells * kCells; ++k)
+      least_radius_ = std::min(least_radius_, polynomial_range(terms, cell_of(patch, k / kCells, k % kCells)).first);
+    usable_ = !inside && least_radius_ > 0 && patch.width() <= std::numbers::pi;
+    if (!usable_) return;
+    const double half = 0.5 * patch.width();
+    arc_ = half / std::sin(half);
   }
-  const double least = range_over(terms, patch).first, half = 0.5 * patch.width();
-  usable_ = !inside && least > 0 && patch.width() <= std::numbers::pi;
-  if (!usable_) return;
-  const double arc = half / std::sin(half);
-  slope_ = along_v * along_v;
-  around_ = arc * arc * along_u * along_u / least;
+  const auto by_u = derivative(terms, true), by_v = derivative(terms, false);
+  for (std::size_t i = 0; i < kCells; ++i)
+    for (std::size_t j = 0; j < kCells; ++j) {
+      const ChartBox cell = cell_of(patch, i, j);
+      const double u = largest(polynomial_range(by_u, cell)), v = largest(polynomial_range(by_v, cell));
+      const Slopes own =
+          chart.cylindrical ? Slopes{v * v, arc_ * arc_ * u * u / least_radius_} : Slopes{u * u + v * v, 0};
+      const auto raise = [&](Slopes& s) { s = {std::max(s.along, own.along), std::max(s.around, own.around)}; };
+      raise(whole_);
+      for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kCells - 1); ++a)
+        for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kCells - 1); ++b) raise(near_[a * kCells + b]);
+    }
+}
+
+double FrontDistance::bound(double height, const Slopes& slopes, double rho) const {
+  return height / std::sqrt(1 + slopes.along + (chart_.cylindrical ? slopes.around / rho : 0));
+}
+
+/// Of a point beside the patch to the sides that bound it: planes, between which the patch and what is over it lie.
+double FrontDistance::beside(const ChartPoint& c, double u, double v) const {
+  const double across = std::abs(c.v - v);
+  if (u == c.u) return across;
+  if (!chart_.cylindrical) return std::max(across, std::abs(c.u - u));
+  const auto apart = [&](double end) { return std::abs(std::remainder(c.u - end, 2 * std::numbers::pi)); };
+  const double angle = std::min(apart(patch_.u0), apart(patch_.u1));
+  return std::max(across, angle < std::numbers::pi / 2 ? c.h * std::sin(angle) : c.h);
 }
 
 double FrontDistance::operator()(const Vec3& x) const {
   if (!usable_) return 0;
   const ChartPoint c = chart_.coordinates(x);
   const double u = std::clamp(c.u, patch_.u0, patch_.u1), v = std::clamp(c.v, patch_.v0, patch_.v1);
-  if (chart_.cylindrical && u != c.u) return 0;
+  const double aside = beside(c, u, v);
+  if (chart_.cylindrical && u != c.u) return aside;
   const double height = side_ * (c.h - P_.value(u, v));
-  if (!(height > 0)) return 0;
-  return height / std::sqrt(1 + slope_ + (chart_.cylindrical ? around_ / c.h : 0));
+  if (!(height > 0)) return aside;
+  const auto cell = [](double offset, double width) {
+    return std::min(static_cast<std::size_t>(offset / width), kCells - 1);
+  };
+  const Slopes& near = near_[cell(u - patch_.u0, cell_u_) * kCells + cell(v - patch_.v0, cell_v_)];
+  // No nearer than this is the patch beyond the cells around.
+  const double beyond_u = chart_.cylindrical ? cell_u_ * std::sqrt(c.h * least_radius_) / arc_ : cell_u_;
+  const double beyond = std::min(beyond_u, cell_v_);
+  return std::max({aside, bound(height, whole_, c.h), std::min(bound(height, near, c.h), beyond)});
 }
 
 }  // namespace genu

@@ -8,6 +8,9 @@
 //
 // from the axis. k = (w / 2) / sin(w / 2), w the patch's angle: an arc against its chord, which is 2 sqrt(rho r)
 // sin(angle / 2) where the radii are apart. Bounds of P and its derivatives are those of their Bernstein coefficients.
+//
+// The slope is that of the cells of the patch around x, as far as the distance is less than a cell's width, or else
+// that of the whole patch. A point beside the patch is no nearer than the sides between which the patch lies.
 #pragma once
 
 #include <utility>
@@ -25,16 +28,25 @@ class FrontDistance {
                 bool inside);
 
   /// m: a ball about x (in the body) that is smaller meets neither the patch nor what is over the patch behind it. 0
-  /// where nothing is known: behind the patch, or beside it round its axis.
+  /// where nothing is known: behind the patch.
   double operator()(const Vec3& x) const;
 
  private:
+  struct Slopes {
+    double along = 0;   // square of L, or of its part along the axis
+    double around = 0;  // m: the square of k max |P_theta| / sqrt(min P)
+  };
+  double beside(const ChartPoint& c, double u, double v) const;
+  double bound(double height, const Slopes& slopes, double rho) const;
+
   SurfaceChart chart_;
   ChartBox patch_;
   Polynomial P_;
-  double side_;        // 1, or -1 where the outward side is down
-  double slope_ = 0;   // square of L, or of its part along the axis
-  double around_ = 0;  // m: the square of k max |P_theta| / sqrt(min P)
+  double side_;  // 1, or -1 where the outward side is down
+  Slopes whole_;
+  std::vector<Slopes> near_;           // of each cell and those beside it
+  double cell_u_ = 0, cell_v_ = 0;     // m or rad, m
+  double least_radius_ = 0, arc_ = 1;  // min P; k
   bool usable_ = true;
 };
 
