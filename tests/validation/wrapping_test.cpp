@@ -164,5 +164,26 @@ increments = 4
   }
 }
 
+/// Over an egg a cord is held by its ends only: wound far enough, it slips off, and no pose beyond is called solved.
+TEST(Wrapping, ACordSlipsOffAnEgg) {
+  std::string scene = crank(kCord, "prescribe = { \"hinge.angle\" = [0, -120] }\nincrements = 12\n");
+  const auto put = [&](const std::string& piece, const std::string& with) {
+    scene.replace(scene.find(piece), piece.size(), with);
+  };
+  put("shape = \"cylinder\"\nradius = 10", "shape = \"ellipsoid\"\nradii = [12, 9, 15]");
+  put("[40, 5, 0]", "[40, 5, -4]");
+  put("[-50, 12, 0]", "[-50, 12, 5]");
+  const auto s = test::scene_model(scene);
+  const test::Followed f = test::follow(s.model, plan_steps(s.scene));
+  EXPECT_FALSE(f.result.complete);
+  const auto events = f.of(PathEvent::Kind::slips_off);
+  ASSERT_EQ(events.size(), 1u) << f.story();
+  EXPECT_EQ(events[0].what, "cord round rod");
+  const double angle = events[0].target.prescribed[0].value / units::kDegree;
+  std::printf("slips off at %.6f deg\n", angle);
+  EXPECT_LT(angle, -30);
+  EXPECT_GT(angle, -60);
+}
+
 }  // namespace
 }  // namespace genu

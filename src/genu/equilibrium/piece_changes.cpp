@@ -69,6 +69,21 @@ void move(const JointModel& model, const State& state, bool hold_drops, Ligament
 
 }  // namespace
 
+std::string path_about_to_slip(const JointModel& model, const State& state) {
+  std::string out;
+  if (state.wraps.empty()) return out;
+  double least = kSlippingHold;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    if (path.obstacles().empty()) return;
+    const double hold = path.hold(state.poses, state.wraps);
+    if (!(hold < least)) return;
+    least = hold;
+    out = name + " round";
+    for (const LigamentPath::Obstacle& o : path.obstacles()) out += " " + o.name;
+  });
+  return out;
+}
+
 PathEvent::Kind passed(const LawBreak& b, bool up) {
   const LawBreak::Side &from = up ? b.below : b.above, &to = up ? b.above : b.below;
   if (from.slack != to.slack) return to.slack ? PathEvent::Kind::slack : PathEvent::Kind::taut;
