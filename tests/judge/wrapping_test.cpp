@@ -45,7 +45,7 @@ law = "linear"
 stiffness = 800
 reference_strain = 0.05
 [[step]]
-prescribe = { "hinge.angle" = [20, -80] }
+prescribe = { "hinge.angle" = [20, -35] }
 increments = 10
 )";
 

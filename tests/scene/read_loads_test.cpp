@@ -30,7 +30,7 @@ TEST(ReadLoads, Errors) {
                  "is fixed");
   expect_refused("[load.push]\nbody = \"femur\"", "[load.@push]", "load.push.body", "", "is missing");
   expect_refused("[load.push]\nbody = \"femur\"\n" + kForce, "[load.@push]\nbody = \"femur\"\n", "load.push.force", "",
-                 "a load needs a force, a moment, `toward` or `on`");
+                 "a load needs a force, a moment, `toward`, `on` or a path");
   expect_load_refused("force = [0, @nan, 0]\n", "force[2]", "nan", "finite");
   expect_load_refused("force = @100\n", "force", "100", "three numbers [x, y, z], in N");
   expect_load_refused("moment = @[1, 2]\n", "moment", "[1, 2]", "three numbers [x, y, z], in N m");

@@ -39,11 +39,11 @@ TEST(ReadPath, RefusesWhatHasNoWay) {
   expect_path_refused("wrap = @50\n", "wrap", "50", "surfaces");
   expect_path_refused("wrap = [@\"bal\"]\n", "wrap[1]", "\"bal\"", "ball");
   expect_path_refused("wrap = [@\"floor\"]\n", "wrap[1]", "\"floor\"", "plane");
-  expect_path_refused("wrap = [{ surface = \"ball\", side = @[0, 0, 0] }]\n", "wrap[1].side", "[...]", "direction");
+  expect_path_refused("wrap = [{ surface = \"ball\", side = @[0, 0, 0] }]\n", "wrap[1].side", "[0, 0, 0]", "direction");
   expect_path_refused("wrap = [{ surface = \"ball\", side = @\"left\" }]\n", "wrap[1].side", "\"left\"", "shortest");
   expect_path_refused("wrap = [{ surface = \"ball\", @sides = 1 }]\n", "wrap[1].sides", "1", "side");
-  expect_path_refused("wrap = [\"ball\"]\npath = @[\"ball\"]\n", "path", "[...]", "leave out via and wrap");
-  expect_path_refused("via = [{ body = \"femur\", point = [1, 2, 3] }]\nwrap = @[\"ball\"]\n", "wrap", "[...]",
+  expect_path_refused("wrap = [\"ball\"]\npath = @[\"ball\"]\n", "path", "[\"ball\"]", "leave out via and wrap");
+  expect_path_refused("via = [{ body = \"femur\", point = [1, 2, 3] }]\nwrap = @[\"ball\"]\n", "wrap", "[\"ball\"]",
                       "path = [...]");
 }
 

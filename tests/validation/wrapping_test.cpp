@@ -7,6 +7,7 @@
 
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
+#include "motion_scene.h"
 #include "support/scenes.h"
 #include "support/solved.h"
 
@@ -162,6 +163,75 @@ increments = 4
     // What the cable pulls beyond the weight stretches the spring.
     EXPECT_NEAR(t.number(row, "spring.force_N"), (t.number(row, "cable.factor") - 1) * 19.62, 1e-9);
   }
+}
+
+/// Over an egg a cord is held by its ends only: wound far enough, it slips off, and no pose beyond is called solved.
+TEST(Wrapping, ACordSlipsOffAnEgg) {
+  std::string scene = crank(kCord, "prescribe = { \"hinge.angle\" = [0, -120] }\nincrements = 12\n");
+  const auto put = [&](const std::string& piece, const std::string& with) {
+    scene.replace(scene.find(piece), piece.size(), with);
+  };
+  put("shape = \"cylinder\"\nradius = 10", "shape = \"ellipsoid\"\nradii = [12, 9, 15]");
+  put("[40, 5, 0]", "[40, 5, -4]");
+  put("[-50, 12, 0]", "[-50, 12, 5]");
+  const auto s = test::scene_model(scene);
+  const test::Followed f = test::follow(s.model, plan_steps(s.scene));
+  EXPECT_FALSE(f.result.complete);
+  const auto events = f.of(PathEvent::Kind::slips_off);
+  ASSERT_EQ(events.size(), 1u) << f.story();
+  EXPECT_EQ(events[0].what, "cord round rod");
+  const double angle = events[0].target.prescribed[0].value / units::kDegree;
+  std::printf("slips off at %.6f deg\n", angle);
+  EXPECT_LT(angle, -30);
+  EXPECT_GT(angle, -60);
+}
+
+/// A link swings on a cord that winds over a rod at its hinge and leaves it again: nothing dissipates.
+TEST(Wrapping, ASwingOverARodKeepsItsEnergy) {
+  const Solution s = test::motion_of(R"(format = 1
+units = { length = "mm", angle = "deg" }
+[body.frame]
+fixed = true
+[body.link]
+mass = 1
+centre_of_mass = [20, 0, 0]
+inertia = [1e-4, 1e-4, 1e-4, 0, 0, 0]
+[joint.hinge]
+type = "revolute"
+parent = "frame"
+child = "link"
+axis = [0, 0, 1]
+start = { angle = -60 }
+[surface.rod]
+body = "frame"
+shape = "cylinder"
+radius = 10
+[ligament.cord]
+from = { body = "frame", point = [-50, 12, 0] }
+to = { body = "link", point = [40, 5, 4] }
+wrap = [{ surface = "rod", side = [0, 1, 0] }]
+law = "spring"
+stiffness = 0.5
+slack_length = 60
+[dynamics]
+duration = 0.5
+output_interval = 0.01
+tolerance = 1e-11
+)");
+  ASSERT_EQ(s.poses.rows(), 51u);
+  int touching = 0;
+  double worst = 0;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) {
+    touching += static_cast<int>(s.poses.number(row, "cord.rod.touches"));
+    worst = std::max(worst, std::abs(s.poses.number(row, "energy.balance_J")));
+  }
+  std::printf("%d of 51 rows touch, energy to %.2g J\n", touching, worst);
+  EXPECT_GT(touching, 5);
+  EXPECT_LT(touching, 46);
+  EXPECT_LT(worst, 1e-10);
+  int events = 0;
+  for (const PathEvent& e : s.events) events += e.kind == PathEvent::Kind::wraps || e.kind == PathEvent::Kind::unwraps;
+  EXPECT_GE(events, 2);
 }
 
 }  // namespace

@@ -69,6 +69,21 @@ void move(const JointModel& model, const State& state, bool hold_drops, Ligament
 
 }  // namespace
 
+std::string path_about_to_slip(const JointModel& model, const State& state) {
+  std::string out;
+  if (state.wraps.empty()) return out;
+  double least = kSlippingHold;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    if (path.obstacles().empty()) return;
+    const double hold = path.hold(state.poses, state.wraps);
+    if (!(hold < least)) return;
+    least = hold;
+    out = name + " round";
+    for (const LigamentPath::Obstacle& o : path.obstacles()) out += " " + o.name;
+  });
+  return out;
+}
+
 PathEvent::Kind passed(const LawBreak& b, bool up) {
   const LawBreak::Side &from = up ? b.below : b.above, &to = up ? b.above : b.below;
   if (from.slack != to.slack) return to.slack ? PathEvent::Kind::slack : PathEvent::Kind::taut;
@@ -184,6 +199,25 @@ std::string piece_in_doubt(const JointModel& model, const State& state) {
   return out;
 }
 
+std::vector<std::pair<PathEvent::Kind, std::string>> touch_events(const JointModel& model, const State& before,
+                                                                  const State& after) {
+  std::vector<std::pair<PathEvent::Kind, std::string>> out;
+  if (before.wraps.size() != after.wraps.size() || after.wraps.empty()) return out;
+  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
+    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
+      const std::size_t k = path.touch_index(i);
+      const WrapTouch &from = before.wraps[k], &to = after.wraps[k];
+      const bool both = from.touching && to.touching;
+      if (both && from.arc.begin.n.dot(to.arc.begin.n) < 0 && from.arc.end.n.dot(to.arc.end.n) < 0)
+        out.emplace_back(PathEvent::Kind::wrap_side, name + " " + path.obstacles()[i].name);
+      if (from.touching == to.touching) continue;
+      out.emplace_back(after.wraps[k].touching ? PathEvent::Kind::wraps : PathEvent::Kind::unwraps,
+                       name + " " + path.obstacles()[i].name);
+    }
+  });
+  return out;
+}
+
 std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointModel& model, const State& before,
                                                                   const State& after) {
   std::vector<std::pair<PathEvent::Kind, std::string>> out;
@@ -204,19 +238,7 @@ std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointMod
     for (int k = from.piece; k < to.piece; ++k) say(k, true);
     for (int k = from.piece; k > to.piece; --k) say(k - 1, false);
   }
-  if (before.wraps.size() != after.wraps.size() || after.wraps.empty()) return out;
-  for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
-    for (std::size_t i = 0; i < path.obstacles().size(); ++i) {
-      const std::size_t k = path.touch_index(i);
-      const WrapTouch &from = before.wraps[k], &to = after.wraps[k];
-      const bool both = from.touching && to.touching;
-      if (both && from.arc.begin.n.dot(to.arc.begin.n) < 0 && from.arc.end.n.dot(to.arc.end.n) < 0)
-        out.emplace_back(PathEvent::Kind::wrap_side, name + " " + path.obstacles()[i].name);
-      if (from.touching == to.touching) continue;
-      out.emplace_back(after.wraps[k].touching ? PathEvent::Kind::wraps : PathEvent::Kind::unwraps,
-                       name + " " + path.obstacles()[i].name);
-    }
-  });
+  for (auto& event : touch_events(model, before, after)) out.push_back(std::move(event));
   return out;
 }
 

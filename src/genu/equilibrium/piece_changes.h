@@ -38,10 +38,18 @@ bool let_go(const JointModel& model, State& state);
 /// Describes the jump of force whose length is nearest to a ligament's, within 1 percent; empty if there is none.
 std::string piece_in_doubt(const JointModel& model, const State& state);
 
+/// The path that is about to slip off its surfaces, with their names; empty if none is. No path of this side is found
+/// a little farther on.
+std::string path_about_to_slip(const JointModel& model, const State& state);
+
 /// The event of a ligament that passes a break, up or down.
 PathEvent::Kind passed(const LawBreak& b, bool up);
 
-/// Events of ligaments from one state to the next.
+/// Events of paths that begin to touch surfaces or leave them, from one state to the next.
+std::vector<std::pair<PathEvent::Kind, std::string>> touch_events(const JointModel& model, const State& before,
+                                                                  const State& after);
+
+/// Events of ligaments from one state to the next, touches included.
 std::vector<std::pair<PathEvent::Kind, std::string>> piece_events(const JointModel& model, const State& before,
                                                                   const State& after);
 

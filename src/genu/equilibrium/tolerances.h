@@ -138,6 +138,11 @@ inline constexpr double kSampleGapRounding = 1e-9;
 /// small, paths over noise of meshes are refused; if too large, lengths over hollows are too long.
 inline constexpr double kHollowTolerance = 1e-6;
 
+/// [1] Least eigenvalue over the largest, of the second derivatives of a path's length across it, below which a path
+/// that is not found any more has slipped off. Fails first: if too small, no reason is given; if too large, a wrong
+/// one.
+inline constexpr double kSlippingHold = 0.02;
+
 /// [length scale] Length past a break of a law that is round-off, as for gaps. Fails first: if too small, ligaments
 /// change pieces in turn.
 inline constexpr double kLengthRounding = 1e-12;

@@ -351,6 +351,15 @@ void LigamentPath::add_touch_rate(const std::vector<Pose>& poses, const Wraps& w
   });
 }
 
+double LigamentPath::hold(const std::vector<Pose>& poses, const Wraps& wraps) const {
+  double least = 1;
+  for_each_span([&](std::size_t first, std::size_t) {
+    const Variation v(*this, poses, span_at(poses, wraps, first));
+    if (v.count > 0) least = std::min(least, least_hold(v.hessian));
+  });
+  return least;
+}
+
 bool LigamentPath::is_shortest(const std::vector<Pose>& poses, const Wraps& wraps) const {
   bool shortest = true;
   for_each_span([&](std::size_t first, std::size_t) {

@@ -87,6 +87,9 @@ class LigamentPath {
   /// Whether the touching path is a strict local minimum of its length.
   bool is_shortest(const std::vector<Pose>& poses, const Wraps& wraps) const;
 
+  /// How firmly the touching path is held across: 0 where it is about to slip off (least_hold()); 1 without touches.
+  double hold(const std::vector<Pose>& poses, const Wraps& wraps) const;
+
   /// Lets obstacle i touch or leave.
   void switch_touch(const std::vector<Pose>& poses, Wraps& wraps, std::size_t i) const;
 

@@ -290,6 +290,7 @@ bool EquationsOfMotion::unpack(double t, OdeSystem::Values y, MotionPoint& out) 
   if (!y.allFinite()) return false;
   out.time = t;
   out.state = near_;
+  for (WrapTouch& touch : out.state.wraps) touch.by_length = true;  // the force is continuous where one begins
   out.modes = modes_;
   out.load_work = y[y.size() - energies_];
   out.dissipated = y[y.size() - energies_ + 1];

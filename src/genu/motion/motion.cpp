@@ -14,6 +14,7 @@
 #include "genu/motion/motion_contacts.h"
 #include "genu/motion/motion_switches.h"
 #include "genu/motion/tolerances.h"
+#include "genu/motion/touch_times.h"
 
 namespace genu {
 namespace {
@@ -296,6 +297,7 @@ class Motion {
     tried_ = false;
     if (!model_.layers.empty() && layer_met(before_)) return result_.why.empty();
     if (contacts_ && contacts_change(before_)) return result_.why.empty();
+    tell(touches_between(model_, before_, now_, [this](double t, MotionPoint& out) { return point_at(t, out); }));
     if (!write_rows()) return false;
     equations_.continue_from(now_);
     if (taken == OdeIntegrator::Step::root) return switch_over();

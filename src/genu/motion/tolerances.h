@@ -145,4 +145,10 @@ inline constexpr double kDifferenceStep = 1e-7;
 /// stiff.
 inline constexpr double kDampedShare = 0.1;
 
+// touch_times
+
+/// [time] Accuracy of the time at which a path begins to touch a surface. Fails first: if too small, bisection ends in
+/// round-off; if too large, events are late.
+inline constexpr double kTouchTime = 1e-12;
+
 }  // namespace genu

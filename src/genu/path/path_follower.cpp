@@ -147,7 +147,7 @@ bool PathFollower::advance_to(double t_end) {
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
-      return false;
+      return says_what_slips();
     }
     const double t = t_ + h * (1 + kRestShare) < t_end ? t_ + h : t_end;
     Attempt trial = attempt(t);
@@ -172,9 +172,18 @@ bool PathFollower::advance_to(double t_end) {
     failure_ = trial.report;
     if (solved && failure_.why.empty()) failure_.why = "the solution found lies on another branch, or through a body";
     h = (t - t_) / 2;
-    if (h < options_.smallest_increment) return false;
+    if (h < options_.smallest_increment) return says_what_slips();
   }
   return true;
+}
+
+bool PathFollower::says_what_slips() {
+  const std::string path = path_about_to_slip(solver_.model(), pose_.state);
+  if (path.empty()) return false;
+  failure_.status = PoseStatus::slips_off;
+  failure_.why = path + " is no shortest way any more: it slips off";
+  emit(PathEvent::Kind::slips_off, path);
+  return false;
 }
 
 bool PathFollower::events_without_end() {

@@ -109,6 +109,8 @@ class PathFollower {
   bool snap_to(double t, bool seeded);
   bool pass_event(double t, Attempt violated);
   /// Whether events follow each other too closely to continue.
+  /// Where a path over surfaces ends this one: names it. Always false.
+  bool says_what_slips();
   bool events_without_end();
   /// The pose beyond a change of contacts or of a law's piece, near the pose before it.
   PoseReport settle_beyond(double t, Balanced& next);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "genu/wrap/tolerances.h"
@@ -227,6 +228,11 @@ bool is_shortest_nearby(const StringHessian& hessian, std::span<const Geodesic> 
   for (const Geodesic& arc : arcs)
     if (arc.length > 0 && arc.conjugate) return false;
   return hessian.H.llt().info() == Eigen::Success;
+}
+
+double least_hold(const StringHessian& hessian) {
+  const Eigen::SelfAdjointEigenSolver<StringHessian::Matrix> solver(hessian.H, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().minCoeff() / solver.eigenvalues().cwiseAbs().maxCoeff();
 }
 
 namespace {

@@ -62,6 +62,9 @@ void string_hessian(const Vec3& from, const Vec3& to, std::span<const Obstacle> 
 /// Whether a solved string with arcs of positive length is a strict local minimum.
 bool is_shortest_nearby(const StringHessian& hessian, std::span<const Geodesic> arcs);
 
+/// The least eigenvalue of H over the largest: 0 where the string is about to slip off.
+double least_hold(const StringHessian& hessian);
+
 /// The least gap (m) of a surface to the straight line between two points of its body, where it is known; `along` is
 /// where, 0 to 1. Infinite where the line stays out of the band in which the surface knows its gap.
 double line_clearance(const Surface& surface, const Vec3& from, const Vec3& to, double& along);
