@@ -1,11 +1,14 @@
 // Loads with feedback against closed forms: a hinge held by a controller is a damped oscillator, driven where its
 // target moves; at rest it stands where springs do; a coupling makes one joint follow another.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/places.h"
 #include "support/scenes.h"
+#include "support/temporary_folder.h"
 #include "support/text.h"
 #include "validation/motion_scene.h"
 
@@ -174,6 +177,15 @@ TEST(Feedback, AStiffMotionIsSaid) {
   for (const std::string& sentence : s.summary.verdict) text += sentence + "\n";
   EXPECT_NE(text.find("is stiff from"), std::string::npos) << text;
   EXPECT_NEAR(s.poses.number(s.poses.rows() - 1, "j.angle_deg") * M_PI / 180, 0.1 + 0.3 * std::exp(-2.0 * 2), 0.01);
+}
+
+/// meshes/leskovar2019/scene-controlled.toml: slow against the joints, so the springs of both decide how far it gets.
+TEST(Feedback, TheControlledKneeReachesWhatItsGainAllows) {
+  const Solution s = motion_of(test::read_file(test::source_folder() + "/meshes/leskovar2019/scene-controlled.toml"));
+  double most = 0;
+  for (std::size_t row = 0; row < s.poses.rows(); ++row) most = std::max(most, s.poses.number(row, "j1.angle_deg"));
+  EXPECT_NEAR(most, 26.9, 0.05);
+  EXPECT_NEAR(most, 30 * 5 / (5 + 0.5535), 0.2) << "but for the patella's spring";
 }
 
 }  // namespace

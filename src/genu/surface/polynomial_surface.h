@@ -25,7 +25,8 @@ class Polynomial {
 
  private:
   int rows_ = 1, columns_ = 1;
-  std::vector<double> c_;  ///< c of x^i y^j at [i * columns_ + j]
+  std::vector<double> c_;     ///< c of x^i y^j at [i * columns_ + j]
+  std::vector<int> lengths_;  ///< of each row: after it there are zeros
 };
 
 /// Position and derivatives of a chart at (u, v); p in m, the derivatives per unit of u and v.
