@@ -12,7 +12,7 @@ namespace {
 
 TEST(Chart, NeverWritesWhatIsNoNumberAndEscapesWords) {
   const double nan = std::nan("");
-  Chart chart{"a<b & \"c\"\x01", "x", {0, 1, 2, 3}, {}, {}};
+  Chart chart{"a<b & \"c\"\x01", "x", {0, 1, 2, 3}, {}, {}, {}};
   chart.panels.push_back({"gaps", {{"one", {1, nan, 2, nan}}, {"none", {nan, nan, nan, nan}}}, false, true});
   chart.panels.push_back({"empty", {}, true, true});
   chart.events.push_back({ChartEvent::Kind::other, nan, nan, "nowhere"});
@@ -25,7 +25,7 @@ TEST(Chart, NeverWritesWhatIsNoNumberAndEscapesWords) {
 }
 
 TEST(Chart, MarksEventsInEveryPanelAndWhereTheFirstLineCrossesZero) {
-  Chart chart{"t", "x", {0, 1, 2}, {}, {}};
+  Chart chart{"t", "x", {0, 1, 2}, {}, {}, {}};
   chart.panels.push_back({"eigenvalue", {{"e", {3, 1, -1}}}, true, true});
   chart.panels.push_back({"other", {{"o", {3, 1, -1}}}, true, false});
   chart.events.push_back({ChartEvent::Kind::gained, 0.5, 0.5, "gained"});
