@@ -36,7 +36,7 @@ std::vector<PolynomialTerm> derivative(const std::vector<PolynomialTerm>& terms,
   return out;
 }
 
-constexpr std::size_t kCells = kFrontCells;
+constexpr std::size_t kFrontCount = kFrontCells;
 
 ChartBox cell_of(const ChartBox& patch, std::size_t i, std::size_t j) {
   const double du = patch.width() / kFrontCells, dv = patch.height() / kFrontCells;
@@ -68,29 +68,31 @@ FrontDistance::FrontDistance(const SurfaceChart& chart, const ChartBox& patch, c
       patch_(patch),
       P_(terms),
       side_(inside ? -1 : 1),
-      near_(kCells * kCells),
+      near_(kFrontCount * kFrontCount),
       cell_u_(patch.width() / kFrontCells),
       cell_v_(patch.height() / kFrontCells) {
   if (chart.cylindrical) {
     least_radius_ = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < kCells * kCells; ++k)
-      least_radius_ = std::min(least_radius_, polynomial_range(terms, cell_of(patch, k / kCells, k % kCells)).first);
+    for (std::size_t k = 0; k < kFrontCount * kFrontCount; ++k)
+      least_radius_ =
+          std::min(least_radius_, polynomial_range(terms, cell_of(patch, k / kFrontCount, k % kFrontCount)).first);
     usable_ = !inside && least_radius_ > 0 && patch.width() <= std::numbers::pi;
     if (!usable_) return;
     const double half = 0.5 * patch.width();
     arc_ = half / std::sin(half);
   }
   const auto by_u = derivative(terms, true), by_v = derivative(terms, false);
-  for (std::size_t i = 0; i < kCells; ++i)
-    for (std::size_t j = 0; j < kCells; ++j) {
+  for (std::size_t i = 0; i < kFrontCount; ++i)
+    for (std::size_t j = 0; j < kFrontCount; ++j) {
       const ChartBox cell = cell_of(patch, i, j);
       const double u = largest(polynomial_range(by_u, cell)), v = largest(polynomial_range(by_v, cell));
       const Slopes own =
           chart.cylindrical ? Slopes{v * v, arc_ * arc_ * u * u / least_radius_} : Slopes{u * u + v * v, 0};
       const auto raise = [&](Slopes& s) { s = {std::max(s.along, own.along), std::max(s.around, own.around)}; };
       raise(whole_);
-      for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kCells - 1); ++a)
-        for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kCells - 1); ++b) raise(near_[a * kCells + b]);
+      for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kFrontCount - 1); ++a)
+        for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kFrontCount - 1); ++b)
+          raise(near_[a * kFrontCount + b]);
     }
 }
 
@@ -117,9 +119,9 @@ double FrontDistance::operator()(const Vec3& x) const {
   const double height = side_ * (c.h - P_.value(u, v));
   if (!(height > 0)) return aside;
   const auto cell = [](double offset, double width) {
-    return std::min(static_cast<std::size_t>(offset / width), kCells - 1);
+    return std::min(static_cast<std::size_t>(offset / width), kFrontCount - 1);
   };
-  const Slopes& near = near_[cell(u - patch_.u0, cell_u_) * kCells + cell(v - patch_.v0, cell_v_)];
+  const Slopes& near = near_[cell(u - patch_.u0, cell_u_) * kFrontCount + cell(v - patch_.v0, cell_v_)];
   // No nearer than this is the patch beyond the cells around.
   const double beyond_u = chart_.cylindrical ? cell_u_ * std::sqrt(c.h * least_radius_) / arc_ : cell_u_;
   const double beyond = std::min(beyond_u, cell_v_);
