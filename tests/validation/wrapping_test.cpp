@@ -8,6 +8,8 @@
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
 #include "motion_scene.h"
+#include "support/data.h"
+#include "support/knee_scene.h"
 #include "support/scenes.h"
 #include "support/solved.h"
 
@@ -232,6 +234,24 @@ tolerance = 1e-11
   int events = 0;
   for (const PathEvent& e : s.events) events += e.kind == PathEvent::Kind::wraps || e.kind == PathEvent::Kind::unwraps;
   EXPECT_GE(events, 2);
+}
+
+/// The measured knee with 24 fibres wrapped, from extension to 90 deg.
+TEST(Wrapping, TheMeasuredKneeBendsWithItsFibresWrapped) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl");
+  const Solution s = test::solution_of(
+      test::replaced(test::read_text(test::source_folder() + "/meshes/lenhart2015/scene-wrapped.toml"),
+                     "../../../shared/data/lenhart2015/", test::data_path("lenhart2015/")));
+  EXPECT_EQ(s.summary.exit_code, kExitOk);
+  ASSERT_EQ(s.poses.rows(), 91u);
+  int wraps = 0, unwraps = 0;
+  for (const PathEvent& e : s.events) {
+    EXPECT_NE(e.kind, PathEvent::Kind::snapped) << e.what;
+    wraps += e.kind == PathEvent::Kind::wraps;
+    unwraps += e.kind == PathEvent::Kind::unwraps;
+  }
+  EXPECT_EQ(wraps, 2) << "two posterior fibres come onto the edge of the tibia";
+  EXPECT_EQ(unwraps, 8) << "the capsule leaves the condyles";
 }
 
 }  // namespace

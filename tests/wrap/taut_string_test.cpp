@@ -260,6 +260,22 @@ TEST(TautString, OverMeshesConverges) {
                      "cylinder");
 }
 
+/// Two humps with a hollow between: named twice, the surface is touched on each, and the string spans the hollow.
+TEST(TautString, SpansAHollowWhereItsSurfaceIsNamedTwice) {
+  const auto humps = make_polynomial({}, {{0, 2, -20.0}, {2, 0, 20.0}, {4, 0, -2e5}}, false);
+  const Vec3 from(-0.03, 0.001, -0.005), to(0.03, -0.001, -0.006);
+  const std::vector<Obstacle> twice(2, {humps.get(), {}});
+  const auto once = found(from, to, {twice.data(), 1}, {Vec3(0, 0, 1)});
+  EXPECT_GT(once[0].arc.lift(), 1e-6 * once[0].arc.length) << "it would lift off";
+  const auto both = found(from, to, twice, {Vec3(0, 0, 1), Vec3(0, 0, 1)});
+  for (const Touch& touch : both) {
+    EXPECT_TRUE(touch.touching);
+    EXPECT_EQ(touch.arc.lift(), 0);
+  }
+  EXPECT_LT(both[0].arc.end.p.x(), both[1].arc.begin.p.x());
+  EXPECT_LT(length_of(from, to, twice, both), length_of(from, to, {twice.data(), 1}, once) - 1e-5);
+}
+
 TEST(LineClearance, IsTheLeastGap) {
   const auto ellipsoid = make_ellipsoid({}, Vec3(0.025, 0.0054, 0.0053), false);
   const auto rod = make_cylinder({}, 0.018, false);

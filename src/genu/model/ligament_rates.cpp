@@ -119,6 +119,17 @@ bool is_origin(const SurfaceDef& def, const Parameter& parameter) {
          kind_of(def).numbers[static_cast<std::size_t>(parameter.number)].values_of(def) == def.placement.p.data();
 }
 
+/// Whether it touches a surface, at the pose or where the slack length comes from.
+bool touches(const LigamentAt& at, int surface) {
+  for (std::size_t i = 0; i < at.def.wraps.size(); ++i) {
+    const std::size_t k = at.made.path.touch_index(i);
+    if (at.def.wraps[i].surface != surface) continue;
+    if (at.wraps[k].touching) return true;
+    if (at.def.rest != Rest::slack_length && at.reference_wraps[k].touching) return true;
+  }
+  return false;
+}
+
 double slack_rate(const LigamentAt& at, const Direct& d) {
   if (at.def.rest == Rest::slack_length) return d.rest;
   auto [length, length_rate] = length_of(lines_of(at.def, at.made.path, at.reference_poses, at.reference_wraps, d));
@@ -137,6 +148,7 @@ bool concerns(const LigamentDef& def, int ligament, const Parameter& parameter) 
 }
 
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter, const std::vector<SurfaceDef>& surfaces) {
+  if (parameter.of_surface() && !touches(at, parameter.object)) return {};  // the surface does nothing to it
   if (parameter.of_surface() && !is_origin(surfaces[static_cast<std::size_t>(parameter.object)], parameter)) {
     LigamentRate none;
     none.length = none.strain = none.force = std::numeric_limits<double>::quiet_NaN();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "genu/wrap/tolerances.h"
 
@@ -80,27 +80,44 @@ class Chain {
   /// The touches as the chain has them.
   std::vector<Touch> touches() const {
     std::vector<Touch> out(obstacles_.size());
-    for (std::size_t o = 0; o < obstacles_.size(); ++o) {
-      std::size_t first = 0, last = 0;
-      for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-        if (on_[i] != static_cast<int>(o)) continue;
-        if (first == 0) first = i;
-        last = i;
-      }
-      if (first == 0) continue;
-      Touch& touch = out[o];
-      touch.touching = true;
-      touch.arc.begin.p = in_body(obstacles_[o], nodes_[first]);
-      const Vec3 ahead = nodes_[first + 1] - (last > first ? nodes_[first] : nodes_[first - 1]);
-      touch.arc.begin.t = obstacles_[o].X_W.R.transpose() * ahead.normalized();
-      double length = 0;
-      for (std::size_t i = first; i < last; ++i) length += (nodes_[i + 1] - nodes_[i]).norm();
-      touch.arc.length = length > 0 ? length : 0.25 * ahead.norm();
+    for (std::size_t o = 0; o < obstacles_.size();) {
+      std::size_t last = o;  // of the names of one surface in a row
+      while (last + 1 < obstacles_.size() && obstacles_[last + 1].surface == obstacles_[o].surface) ++last;
+      const auto runs = runs_on(o, last);
+      // Named once, it has one arc over all runs; named again, one for each, the last over the rest.
+      for (std::size_t k = 0; k < runs.size() && o + k <= last; ++k)
+        out[o + k] = touch_of(o + k, runs[k].first, o + k == last ? runs.back().second : runs[k].second);
+      o = last + 1;
     }
     return out;
   }
 
  private:
+  /// First and last nodes of each stretch on the obstacles from `first` to `last`.
+  std::vector<std::pair<std::size_t, std::size_t>> runs_on(std::size_t first, std::size_t last) const {
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+      if (on_[i] < static_cast<int>(first) || on_[i] > static_cast<int>(last)) continue;
+      if (runs.empty() || runs.back().second + 1 < i)
+        runs.emplace_back(i, i);
+      else
+        runs.back().second = i;
+    }
+    return runs;
+  }
+
+  Touch touch_of(std::size_t o, std::size_t first, std::size_t last) const {
+    Touch touch;
+    touch.touching = true;
+    touch.arc.begin.p = in_body(obstacles_[o], nodes_[first]);
+    const Vec3 ahead = nodes_[first + 1] - (last > first ? nodes_[first] : nodes_[first - 1]);
+    touch.arc.begin.t = obstacles_[o].X_W.R.transpose() * ahead.normalized();
+    double length = 0;
+    for (std::size_t i = first; i < last; ++i) length += (nodes_[i + 1] - nodes_[i]).norm();
+    touch.arc.length = length > 0 ? length : 0.25 * ahead.norm();
+    return touch;
+  }
+
   void move(std::size_t i, double relaxation) {
     const Vec3 old = nodes_[i];
     Vec3 x = old + relaxation * (0.5 * (nodes_[i - 1] + nodes_[i + 1]) - old);
@@ -189,7 +206,8 @@ bool settle_touches(const Vec3& from, const Vec3& to, std::span<const Obstacle> 
     }
     for (std::size_t i = 0; i < touches.size() && !changed; ++i) {
       Geodesic nearest;
-      if (touches[i].touching || !(clearance_at(from, to, obstacles, touches, i, nearest) < 0)) continue;
+      if (touches[i].touching || !(clearance_at(from, to, obstacles, touches, i, nearest) < -kClearanceRounding))
+        continue;
       touches[i] = {true, nearest};
       changed = true;
     }

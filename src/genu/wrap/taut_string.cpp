@@ -231,7 +231,8 @@ bool is_shortest_nearby(const StringHessian& hessian, std::span<const Geodesic> 
 }
 
 double least_hold(const StringHessian& hessian) {
-  const Eigen::SelfAdjointEigenSolver<StringHessian::Matrix> solver(hessian.H, Eigen::EigenvaluesOnly);
+  const MatX H = hessian.H;
+  const Eigen::SelfAdjointEigenSolver<MatX> solver(H, Eigen::EigenvaluesOnly);
   return solver.eigenvalues().minCoeff() / solver.eigenvalues().cwiseAbs().maxCoeff();
 }
 

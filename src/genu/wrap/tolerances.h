@@ -75,6 +75,10 @@ inline constexpr double kChainRelaxation = 1.6;
 /// [smooth length] Farthest move of a node beside a blend. Fails first: if too large, nodes leap through the band.
 inline constexpr double kChainMove = 0.5;
 
+/// [m] Depth of a line that cuts which is round-off: it may begin on the surface, where that is named twice. Fails
+/// first: if too small, a line beside a touching point is called cut.
+inline constexpr double kClearanceRounding = 1e-14;
+
 /// [1] Sides that a string without a given one is tried on. Fails first: if too small, the shortest side is missed.
 inline constexpr int kSidesTried = 8;
 
