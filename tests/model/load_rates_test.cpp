@@ -57,7 +57,9 @@ TEST(LoadRates, AreWhatAnEditedLoadExerts) {
 TEST(LoadRates, LoadsAreAffineInEachNumber) {
   const auto s = test::scene_model(
       test::bone_on_ground() + test::load("follow", "force = [2, 5, -30]\npoint = [-5, 2, 8]\nframe = \"body\"") +
-      all_numbers("dead", 0) + all_numbers("pull", 1) + all_numbers("turn", 2) + all_numbers("shift", 3));
+      all_numbers("dead", 0) + all_numbers("pull", 1) + all_numbers("turn", 2) + all_numbers("shift", 3) +
+      "[load.cable]\nfrom = { body = \"ground\", point = [50, 1, 2] }\nto = { body = \"bone\", point = [1, 2, 3] }\n"
+      "magnitude = 20\nactivation = 0.7\n");
   int compared = 0;
   for (const Parameter& p : parameters_of(s.scene)) {
     if (!p.of_load() || p.kind == Parameter::Kind::factor) continue;
