@@ -21,10 +21,7 @@ Load edited(PlacedScene scene, const Parameter& p, double delta) {
 /// A load of a kind with every number that it can have.
 std::string all_numbers(const std::string& name, int kind) {
   const ChosenUnits chosen{units::kMillimetre, 1, "mm", "rad"};
-  const char* kHeads[] = {"body = \"bone\"\n", "body = \"bone\"\n", "on = \"j.a\"\n", "on = \"j.x\"\n",
-                          "from = { body = \"bone\", point = [1, 2, 3] }\n"
-                          "to = { body = \"ground\", point = [4, 5, 60] }\n"};
-  const std::string head = kHeads[kind];
+  const std::string head = kind < 2 ? "body = \"bone\"\n" : kind == 2 ? "on = \"j.a\"\n" : "on = \"j.x\"\n";
   const std::string end = kind == 1 ? "[load." + name + ".toward]\nbody = \"ground\"\n" +
                                           test::number_text(kLoadKinds[kind], chosen, "toward")
                                     : "";
@@ -58,10 +55,11 @@ TEST(LoadRates, AreWhatAnEditedLoadExerts) {
 
 /// load_change() holds for loads that are affine in each of their numbers.
 TEST(LoadRates, LoadsAreAffineInEachNumber) {
-  const auto s = test::scene_model(test::bone_on_ground() +
-                                   test::load("follow", "force = [2, 5, -30]\npoint = [-5, 2, 8]\nframe = \"body\"") +
-                                   all_numbers("dead", 0) + all_numbers("pull", 1) + all_numbers("turn", 2) +
-                                   all_numbers("shift", 3) + all_numbers("rope", 4));
+  const auto s = test::scene_model(
+      test::bone_on_ground() + test::load("follow", "force = [2, 5, -30]\npoint = [-5, 2, 8]\nframe = \"body\"") +
+      all_numbers("dead", 0) + all_numbers("pull", 1) + all_numbers("turn", 2) + all_numbers("shift", 3) +
+      "[load.cable]\nfrom = { body = \"ground\", point = [50, 1, 2] }\nto = { body = \"bone\", point = [1, 2, 3] }\n"
+      "magnitude = 20\nactivation = 0.7\n");
   int compared = 0;
   for (const Parameter& p : parameters_of(s.scene)) {
     if (!p.of_load() || p.kind == Parameter::Kind::factor) continue;

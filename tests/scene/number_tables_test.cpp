@@ -28,8 +28,7 @@ void for_kinds(const F& f) {
   }
   for (int kind = 0; kind < static_cast<int>(std::size(kLoadKinds)); ++kind) {
     LoadDef def;
-    def.kind = kind == 4 ? LoadDef::Kind::cable
-                         : static_cast<LoadDef::Kind>(std::min(kind, static_cast<int>(LoadDef::Kind::coordinate)));
+    def.kind = static_cast<LoadDef::Kind>(kind < 3 ? kind : kind - 1);  // of a load on a coordinate there are two
     def.coordinate.index = kind == 3 ? 3 : 0;
     f(kLoadKinds[kind], def);
   }
