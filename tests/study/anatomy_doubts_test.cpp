@@ -29,6 +29,9 @@ child = "tibia"
 rotations = ["flexion x", "adduction y", "rotation z"]
 translations = ["x", "y", "z"]
 grood_suntay = {{ side = "{0}", femur = {{ body = "femur", proximal = "{1}", anterior = "x" }}, tibia = {{ body = "tibia", proximal = "{1}", anterior = "x" }} }}
+[[step]]
+prescribe = {{ "knee.flexion" = 0 }}
+increments = 1
 [contact.medial]
 surfaces = ["femur", "tibia"]
 model = "rigid"

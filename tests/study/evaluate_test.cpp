@@ -55,6 +55,7 @@ void expect_same(const Twice& t, const std::function<bool(const std::string&)>& 
   const ResultTable &a = t.solved.poses, &b = t.evaluated.poses;
   ASSERT_EQ(a.rows(), b.rows());
   for (const std::string& column : a.columns()) {
+    if (column == "branch") continue;  // given poses lie on none
     ASSERT_TRUE(b.has_column(column)) << column;
     for (std::size_t row = 0; row < a.rows(); ++row) {
       const Cell &x = a.at(row, a.column_index(column)), &y = b.at(row, b.column_index(column));

@@ -18,6 +18,7 @@ constexpr double kScale = 3, kExponent = 8;  // N
 /// A lever of 50 mm that a moment turns against a spring and a cord, which the other way becomes slack.
 std::string lever(double scale, double exponent, const std::string& moment = "[-0.2, 1]") {
   return R"(format = 1
+plausible = { strain = 10 }
 units = { length = "mm", angle = "deg" }
 [body.ground]
 fixed = true
@@ -118,7 +119,7 @@ TEST_F(ExponentialLaw, IsExplainedAndRefusesWhatItMustNotBe) {
   EXPECT_FALSE(parse_scene(lever(-1, 0), "scene.toml", out));
   ASSERT_EQ(out.items().size(), 2u) << test::messages(out);
   EXPECT_EQ(out.items()[0].key, "ligament.cord.force_scale");
-  EXPECT_EQ(out.items()[0].line, 16);
+  EXPECT_EQ(out.items()[0].line, 17);
   EXPECT_EQ(out.items()[1].key, "ligament.cord.exponent");
   EXPECT_NE(out.items()[1].rule.find("must be > 0"), std::string::npos) << out.items()[1].rule;
 }

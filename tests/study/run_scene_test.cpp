@@ -71,7 +71,7 @@ TEST(RunScene, ColumnsAreThoseOfTheSceneReference) {
       << columns;
   const std::string end =
       "lateral.inner.force_N lateral.inner.points lateral.inner.x_mm lateral.inner.y_mm lateral.inner.z_mm "
-      "AAC.length_mm AAC.strain AAC.force_N stability.min_eigenvalue_Nmm stability newton.iterations residual ";
+      "AAC.length_mm AAC.strain AAC.force_N stability.min_eigenvalue_Nmm stability newton.iterations residual branch ";
   EXPECT_TRUE(columns.ends_with(end)) << columns;
 }
 

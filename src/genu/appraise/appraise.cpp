@@ -67,14 +67,12 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
     s.verdict.insert(s.verdict.end(), sentences.begin(), sentences.end());
   };
   add(layer_sentences(prepared.scene, prepared.model, poses));
-  const std::size_t before = s.verdict.size();
   say_layer_doubts(prepared, solved.records, s.verdict);
-  const bool doubted = !prepared.facing.empty() || s.verdict.size() > before;
   s.hertz = hertz_checks(prepared, solved.records, poses);
   add(hertz_sentences(s.hertz));
   std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
   for (std::string& sentence : implausible(prepared, solved.records, poses)) doubts.push_back(std::move(sentence));
-  classify(doubts, doubted, s);
+  classify(doubts, !prepared.facing.empty(), s);
   return s;
 }
 

@@ -35,10 +35,11 @@ class Implausible {
 
   void ligaments() {
     Worst strain, force;
-    for (const auto& ligament : prepared_.model.ligaments)
+    for (const LigamentDef& ligament : prepared_.scene.ligaments)
       for (std::size_t row = 0; row < table_.rows(); ++row) {
-        const double pull = table_.number(row, ligament.name + ".force_N");
-        if (pull > 0) strain.see(table_.number(row, ligament.name + ".strain"), row, ligament.name);
+        const double pull = number(row, ligament.name + ".force_N");
+        const bool tears = ligament.law != "spring";  // a spring stretches as it likes
+        if (pull > 0 && tears) strain.see(number(row, ligament.name + ".strain"), row, ligament.name);
         force.see(pull, row, ligament.name);
       }
     if (strain.value > limits_.strain)
@@ -50,16 +51,13 @@ class Implausible {
   void contacts() {
     Worst force, pressure;
     const auto see = [&](const std::string& contact) {
-      for (std::size_t row = 0; row < table_.rows(); ++row)
-        if (const std::string column = contact + ".force_N"; table_.has_column(column))
-          force.see(table_.number(row, column), row, contact);
+      for (std::size_t row = 0; row < table_.rows(); ++row) force.see(number(row, contact + ".force_N"), row, contact);
     };
     for (const ContactDef& contact : prepared_.scene.contacts) see(contact.name);
     for (const LayerDef& layer : prepared_.scene.layers) {
       see(layer.pair.name);
       for (std::size_t row = 0; row < table_.rows(); ++row)
-        pressure.see(units::kMegapascal * table_.number(row, layer.pair.name + ".max_pressure_MPa"), row,
-                     layer.pair.name);
+        pressure.see(units::kMegapascal * number(row, layer.pair.name + ".max_pressure_MPa"), row, layer.pair.name);
     }
     const double loads = largest_load();
     if (loads > 0 && force.value > limits_.contact_force * loads)
@@ -83,7 +81,7 @@ class Implausible {
                       row, coordinate_name(prepared_.scene, {j, i}));
     }
     if (worst.value > limits_.rotation)
-      say("{} is {:.0f} deg from where it began", worst, to::kDegree, "limit {:g} deg", limits_.rotation);
+      say("the angle {} is {:.0f} deg from where it began", worst, to::kDegree, "limit {:g} deg", limits_.rotation);
   }
 
   void travels(const std::vector<PoseRecord>& records) {
@@ -119,6 +117,11 @@ class Implausible {
   void say(const char* what, const Worst& worst, double unit, const char* limit, double bound, double bound_unit) {
     out_.push_back(fmt::format("{} at {} ({})", fmt::format(fmt::runtime(what), worst.name, unit * worst.value),
                                where_(worst.row), fmt::format(fmt::runtime(limit), bound_unit * bound)));
+  }
+
+  /// NaN also where the table lacks the column.
+  double number(std::size_t row, const std::string& column) const {
+    return table_.has_column(column) ? table_.number(row, column) : std::numeric_limits<double>::quiet_NaN();
   }
 
   static std::optional<std::size_t> first_solved(const std::vector<PoseRecord>& records) {
@@ -165,7 +168,7 @@ class Implausible {
     Vec3 out;
     for (std::size_t axis = 0; axis < 3; ++axis)
       out[static_cast<Eigen::Index>(axis)] =
-          units::kMillimetre * table_.number(row, centre_column(prepared_.scene, contact, second, axis));
+          units::kMillimetre * number(row, contact.name + "." + centre_column(prepared_.scene, contact, second, axis));
     if (!out.allFinite()) return std::nullopt;
     return out;
   }
@@ -194,7 +197,7 @@ class Implausible {
     double share = 1;
     for (const char* part : {".factor", ".scale"})
       if (const std::string column = load + part; table_.has_column(column))
-        if (const double x = table_.number(row, column); std::isfinite(x)) share *= std::abs(x);
+        if (const double x = number(row, column); std::isfinite(x)) share *= std::abs(x);
     return share;
   }
 
@@ -205,8 +208,8 @@ class Implausible {
       for (const auto& p : step.prescribed) {
         const std::string column = reaction_column(prepared_.scene, p.coordinate);
         if (!seen.insert(column).second) continue;
-        const double x = table_.has_column(column) ? std::abs(table_.number(row, column)) : 0;
-        if (std::isfinite(x)) sum += x / (p.coordinate.is_rotation() ? prepared_.model.scales.length : 1);
+        if (const double x = std::abs(number(row, column)); std::isfinite(x))
+          sum += x / (p.coordinate.is_rotation() ? prepared_.model.scales.length : 1);
       }
     return sum;
   }
