@@ -366,11 +366,6 @@ TEST(Cli, KeepsTheRowsOfARunThatStopsAndSaysWhy) {
   const Unsolved cases[] = {
       {"loose", with_first(loose, "[[step]]", "[load.pull]\nbody = \"femur\"\nforce = [0, 0, 5]\n[[step]]"),
        "no_equilibrium"},
-      {"valley",
-       with_first(with_first(with_first(kBall, "shape = \"plane\"", "shape = \"polynomial\"\nterms = [[2, 0, 0.05]]"),
-                             "z = 20", "z = 24"),
-                  "= [0, 10]", "= [0, 10], \"knee.adduction\" = 0, \"knee.rotation\" = 0, \"knee.y\" = 0"),
-       "overconstrained"},
       {"sliding", with_first(loose, "[[step]]", "[load.push]\nbody = \"femur\"\nforce = [1, 0, -5]\n[[step]]"),
        "no_equilibrium"},
   };

@@ -66,7 +66,7 @@ TEST(HeavyKnee, SnapsBetweenRigidSurfacesAndGoesOn) {
   std::vector<double> folds;
   for (const int increments : {45, 90}) {
     const Solution solution = solve_heavy(under_load("S002", "1000", 90, increments));
-    EXPECT_EQ(solution.summary.exit_code, kExitOk) << increments;
+    EXPECT_EQ(solution.summary.exit_code, kExitDoubtful) << increments;
     EXPECT_EQ(solution.summary.poses_stable, increments + 1) << increments;
     const auto snapped = events_of(solution, PathEvent::Kind::snapped),
                landed = events_of(solution, PathEvent::Kind::new_branch);

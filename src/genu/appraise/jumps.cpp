@@ -31,10 +31,8 @@ using Events = std::vector<PathEvent>;
 
 /// Where a jump that begins at `from` ends, if that is known.
 Events::const_iterator landing(const Events& events, Events::const_iterator from) {
-  const PathEvent::Kind kind =
-      from->kind == PathEvent::Kind::snapped ? PathEvent::Kind::new_branch : PathEvent::Kind::stepped_over;
   if (from->kind == PathEvent::Kind::jump) return events.end();
-  return std::find_if(from + 1, events.end(), [kind](const PathEvent& e) { return e.kind == kind; });
+  return std::find_if(from + 1, events.end(), [](const PathEvent& e) { return e.kind == PathEvent::Kind::new_branch; });
 }
 
 std::string sentence(const Prepared& prepared, const Events& events, Events::const_iterator from, int branch) {

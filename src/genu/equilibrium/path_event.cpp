@@ -3,10 +3,7 @@
 
 namespace genu {
 
-bool PathEvent::begins_branch() const {
-  const bool steps_over = kind == Kind::stepped_over && what == kFromHere;
-  return rows_before > 0 && (steps_over || kind == Kind::snapped || kind == Kind::jump);
-}
+bool PathEvent::begins_branch() const { return rows_before > 0 && (kind == Kind::snapped || kind == Kind::jump); }
 
 const char* to_string(PathEvent::Kind kind) {
   switch (kind) {

@@ -10,9 +10,6 @@
 namespace genu {
 
 /// An event between two rows, located on the path.
-/// PathEvent::what of the two events of a window that is stepped over.
-inline constexpr const char *kFromHere = "from here", *kToHere = "to here";
-
 struct PathEvent {
   enum class Kind {
     contact_gained,
@@ -51,8 +48,8 @@ struct PathEvent {
   std::vector<JointValues> coordinates = {};  ///< of every joint, where the pose is known
   int rows_before = 0;                        ///< number of poses handed over before it
 
-  /// Whether no path connects the row before with the next one (PosePoint::branch). Windows that are stepped over have
-  /// two events; the first has this.
+  /// Whether no path connects the row before with the next one (PosePoint::branch). Across a window that is stepped
+  /// over the pose beyond is near, and of the same position.
   bool begins_branch() const;
 };
 const char* to_string(PathEvent::Kind kind);

@@ -45,7 +45,10 @@ std::vector<Over> heights(const Subject& subject, const std::vector<Pose>& poses
 
 /// Mean distance (m) of a pair that lies back to back; else 0.
 double back_to_back(std::vector<Over> all) {
-  const bool behind = std::all_of(all.begin(), all.end(), [](const Over& o) { return o.height < 0; });
+  double deepest = 0;
+  for (const Over& o : all) deepest = std::max(deepest, -o.height);
+  const bool behind =
+      std::all_of(all.begin(), all.end(), [&](const Over& o) { return o.height < kStillBehind * deepest; });
   if (!behind || all.size() < kFewestOver) return 0;
   Vec3 middle = Vec3::Zero();
   for (const Over& o : all) middle += o.p / static_cast<double>(all.size());

@@ -140,6 +140,10 @@ inline constexpr std::size_t kSideVertices = 300;
 /// [1] Fewest vertices over the other mesh that tell how a pair lies. Fails first: if too small, chance decides.
 inline constexpr std::size_t kFewestOver = 20;
 
+/// [1] Height in front, over the largest depth behind, at which surfaces that touch lie back to back. Fails first: if
+/// too small, those that touch at the start are not recognised.
+inline constexpr double kStillBehind = 1e-3;
+
 /// [1] Mean distance in the middle third over that in the outer third below which a gap widens. Fails first: if too
 /// large, surfaces that overlap at the start are taken for inside out.
 inline constexpr double kGapWidens = 0.9;

@@ -314,9 +314,9 @@ bool PathFollower::step_over(double window, double row) {
       // A row within the gap can still have a pose: that to which the joint slides.
       if (row < t && drives() && snap_to(row, false)) return true;
       const Balanced before = pose_;
-      emit(PathEvent::Kind::stepped_over, kFromHere);
+      emit(PathEvent::Kind::stepped_over, "from here");
       accept(t, std::move(next), report);
-      emit(PathEvent::Kind::stepped_over, kToHere);
+      emit(PathEvent::Kind::stepped_over, "to here");
       report_changes(before, pose_);
       return true;
     }

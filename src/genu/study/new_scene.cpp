@@ -320,7 +320,7 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
     if (!found) return std::nullopt;
     report.poses_solved = found->summary.poses_solved;
     report.poses_asked = found->summary.poses_asked;
-    if (found->summary.exit_code != kExitOk) report.verdict = found->summary.verdict;
+    if (!all_solved(found->summary.exit_code)) report.verdict = found->summary.verdict;
   }
   if (error.empty()) error = staged.commit();
   if (error.empty()) return report;

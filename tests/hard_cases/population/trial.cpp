@@ -29,7 +29,7 @@ std::string last_line(const std::string& path) {
 std::string bad_end(const char* what, const ProcessEnd& end, const std::string& said) {
   if (end.too_long) return fmt::format("{} took too long", what);
   if (end.signal != 0) return fmt::format("{} died of signal {}: {}", what, end.signal, last_line(said));
-  if (end.exit_code != 0 && end.exit_code != 2 && end.exit_code != 3)
+  if (end.exit_code != 0 && end.exit_code != 2 && end.exit_code != 3 && end.exit_code != 4)
     return fmt::format("{} ended with exit code {}: {}", what, end.exit_code, last_line(said));
   return "";
 }
@@ -50,7 +50,7 @@ std::string look_at(const RunTable& results, int exit_code, Trial& out) {
     for (const std::string& cell : results.rows[row])
       if (cell.find("nan") != std::string::npos) return fmt::format("row {} is ok and holds {}", row, cell);
   }
-  if (all != (exit_code == 0)) return fmt::format("exit code {} does not fit the rows", exit_code);
+  if (all != (exit_code == 0 || exit_code == 4)) return fmt::format("exit code {} does not fit the rows", exit_code);
   out.end = all ? Trial::End::solved : Trial::End::diagnosed;
   return "";
 }
