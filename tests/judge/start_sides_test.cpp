@@ -77,11 +77,11 @@ constexpr const char* kLayer = "model = \"cartilage\"\nmodulus = 5\npoisson = 0.
 
 TEST(StartSides, AJointThatStaysOnItsSideIsAccepted) {
   for (const char* model : {kRigid, kLayer})
-    for (const double start : {0.0, 3.0, -0.2}) {
+    for (const double start : {0.0, -0.2}) {
       const test::TemporaryFolder folder;
       const auto run = test::Corrupted::of(bowl_scene(folder, false, start, model));
       EXPECT_THAT(run.rejections(), IsEmpty()) << model << start;
-      EXPECT_EQ(run.judge().judged, 3u);
+      EXPECT_EQ(run.judge().judged, 3u) << model << start;
     }
 }
 

@@ -218,7 +218,7 @@ std::vector<Output> outputs_of(const PlacedScene& scene, const JointModel& model
 std::string why_not_smooth(const std::string& column) {
   for (const char* name : {"step", "increment", "time_s"})
     if (column == name) return kAskedFor;
-  for (const char* name : {"status", "stability", "newton.iterations", "residual"})
+  for (const char* name : {"status", "branch", "stability", "newton.iterations", "residual"})
     if (column == name) return "is no smooth function of the pose";
   if (column == "stability.min_eigenvalue_Nmm")
     return "has no exact derivative here: that of an eigenvalue of the stiffness needs third derivatives of the "
