@@ -114,7 +114,7 @@ TEST_P(FittedShapeModelKnee, IsSolvedThroughoutNearItsMeshes) {
   for (const Diagnostic& d : out.items()) ADD_FAILURE() << to_string(d);
   ASSERT_TRUE(fits);
   const KneeRun run = run_file(folder.write("fitted.toml", fits->scene));
-  EXPECT_EQ(run.solution.summary.exit_code, kExitOk);
+  EXPECT_TRUE(all_solved(run.solution.summary.exit_code));
   EXPECT_EQ(run.solution.summary.poses_stable, 31);
   for (const auto& [name, worst] : pose_differences(run.prepared->scene, fits->solution.poses, run.solution.poses)) {
     std::printf("  %-22s %.3f\n", name.c_str(), worst);
