@@ -28,7 +28,7 @@ inline constexpr double kEllipseTolerance = 0.2;
 
 // jumps
 
-/// [1] Jumps that are told one by one. Fails first: if too large, the verdict is a list.
+/// [1] Jumps that the verdict lists one by one. Fails first: if too large, the verdict is a list.
 inline constexpr int kJumpsTold = 3;
 
 // layer_doubts
