@@ -35,7 +35,7 @@ inline std::vector<NamedSurface> some_surfaces() {
 
 inline Vec3 random_vector(std::mt19937& random, double reach) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  return reach * Vec3(unit(random), unit(random), unit(random));
+  return reach * Vec3{unit(random), unit(random), unit(random)};
 }
 
 /// A point of the surface near a random place within `reach` of its body's origin.

@@ -48,10 +48,10 @@ void each_disc(const Mesh& mesh, int count, Visit visit) {
   std::uniform_real_distribution<double> in(-1, 1);
   const TriangleTree tree(mesh);
   for (int i = 0; i < count; ++i) {
-    const Vec3 turn(0.3 * in(random), 0.3 * in(random), 3 * in(random)), p(in(random), in(random), in(random));
+    const Vec3 turn{0.3 * in(random), 0.3 * in(random), 3 * in(random)}, p{in(random), in(random), in(random)};
     const Pose X_TC{exp_rotation(turn), 1e-3 * p};
-    const Vec3 start(3.2e-3 * in(random), 3.2e-3 * in(random), -2e-3 + 0.5e-3 * in(random));
-    const Vec3 aim = Vec3(0.2 * in(random), 0.2 * in(random), 1).normalized();
+    const Vec3 start{3.2e-3 * in(random), 3.2e-3 * in(random), -2e-3 + 0.5e-3 * in(random)};
+    const Vec3 aim = Vec3{0.2 * in(random), 0.2 * in(random), 1}.normalized();
     const Pose X_CT = X_TC.inverse();
     const RimCover::Disc disc{{X_CT * start, X_CT.R * aim}, kDiscRadius, kDiscReach};
     visit(disc, X_TC, tree.leaving(start, aim, kDiscReach));
@@ -125,7 +125,7 @@ TEST(RimCover, IsContinuous) {
   const TriangleTree tree(mesh);
   double most_share = 0, most_depth = 0;
   int crossings = 0;
-  each_disc(mesh, 40, [&](const RimCover::Disc& disc, const Pose& X_TC, const TriangleTree::Hit&) {
+  each_disc(mesh, 60, [&](const RimCover::Disc& disc, const Pose& X_TC, const TriangleTree::Hit&) {
     constexpr int kSteps = 20000;
     const Vec3 way = 4 * kDiscRadius / kSteps * disc.ray.direction.unitOrthogonal();
     struct {

@@ -14,7 +14,7 @@ std::vector<Vec3> cloud(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> draw(-1, 1);
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.emplace_back(draw(random), 0.4 * draw(random), 0.1 * draw(random));
+  for (int i = 0; i < count; ++i) points.push_back(Vec3{draw(random), 0.4 * draw(random), 0.1 * draw(random)});
   return points;
 }
 

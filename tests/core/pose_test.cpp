@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 
 Vec3 random_direction(std::mt19937& generator) {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+  return Vec3{normal(generator), normal(generator), normal(generator)}.normalized();
 }
 
 /// The exponential's own series, in long double: true to 1e-18 for angles up to pi.

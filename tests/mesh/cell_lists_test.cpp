@@ -16,12 +16,12 @@ TEST(CellLists, NameEveryBallThatHoldsAPoint) {
   std::vector<Vec3> centres;
   std::vector<double> radii;
   for (int i = 0; i < 300; ++i) {
-    centres.emplace_back(place(random), place(random), place(random));
+    centres.push_back(Vec3{place(random), place(random), place(random)});
     radii.push_back(size(random));
   }
   const CellLists cells(centres, radii, 0.1);
   for (int k = 0; k < 5000; ++k) {
-    const Vec3 x = 1.5 * Vec3(place(random), place(random), place(random));
+    const Vec3 x = 1.5 * Vec3{place(random), place(random), place(random)};
     const auto list = cells.at(x);
     EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
     for (int i = 0; i < 300; ++i) {

@@ -18,7 +18,7 @@ Mesh torn(const Mesh& mesh, double noise) {
   for (const auto& t : mesh.triangles) {
     const int first = static_cast<int>(out.vertices.size());
     for (const int v : t) {
-      const Vec3 moved(move(engine), move(engine), move(engine));
+      const Vec3 moved{move(engine), move(engine), move(engine)};
       out.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)] + moved);
     }
     out.triangles.push_back({first, first + 1, first + 2});
@@ -48,7 +48,7 @@ TEST(MeshWeld, AgreesWithBruteForceInDenseClouds) {
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> in(0, 1);
   Mesh mesh;
-  for (int k = 0; k < 900; ++k) mesh.vertices.emplace_back(in(engine), in(engine), in(engine));
+  for (int k = 0; k < 900; ++k) mesh.vertices.push_back(Vec3{in(engine), in(engine), in(engine)});
   for (int k = 0; k < 900; k += 3) mesh.triangles.push_back({k, k + 1, k + 2});
   const double tolerance = 0.08;
   std::vector<int> first(900);  // the plain rule: an earlier vertex that stands for itself, within the tolerance

@@ -54,8 +54,8 @@ TEST(TriangleCluster, WhatIsListedIsAllThatAMovedRayMeets) {
       (at.count > 0 ? listed : free) += 1;
       many += at.count > TrianglesAtRay::kMost;
       for (int i = 0; i < 6; ++i) {
-        const MovingRay moved =
-            i == 0 ? ray : ray.moved(random.in_ball(0.999 * at.margin), random.in_ball(0.999 * at.margin));
+        const Vec3 start = random.in_ball(0.999 * at.margin), end = random.in_ball(0.999 * at.margin);
+        const MovingRay moved = i == 0 ? ray : ray.moved(start, end);
         // A ray keeps its length; its other end may be a little off.
         const auto expected = test::leaving_by_all(mesh, moved.origin, moved.direction, 0.99 * kLength);
         const auto found =

@@ -95,7 +95,7 @@ State shaken(const JointModel& model, const Target& target, std::mt19937& random
     SurfacePoint a;
     EXPECT_TRUE(pair.a->project(Vec3(4e-3, 3e-3, -30e-3), a));
     c.geometry.a = a;
-    EXPECT_TRUE(pair.b->project(X_b.inverse() * (X_a * a.p + 2e-3 * Vec3(unit(random), unit(random), unit(random))),
+    EXPECT_TRUE(pair.b->project(X_b.inverse() * (X_a * a.p + 2e-3 * Vec3{unit(random), unit(random), unit(random)}),
                                 c.geometry.b));
     state.contacts.push_back(c);
   }

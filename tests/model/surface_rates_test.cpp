@@ -35,7 +35,7 @@ TEST(SurfaceRates, AreWhatAPointInSpaceSeesOfTheEditedSurface) {
       for (int k = 0; k < 5; ++k) {
         SurfacePoint point;
         const Vec3 start =
-            def.placement * (Vec3(9e-3, 6e-3, 4e-3) + Vec3(some(random), some(random), some(random)) / 2);
+            def.placement * (Vec3(9e-3, 6e-3, 4e-3) + Vec3{some(random), some(random), some(random)} / 2);
         ASSERT_TRUE(test::formula_surface(def)->project(start, point)) << shape;
         for (const Parameter& p : parameters_of(scene)) {
           if (!p.of_surface() || p.kind == Parameter::Kind::offset) continue;

@@ -95,7 +95,7 @@ TEST(SolidMesh, OfRandomUnionsAndCutsIsClosed) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto place = [&](double half) -> Vec3 {
-    return half * Vec3(2 * uniform(random) - 1, 2 * uniform(random) - 1, 2 * uniform(random) - 1);
+    return half * Vec3{2 * uniform(random) - 1, 2 * uniform(random) - 1, 2 * uniform(random) - 1};
   };
   for (int trial = 0; trial < 12; ++trial) {
     std::vector<SolidPart> parts{ball(0.02)};

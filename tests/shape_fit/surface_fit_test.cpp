@@ -61,7 +61,7 @@ TEST(SurfaceFit, ChoosesTheChartAndFollowsTheSurface) {
 Mesh as_segmented(Mesh mesh) {
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, 4e-5);
-  for (Vec3& v : mesh.vertices) v += Vec3(noise(random), noise(random), noise(random));
+  for (Vec3& v : mesh.vertices) v += Vec3{noise(random), noise(random), noise(random)};
   return mesh;
 }
 

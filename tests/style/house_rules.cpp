@@ -112,9 +112,9 @@ std::set<std::string> reached_from(const Graph& graph, const std::string& start)
 
 }  // namespace
 
-std::vector<SourceFile> read_sources(const fs::path& root) {
+std::vector<SourceFile> read_sources(const fs::path& root, const std::vector<std::string>& tops) {
   std::vector<SourceFile> files;
-  for (const char* top : {"src", "tools"}) {
+  for (const std::string& top : tops) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;

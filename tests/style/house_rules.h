@@ -15,8 +15,9 @@ struct SourceFile {
   std::vector<std::string> lines;
 };
 
-/// Every .h and .cpp under root/src and root/tools, sorted by path.
-std::vector<SourceFile> read_sources(const std::filesystem::path& root);
+/// Every .h and .cpp under these folders of the root, sorted by path.
+std::vector<SourceFile> read_sources(const std::filesystem::path& root,
+                                     const std::vector<std::string>& tops = {"src", "tools"});
 
 /// Which rooms each room may include, by name.
 using Rooms = std::map<std::string, std::set<std::string>>;

@@ -12,7 +12,7 @@ namespace genu::test {
 /// A pose with a rotation from all of SO(3) and an origin in [-reach, reach]^3.
 inline Pose random_pose(std::mt19937& generator, double reach) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&] { return Vec3(unit(generator), unit(generator), unit(generator)); };
+  const auto vector = [&] { return Vec3{unit(generator), unit(generator), unit(generator)}; };
   return {exp_rotation(3 * vector()), reach * vector()};
 }
 

@@ -21,7 +21,8 @@ Errors torus_errors(const BlendSurface& surface) {
   const int count = 1500;
   for (int k = 0; k < count; ++k) {
     SurfacePoint point;
-    EXPECT_TRUE(surface.project(torus_point(angle(random), angle(random)), point));
+    const double around = angle(random), across = angle(random);
+    EXPECT_TRUE(surface.project(torus_point(around, across), point));
     const Vec3 out = Vec3(point.p.x(), point.p.y(), 0).normalized();
     const Vec3 arm = point.p - kMajor * out, n = arm.normalized(), round = Vec3::UnitZ().cross(out);
     const Vec3 meridian = n.cross(round);
@@ -52,7 +53,8 @@ TEST(BlendField, GradientAndHessianAgreeWithDifferences) {
     std::uniform_real_distribution<double> angle(0, kTwoPi), off(-0.6e-3, 0.6e-3);
     double worst_gradient = 0, worst_hessian = 0;
     for (int k = 0; k < 300; ++k) {
-      const Vec3 x = torus_point(angle(random), angle(random), off(random));
+      const double around = angle(random), across = angle(random);
+      const Vec3 x = torus_point(around, across, off(random));
       double f, value;
       Vec3 gradient, first;
       Mat3 hessian;

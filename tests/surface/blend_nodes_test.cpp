@@ -54,7 +54,7 @@ TEST(BlendNodes, LinksAreAllPairsWithinReach) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> draw(0, 1);
   std::vector<Vec3> points;
-  for (int i = 0; i < 200; ++i) points.emplace_back(draw(random), draw(random), draw(random));
+  for (int i = 0; i < 200; ++i) points.push_back(Vec3{draw(random), draw(random), draw(random)});
   const NodeLinks links = link_nodes(points, 0.3);
   for (int i = 0; i < 200; ++i) {
     std::vector<int> expected;

@@ -20,7 +20,8 @@ TEST(BlendSurface, ProjectsOntoItselfAndFollowsTangentSteps) {
   double worst_value = 0, worst_normal = 0;
   for (int k = 0; k < 300; ++k) {
     SurfacePoint point;
-    ASSERT_TRUE(surface->project(torus_point(angle(random), angle(random), off(random)), point));
+    const double around = angle(random), across = angle(random);
+    ASSERT_TRUE(surface->project(torus_point(around, across, off(random)), point));
     const auto gap = surface->gap(point.p);
     ASSERT_TRUE(gap);
     worst_value = std::max(worst_value, std::abs(*gap));
@@ -118,7 +119,8 @@ TEST(BlendSurface, DoesNotDependOnTheFrame) {
   std::uniform_real_distribution<double> angle(0, kTwoPi), off(-0.5e-3, 0.5e-3);
   double worst = 0, worst_curvature = 0;
   for (int k = 0; k < 500; ++k) {
-    const Vec3 x = torus_point(angle(random), angle(random), off(random));
+    const double around = angle(random), across = angle(random);
+    const Vec3 x = torus_point(around, across, off(random));
     const auto a = here->gap(x), b = there->gap(pose * x);
     ASSERT_TRUE(a && b);
     worst = std::max(worst, std::abs(*a - *b));

@@ -112,7 +112,7 @@ TEST(Patch, EdgeDistanceInsideIsTheDistanceToTheNearestEdge) {
         patch(R{-0.02, 0.02}, R{-0.02, 0.02}, {}, R{3, 7.5})}) {
     const std::vector<Vec3> edge = edge_points(p);
     for (int k = 0; k < 200; ++k) {
-      const Vec3 q(in(random), in(random), 0);
+      const Vec3 q{in(random), in(random), 0};
       double nearest = 1;
       for (const Vec3& e : edge) nearest = std::min(nearest, (e - q).norm());
       const double found = p.edge_distance(q);

@@ -14,7 +14,7 @@ namespace {
 TEST(TangentBasis, IsOrthonormalRightHandedAndSmoothOnEachHalf) {
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
-  const auto draw = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  const auto draw = [&] { return Vec3{normal(random), normal(random), normal(random)}; };
   double worst = 0, steepest = 0;
   for (int k = 0; k < 20000; ++k) {
     const Vec3 n = draw().normalized(), near = (n + 1e-6 * draw()).normalized();

@@ -32,7 +32,8 @@ BlendErrors measure(const KnownShape& shape, const BlendSurface& surface, double
   BlendErrors sum;
   int count = 0;
   while (count < 2000) {
-    const Vec3 x = shape.map(draw(random), draw(random));
+    const double s = draw(random), t = draw(random);
+    const Vec3 x = shape.map(s, t);
     const double edge = surface.edge_distance(x);
     const bool at_edge = edge < fit_radius;
     if (!shape.closed && (edge < 0 || at_edge != (region == Region::along_the_edge))) continue;

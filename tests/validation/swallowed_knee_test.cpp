@@ -70,7 +70,7 @@ TEST(SwallowedKnee, ClosedBonesAreNeverFreeInsideEachOther) {
   std::uniform_real_distribution<double> unit(-1, 1);
   int deep = 0, clear = 0;
   for (int i = 0; i < 60; ++i) {
-    const Vec3 turn(unit(random), unit(random), unit(random)), shift(unit(random), unit(random), unit(random));
+    const Vec3 turn{unit(random), unit(random), unit(random)}, shift{unit(random), unit(random), unit(random)};
     const Pose X{exp_rotation(0.6 * turn), 0.045 * shift};
     const Pose X_ab = knee.relative(X);
     const int inside = vertices_inside(a, b, X_ab, 60) + vertices_inside(b, a, X_ab.inverse(), 60);

@@ -93,7 +93,8 @@ void draw_forces(RandomSource& random, double size, Knee& knee) {
   if (random.chance(0.25)) {
     Force twist;
     twist.point = twist.force = Vec3::Zero();
-    twist.moment = Vec3(0, random.uniform(-3, 3), random.uniform(-3, 3)) * size;
+    const double axial = random.uniform(-3, 3);
+    twist.moment = Vec3(0, random.uniform(-3, 3), axial) * size;
     twist.begins = 0;
     knee.forces.push_back(twist);
   }
@@ -105,12 +106,14 @@ Shape draw_condyle(RandomSource& random, double x, double size, int which, doubl
   out.frame.origin = Vec3(x, random.uniform(-1, 1) * size, 0);
   if (which == 0) {
     out.kind = Shape::Kind::torus;
-    out.radii = Vec3(random.uniform(11, 19), random.uniform(3, 8), 0) * size;
+    const double minor = random.uniform(3, 8);
+    out.radii = Vec3(random.uniform(11, 19), minor, 0) * size;
     out.frame.axes = tilt(random, 4) * across();
     height = out.radii.x() + out.radii.y();
   } else if (which == 1) {
     out.kind = Shape::Kind::ellipsoid;
-    out.radii = Vec3(random.uniform(8, 16), random.uniform(16, 26), random.uniform(15, 24)) * size;
+    const double height_radius = random.uniform(15, 24), depth_radius = random.uniform(16, 26);
+    out.radii = Vec3(random.uniform(8, 16), depth_radius, height_radius) * size;
     out.frame.axes = tilt(random, 4);
     height = out.radii.z();
   } else if (which == 2) {
