@@ -53,7 +53,7 @@ TEST(NewtonStep, EliminatedAndDenseStepsAgree) {
       Correction x, y;
       dense.solve(*residual, x);
       eliminated.solve(*residual, y);
-      const double error = dense.norm(difference(x, y), k.target) / dense.norm(x, k.target);
+      const double error = dense.norm(difference(x, y)) / dense.norm(x);
       const double bound = 1e-12 / std::min(dense.linear().rcond(), 1e-2);
       worst = std::max(worst, error / bound);
       EXPECT_LT(error, bound) << dense.linear().rcond();
@@ -62,7 +62,7 @@ TEST(NewtonStep, EliminatedAndDenseStepsAgree) {
     const VecX wrench = VecX::LinSpaced(6, -3, 8), constraint = VecX::Constant(1, 0.4);
     dense.solve_rates(wrench, constraint, x);
     eliminated.solve_rates(wrench, constraint, y);
-    EXPECT_LT(dense.norm(difference(x, y), k.target), 1e-12 / dense.linear().rcond() * dense.norm(x, k.target));
+    EXPECT_LT(dense.norm(difference(x, y)), 1e-12 / dense.linear().rcond() * dense.norm(x));
   }
   EXPECT_LT(worst, 1);
 }

@@ -244,6 +244,12 @@ class Explanation {
     }
     for (const auto& p : s.prescribe) {
       const std::string name = quantity_name(scene_, p.coordinate);
+      if (!p.drivers.empty()) {
+        std::vector<std::string> loads;
+        for (const int driver : p.drivers) loads.push_back(scene_.loads[at(driver)].name);
+        row(1, "factor of " + joined(loads), 1, name + " = its value");
+        continue;
+      }
       row(1, fmt::format("reaction of {} ({})", name, p.coordinate.is_rotation() ? "moment" : "force"), 1,
           name + " = its value");
     }

@@ -108,6 +108,24 @@ class Implausible {
           limits_.travel);
   }
 
+  /// Cables and forces toward a point can only pull; one that holds a coordinate may be asked to push.
+  void drivers(const std::vector<PoseRecord>& records) {
+    Worst worst;
+    for (std::size_t row = 0; row < records.size(); ++row) {
+      const PosePoint& point = records[row].point;
+      if (!point.solved()) continue;
+      for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
+        for (const int driver : point.target.prescribed[m].drivers) {
+          const Load& load = prepared_.model.loads[at(driver)];
+          if (load.kind == Load::Kind::cable || load.kind == Load::Kind::toward)
+            worst.see(-point.pose.state.multipliers[m], row, load.name);
+        }
+    }
+    if (worst.value > 0)
+      out_.push_back(fmt::format("{} would have to push at {} (factor {:.3g}): it cannot hold the coordinate there",
+                                 worst.name, where_(worst.row), -worst.value));
+  }
+
   std::vector<std::string> take() { return std::move(out_); }
 
  private:
@@ -230,6 +248,7 @@ std::vector<std::string> implausible(const Prepared& prepared, const std::vector
   });
   found.ligaments();
   found.contacts();
+  found.drivers(records);
   found.rotations(records);
   found.travels(records);
   return found.take();

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "genu/equilibrium/force_guess.h"
+#include "genu/equilibrium/held_drivers.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/rigid_descent.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
@@ -282,9 +283,11 @@ PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& targe
 PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
+  const HeldDrivers held(*model_, target, trial.state);
   const SeedReport seed =
-      way.downhill ? descent_seed(*model_, *field_, target, trial.state, way.stride, options_.cancelled)
-                   : stiffness_homotopy(*model_, *field_, target, trial.state, way.stiffer, options_.cancelled);
+      way.downhill ? descent_seed(*model_, *field_, held.target(), trial.state, way.stride, options_.cancelled)
+                   : stiffness_homotopy(*model_, *field_, held.target(), trial.state, way.stiffer, options_.cancelled);
+  held.give_back(trial.state);
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
@@ -327,7 +330,9 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
 PoseReport ActiveSetSolver::settle_downhill(Balanced& pose, const Target& target) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const RestReport rest = slide_to_rest(*model_, *field_, target, trial.state, options_.cancelled);
+  const HeldDrivers held(*model_, target, trial.state);
+  const RestReport rest = slide_to_rest(*model_, *field_, held.target(), trial.state, options_.cancelled);
+  held.give_back(trial.state);
   PoseReport report;
   report.iterations = rest.steps;
   if (!rest.at_rest) {

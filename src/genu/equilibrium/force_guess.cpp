@@ -19,6 +19,7 @@ bool guess_forces(const JointModel& model, const Target& target, State& state) {
   const auto contacts = static_cast<Eigen::Index>(state.contacts.size());
   MatX columns = MatX::Zero(n, m + contacts);
   columns.leftCols(m) = here.gradient.topRows(m).transpose();
+  for (const auto& column : here.load_columns) columns.col(column.row) = column.wrench;
   for (Eigen::Index c = 0; c < contacts; ++c) {
     const auto k = static_cast<std::size_t>(c);
     for_moving(here.contact_bodies[k],

@@ -52,7 +52,7 @@ double Newton::admissible_fraction(const Correction& correction, const NewtonOpt
 double Newton::simplified_norm() {
   step_.solve(*there_, simplified_);
   simplified_at_hand_ = true;
-  return step_.norm(simplified_, target_);
+  return step_.norm(simplified_);
 }
 
 /// Evaluates the derivatives at current_ if they are missing.
@@ -86,7 +86,7 @@ bool Newton::factor(const NewtonOptions& options, NewtonReport& report) {
 bool Newton::advance(const NewtonOptions& options, double& residual, NewtonReport& report) {
   // This close to the solution the next step may reuse the factored Jacobian.
   const Derivatives wanted = residual <= kJacobianReuse ? Derivatives::none : Derivatives::all;
-  const double full = step_.norm(correction_, target_);
+  const double full = step_.norm(correction_);
   report.outcome = NewtonReport::Outcome::no_descent;
   for (double damping = admissible_fraction(correction_, options); damping >= options.smallest_damping; damping /= 2) {
     if (!retract(*model_, current_, correction_, damping, trial_)) {
@@ -189,7 +189,7 @@ void Newton::polish(const NewtonOptions& options, NewtonReport& report) {
     const double residual = report.residual;
     if (residual <= kResidualRounding || residual <= error * report.rcond) return;
     step_.solve(*here_, correction_);
-    if (!(step_.norm(correction_, target_) > error)) return;
+    if (!(step_.norm(correction_) > error)) return;
     const double damping = admissible_fraction(correction_, options);
     if (!retract(*model_, current_, correction_, damping, trial_)) return;
     linearize(*model_, trial_, target_, *there_);

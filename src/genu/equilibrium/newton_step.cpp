@@ -7,7 +7,7 @@
 
 namespace genu {
 
-void NewtonStep::set_scales(const Target& target) {
+void NewtonStep::set_scales(const Linearization& at, const Target& target) {
   const double L = model_->scales.length, F = model_->scales.force;
   const bool dense = route_ == Route::dense;
   const int size = twists_ + constraints_ + (dense ? 5 : 1) * contacts_ + (bordered_ ? 1 : 0);
@@ -23,6 +23,10 @@ void NewtonStep::set_scales(const Target& target) {
     const bool rotation = is_rotation(*model_, target, static_cast<std::size_t>(m));
     row_scale_[twists_ + m] = rotation ? 1 : 1 / L;
     column_scale_[twists_ + m] = rotation ? F * L : F;
+  }
+  for (const auto& column : at.load_columns) {
+    const double largest = column.wrench.cwiseProduct(row_scale_.head(twists_)).lpNorm<Eigen::Infinity>();
+    column_scale_[twists_ + column.row] = largest > 0 ? 1 / largest : 1;
   }
   for (int c = 0; c < contacts_; ++c) {
     const int first = twists_ + constraints_ + (dense ? 5 : 1) * c;
@@ -97,10 +101,11 @@ bool NewtonStep::factor(const Linearization& at, const Target& target, Route rou
     else if (route == Route::eliminated)
       return false;
   }
-  set_scales(target);
+  set_scales(at, target);
   matrix_.setZero(row_scale_.size(), row_scale_.size());
   matrix_.block(0, twists_, twists_, constraints_) = at.gradient.transpose();
   matrix_.block(twists_, 0, constraints_, twists_) = at.gradient;
+  for (const auto& column : at.load_columns) matrix_.col(twists_ + column.row).head(twists_) = column.wrench;
   route_ == Route::dense ? assemble_dense(at) : assemble_eliminated(at);
   if (bordered_) add_border(*border);
   matrix_ = row_scale_.asDiagonal() * matrix_ * column_scale_.asDiagonal();
@@ -179,14 +184,13 @@ double NewtonStep::residual(const Linearization& at, const Target& target) const
   return worst;
 }
 
-double NewtonStep::norm(const Correction& correction, const Target& target) const {
+double NewtonStep::norm(const Correction& correction) const {
   const double L = model_->scales.length, F = model_->scales.force;
   double square = 0;
   for (Eigen::Index i = 0; i < correction.twist.size(); ++i)
     square += std::pow(correction.twist[i] / (i % 6 < 3 ? L : 1), 2);
   for (Eigen::Index m = 0; m < correction.multipliers.size(); ++m)
-    square += std::pow(
-        correction.multipliers[m] / (is_rotation(*model_, target, static_cast<std::size_t>(m)) ? F * L : F), 2);
+    square += std::pow(correction.multipliers[m] / column_scale_[twists_ + m], 2);
   for (const Vec4& ds : correction.surface) square += ds.squaredNorm() / (L * L);
   square += correction.forces.squaredNorm() / (F * F);
   square += correction.parameter * correction.parameter;

@@ -48,8 +48,8 @@ class NewtonStep {
   /// Largest scaled residual: forces / force scale, lengths / length scale, angles in rad, sines.
   double residual(const Linearization& at, const Target& target) const;
 
-  /// Norm of a correction in scaled unknowns.
-  double norm(const Correction& correction, const Target& target) const;
+  /// Norm of a correction in scaled unknowns, of the system factored last.
+  double norm(const Correction& correction) const;
 
   Route route() const { return route_; }
   const ScaledSolver& linear() const { return solver_; }
@@ -60,7 +60,7 @@ class NewtonStep {
   void assemble_dense(const Linearization& at);
   bool eliminate(const Linearization& at);
   void assemble_eliminated(const Linearization& at);
-  void set_scales(const Target& target);
+  void set_scales(const Linearization& at, const Target& target);
   void add_border(const Border& border);
   void solve_and_unpack(Correction& out);
 

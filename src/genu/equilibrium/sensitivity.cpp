@@ -53,7 +53,16 @@ double Sensitivity::quantity(const QuantityRef& q) const {
 double Sensitivity::reaction(const QuantityRef& q) const {
   const auto& prescribed = point_->target.prescribed;
   for (std::size_t m = 0; m < prescribed.size(); ++m)
-    if (prescribed[m].coordinate == q) return motion_.multipliers[static_cast<Eigen::Index>(m)];
+    if (prescribed[m].coordinate == q && prescribed[m].drivers.empty())
+      return motion_.multipliers[static_cast<Eigen::Index>(m)];
+  return kNoRate;
+}
+
+double Sensitivity::driving_factor(int load) const {
+  const auto& prescribed = point_->target.prescribed;
+  for (std::size_t m = 0; m < prescribed.size(); ++m)
+    if (std::find(prescribed[m].drivers.begin(), prescribed[m].drivers.end(), load) != prescribed[m].drivers.end())
+      return motion_.multipliers[static_cast<Eigen::Index>(m)];
   return kNoRate;
 }
 

@@ -26,14 +26,15 @@ double size_of_terms(const ContactBlock& block, const EliminatedContact& contact
 }
 
 /// Tangent stiffness and gradients of constraints, of gaps, and of what conforming surfaces hold besides, in the
-/// metric. Returns the accuracy of the stiffness, J: rounding of its terms, and forces out of balance, which make it
-/// unsymmetric by the same amount.
+/// metric; where loads drive a coordinate their wrench in the place of its gradient. Returns the accuracy of the
+/// stiffness, J: rounding of its terms, and forces out of balance, which make it unsymmetric by the same amount.
 double tangent(const Linearization& at, double length_scale, double cancelled, MatX& stiffness, MatX& held) {
   const Eigen::Index n = at.wrench.size(), m = at.constraint.size();
   const auto contacts = static_cast<Eigen::Index>(at.contacts.size());
   stiffness = at.stiffness;
   held.setZero(m + contacts, n);
   held.topRows(m) = at.gradient;
+  for (const auto& column : at.load_columns) held.row(column.row) = column.wrench.transpose();
   Eigen::Index rows = m + contacts;
   double terms = cancelled;
   for (Eigen::Index c = 0; c < contacts; ++c) {
@@ -155,7 +156,9 @@ const char* to_string(const Stability& stability) {
 FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled) {
   FreeStiffness out;
   out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
-  out.basis = null_space(out.held, kDependentRow);
+  MatX fixed = out.held;
+  for (const auto& column : at.load_columns) fixed.row(column.row).setZero();  // a dead load holds nothing
+  out.basis = null_space(fixed, kDependentRow);
   return out;
 }
 

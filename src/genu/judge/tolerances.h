@@ -110,6 +110,10 @@ inline constexpr double kLeastDiscShare = 1e-9;
 /// [1] Error of facets for a smooth surface's load. Fails first: if too small, smooth layers are rejected.
 inline constexpr double kFacetLoadError = 0.05;
 
+/// [size of the scene] Distance of a triangle's centre from the border of a region at which its side is rounding. Fails
+/// first: if too small, the same sum is rejected.
+inline constexpr double kOnBorder = 1e-12;
+
 // motion
 
 /// [1] Rows on each side of a time difference. Fails first: if too small, motions cannot be judged.

@@ -113,28 +113,45 @@ void add_weights(const JointModel& model, const State& state, const Target& targ
 }
 
 /// Adds `factor` times a coordinate to constraint `row`, and the wrench of its part of the multiplier.
-void add_coordinate(const JointModel& model, const State& state, const JointPoint& point, const CoordinateRef& c,
-                    double factor, Eigen::Index row, Linearization& out) {
+void add_coordinate(const JointModel& model, const JointPoint& point, const CoordinateRef& c, double factor,
+                    double multiplier, Eigen::Index row, Linearization& out) {
   const auto& joint = model.joints[at(c.joint)];
   const JointPoint::Gradient gradient = factor * point.gradient(c.index);
   out.constraint(row) += factor * point.values()[at(c.index)];
   const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
   if (parent >= 0) out.gradient.block<1, 6>(row, 6 * parent) += gradient.head<6>();
   if (child >= 0) out.gradient.block<1, 6>(row, 6 * child) += gradient.tail<6>();
-  const double multiplier = state.multipliers[static_cast<std::size_t>(row)];
   if (multiplier == 0) return;
   const TwoBodyScatter scatter = scatter_on(model, joint.parent, joint.child);
   scatter.add_wrench(multiplier * gradient.transpose(), out.wrench);
   if (out.derivatives) scatter.add_stiffness(factor * multiplier * point.hessian(c.index), out.stiffness);
 }
 
+/// Loads that hold a coordinate: with the multiplier as their factor, and what a unit of it adds.
+void add_drivers(const JointModel& model, const State& state, const Target& target, std::size_t m,
+                 Linearization::LoadColumn& column, Linearization& out) {
+  column.row = static_cast<Eigen::Index>(m);
+  column.wrench.setZero(out.wrench.size());
+  for (const int driver : target.prescribed[m].drivers) {
+    const Load& load = model.loads[at(driver)];
+    if (state.multipliers[m] != 0) add_load(model, state, load, state.multipliers[m], target.time, nullptr, out);
+    add_load_wrench(model, state, load, load_scale(load, state, target.time).factor, column.wrench);
+  }
+}
+
 void add_prescribed(const JointModel& model, const State& state, const Target& target, Linearization& out) {
+  const auto driven = [](const Target::Prescribed& p) { return !p.drivers.empty(); };
+  out.load_columns.resize(static_cast<std::size_t>(  // keeps its memory
+      std::count_if(target.prescribed.begin(), target.prescribed.end(), driven)));
+  auto column = out.load_columns.begin();
   for (std::size_t m = 0; m < target.prescribed.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
+    const bool reacts = target.prescribed[m].drivers.empty();
     for_terms(model, target.prescribed[m].coordinate, [&](const CoordinateRef& c, double factor) {
-      add_coordinate(model, state, point_of(model, state, c.joint), c, factor, row, out);
+      add_coordinate(model, point_of(model, state, c.joint), c, factor, reacts ? state.multipliers[m] : 0, row, out);
     });
     out.constraint(row) -= target.prescribed[m].value;
+    if (!reacts) add_drivers(model, state, target, m, *column++, out);
   }
 }
 
@@ -144,7 +161,7 @@ void add_held(const JointModel& model, const State& state, const Target& target,
   int evaluated = -1;
   for (const auto& held : model.held) {
     if (held.coordinate.joint != evaluated) point = point_of(model, state, evaluated = held.coordinate.joint);
-    add_coordinate(model, state, point, held.coordinate, 1, row, out);
+    add_coordinate(model, point, held.coordinate, 1, state.multipliers[static_cast<std::size_t>(row)], row, out);
     out.constraint(row++) -= held.value;
   }
 }
@@ -335,7 +352,8 @@ VecX load_rate(const JointModel& model, const State& state, const Target& target
     const Load& load = model.loads[i];
     const LoadScale::Value scale = load_scale(load, state, target.time);
     double speed = rate.load_factors[i] * scale.factor;
-    if (load.scale) speed += target.load_factors[i] * load.scale->rate_in_time(target.time, scale.slope) * rate.time;
+    if (load.scale)
+      speed += load_factor(target, state, i) * load.scale->rate_in_time(target.time, scale.slope) * rate.time;
     if (speed == 0) continue;
     add_load_wrench(model, state, load, speed, wrench);
   }

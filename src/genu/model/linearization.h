@@ -27,6 +27,12 @@ struct Linearization {
   MatX
       gradient;  ///< (M + H) x 6B: gradients of prescribed quantities, of coordinates held by joints, of held ligaments
   VecX constraint;  ///< M + H: value - target; target - length for a held ligament
+  /// A multiplier that is the factor of loads, not a reaction along the gradient of its constraint.
+  struct LoadColumn {
+    Eigen::Index row = 0;  ///< of the constraint
+    VecX wrench;           ///< 6B: of the loads with factor 1
+  };
+  std::vector<LoadColumn> load_columns;
   std::vector<ContactBlock> contacts;
   /// What earlier poses have shown of each elastic layer. Linearizations used in turn share it.
   std::shared_ptr<LayerMemories> layers;

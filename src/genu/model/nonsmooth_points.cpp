@@ -31,7 +31,7 @@ class Finder {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) add_ligament(i);
     for (const JointSpring& spring : model_.joint_springs) add_stops(spring);
     for (std::size_t i = 0; i < model_.loads.size(); ++i)
-      if (target_.load_factors[i] != 0) add_scale(model_.loads[i], target_.load_factors[i]);
+      if (const double factor = load_factor(target_, state_, i); factor != 0) add_scale(model_.loads[i], factor);
     for (const Load& weight : model_.weights) add_scale(weight, 1);
   }
 

@@ -28,7 +28,7 @@ void add_load_rate(const PlacedScene& scene, const JointModel& model, const Stat
     add_load_wrench(model, state, load, scale, out);
     return;
   }
-  const double factor = scale * target.load_factors[at(parameter.object)];
+  const double factor = scale * load_factor(target, state, at(parameter.object));
   const Load change = load_change(scene, parameter);
   if (load.kind == Load::Kind::cable) {
     load.path.add_tension(state.poses, factor * change.value, out, state.wraps);

@@ -55,9 +55,9 @@ std::optional<double> potential_energy(const JointModel& model, const State& sta
   double energy = stored_energy(model, state);
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const Load& load = model.loads[i];
-    const double factor = target.load_factors[i] * load_scale(load, state, target.time).factor;
+    const double given = load_factor(target, state, i), factor = given * load_scale(load, state, target.time).factor;
     const bool over_coordinate = load.scale && load.scale->coordinate();  // the factor may be 0 here, but not nearby
-    if (target.load_factors[i] == 0 || (factor == 0 && !over_coordinate)) continue;
+    if (given == 0 || (factor == 0 && !over_coordinate)) continue;
     if (!has_potential(load)) return std::nullopt;
     energy += factor * since_reference(model, state, load);
   }

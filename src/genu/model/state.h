@@ -32,7 +32,8 @@ struct State {
   std::vector<Pose> poses;               ///< X_W of every body
   std::vector<JointValues> coordinates;  ///< of every joint, continuous along the path
   std::vector<double> multipliers;       ///< N or N m, positive drives the coordinate up: of prescribed
-                                         ///< quantities, then of coordinates held by joints
+                                         ///< quantities, then of coordinates held by joints. Factors of loads where
+                                         ///< loads drive a prescribed quantity
   std::vector<ActiveContact> contacts;
   std::vector<LigamentPiece> pieces;  ///< of every ligament whose law has sharp breaks, in the model's order
   Wraps wraps;                        ///< of every obstacle of a path, in the model's order; at these poses
@@ -46,9 +47,11 @@ struct Target {
   struct Prescribed {
     QuantityRef coordinate;
     double value = 0;  ///< rad or m
+    /// Loads that hold the coordinate in the place of a reaction. Its multiplier is their factor.
+    std::vector<int> drivers = {};
   };
   std::vector<Prescribed> prescribed;
-  std::vector<double> load_factors;  ///< one for each load
+  std::vector<double> load_factors;  ///< one for each load; 0 of those that drive a coordinate
   double time = 0;                   ///< s: used by loads scaled over time only
 };
 
@@ -89,8 +92,24 @@ inline bool is_rotation(const JointModel& model, const Target& target, std::size
                         : model.held[m - prescribed].coordinate.index < 3;
 }
 
+/// Whether a load is among those that drive one of these prescribed coordinates.
+template <typename Prescribed>
+bool drives(const std::vector<Prescribed>& prescribed, std::size_t load) {
+  return std::any_of(prescribed.begin(), prescribed.end(), [load](const Prescribed& p) {
+    return std::find(p.drivers.begin(), p.drivers.end(), static_cast<int>(load)) != p.drivers.end();
+  });
+}
+
+/// The factor of a load: the target's, or the one found where the load drives a prescribed coordinate.
+inline double load_factor(const Target& target, const State& state, std::size_t load) {
+  for (std::size_t m = 0; m < target.prescribed.size() && m < state.multipliers.size(); ++m)
+    for (const int driver : target.prescribed[m].drivers)
+      if (static_cast<std::size_t>(driver) == load) return state.multipliers[m];
+  return target.load_factors[load];
+}
+
 /// Gives `state` a multiplier for each constraint of `target`. Coordinates held by joints keep theirs where the number
-/// of prescribed coordinates changes.
+/// of prescribed coordinates changes. The search for a load's factor starts from 1.
 inline void fit_multipliers(const JointModel& model, const Target& target, State& state) {
   const std::size_t prescribed = target.prescribed.size(), held = model.held.size();
   if (state.multipliers.size() < held) state.multipliers.assign(held, 0.0);
@@ -99,7 +118,9 @@ inline void fit_multipliers(const JointModel& model, const Target& target, State
   if (prescribed < before)
     state.multipliers.erase(first_held - static_cast<std::ptrdiff_t>(before - prescribed), first_held);
   else
-    state.multipliers.insert(first_held, prescribed - before, 0.0);
+    for (std::size_t m = before; m < prescribed; ++m)
+      state.multipliers.insert(state.multipliers.begin() + static_cast<std::ptrdiff_t>(m),
+                               target.prescribed[m].drivers.empty() ? 0.0 : 1.0);
 }
 
 }  // namespace genu

@@ -13,7 +13,7 @@ Target StepPlan::target(double t) const {
   Target out;
   // This form is exact at both ends.
   const auto between = [t](double from, double to) { return (1 - t) * from + t * to; };
-  for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, between(p.from, p.to)});
+  for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, between(p.from, p.to), p.drivers});
   for (const Factor& f : factors) out.load_factors.push_back(between(f.from, f.to));
   out.time = between(start_time, end_time);
   return out;
@@ -21,7 +21,7 @@ Target StepPlan::target(double t) const {
 
 Target StepPlan::rate() const {
   Target out;
-  for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, p.to - p.from});
+  for (const Prescribed& p : prescribed) out.prescribed.push_back({p.coordinate, p.to - p.from, p.drivers});
   for (const Factor& f : factors) out.load_factors.push_back(f.to - f.from);
   out.time = end_time - start_time;
   return out;
@@ -48,7 +48,7 @@ int StepPlan::only_driven() const {
   int driven = -1;
   for (std::size_t i = 0; i < prescribed.size(); ++i) {
     if (prescribed[i].from == prescribed[i].to) continue;
-    if (driven >= 0) return -1;
+    if (driven >= 0 || !prescribed[i].drivers.empty()) return -1;
     driven = static_cast<int>(i);
   }
   const bool loads = std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.from != f.to; });
@@ -60,9 +60,11 @@ std::vector<StepPlan> plan_steps(const SceneTables& scene) {
   double time = 0;
   for (const StepDef& def : scene.steps) {
     StepPlan plan;
-    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to});
+    for (const auto& p : def.prescribe) plan.prescribed.push_back({p.coordinate, p.from, p.to, p.drivers});
     plan.factors.resize(scene.loads.size());
     for (const auto& f : def.factors) plan.factors[static_cast<std::size_t>(f.load)] = {f.from, f.to};
+    for (const auto& p : def.prescribe)
+      for (const int driver : p.drivers) plan.factors[static_cast<std::size_t>(driver)] = {0, 0};
     plan.increments = def.increments;
     plan.arc_length = def.arc_length;
     plan.start_time = time;
@@ -80,6 +82,8 @@ StepPlan approach_to(const StepPlan& step, const JointModel& model, const State&
     p.from = quantity_value(model, state.coordinates, p.coordinate);
   }
   for (std::size_t i = 0; i < plan.factors.size(); ++i) plan.factors[i] = {factors[i], step.factors[i].from};
+  for (const auto& p : plan.prescribed)
+    for (const int driver : p.drivers) plan.factors[at(driver)] = {0, 0};
   plan.increments = 1;
   plan.end_time = plan.start_time;
   return plan;

@@ -13,7 +13,8 @@ namespace genu {
 struct StepPlan {
   struct Prescribed {
     QuantityRef coordinate;
-    double from = 0, to = 0;  ///< rad or m
+    double from = 0, to = 0;        ///< rad or m
+    std::vector<int> drivers = {};  ///< as in Target
   };
   struct Factor {
     double from = 1, to = 1;
@@ -35,7 +36,7 @@ struct StepPlan {
   double part_within(double angle) const;
   /// Whether prescribed coordinates and loads are constant; time may change.
   bool varies_nothing() const;
-  /// The prescribed coordinate that varies, if nothing else does; else -1.
+  /// The prescribed coordinate that varies and has a reaction, if nothing else does; else -1.
   int only_driven() const;
 };
 

@@ -70,7 +70,7 @@ void serialize(Archive& a, QuantityRef& x) {
 }
 template <typename Archive>
 void serialize(Archive& a, Target::Prescribed& x) {
-  a(x.coordinate, x.value);
+  a(x.coordinate, x.value, x.drivers);
 }
 template <typename Archive>
 void serialize(Archive& a, Target& x) {

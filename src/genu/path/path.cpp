@@ -85,6 +85,7 @@ class PathRun {
   /// Balances the joint at its current pose, then follows the path to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;
+    change_drivers(step);
     const StepPlan plan = approach_to(step, solver_.model(), pose_.state, factors_);
     factors_ = step.target(1).load_factors;
     approaching_ = true;
@@ -113,6 +114,21 @@ class PathRun {
     report_ = follower_.report();
     approaching_ = false;
     return true;
+  }
+
+  /// Loads that drove a coordinate in the step before begin with the factor found there. Those that begin to drive are
+  /// searched from the factor 1, and a coordinate that gets its reaction back from none.
+  void change_drivers(const StepPlan& step) {
+    std::vector<double>& multipliers = pose_.state.multipliers;
+    const std::vector<StepPlan::Prescribed> none, &before = step_ > 1 ? steps_[at(step_ - 2)].prescribed : none;
+    for (std::size_t m = 0; m < before.size(); ++m)
+      for (const int driver : before[m].drivers) factors_[at(driver)] = multipliers[m];
+    fit_multipliers(solver_.model(), step.target(0), pose_.state);
+    for (std::size_t m = 0; m < step.prescribed.size(); ++m) {
+      const std::vector<int>& drivers = step.prescribed[m].drivers;
+      if ((m < before.size() ? before[m].drivers : std::vector<int>()) == drivers) continue;
+      multipliers[m] = drivers.empty() ? 0 : 1;
+    }
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start

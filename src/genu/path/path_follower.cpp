@@ -53,7 +53,7 @@ void PathFollower::compute_tangent_of_last(const State& state, double t, Tangent
   const bool rotation = is_rotation(solver_.model(), target, at(driven_));
   const auto& scales = solver_.model().scales;
   const double rate = std::abs(reaction_rate(out)) / (rotation ? scales.force * scales.length : scales.force);
-  if (rate > kRateMargin * newton.jacobian_error() * newton.step().norm(out.motion, target)) return;
+  if (rate > kRateMargin * newton.jacobian_error() * newton.step().norm(out.motion)) return;
   if (newton.factor_at_solution()) compute_tangent(newton.linearization(), state, t, out);
 }
 

@@ -88,6 +88,10 @@ class Outputs {
       if (model_.loads[at(l)].scale)
         add(model_.loads[at(l)].name + ".scale", "1", 1,
             [l](const PosePoint&, const Sensitivity& s) { return s.load_scale(l); });
+    for (int l = 0; l < static_cast<int>(model_.loads.size()); ++l)
+      if (std::any_of(steps_.begin(), steps_.end(), [l](const auto& step) { return drives(step.prescribed, at(l)); }))
+        add(model_.loads[at(l)].name + ".factor", "1", 1,
+            [l](const PosePoint&, const Sensitivity& s) { return s.driving_factor(l); });
     return std::move(out_);
   }
 
@@ -106,7 +110,7 @@ class Outputs {
   void add_reaction(const QuantityRef& q) {
     const bool prescribed = std::any_of(steps_.begin(), steps_.end(), [&](const StepPlan& step) {
       return std::any_of(step.prescribed.begin(), step.prescribed.end(),
-                         [&](const auto& p) { return p.coordinate == q; });
+                         [&](const auto& p) { return p.coordinate == q && p.drivers.empty(); });
     });
     if (prescribed)
       add(reaction_column(scene_, q), q.is_rotation() ? "Nm" : "N", 1,

@@ -73,7 +73,7 @@ class PoseTable {
   void add_reaction(const std::vector<StepPlan>& steps, const QuantityRef& quantity) {
     for (const StepPlan& step : steps)
       for (const auto& p : step.prescribed)
-        if (p.coordinate == quantity) table_.add_column(reaction_column(scene_, quantity));
+        if (p.coordinate == quantity && p.drivers.empty()) table_.add_column(reaction_column(scene_, quantity));
   }
 
   void add_row(const PoseRecord& record) {
@@ -87,11 +87,11 @@ class PoseTable {
     if (record.pair_gap.size() != model_.pairs.size() || point.pose.state.poses.empty()) {
       for (const auto& p : point.target.prescribed)
         table_.set(coordinate_column(scene_, p.coordinate), shown_value(p.coordinate, p.value));
-      set_factors(point.target);
+      set_factors(point.target, point.pose.state);
       return;
     }
     set_coordinates(record);
-    set_factors(point.target);
+    set_factors(point.target, point.pose.state);
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
     set_wrap_columns(model_, point.pose.state, table_);
@@ -112,14 +112,14 @@ class PoseTable {
 
   static bool varies(const std::vector<StepPlan>& steps, std::size_t load) {
     return std::any_of(steps.begin(), steps.end(), [&](const StepPlan& s) {
-      return load < s.factors.size() && s.factors[load].from != s.factors[load].to;
+      return drives(s.prescribed, load) || (load < s.factors.size() && s.factors[load].from != s.factors[load].to);
     });
   }
 
-  void set_factors(const Target& target) {
+  void set_factors(const Target& target, const State& state) {
     for (std::size_t i = 0; i < target.load_factors.size(); ++i)
       if (const std::string name = model_.loads[i].name + ".factor"; table_.has_column(name))
-        table_.set(name, target.load_factors[i]);
+        table_.set(name, load_factor(target, state, i));
   }
 
   void set_coordinates(const PoseRecord& record) {
@@ -136,7 +136,8 @@ class PoseTable {
                  shown_value(quantity, quantity_value(model_, state.coordinates, quantity)));
     }
     for (std::size_t m = 0; reactions && m < point.target.prescribed.size(); ++m)
-      table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
+      if (point.target.prescribed[m].drivers.empty())
+        table_.set(reaction_column(scene_, point.target.prescribed[m].coordinate), state.multipliers[m]);
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       if (reactions && scene_.joints[j].type != JointDef::Type::free) set_held(static_cast<int>(j), point);
       if (scene_.joints[j].grood_suntay) set_clinical(scene_.joints[j], state);
@@ -206,7 +207,7 @@ ResultTable event_table(const PlacedScene& scene, const std::vector<StepPlan>& s
     for (const auto& p : event.target.prescribed)
       table.set(coordinate_column(scene, p.coordinate), shown_value(p.coordinate, p.value));
     for (std::size_t i = 0; i < event.target.load_factors.size(); ++i)
-      table.set(scene.loads[i].name + ".factor", event.target.load_factors[i]);
+      if (!drives(event.target.prescribed, i)) table.set(scene.loads[i].name + ".factor", event.target.load_factors[i]);
   }
   return table;
 }

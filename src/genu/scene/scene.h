@@ -136,6 +136,8 @@ struct StepDef {
   struct Prescribed {
     QuantityRef coordinate;
     double from = 0, to = 0;  ///< rad or m
+    /// Loads that hold the coordinate in the place of a reaction: their common factor is an unknown of the pose.
+    std::vector<int> drivers = {};
   };
   struct Factor {
     int load = -1;

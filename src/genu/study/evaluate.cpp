@@ -21,12 +21,14 @@
 namespace genu {
 namespace {
 
-/// Every coordinate that some step prescribes; a combination's multiplier is not that of one coordinate.
+/// Every coordinate that some step prescribes and a reaction holds; a combination's multiplier is not that of one
+/// coordinate.
 std::vector<CoordinateRef> prescribed_somewhere(const std::vector<StepPlan>& steps) {
   std::vector<CoordinateRef> found;
   for (const StepPlan& step : steps)
     for (const auto& p : step.prescribed)
-      if (p.coordinate.combination < 0 && std::find(found.begin(), found.end(), p.coordinate.first) == found.end())
+      if (p.coordinate.combination < 0 && p.drivers.empty() &&
+          std::find(found.begin(), found.end(), p.coordinate.first) == found.end())
         found.push_back(p.coordinate.first);
   return found;
 }
