@@ -1,8 +1,8 @@
 # genu_help_pages(TARGET PAGE...): compiles pages of docs/ into TARGET, for `genu explain`: what is read there and what
-# stands on GitHub is one text. Run as a script (-DPAGES=... -DOUT=...), it writes that source, as string literals no
-# longer than compilers must take.
+# stands on GitHub is one text. genu_ready_scenes(TARGET FILE...): the same of scenes of meshes/, for `genu new`. Run as a
+# script (-DPAGES=... -DFUNCTION=... -DOUT=...), it writes that source, as string literals no longer than compilers must take.
 if(CMAKE_SCRIPT_MODE_FILE)
-  set(source "#include \"help_pages.h\"\n\nnamespace genu::cli {\n\nstd::vector<HelpPage> help_pages() {\n  return {\n")
+  set(source "#include \"help_pages.h\"\n\nnamespace genu::cli {\n\nstd::vector<HelpPage> ${FUNCTION}() {\n  return {\n")
   set(longest 15000)
   foreach(page ${PAGES})
     get_filename_component(name ${page} NAME_WE)
@@ -28,13 +28,24 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 set(genu_help_pages_script ${CMAKE_CURRENT_LIST_FILE})
-function(genu_help_pages target)
-  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/docs/ OUTPUT_VARIABLE pages)
-  list(TRANSFORM pages APPEND .md)
-  set(source ${PROJECT_BINARY_DIR}/help_pages.cpp)
-  add_custom_command(OUTPUT ${source} DEPENDS ${pages} ${genu_help_pages_script} VERBATIM
-                     COMMAND ${CMAKE_COMMAND} "-DPAGES=${pages}" -DOUT=${source} -P ${genu_help_pages_script})
+function(genu_texts target function)
+  set(source ${PROJECT_BINARY_DIR}/${function}.cpp)
+  add_custom_command(OUTPUT ${source} DEPENDS ${ARGN} ${genu_help_pages_script} VERBATIM
+                     COMMAND ${CMAKE_COMMAND} "-DPAGES=${ARGN}" -DFUNCTION=${function} -DOUT=${source}
+                             -P ${genu_help_pages_script})
   set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${source})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cli)
+endfunction()
+
+function(genu_help_pages target)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/docs/ OUTPUT_VARIABLE pages)
+  list(TRANSFORM pages APPEND .md)
+  genu_texts(${target} help_pages ${pages})
+endfunction()
+
+function(genu_ready_scenes target)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/meshes/ OUTPUT_VARIABLE scenes)
+  list(TRANSFORM scenes APPEND .toml)
+  genu_texts(${target} ready_scenes ${scenes})
 endfunction()

@@ -58,6 +58,37 @@ TEST(ReadSteps, LoadErrors) {
   expect_refused("load = { push = [0, 1] }", "load = @1", "step[1].load", "1", "must be a table");
 }
 
+TEST(ReadSteps, LoadsThatDrive) {
+  const std::string loads = "load = { push = [0, 1] }\n",
+                    other = "[load.other]\nbody = \"femur\"\nforce = [1, 0, 0]\n\n[[step]]";
+  const std::string scene = edited("[[step]]", other, edited(loads, ""));
+  const auto drivers = [&](const std::string& drive) {
+    return good(edited(kPrescribe, kPrescribe + "\ndrive = " + drive, scene)).steps.at(0).prescribe.at(0).drivers;
+  };
+  EXPECT_EQ(drivers("\"push\""), std::vector<int>{0});
+  EXPECT_EQ(drivers("[\"other\", \"push\"]"), (std::vector<int>{1, 0}));
+  EXPECT_EQ(drivers("{ \"knee.flexion\" = \"other\" }"), std::vector<int>{1});
+  EXPECT_EQ(drivers("{ knee.flexion = [\"push\"] }"), std::vector<int>{0});
+}
+
+TEST(ReadSteps, DriveErrors) {
+  const auto refused = [](const std::string& drive, const std::string& key, const std::string& found,
+                          const std::string& rule) {
+    expect_refused("load = { push = [0, 1] }", drive, "step[1]." + key, found, rule);
+  };
+  refused("drive = @\"pull\"", "drive", "\"pull\"", "unknown load; known: \"push\"; did you mean \"push\"?");
+  refused("drive = @3", "drive", "3", "must be");
+  refused("drive = @[]", "drive", "[]", "must name a load");
+  refused("drive = [\"push\", @\"push\"]", "drive[2]", "\"push\"", "drives a coordinate already");
+  refused("drive = { @\"knee.rotation\" = \"push\" }", "drive.knee.rotation", "", "is not prescribed in this step");
+  refused("drive = { @\"knee.flexon\" = \"push\" }", "drive.knee.flexon", "", "did you mean \"knee.flexion\"?");
+  refused("load = { push = 1 }\ndrive = @\"push\"", "drive", "\"push\"", "has a factor in `load` of this step");
+  refused("control = \"arc_length\"\n@drive = \"push\"", "drive", "", "is an unknown of every pose");
+  expect_refused(kPrescribe + "\nload = { push = [0, 1] }",
+                 "prescribe = { \"knee.flexion\" = [0, 70], \"knee.x\" = 0 }\ndrive = @\"push\"", "step[1].drive",
+                 "\"push\"", "which of 2 prescribed coordinates?");
+}
+
 TEST(ReadSteps, Increments) {
   for (const std::string bad : {"0", "-5", "1000001", "70.0", "\"70\"", "true", "[70]"}) {
     expect_refused("increments = 70", "increments = @" + bad, "step[1].increments", bad,

@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "genu/core/file_text.h"
 #include "genu/study/new_scene.h"
+#include "help_pages.h"
 
 namespace genu::cli {
 namespace {
@@ -39,6 +40,11 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   const bool meshes = command.count("--femur") + command.count("--tibia") > 0;
   if (arguments.kind == "stl" || (arguments.kind.empty() && meshes)) asked.kind = NewScene::Kind::stl;
   if (arguments.kind == "motion") asked.kind = NewScene::Kind::motion;
+  for (const HelpPage& scene : ready_scenes())
+    if (scene.name == arguments.kind) {
+      asked.kind = NewScene::Kind::given;
+      asked.text = scene.text;
+    }
   if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
   Diagnostics problems;
@@ -63,11 +69,14 @@ void add_new(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<NewArguments>();
   NewScene& scene = arguments->scene;
   command.add_option("NAME", scene.folder, "new folder; the scene is NAME/NAME.toml")->required();
+  std::vector<std::string> kinds = {"analytic", "stl", "motion"};
+  for (const HelpPage& ready : ready_scenes()) kinds.push_back(ready.name);
   command
-      .add_option("--kind", arguments->kind,
-                  "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings. Where it is not "
-                  "given: stl with meshes, else analytic")
-      ->check(CLI::IsMember({"analytic", "stl", "motion"}));
+      .add_option(
+          "--kind", arguments->kind,
+          "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings; hip, ankle, finger, "
+          "jaw, total-knee: these joints of formulas. Where it is not given: stl with meshes, else analytic")
+      ->check(CLI::IsMember(kinds));
   command.add_option("--femur", scene.femur, "mesh of the femur or its cartilage: STL, PLY, OBJ, OFF or VTP");
   command.add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")

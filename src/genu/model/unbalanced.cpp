@@ -1,35 +1,9 @@
 #include "genu/model/unbalanced.h"
 
-#include "genu/core/decompositions.h"
+#include "genu/model/coordinate_forces.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {
-namespace {
-
-/// Every moving body is the child of one joint, so there are as many coordinates as equations.
-std::optional<std::vector<JointValues>> on_coordinates(const JointModel& model, const State& state,
-                                                       const VecX& missing) {
-  MatX gradients = MatX::Zero(missing.size(), 6 * static_cast<Eigen::Index>(model.joints.size()));
-  for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) {
-    const auto& joint = model.joints[at(j)];
-    const JointPoint point = joint_point(model, state, j);
-    if (point.at_gimbal()) return std::nullopt;
-    const int parent = model.bodies[at(joint.parent)].moving, child = model.bodies[at(joint.child)].moving;
-    for (int i = 0; i < 6; ++i) {
-      const JointPoint::Gradient gradient = point.gradient(i);
-      if (parent >= 0) gradients.col(6 * j + i).segment<6>(6 * parent) += gradient.head<6>().transpose();
-      if (child >= 0) gradients.col(6 * j + i).segment<6>(6 * child) += gradient.tail<6>().transpose();
-    }
-  }
-  const VecX solved = least_squares_solution(gradients, missing);
-  std::vector<JointValues> forces(model.joints.size());
-  for (std::size_t j = 0; j < forces.size(); ++j)
-    for (std::size_t i = 0; i < 6; ++i) forces[j][i] = solved[static_cast<Eigen::Index>(6 * j + i)];
-  return forces;
-}
-
-}  // namespace
-
 Unbalanced unbalanced(const JointModel& model, State state, Target target, Linearization& memory) {
   target.prescribed.clear();
   state.contacts.clear();
@@ -49,7 +23,11 @@ Unbalanced unbalanced(const JointModel& model, State state, Target target, Linea
     wrench.tail<3>() = -(to_body * memory.wrench.segment<3>(6 * moving + 3)) -
                        own_origin(model, static_cast<int>(b)).cross(Vec3(wrench.head<3>()));
   }
-  out.forces = on_coordinates(model, state, -memory.wrench);
+  if (const auto forces = on_coordinates(model, state, -memory.wrench)) {
+    out.forces.emplace(model.joints.size());
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      for (std::size_t i = 0; i < 6; ++i) (*out.forces)[j][i] = (*forces)(static_cast<Eigen::Index>(6 * j + i), 0);
+  }
   return out;
 }
 

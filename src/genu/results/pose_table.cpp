@@ -8,6 +8,7 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
+#include "genu/results/moment_arm_columns.h"
 #include "genu/results/wrap_columns.h"
 
 namespace genu {
@@ -57,6 +58,7 @@ class PoseTable {
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     add_wrap_columns(model_, table_);
+    add_moment_arm_columns(scene_, model_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
     for (std::size_t i = 0; i < model_.loads.size(); ++i)
@@ -95,6 +97,7 @@ class PoseTable {
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
     set_wrap_columns(model_, point.pose.state, table_);
+    set_moment_arm_columns(scene_, model_, point.pose.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     if (record.given) return set_residual(*record.given);

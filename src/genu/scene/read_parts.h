@@ -9,6 +9,7 @@ void read_header(ReadContext& context, Section& root);  ///< format, title, unit
 void read_bodies(ReadContext& context, Section& root);  ///< and gravity, which gives them weight
 void read_joints(ReadContext& context, Section& root);
 void read_combinations(ReadContext& context, Section& root);
+void read_moment_arms(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
 void read_ligaments(ReadContext& context, Section& root);

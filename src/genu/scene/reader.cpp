@@ -132,6 +132,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_bodies(context, root);
   read_joints(context, root);
   read_combinations(context, root);
+  read_moment_arms(context, root);
   read_surfaces(context, root);
   read_contacts(context, root);
   read_ligaments(context, root);

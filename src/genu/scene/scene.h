@@ -187,6 +187,7 @@ struct SceneTables {
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;
   std::vector<CombinationDef> combinations;
+  std::vector<CoordinateRef> moment_arms;  ///< coordinates about which those of ligaments and cables are written
   std::vector<SurfaceDef> surfaces;
   std::vector<ContactDef> contacts;  ///< rigid ones
   std::vector<LayerDef> layers;

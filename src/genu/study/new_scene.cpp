@@ -273,6 +273,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
               {"name", toml_string_of(name)},
               {"file", toml_string_of((fs::path(asked.folder) / (name + ".toml")).string())}};
   if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
+  if (asked.kind == NewScene::Kind::given) return Composed{asked.text, {}, {}};
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
   const auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
   if (!femur || !tibia || !check_spaces(*femur, *tibia, asked, out)) return std::nullopt;

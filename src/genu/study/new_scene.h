@@ -11,10 +11,11 @@
 namespace genu {
 
 struct NewScene {
-  enum class Kind { analytic, stl, motion };
+  enum class Kind { analytic, stl, motion, given };
   Kind kind = Kind::analytic;
   std::string folder{};                ///< made new; its last name is the scene's
   std::string femur{}, tibia{};        ///< mesh files, of kind stl; both in one frame
+  std::string text{};                  ///< the scene of kind given, which names no files
   std::string unit{};                  ///< "mm" or "m" of these files; empty: guessed from their size
   std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes
   std::optional<bool> left{};          ///< a left knee; empty: by the shape of the bones, else a right one
