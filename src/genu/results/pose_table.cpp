@@ -6,6 +6,7 @@
 #include "genu/core/units.h"
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/results/bundle_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/moment_arm_columns.h"
@@ -57,6 +58,7 @@ class PoseTable {
     contacts_.add_columns(table_);
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    add_bundle_columns(scene_, table_);
     add_wrap_columns(model_, table_);
     add_moment_arm_columns(scene_, model_, table_);
     for (const Load& l : model_.loads)
@@ -96,6 +98,7 @@ class PoseTable {
     set_factors(point.target, point.pose.state);
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
+    set_bundle_columns(scene_, table_);
     set_wrap_columns(model_, point.pose.state, table_);
     set_moment_arm_columns(scene_, model_, point.pose.state, table_);
     for (const Load& l : model_.loads)

@@ -137,7 +137,7 @@ void mark_parameters(const SceneTables& scene, const std::vector<Parameter>& kno
                      std::vector<bool>& wanted, Diagnostics& out) {
   bool found = false;
   for (std::size_t k = 0; k < known.size(); ++k) {
-    if (pattern != "all" && !matches(pattern, known[k].name)) continue;
+    if (pattern != "all" && !matches(scene, pattern, known[k].name)) continue;
     wanted[k] = found = true;
   }
   if (!found) refuse_option(out, Code::unknown_name, "--to", pattern, no_parameter(scene, known, pattern));
@@ -318,9 +318,9 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
   }
 }
 
-int run_sensitivity(const std::string& path, const std::optional<std::string>& folder, const SensitivityChoice& choice,
+int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder, const SensitivityChoice& choice,
                     const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
-  const auto prepared = prepare_run(path, folder, out);
+  const auto prepared = prepare_run(source, folder, out);
   if (!prepared || refuse_motion(*prepared, "sensitivity", out)) return kExitRefused;
   const SensitivityRows asked = choose(*prepared, choice, kMaxNamedContacts, out);
   if (out.has_errors() || too_many(*prepared, asked, out)) return kExitRefused;
