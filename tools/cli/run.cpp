@@ -19,6 +19,7 @@
 #include <CLI/Validators.hpp>
 
 #include "advice.h"
+#include "colour.h"
 #include "commands.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
@@ -132,12 +133,38 @@ void print_error_bars(const Solution& solution) {
   print_lost_variants(solution.summary);
 }
 
+/// The verdict in its colour.
+void print_summary(const RunSummary& summary) {
+  const std::string text = to_text(summary);
+  const std::size_t verdict = text.rfind("  verdict ");
+  if (verdict == std::string::npos) {
+    fmt::print("{}", text);
+    return;
+  }
+  const std::size_t end = text.find('\n', verdict);
+  constexpr Colour kColours[] = {Colour::green, Colour::yellow, Colour::red};
+  fmt::print(
+      "{}{}{}", text.substr(0, verdict),
+      painted(text.substr(verdict, end - verdict), kColours[static_cast<int>(summary.verdict_class)], STDOUT_FILENO),
+      text.substr(end));
+}
+
+/// Where results go that have no --out: out/knee for knee.toml; out/lenhart2015-cartilage for
+/// lenhart2015/scene-cartilage.toml.
+std::string usual_folder(const std::string& scene) {
+  const std::filesystem::path file = std::filesystem::absolute(scene).lexically_normal();
+  std::string name = file.stem().string();
+  const std::string folder = file.parent_path().filename().string();
+  if (name.starts_with("scene") && !folder.empty()) name = folder + name.substr(std::string("scene").size());
+  return (std::filesystem::path("out") / name).string();
+}
+
 struct RunArguments {
   std::string scene, folder;
   int starts = 0;
   double spread = 20;
   bool error_bars = false, pressure_maps = false, no_report = false, quiet = false, resume = false;
-  std::string save_failure;
+  std::string save_failure, beside, beside_columns;
   double checkpoint = RunOptions().checkpoint_seconds;
 };
 
@@ -162,8 +189,8 @@ int run_with_checkpoint(const RunArguments& arguments, const RunOptions& options
 }
 
 int run_scene_file(const RunArguments& arguments) {
-  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, no_report, quiet, resume, failure,
-               checkpoint] = arguments;
+  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, no_report, quiet, resume, failure, beside,
+               beside_columns, checkpoint] = arguments;
   RunOptions options;
   options.starts = starts;
   options.error_bars = error_bars;
@@ -171,6 +198,8 @@ int run_scene_file(const RunArguments& arguments) {
   options.resume = resume;
   options.checkpoint_seconds = checkpoint;
   options.save_failure = failure;
+  options.beside = beside;
+  options.beside_columns = beside_columns;
   options.report = !no_report;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
@@ -202,7 +231,7 @@ int run_scene_file(const RunArguments& arguments) {
     else if (error_bars)
       fmt::print("no error bars: the scene fits no smooth surface to a mesh, and has nothing to vary\n");
     if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
-    fmt::print("{}", to_text(solution.summary));
+    print_summary(solution.summary);
   }
   if ((code != kExitFailed || !mark.empty()) && !diagnostics.has_errors() && !quiet)
     fmt::print("  {:<12}{}/results{}.csv, events{}.csv, {}{}{}curves.svg, {}summary.json\n", "written", solution.folder,
@@ -217,7 +246,8 @@ int run_scene_file(const RunArguments& arguments) {
 void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  CLI::Option* out = command.add_option("--out", arguments->folder,
+                                        "folder for the results, replaced as a whole at the end; left out: out/SCENE");
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
@@ -254,10 +284,28 @@ void add_run(CLI::App& command, int& exit_code) {
       ->check(not_empty());
   command.add_flag("--no-report", arguments->no_report,
                    "leave out report.html, the page that shows the joint and its results in a browser");
+  CLI::Option* beside =
+      command
+          .add_option(
+              "--beside", arguments->beside,
+              "a table of measured or published curves (CSV, .sto, .mot) that report.html shows as points beside "
+              "the computed curves; its columns have the names of results.csv")
+          ->check(not_empty());
+  command
+      .add_option("--columns", arguments->beside_columns,
+                  "which column of --beside is which of results.csv, if the names differ: "
+                  "\"knee.flexion=angle[deg], knee.adduction=add[rad]\"")
+      ->needs(beside);
   command.add_flag("--quiet", arguments->quiet, "print errors only");
-  command.footer("Example: genu run knee.toml --out out/knee");
+  command.footer("Examples: genu run knee.toml\n          genu run knee.toml --out out/knee --beside measured.csv");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
-  command.callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
+  command.callback([arguments, out, &exit_code] {
+    if (out->count() == 0) {
+      arguments->folder = usual_folder(arguments->scene);
+      if (!arguments->quiet) print_error("results go to {}; another folder: --out DIR\n", arguments->folder);
+    }
+    exit_code = run_scene_file(*arguments);
+  });
 }
 
 }  // namespace genu::cli
