@@ -23,7 +23,7 @@ const { outputFiles } = await build({
 const script = outputFiles[0].text.trimEnd();
 const css = await build({
   absWorkingDir: here,
-  stdin: { contents: read("node_modules/uplot/dist/uPlot.min.css") + read("src/page.css"), loader: "css" },
+  stdin: { contents: read("src/page.css"), loader: "css" },
   minify: true,
   charset: "ascii",
   write: false,
@@ -37,7 +37,6 @@ const licence = (name) => {
 const notices = [
   "The program of this page is genu's (Apache-2.0, https://www.apache.org/licenses/LICENSE-2.0). It holds:",
   licence("three"),
-  licence("uplot"),
 ].join("\n\n----\n\n");
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 const fill = (text, name, value) => {

@@ -43,9 +43,9 @@ TEST(ReportMerge, WhatIsNoReportIsTold) {
   EXPECT_TRUE(test::contains(why_no_report(page.substr(0, page.size() - 200)), "is cut"));
   for (const char* text : {"", "<html></html>", "id=\"genu-data\">", " id=\"genu-data\">{}< id=\"genu-times\">{}<",
                            " id=\"genu-data\">{\"runs\": [}<",
-                           " id=\"genu-data\">{\"format\": 1, \"runs\": [7]}< id=\"genu-times\">{\"runs\": [0]}<"})
+                           " id=\"genu-data\">{\"format\": 2, \"runs\": [7]}< id=\"genu-times\">{\"runs\": [0]}<"})
     EXPECT_EQ(why_no_report(text), "is no report.html of genu") << text;
-  const std::string later = report_page("t", R"({"format": 2, "runs": [{}]})", R"({"runs": [{}]})");
+  const std::string later = report_page("t", R"({"format": 3, "runs": [{}]})", R"({"runs": [{}]})");
   EXPECT_TRUE(test::contains(why_no_report(later), "another version"));
 }
 

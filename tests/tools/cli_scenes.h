@@ -76,15 +76,17 @@ inline std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
+/// Runs a command of the shell.
+inline Outcome shell(const std::string& command) {
+  const TemporaryFolder folder;
+  const int status = std::system(("(" + command + ") >" + (folder / "out") + " 2>" + (folder / "err")).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
+}
+
 /// Runs `genu ARGUMENTS`; longer than 120 s counts as a hang (exit code 124). Whatever does not end well ends with what
 /// to do next.
 inline Outcome genu(const std::string& arguments) {
-  const TemporaryFolder folder;
-  const int status = std::system(
-      ("timeout 120 " + genu::test::program() + " " + arguments + " >" + (folder / "out") + " 2>" + (folder / "err"))
-          .c_str());
-  const Outcome done{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"),
-                     read_file(folder / "err")};
+  const Outcome done = shell("timeout 120 " + genu::test::program() + " " + arguments);
   if (done.exit_code >= 1 && done.exit_code <= 3) {
     EXPECT_EQ(last_line(done.err).rfind("what to do: ", 0), 0u) << "genu " << arguments << "\n" << done.err;
   }

@@ -17,6 +17,9 @@ TEST(Cli, SaysWhatItIs) {
   EXPECT_TRUE(contains(genu("").out, "genu run SCENE --out DIR"));
   for (const char* command : {"", "run ", "check ", "evaluate ", "sensitivity ", "mesh "})
     EXPECT_EQ(genu(std::string(command) + "--help").exit_code, 0) << command;
+  EXPECT_EQ(genu("help").out, genu("--help").out);
+  EXPECT_EQ(genu("help run").out, genu("run --help").out);
+  EXPECT_TRUE(contains(genu("compar").err, "did you mean \"compare\"?"));
   EXPECT_EQ(genu("--version").exit_code, 0);
   EXPECT_EQ(genu("--version").out.rfind("genu ", 0), 0u);
 }
@@ -35,6 +38,49 @@ TEST(Cli, SolvesChecksAndMeshes) {
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_TRUE(contains(check.out, "no errors"));
   EXPECT_EQ(genu("mesh " + scene + " --edge 4 --out " + (folder / "meshes")).exit_code, 0);
+}
+
+TEST(Cli, ResultsHaveAUsualFolder) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "knee");
+  folder.write("knee/scene-soft.toml", kBall);
+  folder.write("ball.toml", kBall);
+  const std::string at = "cd " + (folder / ".") + " && ";
+  const Outcome ball = shell(at + program() + " run ball.toml"),
+                knee = shell(at + program() + " run knee/scene-soft.toml");
+  EXPECT_EQ(ball.exit_code, 0) << ball.err;
+  EXPECT_TRUE(contains(ball.err, "results go to out/ball; another folder: --out DIR")) << ball.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/ball/results.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/knee-soft/report.html")) << knee.err;
+  EXPECT_EQ(ball.out.find('\x1b'), std::string::npos) << "colours where there is no terminal";
+}
+
+TEST(Cli, ATerminalHasColoursUnlessNoColorIsSet) {
+  if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script is not installed";
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall);
+  const auto said = [&](const std::string& before) {
+    return shell(before + " script -qec '" + program() + " run " + scene + " --out " + (folder / "out") + "' /dev/null")
+        .out;
+  };
+  EXPECT_TRUE(contains(said("TERM=xterm NO_COLOR="), "\x1b[32m  verdict"));
+  EXPECT_EQ(said("TERM=xterm NO_COLOR=1").find("\x1b[32m"), std::string::npos);
+}
+
+TEST(Cli, MeasuredCurvesStandBesideTheComputed) {
+  TemporaryFolder folder;
+  const std::string scene = folder.write("ball.toml", kBall), out = " --out " + (folder / "out");
+  const std::string good = folder.write("m.csv", "angle,turn\n0,1\n0.1,nan\n"),
+                    bad = folder.write("b.csv", "angle,turn\n0,x\n");
+  const std::string columns = " --columns 'knee.flexion=angle[rad], knee.adduction=turn'";
+  const Outcome run = genu("run " + scene + out + " --beside " + good + columns);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "1 cells hold no number and are left out of the report")) << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "out/report.html"), "\"beside\":[{\"name\":\"m.csv\""));
+  const Outcome refused = genu("run " + scene + out + " --beside " + bad + columns);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "b.csv:2:3: turn = \"x\": must be a number")) << refused.err;
+  EXPECT_EQ(genu("run " + scene + out + " --columns 'knee.flexion=angle'").exit_code, 2);
 }
 
 TEST(Cli, DoesItsWorkWhereNothingCanBeSaid) {
@@ -293,8 +339,7 @@ TEST(Cli, RefusesArguments) {
   const std::string scene = folder.write("ball.toml", kBall), file = folder.write("file", "kept");
   std::filesystem::create_directory(folder / "foreign");
   folder.write("foreign/thesis.txt", "years of work");
-  const std::string bad[] = {"run " + scene,
-                             "run --out " + (folder / "out"),
+  const std::string bad[] = {"run --out " + (folder / "out"),
                              "run " + scene + " --out",
                              "run " + scene + " --out ''",
                              "run " + scene + " --out " + file,

@@ -98,6 +98,17 @@ TEST(CliExplain, WhatIsMistypedOrNoFile) {
   EXPECT_FALSE(contains(genu("explain ligaments").out, "](#"));
 }
 
+TEST(CliExplain, SearchesAllPagesInFullText) {
+  for (const char* word : {"pressure", "laxity", "ACL.force_N", "cut"}) {
+    const Outcome o = genu(std::string("explain ") + word);
+    EXPECT_EQ(o.exit_code, 0) << word << o.err;
+    EXPECT_TRUE(contains(o.out, ": ")) << word;
+  }
+  const Outcome two = genu("explain 'smallest gap'");
+  EXPECT_TRUE(contains(two.out, "The pages in docs/ that speak of it:") || contains(two.out, "More about")) << two.out;
+  EXPECT_EQ(genu("explain zzzzqx").exit_code, 2);
+}
+
 TEST(CliExplain, TheFirstLinesSayWhatToDo) {
   const Outcome alone = genu("");
   for (const char* line : {"genu new knee", "--femur femur.stl --tibia tibia.stl", "genu run SCENE --out DIR",

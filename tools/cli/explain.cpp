@@ -53,10 +53,17 @@ int explain_word(const CLI::App& app, const std::string& word) {
     std::replace(dashed.begin(), dashed.end(), '.', '-');
     text = explain_topic(topics, dashed);
   }
+  const std::string others = sections_with(topics, word);
+  if (text.empty() && !others.empty()) {
+    fmt::print("No topic is called {}. The pages in docs/ that speak of it:\n\n{}", with_quotes(printable(word)),
+               others);
+    return kOk;
+  }
   if (text.empty())
     return refuse(Code::unknown_name, fmt::format("{} is no topic and no scene file{}", with_quotes(word),
                                                   did_you_mean(word, known_topics(topics))));
   fmt::print("{}", text);
+  if (!others.empty()) fmt::print("\nMore about {}:\n{}", printable(word), others);
   return kOk;
 }
 

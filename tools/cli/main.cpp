@@ -54,7 +54,17 @@ std::string name_forgotten(int argc, char** argv) {
   return {};
 }
 
+/// `genu help` and `genu help COMMAND` are `genu --help` and `genu COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
 int run_command(int argc, char** argv) {
+  std::vector<std::string> words = words_of(argc, argv);
   CLI::App app{"genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n\n" +
                    genu::cli::command_list(genu::cli::registry()) +
                    "\n`genu COMMAND --help` lists the options of a command; `genu explain` lists topics.",
@@ -67,7 +77,7 @@ int run_command(int argc, char** argv) {
     std::fputs(kFirst, stdout);
     return genu::cli::kRefused;
   }
-  if (const std::string word = argv[1]; !word.empty() && word.front() != '-') {
+  if (const std::string word = words.front(); !word.empty() && word.front() != '-') {
     const std::vector<std::string> names = names_of_commands();
     if (std::find(names.begin(), names.end(), word) == names.end())
       return genu::cli::refuse(genu::Code::unknown_command,
@@ -78,7 +88,8 @@ int run_command(int argc, char** argv) {
   if (const std::string problem = name_forgotten(argc, argv); !problem.empty())
     return genu::cli::refuse(genu::Code::usage, problem);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(words);
   } catch (const CLI::ParseError& error) {
     std::ostringstream said, wrong;
     const int code = app.exit(error, said, wrong);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "advice.h"
+#include "colour.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
 #include "print_error.h"
@@ -11,8 +12,9 @@ namespace genu::cli {
 
 void print(const Diagnostics& diagnostics, bool computed) {
   for (const Diagnostic& d : diagnostics.items()) {
-    print_error("{}\n", to_string(d));
-    if (d.severity == Diagnostic::Severity::error) advice().error(d);
+    const bool error = d.severity == Diagnostic::Severity::error;
+    print_error("{}\n", painted(to_string(d), error ? Colour::red : Colour::yellow, STDERR_FILENO));
+    if (error) advice().error(d);
   }
   if (const std::size_t errors = diagnostics.count(Diagnostic::Severity::error); errors > 0)
     print_error("{} error{}; {}\n", errors, errors == 1 ? "" : "s",
@@ -22,7 +24,7 @@ void print(const Diagnostics& diagnostics, bool computed) {
 int refuse(const Diagnostics& problems) {
   for (const Diagnostic& d : problems.items()) {
     if (d.severity != Diagnostic::Severity::error) continue;
-    print_error("{}\n", to_string(d));
+    print_error("{}\n", painted(to_string(d), Colour::red, STDERR_FILENO));
     advice().error(d);
   }
   return kRefused;

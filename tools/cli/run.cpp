@@ -20,6 +20,7 @@
 
 #include "advice.h"
 #include "changes.h"
+#include "colour.h"
 #include "commands.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
@@ -134,13 +135,39 @@ void print_error_bars(const Solution& solution) {
   print_lost_variants(solution.summary);
 }
 
+/// The verdict in its colour.
+void print_summary(const RunSummary& summary) {
+  const std::string text = to_text(summary);
+  const std::size_t verdict = text.rfind("  verdict ");
+  if (verdict == std::string::npos) {
+    fmt::print("{}", text);
+    return;
+  }
+  const std::size_t end = text.find('\n', verdict);
+  constexpr Colour kColours[] = {Colour::green, Colour::yellow, Colour::red};
+  fmt::print(
+      "{}{}{}", text.substr(0, verdict),
+      painted(text.substr(verdict, end - verdict), kColours[static_cast<int>(summary.verdict_class)], STDOUT_FILENO),
+      text.substr(end));
+}
+
+/// Where results go that have no --out: out/knee for knee.toml; out/lenhart2015-cartilage for
+/// lenhart2015/scene-cartilage.toml.
+std::string usual_folder(const std::string& scene) {
+  const std::filesystem::path file = std::filesystem::absolute(scene).lexically_normal();
+  std::string name = file.stem().string();
+  const std::string folder = file.parent_path().filename().string();
+  if (name.starts_with("scene") && !folder.empty()) name = folder + name.substr(std::string("scene").size());
+  return (std::filesystem::path("out") / name).string();
+}
+
 struct RunArguments {
-  std::string scene, folder, beside;
+  std::string scene, folder;
   SceneChanges changes;
   int starts = 0;
   double spread = 20;
   bool error_bars = false, pressure_maps = false, no_report = false, quiet = false, resume = false;
-  std::string save_failure;
+  std::string save_failure, beside, beside_columns;
   double checkpoint = RunOptions().checkpoint_seconds;
 };
 
@@ -174,9 +201,17 @@ int write_comparison(const RunArguments& arguments) {
   return code;
 }
 
+/// Whether --beside names curves, and not a folder for the scene as it is written.
+bool beside_names_a_table(const std::string& beside) {
+  const std::filesystem::path path = beside;
+  const std::string kind = path.extension().string();
+  std::error_code none;
+  return kind == ".csv" || kind == ".sto" || kind == ".mot" || std::filesystem::is_regular_file(path, none);
+}
+
 int run_scene_file(const RunArguments& arguments) {
-  const auto& [scene, folder, beside, changes, starts, spread, error_bars, pressure_maps, no_report, quiet, resume,
-               failure, checkpoint] = arguments;
+  const auto& [scene, folder, changes, starts, spread, error_bars, pressure_maps, no_report, quiet, resume, failure,
+               beside, beside_columns, checkpoint] = arguments;
   RunOptions options;
   options.starts = starts;
   options.error_bars = error_bars;
@@ -184,6 +219,8 @@ int run_scene_file(const RunArguments& arguments) {
   options.resume = resume;
   options.checkpoint_seconds = checkpoint;
   options.save_failure = failure;
+  options.beside = beside_names_a_table(beside) ? beside : std::string();
+  options.beside_columns = beside_columns;
   options.report = !no_report;
   options.spread = spread * units::kDegree;
   auto progress = std::make_shared<Progress>();
@@ -215,7 +252,7 @@ int run_scene_file(const RunArguments& arguments) {
     else if (error_bars)
       fmt::print("no error bars: the scene fits no smooth surface to a mesh, and has nothing to vary\n");
     if (pressure_maps && solution.pressure_files.empty()) fmt::print("no pressure maps: the scene has no cartilage\n");
-    fmt::print("{}", to_text(solution.summary));
+    print_summary(solution.summary);
   }
   if ((code != kExitFailed || !mark.empty()) && !diagnostics.has_errors() && !quiet)
     fmt::print("  {:<12}{}/results{}.csv, events{}.csv, {}{}{}curves.svg, {}summary.json\n", "written", solution.folder,
@@ -227,10 +264,12 @@ int run_scene_file(const RunArguments& arguments) {
 
 /// With --beside: the scene as it is written, then as it is changed, then the page of both.
 int run_both(const RunArguments& arguments) {
-  if (arguments.beside.empty()) return run_scene_file(arguments);
+  if (arguments.beside.empty() || beside_names_a_table(arguments.beside)) return run_scene_file(arguments);
   if (arguments.no_report || (arguments.changes.empty()))
-    return refuse(Code::usage, arguments.no_report ? "--beside compares the pages that --no-report leaves out"
-                                                   : "--beside needs --without or --set: nothing is changed");
+    return refuse(Code::usage, arguments.no_report
+                                   ? "--beside compares the pages that --no-report leaves out"
+                                   : "--beside names no table (.csv, .sto, .mot), and as a folder for the scene as it "
+                                     "is written it needs --without or --set: nothing is changed");
   if (std::filesystem::path(arguments.beside).lexically_normal() ==
       std::filesystem::path(arguments.folder).lexically_normal())
     return refuse(Code::usage, "--beside and --out are the same folder");
@@ -250,7 +289,8 @@ int run_both(const RunArguments& arguments) {
 void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end")->required();
+  CLI::Option* out = command.add_option("--out", arguments->folder,
+                                        "folder for the results, replaced as a whole at the end; left out: out/SCENE");
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
@@ -287,18 +327,33 @@ void add_run(CLI::App& command, int& exit_code) {
       ->check(not_empty());
   command.add_flag("--no-report", arguments->no_report,
                    "leave out report.html, the page that shows the joint and its results in a browser");
+  CLI::Option* beside =
+      command
+          .add_option(
+              "--beside", arguments->beside,
+              "a table of measured or published curves (CSV, .sto, .mot) that report.html shows as points beside "
+              "the computed curves; its columns have the names of results.csv. Or, with --without or --set, a folder: "
+              "the scene is also run into it as its file says, and both results are shown in one page, "
+              "DIR.compared.html")
+          ->check(not_empty());
+  command
+      .add_option("--columns", arguments->beside_columns,
+                  "which column of --beside is which of results.csv, if the names differ: "
+                  "\"knee.flexion=angle[deg], knee.adduction=add[rad]\"")
+      ->needs(beside);
   command.add_flag("--quiet", arguments->quiet, "print errors only");
   add_changes(command, arguments->changes);
-  command
-      .add_option("--beside", arguments->beside,
-                  "run the scene as its file says into this folder as well, and show both results in one page, "
-                  "DIR.compared.html")
-      ->check(not_empty());
   command.footer(
-      "Examples: genu run knee.toml --out out/knee\n          genu run knee.toml --without \"ACL*\" --beside out/intact "
-      "--out out/cut");
+      "Examples: genu run knee.toml\n          genu run knee.toml --out out/knee --beside measured.csv\n"
+      "          genu run knee.toml --without \"ACL*\" --beside out/intact --out out/cut");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
-  command.callback([arguments, &exit_code] { exit_code = run_both(*arguments); });
+  command.callback([arguments, out, &exit_code] {
+    if (out->count() == 0) {
+      arguments->folder = usual_folder(arguments->scene);
+      if (!arguments->quiet) print_error("results go to {}; another folder: --out DIR\n", arguments->folder);
+    }
+    exit_code = run_both(*arguments);
+  });
 }
 
 }  // namespace genu::cli

@@ -179,6 +179,102 @@ std::string explain_topic(const Topics& topics, const std::string& asked) {
   return rows_text(found);
 }
 
+namespace {
+
+std::string small(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++count;
+  return count;
+}
+
+/// The words of a page without its examples: lines between fences or behind four blanks.
+std::string without_examples(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out;
+  bool code = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) code = !code;
+    if (!code && !line.starts_with("    ")) out += line + "\n";
+  }
+  return out;
+}
+
+/// The first line that has the word, as plain words and not longer than a terminal.
+std::string line_with(const Topic& topic, const std::string& word) {
+  std::istringstream lines(without_examples(topic.text));
+  constexpr std::size_t kLongest = 100;
+  for (std::string line; std::getline(lines, line);) {
+    if (small(line).find(word) == std::string::npos) continue;
+    std::string plain = plain_words(line);
+    for (char& c : plain)
+      if (c == '|') c = ' ';
+    plain.erase(0, plain.find_first_not_of(" -"));
+    const std::size_t at = small(plain).find(word);
+    if (at != std::string::npos && at > kLongest / 2)
+      plain = "... " + plain.substr(plain.find(' ', at - kLongest / 2) + 1);
+    if (plain.size() > kLongest) plain = plain.substr(0, plain.rfind(' ', kLongest)) + " ...";
+    return plain;
+  }
+  return topic.title;
+}
+
+/// "laxity", and of a column of results the part after its object: ACL.force_N is also force_N.
+std::vector<std::string> searched_words(const std::string& text) {
+  std::istringstream parts(small(text));
+  std::vector<std::string> words;
+  for (std::string word; parts >> word;) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+std::string sections_with(const Topics& topics, const std::string& text, std::size_t most) {
+  std::vector<std::string> words = searched_words(text);
+  std::vector<std::pair<std::size_t, const Topic*>> found;
+  const auto search = [&] {
+    for (const Topic& topic : topics.sections) {
+      const bool inner = std::any_of(topics.sections.begin(), topics.sections.end(), [&](const Topic& other) {
+        return &other != &topic && other.page == topic.page && other.level > topic.level &&
+               topic.text.find("\n" + std::string(static_cast<std::size_t>(other.level), '#') + " ") !=
+                   std::string::npos &&
+               topic.text.find(other.text) != std::string::npos &&
+               small(without_examples(other.text)).find(words.front()) != std::string::npos;
+      });
+      if (inner) continue;  // the section below it is the closer place
+      const std::string all = small(topic.title + "\n" + without_examples(topic.text));
+      std::size_t count = 0;
+      for (const std::string& word : words) {
+        const std::size_t here = count_of(all, word);
+        if (here == 0) {
+          count = 0;
+          break;
+        }
+        count += here;
+      }
+      if (count > 0) found.emplace_back(count, &topic);
+    }
+  };
+  if (words.empty()) return {};
+  search();
+  if (const std::size_t dot = words.front().rfind('.'); found.empty() && dot != std::string::npos) {
+    words.front() = words.front().substr(dot + 1);
+    if (!words.front().empty()) search();
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string out;
+  for (std::size_t k = 0; k < std::min(most, found.size()); ++k)
+    out += fmt::format("  {}: {}\n      {}\n", found[k].second->page, found[k].second->title,
+                       line_with(*found[k].second, words.front()));
+  if (found.size() > most) out += fmt::format("  and {} more sections\n", found.size() - most);
+  return out;
+}
+
 std::vector<std::string> known_topics(const Topics& topics) {
   std::vector<std::string> out;
   for (const Topic& t : topics.sections)

@@ -34,6 +34,10 @@ Topics topics_of(const std::vector<HelpPage>& pages);
 /// singular), whole pages, rows by a name, "SECTION.KEY" or a column of results.csv with its objects' own names.
 std::string explain_topic(const Topics& topics, const std::string& word);
 
+/// Sections whose text has all words of `text`, in any case, as "page: title" with a line that has the first: those
+/// with the most of them first, at most `most`. Empty where there is none.
+std::string sections_with(const Topics& topics, const std::string& text, std::size_t most = 8);
+
 /// Every word that explain_topic() knows, but for columns with objects' names in them.
 std::vector<std::string> known_topics(const Topics& topics);
 

@@ -13,7 +13,7 @@ std::string version_text() {
   std::string libraries = "  ";
   for (const char c : std::string(GENU_LIBRARIES)) libraries += c == '\n' ? std::string("\n  ") : std::string(1, c);
   return fmt::format(
-      "genu {}, {}\nbuild: {}, {}{}\ngenu's own sources are Apache-2.0; report.html holds three.js and uPlot (MIT)\n"
+      "genu {}, {}\nbuild: {}, {}{}\ngenu's own sources are Apache-2.0; report.html holds three.js (MIT)\n"
       "libraries:\n{}",
       GENU_VERSION, GENU_LICENCE, GENU_BUILD_TYPE, GENU_COMPILER, commit.empty() ? "" : ", commit " + commit,
       libraries);

@@ -115,6 +115,12 @@ export class Page {
     await this.send("Emulation.setTouchEmulationEnabled", { enabled: mobile });
   }
 
+  /** As for a reader who prefers dark pages. */
+  async dark(on = true) {
+    await this.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: on ? "dark" : "light" }] });
+    await this.settle();
+  }
+
   /** Until two frames have been drawn. */
   settle() {
     return this.evaluate("new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => done(true))), 60))");

@@ -1,15 +1,16 @@
-// node screenshot.mjs REPORT OUT.png [--size WxH] (1440x900) [--phone] [--row N | --at SHARE] [--whole] [--click TEXT]: a picture of a report.html.
+// node screenshot.mjs REPORT OUT.png [--size WxH] (1366x768) [--phone] [--row N | --at SHARE] [--whole] [--click TEXT]: a picture of a report.html.
 import { writeFileSync } from "node:fs";
 import { parseArgs } from "node:util";
 import { Browser } from "./browser.mjs";
 
 const { values: options, positionals: [report, out] } = parseArgs({ allowPositionals: true, options: {
-  size: { type: "string", default: "1440x900" }, phone: { type: "boolean" }, at: { type: "string" }, whole: { type: "boolean" }, pdf: { type: "boolean" },
-  scale: { type: "string" }, run: { type: "string" } } });
+  size: { type: "string", default: "1366x768" }, phone: { type: "boolean" }, at: { type: "string" }, whole: { type: "boolean" }, pdf: { type: "boolean" },
+  scale: { type: "string" }, run: { type: "string" }, dark: { type: "boolean" } } });
 const [width, height] = options.phone ? [390, 844] : options.size.split("x").map(Number);
 const browser = await Browser.start();
 try {
   const page = await browser.open(report, { width, height, mobile: !!options.phone, scale: +(options.scale ?? (options.phone ? 2 : 1)) });
+  if (options.dark) await page.dark();
   if (options.at) await page.evaluate(`genu.player.set(Math.round(${+options.at} * (genu.runs[0].rows - 1)))`);
   if (options.run) await page.evaluate(options.run);
   await page.settle();

@@ -59,6 +59,8 @@ struct RunOptions {
   PathOptions path;
   bool pressure_maps = false;  ///< writes what each triangle of each elastic layer carries at every pose as well
   bool report = false;         ///< writes report.html as well
+  std::string beside;          ///< a table whose curves the report shows beside the computed ones; empty: none
+  std::string beside_columns;  ///< which of its columns is which of results.csv (store/report_beside.h)
   bool error_bars = false;     ///< solves the scene on other surfaces its meshes might have given as well
   int starts = 0;  ///< > 0: searches from this many starts at the first pose as well; the path is the same without
   /// rad: how far the starts turn what is free; translations go half the characteristic length for each 20 deg of it

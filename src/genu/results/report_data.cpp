@@ -1,5 +1,6 @@
 #include "genu/results/report_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -159,6 +160,77 @@ ordered_json contacts_json(const std::vector<ReportContact>& contacts) {
   return j;
 }
 
+/// The rigid contacts of the scene: whose gaps the page may colour.
+ordered_json pairs_json(const ReportRun& run) {
+  ordered_json j = ordered_json::array();
+  for (std::size_t i = 0; i < run.model->pairs.size() && i < run.scene->contacts.size(); ++i) {
+    const ContactDef& contact = run.scene->contacts[i];
+    j.push_back({{"name", contact.name},
+                 {"surface_a", run.scene->surfaces[at(contact.surface_a)].name},
+                 {"surface_b", run.scene->surfaces[at(contact.surface_b)].name},
+                 {"body_a", run.model->pairs[i].body_a},
+                 {"body_b", run.model->pairs[i].body_b}});
+  }
+  return j;
+}
+
+/// Pressures in 65535 parts of the largest, row after row: `starts` of each row among the samples.
+ordered_json pressures_json(const std::vector<ReportPressure>& pressures) {
+  constexpr double kParts = 65535;
+  ordered_json j = ordered_json::array();
+  for (const ReportPressure& map : pressures) {
+    double most = 0;
+    for (const auto& row : map.rows)
+      for (const auto& sample : row) most = std::max(most, sample.pressure);
+    std::vector<std::uint32_t> starts = {0}, sites;
+    std::vector<std::uint16_t> parts;
+    for (const auto& row : map.rows) {
+      for (const auto& sample : row) {
+        sites.push_back(static_cast<std::uint32_t>(sample.site));
+        parts.push_back(static_cast<std::uint16_t>(std::lround(kParts * sample.pressure / most)));
+      }
+      starts.push_back(static_cast<std::uint32_t>(sites.size()));
+    }
+    ordered_json one = {{"contact", map.contact}, {"surface", map.surface},
+                        {"body", map.body},       {"most_MPa", most / units::kMegapascal},
+                        {"every", map.every},     {"starts", packed(starts)},
+                        {"parts", packed(parts)}};
+    const std::size_t count = map.mesh >= 0 ? map.triangles.size() : map.places.size();
+    constexpr std::size_t kShort = 65536;
+    if (count <= kShort)
+      one["sites16"] = packed(std::vector<std::uint16_t>(sites.begin(), sites.end()));
+    else
+      one["sites32"] = packed(sites);
+    if (map.mesh >= 0) {
+      one["mesh"] = map.mesh;
+      one["triangles"] = packed(std::vector<std::uint32_t>(map.triangles.begin(), map.triangles.end()));
+    } else {
+      std::vector<Vec3> mm;
+      for (const Vec3& p : map.places) mm.push_back(to::kMillimetre * p);
+      const PackedPoints points = packed_points(mm);
+      std::vector<double> radii_mm;
+      for (const double r : map.radii) radii_mm.push_back(to::kMillimetre * r);
+      one["low"] = vector_json(points.low);
+      one["step"] = points.step;
+      one["points"] = points.integers;
+      one["radii"] = packed_floats(radii_mm);
+    }
+    j.push_back(std::move(one));
+  }
+  return j;
+}
+
+ordered_json beside_json(const std::vector<ReportBeside>& tables) {
+  ordered_json j = ordered_json::array();
+  for (const ReportBeside& table : tables) {
+    ordered_json columns = ordered_json::array();
+    for (const auto& c : table.columns)
+      columns.push_back({{"column", c.column}, {"in_file", c.in_file}, {"numbers", packed_floats(c.numbers)}});
+    j.push_back({{"name", table.name}, {"columns", std::move(columns)}});
+  }
+  return j;
+}
+
 /// A column of numbers, or of words with the index of each row's word (65535: none).
 ordered_json column_json(const ResultTable& table, std::size_t column) {
   std::vector<double> numbers(table.rows(), kMissing);
@@ -251,6 +323,13 @@ ordered_json run_json(const ReportRun& run) {
                     {"ligaments", ligaments_json(run)},
                     {"joints", joints_json(run)},
                     {"contacts", contacts_json(run.contacts)},
+                    {"pairs", pairs_json(run)},
+                    {"pressures", pressures_json(run.pressures)},
+                    {"coordinates", run.coordinates},
+                    {"main_coordinate", run.main_coordinate},
+                    {"every", run.every},
+                    {"rows_in_full", run.every > 1 ? run.rows_in_full : run.poses->rows()},
+                    {"beside", beside_json(run.beside)},
                     {"table", table_json(*run.poses)},
                     {"chart", chart_json(run.chart)},
                     {"event_rows", run.events->rows()}};

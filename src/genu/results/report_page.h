@@ -7,7 +7,7 @@
 namespace genu {
 
 /// Of the data: a page of another format is not understood.
-inline constexpr int kReportFormat = 1;
+inline constexpr int kReportFormat = 2;
 
 /// A picture below the joint and its curves, and the lines that go with it.
 struct ReportPicture {

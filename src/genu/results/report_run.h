@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,35 @@ struct ReportPath {
   std::vector<std::vector<Point>> rows;  ///< empty where there is no pose
 };
 
+/// Where the casting surface of an elastic layer carries load in each row, to be coloured. Its sites are triangles of a
+/// mesh that is shown, or places of a lattice.
+struct ReportPressure {
+  std::string contact, surface;  ///< the surface is the one that casts
+  int body = 0;                  ///< of the surface
+  int mesh = -1;                 ///< index into ReportRun::meshes of `triangles`; -1 where sites are `places`
+  std::vector<int> triangles;    ///< of each site, in that mesh
+  std::vector<Vec3> places;      ///< m, of each site, in the frame of the body's pose
+  std::vector<double> radii;     ///< m, of the disc with the area of a site
+  struct Sample {
+    int site = 0;
+    double pressure = 0;  ///< Pa
+  };
+  std::vector<std::vector<Sample>> rows;  ///< a site at most once in each
+  std::size_t rows_in_full = 0;           ///< of results.csv, where rows are left out
+  std::size_t every = 1;                  ///< rows from one that has samples to the next: those between were left out
+};
+
+/// A measured or published table to be drawn beside the computed one: points over any of its columns.
+struct ReportBeside {
+  std::string name;  ///< of the file, without folders
+  struct Column {
+    std::string column;           ///< of results.csv, with its unit
+    std::string in_file;          ///< what the file calls it
+    std::vector<double> numbers;  ///< of each row of the file, NaN where nothing was measured
+  };
+  std::vector<Column> columns;
+};
+
 /// One result. What is pointed at must live until report_html() (report.h) returns.
 struct ReportRun {
   const PlacedScene* scene = nullptr;
@@ -55,6 +85,13 @@ struct ReportRun {
   std::vector<ReportMesh> meshes;
   std::vector<ReportContact> contacts;
   std::vector<ReportPath> wrapped;
+  std::vector<ReportPressure> pressures;
+  std::vector<ReportBeside> beside;
+  std::vector<std::string> coordinates;        ///< columns of `poses` that may be the axis of curves
+  std::string main_coordinate;                 ///< the one of them that the scene is about; empty: rows
+  std::size_t rows_in_full = 0;                ///< of results.csv, where rows are left out
+  std::size_t every = 1;                       ///< of how many rows of results.csv one is shown
+  std::shared_ptr<const ResultTable> thinned;  ///< what `poses` points at, where rows are left out
 };
 
 }  // namespace genu

@@ -28,6 +28,12 @@ inline constexpr double kNoiseDeviations = 2;
 /// [rows] Neighbouring rows whose errors count. Fails first: if too small, gaps in error bars.
 inline constexpr std::size_t kBesideRows = 1;
 
+// report_pressures
+
+/// [m] Distance of two places on a surface that are one node of its lattice. Fails first: if too small, a node is a
+/// new place in every row, and the page grows.
+inline constexpr double kSameSite = 1e-6;
+
 // sensitivity_table
 
 /// [1] Difference of two effects over the largest that is round-off. Fails first: if too small, symmetric parameters

@@ -10,9 +10,12 @@
 
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
+#include "genu/results/columns.h"
 #include "genu/results/curves.h"
 #include "genu/results/report_plots.h"
+#include "genu/results/report_pressures.h"
 #include "genu/store/report_meshes.h"
+#include "genu/store/report_rows.h"
 
 namespace genu {
 namespace {
@@ -120,9 +123,49 @@ std::vector<ReportPath> wrapped_paths(const JointModel& model, const std::vector
   return out;
 }
 
+/// Columns that may be the axis of curves: time, coordinates, combinations, Grood and Suntay's.
+std::vector<std::string> axes_of(const PlacedScene& scene, const ResultTable& poses) {
+  std::vector<std::string> out = {"time_s"};
+  for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
+    for (int i = 0; i < 6; ++i) out.push_back(coordinate_column(scene, CoordinateRef{j, i}));
+  for (int c = 0; c < static_cast<int>(scene.combinations.size()); ++c) {
+    QuantityRef q;
+    q.combination = c;
+    out.push_back(quantity_name(scene, q) + "_deg");
+    out.push_back(quantity_name(scene, q) + "_mm");
+  }
+  for (const JointDef& joint : scene.joints)
+    for (std::size_t i = 0; i < kClinical.size(); ++i) out.push_back(clinical_column(joint.name, i));
+  std::erase_if(out, [&](const std::string& name) { return !poses.has_column(name); });
+  return out;
+}
+
+/// "knee.flexion_deg" of the axis "knee.flexion [deg]".
+std::string column_of_title(const std::string& title) {
+  const std::size_t open = title.find(" [");
+  return open == std::string::npos ? std::string()
+                                   : title.substr(0, open) + "_" + title.substr(open + 2, title.size() - open - 3);
+}
+
+/// What the curves are over; where they are over rows, the prescribed coordinate that changes most, angles first.
+std::string main_coordinate(const Prepared& p, const ResultTable& poses, const Chart& chart) {
+  if (const std::string column = column_of_title(chart.x_title); poses.has_column(column)) return column;
+  std::string best;
+  std::pair<bool, double> most{false, 0};
+  for (const StepPlan& step : p.steps)
+    for (const auto& prescribed : step.prescribed) {
+      const std::pair<bool, double> here{prescribed.coordinate.is_rotation(),
+                                         std::abs(prescribed.to - prescribed.from)};
+      if (!(here.second > 0) || !(here > most)) continue;
+      most = here;
+      best = coordinate_column(p.scene, prescribed.coordinate);
+    }
+  return poses.has_column(best) ? best : std::string();
+}
+
 }  // namespace
 
-ReportRun report_run(const Prepared& p, const Solution& solution) {
+ReportRun report_run(const Prepared& p, const Solution& solution, std::vector<ReportBeside> beside) {
   ReportRun run;
   run.scene = &p.scene;
   run.model = &p.model;
@@ -133,18 +176,27 @@ ReportRun report_run(const Prepared& p, const Solution& solution) {
   const ResultTable* bars = solution.error_bars ? &solution.error_bars->bars : nullptr;
   run.chart = curves(p.scene, p.steps, solution.poses, solution.events, bars);
   add_report_plots(p.scene, solution.poses, run.chart);
-  const std::vector<const State*> states = states_of(solution);
+  run.coordinates = axes_of(p.scene, solution.poses);
+  run.main_coordinate = main_coordinate(p, solution.poses, run.chart);
+  run.beside = std::move(beside);
+  std::vector<const State*> states = states_of(solution);
   for (const State* state : states) run.body_poses.push_back(state != nullptr ? state->poses : std::vector<Pose>());
   run.wrapped = wrapped_paths(p.model, states);
   run.contacts = contacts_of(p, solution, states);
   run.meshes = report_meshes(p, run);
+  if (const std::vector<std::size_t> rows = thin_rows(run); !rows.empty()) {
+    std::vector<const State*> kept;
+    for (const std::size_t row : rows) kept.push_back(states[row]);
+    states = std::move(kept);
+  }
+  run.pressures = report_pressures(p.scene, p.model, states, run.meshes);
   return run;
 }
 
 void add_report(const Prepared& prepared, Solution& solution, std::vector<std::pair<std::string, std::string>>& files,
-                const std::vector<ReportPicture>& pictures) {
+                const std::vector<ReportPicture>& pictures, std::vector<ReportBeside> beside) {
   const Timer timer;
-  files.emplace_back("report.html", report_html({report_run(prepared, solution)}, pictures));
+  files.emplace_back("report.html", report_html({report_run(prepared, solution, std::move(beside))}, pictures));
   solution.summary.seconds.emplace_back("report", timer.seconds());
 }
 

@@ -7,11 +7,12 @@
 
 namespace genu {
 
-/// Everything the page shows of a solution, equilibria or motion. `prepared` and `solution` must outlive it.
-ReportRun report_run(const Prepared& prepared, const Solution& solution);
+/// Everything the page shows of a solution, equilibria or motion, and what was measured `beside` it. `prepared` and
+/// `solution` must outlive it.
+ReportRun report_run(const Prepared& prepared, const Solution& solution, std::vector<ReportBeside> beside = {});
 
 /// Adds report.html to the files of a result, and the time it takes to the summary.
 void add_report(const Prepared& prepared, Solution& solution, std::vector<std::pair<std::string, std::string>>& files,
-                const std::vector<ReportPicture>& pictures = {});
+                const std::vector<ReportPicture>& pictures = {}, std::vector<ReportBeside> beside = {});
 
 }  // namespace genu

@@ -10,10 +10,12 @@
 #include "genu/core/file_list.h"
 #include "genu/core/file_text.h"
 #include "genu/core/timer.h"
+#include "genu/results/motion_table.h"
 #include "genu/results/pressure_map.h"
 #include "genu/store/checkpoint.h"
 #include "genu/store/input_hash.h"
 #include "genu/store/report.h"
+#include "genu/store/report_beside.h"
 #include "genu/store/stop_of.h"
 #include "genu/study/failure.h"
 #include "genu/study/run_motion.h"
@@ -90,9 +92,20 @@ bool holds_others(const std::string& folder, const RunOptions& options, Diagnost
   return any;
 }
 
+/// The table of options.beside, held against the columns of a results.csv without rows; none where it is not wanted.
+/// Empty where it is refused in `out`.
+std::optional<std::vector<ReportBeside>> beside_of(const Prepared& p, const RunOptions& options, Diagnostics& out) {
+  if (options.beside.empty()) return std::vector<ReportBeside>();
+  const ResultTable names =
+      p.scene.dynamics ? motion_table(p.scene, p.model, {}) : pose_table(p.scene, p.model, p.steps, {});
+  auto table = read_beside(options.beside, options.beside_columns, names.columns(), out);
+  if (!table) return std::nullopt;
+  return std::vector<ReportBeside>{std::move(*table)};
+}
+
 /// Writes what was found where it belongs. The exit code.
 int keep_results(const Prepared& prepared, const std::string& folder, const RunOptions& options, Checkpoint& checkpoint,
-                 Diagnostics& out, Solution& found) {
+                 std::vector<ReportBeside> beside_tables, Diagnostics& out, Solution& found) {
   const bool partial = found.summary.partial;
   if (partial) mark_partial(prepared.scene.file, folder, prepared.scene.dynamics ? nullptr : &checkpoint, found);
   found.folder = partial ? beside(folder, ".partial") : folder;
@@ -100,7 +113,7 @@ int keep_results(const Prepared& prepared, const std::string& folder, const RunO
                                     : std::vector<std::pair<std::string, std::string>>();
   for (const auto& [name, content] : more) found.pressure_files.push_back(name);
   const bool memory = !partial || found.stopped == "interrupted";  // else there may be none left for a page
-  if (options.report && memory) add_report(prepared, found, more);
+  if (options.report && memory) add_report(prepared, found, more, {}, std::move(beside_tables));
   std::string error = write_results(found.folder, prepared, found, more, partial ? ".partial" : "");
   if (!error.empty()) {
     if (partial)
@@ -151,7 +164,8 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
     if (!options.save_failure.empty()) save_failure(options.save_failure, source.path, nullptr, {}, options, out);
     return kExitRefused;
   }
-  if (holds_others(folder, options, out)) return kExitRefused;
+  auto beside_tables = beside_of(*prepared, options, out);
+  if (!beside_tables || holds_others(folder, options, out)) return kExitRefused;
   Checkpoint checkpoint(folder, input_hashes(prepared->scene, prepared->meshes->files()), options.checkpoint_seconds);
   RunOptions own = options;
   own.keep_partial = true;
@@ -163,7 +177,7 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
     out.warning(Code::cannot_write, checkpoint.file(), why + ": the rows of this run are not kept there");
   auto found = moves ? move_all(*prepared, own, out) : solve_all(*prepared, own, out);
   int code = kExitRefused;
-  if (found) code = keep_results(*prepared, folder, own, checkpoint, out, *found);
+  if (found) code = keep_results(*prepared, folder, own, checkpoint, std::move(*beside_tables), out, *found);
   if (!options.save_failure.empty() && !(found && found->stopped == "interrupted"))
     save_failure(options.save_failure, source.path, &*prepared, found ? *found : Solution(), options, out);
   if (found && solution != nullptr) *solution = std::move(*found);

@@ -1,8 +1,9 @@
 // The corner that tells directions: the world's axes, or anatomical ones where the scene names them; and hinges' axes.
 import { BufferGeometry, CylinderGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { kAxes } from "./framing.js";
+import { ink } from "./theme.js";
 
-const kSvg = "http://www.w3.org/2000/svg", kColours = ["#b3471b", "#1f7a4d", "#1d5fa8"];
+const kSvg = "http://www.w3.org/2000/svg", kColours = ["#b3471b", "#1f7a4d", "#1d5fa8"], kVariables = ["axis0", "axis1", "axis2"];
 
 function svg(tag, attributes) {
   const e = document.createElementNS(kSvg, tag);
@@ -19,13 +20,32 @@ export class Compass {
     this.element = svg("svg", { class: "compass", viewBox: `0 0 ${this.size} ${this.size}`, width: this.size, height: this.size,
       role: "img", "aria-label": known.named ? "Anatomical directions" : "Axes of the world" });
     this.drawn = this.axes.map((a, i) => {
-      const line = svg("line", { stroke: kColours[i], "stroke-width": 2.4, "stroke-linecap": "round" });
-      const text = svg("text", { fill: kColours[i], "font-size": 12, "font-weight": 600, "text-anchor": "middle", "dominant-baseline": "central",
-        stroke: "#f7f9fb", "stroke-width": 3, "paint-order": "stroke" });
+      const line = svg("line", { stroke: `var(--${kVariables[i]})`, "stroke-width": 2.4, "stroke-linecap": "round" });
+      const text = svg("text", { fill: `var(--${kVariables[i]})`, "font-size": 12, "font-weight": 600, "text-anchor": "middle", "dominant-baseline": "central",
+        stroke: "var(--view)", "stroke-width": 3, "paint-order": "stroke" });
       text.textContent = a.name;
       this.element.append(line, text);
       return { line, text };
     });
+  }
+
+  /** In the lower left corner of a picture. */
+  drawOn(g, height) {
+    const number = (e, name) => +e.getAttribute(name);
+    g.save();
+    g.translate(4, height - this.size - 4);
+    this.drawn.forEach(({ line, text }, i) => {
+      g.globalAlpha = +line.style.opacity || 1;
+      g.strokeStyle = g.fillStyle = ink(kVariables[i]);
+      g.lineWidth = 2.4;
+      g.beginPath();
+      g.moveTo(number(line, "x1"), number(line, "y1"));
+      g.lineTo(number(line, "x2"), number(line, "y2"));
+      g.stroke();
+      g.textAlign = { start: "left", end: "right" }[text.getAttribute("text-anchor")] ?? "center";
+      g.fillText(text.textContent, number(text, "x"), number(text, "y"));
+    });
+    g.restore();
   }
 
   update(camera) {

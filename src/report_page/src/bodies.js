@@ -57,13 +57,23 @@ export class Bodies {
     this.materials = run.bodies.map((b, i) => this.material(b, i, ghost));
     this.groups.forEach((g) => { g.matrixAutoUpdate = false; this.world.add(g); });
     this.outline = [];
+    this.geometries = [];
     for (const raw of run.raw.meshes) {
-      const geometry = geometryOf(raw);
-      this.groups[raw.body].add(new Mesh(geometry, this.materials[raw.body]));
+      const geometry = geometryOf(raw), mesh = new Mesh(geometry, this.materials[raw.body]);
+      mesh.userData.name = raw.name;
+      mesh.userData.body = raw.body;
+      this.geometries.push(geometry);
+      this.groups[raw.body].add(mesh);
       this.outline.push({ body: raw.body, points: farPoints(geometry.attributes.position) });
     }
     this.bare = run.bodies.map((_, i) => !run.raw.meshes.some((m) => m.body === i));
   }
+
+  /** How the k-th body is painted. */
+  colourOf(i) { return `#${this.materials[i].color.getHexString()}`; }
+
+  /** Meshes a ray may meet. */
+  targets() { return this.groups.filter((g, i) => g.visible && this.materials[i].opacity > 0.02).flatMap((g) => g.children.filter((c) => c.userData.name !== undefined)); }
 
   material(body, i, ghost) {
     const moving = this.run.bodies.slice(0, i).filter((b) => !b.fixed).length + 1;
@@ -82,12 +92,14 @@ export class Bodies {
       for (const p of points) {
         const joint = new Mesh(ball, this.materials[body]);
         joint.position.copy(p);
+        joint.userData = { name: this.run.bodies[body].name, body };
         this.groups[body].add(joint);
         const length = p.distanceTo(middle);
         if (length < 1e-3) continue;
         const stick = new Mesh(new CylinderGeometry(size * 0.011, size * 0.011, length, 12), this.materials[body]);
         stick.position.copy(p).add(middle).multiplyScalar(0.5);
         stick.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), p.clone().sub(middle).normalize());
+        stick.userData = { name: this.run.bodies[body].name, body };
         this.groups[body].add(stick);
       }
     });
@@ -96,10 +108,11 @@ export class Bodies {
   setOpacity(body, opacity) {
     const m = this.materials[body];
     this.groups[body].visible = opacity > 0;
+    if (m.opacity === opacity) return;
+    if (m.transparent !== opacity < 1) m.needsUpdate = true;
     m.opacity = opacity;
     m.transparent = opacity < 1;
     m.depthWrite = true;
-    m.needsUpdate = true;
   }
 
   show(row) {

@@ -1,6 +1,6 @@
 // Where bodies touch: an arrow for the force on the second body, its point at the contact, and the way the contact takes
 // over that body's surface.
-import { Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
+import { Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import { pathColour } from "./colours.js";
 import { short } from "./dom.js";
 import { matrixOf } from "./framing.js";
@@ -8,12 +8,12 @@ import { matrixOf } from "./framing.js";
 const kArrow = "#0b5d50", kMostDots = 240;
 
 class Arrow {
-  constructor(size) {
-    const ink = new MeshBasicMaterial({ color: kArrow, depthTest: false, transparent: true });
+  constructor(size, colour, thin) {
+    this.ink = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true });
     this.group = new Group();
-    this.shaft = new Mesh(new CylinderGeometry(size * 0.0048, size * 0.0048, 1, 12), ink);
-    this.head = new Mesh(new ConeGeometry(size * 0.0125, size * 0.036, 20), ink);
-    this.dot = new Mesh(new SphereGeometry(size * 0.007, 16, 12), ink);
+    this.shaft = new Mesh(new CylinderGeometry(size * 0.0048 * thin, size * 0.0048 * thin, 1, 12), this.ink);
+    this.head = new Mesh(new ConeGeometry(size * 0.0125 * thin, size * 0.036, 20), this.ink);
+    this.dot = new Mesh(new SphereGeometry(size * 0.007 * thin, 16, 12), this.ink);
     this.headLength = size * 0.036;
     this.group.add(this.shaft, this.head, this.dot);
     for (const part of this.group.children) part.renderOrder = 10;
@@ -32,17 +32,21 @@ class Arrow {
 }
 
 export class Contacts {
-  constructor(run, size, groups) {
-    this.run = run;
+  /** `ghost`: the colour of a run that is compared, whose forces have the scale of `like`. */
+  constructor(run, size, groups, shown, ghost = null, like = null) {
+    Object.assign(this, { run, shown, ghost });
     this.arrows = run.contacts.map((c) => {
-      const arrow = new Arrow(size);
+      const arrow = new Arrow(size, ghost ?? kArrow, ghost ? 0.8 : 1);
+      arrow.group.children.forEach((part) => { part.userData.contact = c; });
       groups[c.body_b].add(arrow.group);
       return arrow;
     });
     this.most = 0;
     for (const c of run.contacts) for (let k = 0; k < run.rows; ++k) this.most = Math.max(this.most, run.contactForce(c, k));
+    if (like) this.most = Math.max(like.most, 1e-12);
     this.longest = size * 0.3;
-    this.trails = run.contacts.map((c) => this.trail(c, size, groups[c.body_b])).filter((t) => t !== null);
+    this.trails = ghost ? [] : run.contacts.map((c) => this.trail(c, size, groups[c.body_b]));
+    this.trailsOn = true;
   }
 
   trail(contact, size, group) {
@@ -50,13 +54,17 @@ export class Contacts {
     for (let k = 0; k < run.rows; ++k) if (run.contactForce(contact, k) > 0) rows.push(k);
     if (rows.length < 2) return null;
     const step = Math.max(1, Math.ceil(rows.length / kMostDots)), dots = rows.filter((_, i) => i % step === 0);
-    const mesh = new InstancedMesh(new SphereGeometry(size * 0.0055, 10, 8), new MeshBasicMaterial(), dots.length);
+    const onMap = run.pressures.length > 0;  // on colours a trail is grey, and seen through
+    const material = new MeshBasicMaterial(onMap ? { depthTest: false, transparent: true, opacity: 0.75 } : {});
+    const mesh = new InstancedMesh(new SphereGeometry(size * (onMap ? 0.0038 : 0.0055), 10, 8), material, dots.length);
     const m = new Matrix4(), colour = new Color();
     dots.forEach((k, i) => {
+      const share = run.rows > 1 ? k / (run.rows - 1) : 0;
       mesh.setMatrixAt(i, m.makeTranslation(new Vector3().fromArray(contact.point, 3 * k)));
-      mesh.setColorAt(i, colour.set(pathColour(run.rows > 1 ? k / (run.rows - 1) : 0)));
+      mesh.setColorAt(i, onMap ? colour.setScalar(0.02 + 0.75 * share) : colour.set(pathColour(share)));
     });
     mesh.frustumCulled = false;
+    mesh.renderOrder = onMap ? 9 : 0;
     group.add(mesh);
     return mesh;
   }
@@ -64,12 +72,19 @@ export class Contacts {
   show(row) {
     const tip = new Vector3(), force = new Vector3();
     this.run.contacts.forEach((c, i) => {
-      const size = this.run.contactForce(c, row), arrow = this.arrows[i];
-      arrow.group.visible = size > 0;
-      if (!(size > 0)) return;
+      const size = this.run.contactForce(c, row), arrow = this.arrows[i], alpha = this.shown.alpha(`contact ${c.name}`);
+      if (this.trails[i]) this.trails[i].visible = this.trailsOn && alpha > 0;
+      arrow.group.visible = size > 0 && alpha > 0;
+      arrow.ink.opacity = alpha;
+      if (!arrow.group.visible) return;
       arrow.place(tip.fromArray(c.point, 3 * row), force.fromArray(c.force, 3 * row).divideScalar(size), (this.longest * size) / this.most);
     });
   }
+
+  targets() { return this.arrows.filter((a) => a.group.visible).flatMap((a) => a.group.children); }
+
+  /** "medial: 231 N" */
+  describe(contact, row) { return `${contact.name}: ${short(this.run.contactForce(contact, row), 3)} N`; }
 
   /** Where the arrows begin, in the world, in some of the rows. */
   tails() {
@@ -82,7 +97,10 @@ export class Contacts {
     return out;
   }
 
-  setVisible(visible) { for (const t of this.trails) t.visible = visible; }
+  setTrails(on) {
+    this.trailsOn = on;
+    this.trails.forEach((t) => { if (t) t.visible = on; });
+  }
 
-  legend() { return this.most > 0 ? `longest arrow: ${short(this.most, 3)} N` : null; }
+  legend() { return this.most > 0 ? `longest arrow ${short(this.most, 3)} N` : null; }
 }

@@ -13,10 +13,37 @@ export function bytes(text) {
 
 export const floats = (text) => new Float32Array(bytes(text));
 
+/** Where the casting surface of a layer carries load. `sites`: triangles of a mesh, or places (mm) with radii (mm). */
+export class PressureMap {
+  constructor(raw) {
+    Object.assign(this, { contact: raw.contact, surface: raw.surface, body: raw.body, most: raw.most_MPa, every: raw.every, mesh: raw.mesh ?? -1 });
+    this.starts = new Uint32Array(bytes(raw.starts));
+    this.parts = new Uint16Array(bytes(raw.parts));
+    this.sites = raw.sites16 !== undefined ? new Uint16Array(bytes(raw.sites16)) : new Uint32Array(bytes(raw.sites32));
+    if (this.mesh >= 0) this.triangles = new Uint32Array(bytes(raw.triangles));
+    else {
+      const steps = new Uint16Array(bytes(raw.points));
+      this.places = Float32Array.from(steps, (s, i) => raw.low[i % 3] + raw.step * s);
+      this.radii = floats(raw.radii);
+    }
+  }
+
+  /** The row itself, or the nearest that was kept before it. */
+  keptRow(row) { return row - (row % this.every); }
+
+  /** Calls visit(site, MPa) for each site that carries load in a row. */
+  each(row, visit) {
+    const kept = this.keptRow(row);
+    for (let i = this.starts[kept] ?? 0; i < (this.starts[kept + 1] ?? 0); ++i) visit(this.sites[i], (this.parts[i] / 65535) * this.most);
+  }
+
+  count(row) { const kept = this.keptRow(row); return (this.starts[kept + 1] ?? 0) - (this.starts[kept] ?? 0); }
+}
+
 /** One result of the page. Lengths in mm; `row` counts from 0. */
 export class Run {
   constructor(raw, times) {
-    Object.assign(this, { raw, times, rows: raw.rows, motion: raw.motion, summary: raw.summary, bodies: raw.bodies });
+    Object.assign(this, { raw, times, rows: raw.rows, every: raw.every ?? 1, motion: raw.motion, summary: raw.summary, bodies: raw.bodies });
     this.name = raw.name ?? raw.summary.title;
     this.poses = floats(raw.poses);
     this.reference = floats(raw.reference);
@@ -25,15 +52,21 @@ export class Run {
       this.columns.set(c.name, c.numbers !== undefined ? { numbers: floats(c.numbers) }
         : { words: c.words, places: new Uint16Array(bytes(c.places)) });
     this.contacts = raw.contacts.map((c) => ({ ...c, point: floats(c.point), force: floats(c.force) }));
+    this.pressures = (raw.pressures ?? []).map((p) => new PressureMap(p));
+    this.coordinates = raw.coordinates ?? [];
+    this.main = raw.main_coordinate || "";
+    this.beside = (raw.beside ?? []).map((t) => ({ name: t.name, columns: new Map(t.columns.map((c) => [c.column, { inFile: c.in_file, numbers: floats(c.numbers) }])) }));
     this.chart = {
       ...raw.chart,
       x: floats(raw.chart.x),
       panels: raw.chart.panels.map((p) => ({
         ...p, series: p.series.map((s) => ({ name: s.name, y: floats(s.y), bar: s.bar ? floats(s.bar) : null })) })),
     };
+    this.breaks = new Set(this.chart.breaks);
   }
 
   has(column) { return this.columns.has(column); }
+  numbers(column) { return this.columns.get(column)?.numbers ?? null; }
 
   /** NaN where the cell is empty or the column is none. */
   number(column, row) {
@@ -48,6 +81,9 @@ export class Run {
   }
 
   status(row) { return this.word("status", row); }
+
+  /** The row of results.csv, from 1. */
+  numberOf(row) { return this.every === 1 ? row + 1 : row === this.rows - 1 ? this.raw.rows_in_full : row * this.every + 1; }
 
   /** [qx qy qz qw x y z] of a body; null where the row has no pose. Row -1 is the reference pose. */
   pose(row, body) {
@@ -71,16 +107,13 @@ export class Run {
     const f = contact.force.subarray(3 * row, 3 * row + 3);
     return f.length === 3 && Number.isFinite(f[0]) ? Math.hypot(f[0], f[1], f[2]) : 0;
   }
-}
 
-/** The row of another run that stands for a row of this one: where its axis has the same value, if it is the same axis. */
-export function twinRow(run, row, other) {
-  if (other.rows === 0) return -1;
-  const x = run.chart.x[row];
-  if (run.chart.x_title !== other.chart.x_title || !Number.isFinite(x)) return Math.min(row, other.rows - 1);
-  let best = 0, distance = Infinity;
-  other.chart.x.forEach((v, k) => { if (Math.abs(v - x) < distance) { distance = Math.abs(v - x); best = k; } });
-  return best;
+  /** Ligaments by bundle, in order: [name, indices]. */
+  bundles() {
+    const groups = new Map();
+    this.raw.ligaments.forEach((l, i) => { const name = l.group ?? l.name; groups.has(name) ? groups.get(name).push(i) : groups.set(name, [i]); });
+    return [...groups];
+  }
 }
 
 /** The series of another run with the same panel and name, if any. */

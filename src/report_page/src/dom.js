@@ -32,4 +32,4 @@ export function short(value, digits = 4) {
 }
 
 /** Units as print has them. */
-export const pretty = (text) => text.replace(/\[mm2\]/, "[mm²]").replace(/\[deg\]/, "[°]").replace(/\[N m\]/, "[N·m]").replace(/\[N mm\]/, "[N·mm]");
+export const pretty = (text) => text.replace(/\[mm2\]/, "[mm²]").replace(/\bmm2\b/, "mm²");

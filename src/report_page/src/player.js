@@ -1,17 +1,18 @@
 // Which row is shown: a slider, a play button and the keyboard. Whoever wants to know is told.
-import { h, short, pretty } from "./dom.js";
-import { range } from "./data.js";
+import { h } from "./dom.js";
+import { ink, onTheme } from "./theme.js";
 
 export class Player {
-  constructor(run, several = false) {
-    this.run = run;
-    this.several = several;
-    this.row = Math.max(0, run.shown(0));
+  constructor(run, axis, several = false) {
+    Object.assign(this, { run, axis, several });
+    this.row = Math.max(0, run.shown(axis.settling(run)));
     this.listeners = [];
     this.playing = false;
     this.speed = 1;
     this.element = this.build();
     document.addEventListener("keydown", (e) => this.key(e));
+    axis.onChange(() => this.tell());
+    onTheme(() => this.drawStrip());
   }
 
   onChange(listener) { this.listeners.push(listener); }
@@ -30,11 +31,14 @@ export class Player {
     return h("div.player", {}, h("div.bar", {}, this.button, h("div.track", {}, this.slider, this.strip), speed), this.label);
   }
 
-  /** Rows that were not solved, or are not stable, under the slider. */
+  /** Rows that were not solved, are not stable, belong to another position or only settle, under the slider. */
   drawStrip() {
     const { run, strip } = this, width = (strip.width = strip.clientWidth || 300), g = strip.getContext("2d");
     const kThumb = 8, at = (row) => kThumb + (width - 2 * kThumb) * (run.rows > 1 ? row / (run.rows - 1) : 0);
     g.clearRect(0, 0, width, 6);
+    const settling = this.axis.settling(run);
+    if (settling > 0) { g.fillStyle = ink("faint"); g.fillRect(at(0), 2, at(settling) - at(0), 2); }
+    for (const row of run.breaks) { g.fillStyle = ink("ink"); g.fillRect(at(row - 0.5) - 1, 0, 2, 6); }
     for (let row = 0; row < run.rows; ++row) {
       const stability = run.word("stability", row);
       const bad = run.status(row) !== "ok", shaky = stability !== "" && stability !== "stable";
@@ -86,55 +90,51 @@ export class Player {
     this.row = row;
     this.told = true;
     this.slider.value = row;
-    const text = this.describe(row);
-    this.slider.setAttribute("aria-valuetext", text);
-    this.label.textContent = text;
-    this.label.classList.toggle("bad", this.run.rows > 0 && this.run.status(row) !== "ok");
+    this.say();
     for (const listener of this.listeners) listener(row);
   }
 
-  /** "Pose 36 of 91: knee.flexion 35 °, stable" */
+  say() {
+    const text = this.describe(this.row);
+    this.slider.setAttribute("aria-valuetext", text);
+    this.label.textContent = text;
+    this.label.classList.toggle("bad", this.run.rows > 0 && this.run.status(this.row) !== "ok");
+  }
+
+  tell() {
+    this.say();
+    this.drawStrip();
+    for (const listener of this.listeners) listener(this.row);
+  }
+
+  /** "Flexion 36.0 deg, pose 37 of 91, stable" */
   describe(row) {
-    const { run } = this;
+    const { run, axis } = this;
     if (run.rows === 0) return "No pose was computed.";
-    let text = `${run.motion ? "Row" : "Pose"} ${row + 1} of ${run.rows}`;
-    const [, name, unit] = /^(.*) \[(.*)\]$/.exec(run.chart.x_title) ?? [];
-    if (name) text += `: ${name} ${short(run.chart.x[row])} ${pretty(`[${unit}]`).slice(1, -1)}`;
-    const status = run.status(row), stability = run.word("stability", row);
-    const shown = run.shown(row), stead = shown === row ? "" : shown < 0 ? ": the reference pose is shown" : `: pose ${shown + 1} is shown`;
+    const place = axis.at(row), word = run.motion ? "row" : "pose", all = run.every > 1 ? run.raw.rows_in_full : run.rows;
+    let text = `${place ? `${place}, ${word}` : run.motion ? "Row" : "Pose"} ${run.numberOf(row)} of ${all}`;
+    if (row < axis.settling(run)) text += ", settling";
+    const status = run.status(row), stability = run.word("stability", row), branch = run.number("branch", row);
+    const shown = run.shown(row), stead = shown === row ? "" : shown < 0 ? ": the reference pose is shown" : `: pose ${run.numberOf(shown)} is shown`;
     if (status !== "ok") text += `, not solved (${status.replaceAll("_", " ")})${stead}`;
     else if (stability) text += `, ${stability}`;
+    if (branch > 1) text += `, after a jump (branch ${branch})`;
     return text;
   }
 
   key(e) {
     if (e.altKey || e.ctrlKey || e.metaKey || e.shiftKey) return;
     const tag = e.target.tagName;
-    if (tag === "SELECT" || tag === "TEXTAREA" || (tag === "INPUT" && e.target !== this.slider)) return;
-    if (e.key === " " && tag !== "BUTTON" && tag !== "SUMMARY") { this.toggle(); e.preventDefault(); return; }
+    if (tag === "SELECT" || tag === "TEXTAREA" || (tag === "INPUT" && e.target !== this.slider && e.target.type !== "checkbox")) return;
+    if (e.key === " " && tag !== "BUTTON" && tag !== "SUMMARY" && e.target.type !== "checkbox") { this.toggle(); e.preventDefault(); return; }
     const far = Math.max(1, Math.round(this.run.rows / 10));
     const to = { ArrowLeft: this.row - 1, ArrowRight: this.row + 1, PageDown: this.row - far, PageUp: this.row + far,
       Home: 0, End: this.run.rows - 1 };
-    const moves = e.key in to && (e.target === this.slider || e.key.startsWith("Arrow"));
+    const free = tag === "BODY" || tag === "CANVAS" || e.target === this.slider;  // else the page scrolls
+    const moves = e.key in to && (free || e.key === "ArrowLeft" || e.key === "ArrowRight");
     if (!moves) return;
     this.stop();
     this.set(to[e.key]);
     e.preventDefault();
   }
-}
-
-/** Where x is nearest to a value. */
-export function nearestRow(x, value) {
-  let best = 0, distance = Infinity;
-  for (let k = 0; k < x.length; ++k) {
-    const d = Math.abs(x[k] - value);
-    if (d < distance) { best = k; distance = d; }
-  }
-  return best;
-}
-
-/** Whether x says anything: more than one number. */
-export function varies(x) {
-  const r = range(x);
-  return r !== null && r[1] > r[0];
 }

@@ -1,48 +1,14 @@
-// The curves of a result: one plot a panel, all over the same axis, with a line at the row that is shown. A press or drag
-// in a plot chooses the row.
-import uPlot from "uplot";
+// The curves of a result: one graph a panel, all over the same axis (axis.js), with a line at the row that is shown. A press or drag
+// in a plot chooses the row; with shift it moves the plots, with ctrl the wheel zooms them, a double click shows all again.
 import { h, short, pretty } from "./dom.js";
-import { kLines, kRuns } from "./colours.js";
-import { range, twinRow, twinSeries } from "./data.js";
-import { nearestRow } from "./player.js";
-
-const kAxis = "#3c4650", kGrid = "#e4e8ec", kFont = "12px system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
-
-/** Rows in the order of x, which uPlot wants ascending, and NaN as the null that interrupts a line. */
-class Sorted {
-  constructor(x) {
-    this.order = [...x.keys()].filter((k) => Number.isFinite(x[k]));
-    if (this.order.some((k, i) => i > 0 && x[k] < x[this.order[i - 1]])) this.order.sort((a, b) => x[a] - x[b] || a - b);
-    this.x = this.order.map((k) => x[k]);
-  }
-  of(y) { return this.order.map((k) => (Number.isFinite(y[k]) ? y[k] : null)); }
-  /** Where no line goes: from the row before one that begins another branch, in pixels of a plot. */
-  gaps(u, breaks) {
-    const at = (i) => u.valToPos(this.x[i], "x", true);
-    return breaks.map((k) => this.order.indexOf(k)).filter((i) => i > 0).map((i) => [at(i - 1), at(i)]);
-  }
-}
-
-const inOrder = (gaps) => gaps.sort((a, b) => a[0] - b[0]);
-
-function padded(low, high, fromZero) {
-  if (Math.max(Math.abs(low), Math.abs(high)) < 1e-11) return [fromZero ? 0 : -1, 1];  // nothing, or what rounding leaves of it
-  if (fromZero) { low = Math.min(0, low); high = Math.max(0, high); }
-  const size = Math.max(Math.abs(low), Math.abs(high));
-  const pad = high - low < 1e-6 * size ? 0.05 * size : 0.06 * (high - low);  // what does not change is no noise to zoom into
-  return [fromZero && low === 0 ? 0 : low - pad, fromZero && high === 0 ? 0 : high + pad];
-}
-
-/** What the bars of a panel reach as well. */
-function withBars(raw, low, high) {
-  for (const s of raw.series)
-    for (let k = 0; s.bar && k < s.y.length; ++k) {
-      if (!Number.isFinite(s.y[k]) || !Number.isFinite(s.bar[k])) continue;
-      low = Math.min(low, s.y[k] - s.bar[k]);
-      high = Math.max(high, s.y[k] + s.bar[k]);
-    }
-  return [low, high];
-}
+import { kRuns } from "./colours.js";
+import { range, twinSeries } from "./data.js";
+import { capital, quantity } from "./axis.js";
+import { Graph, reach, span } from "./graph.js";
+import { CanvasPen } from "./pens.js";
+import { ink, inLight, kLineCount, line, onTheme } from "./theme.js";
+import { differenceOf } from "./differences.js";
+import { curvesSvg } from "./save.js";
 
 /** Lines and names of series keep their colour in all panels. */
 class Colours {
@@ -52,150 +18,198 @@ class Colours {
     return names.map((name, i) => {
       let k = this.known.get(name);
       if (k === undefined || taken.has(k)) {
-        k = i % kLines.length;
-        while (taken.has(k) && taken.size < kLines.length) k = (k + 1) % kLines.length;
+        k = i % kLineCount;
+        while (taken.has(k) && taken.size < kLineCount) k = (k + 1) % kLineCount;
         if (!this.known.has(name)) this.known.set(name, k);
       }
       taken.add(k);
-      return kLines[k];
+      return line(k);
     });
   }
 }
 
+const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k] || (Number.isNaN(v) && Number.isNaN(b[k])));
+
+/** Measured columns as points of the panels: [{ panel, series (index), table, column }]; those of no panel get one of their own. */
+function besideOf(run, panels) {
+  const out = [];
+  for (const table of run.beside)
+    for (const column of table.columns.keys()) {
+      if (run.coordinates.includes(column) && column === run.main) continue;
+      const numbers = run.numbers(column);
+      if (!numbers) continue;
+      let place = null;
+      for (const panel of panels) {
+        const series = panel.series.findIndex((s) => alike(s.y, numbers));
+        if (series >= 0) { place = { panel, series }; break; }
+      }
+      if (!place) {
+        const { name, unit } = quantity(column, run), panel = { title: capital(name) + (unit ? ` [${unit}]` : ""), from_zero: false, series: [{ name, y: numbers, bar: null }] };
+        panels.push(panel);
+        place = { panel, series: 0 };
+      }
+      out.push({ ...place, table, column });
+    }
+  return out;
+}
+
 export class Plots {
-  constructor(runs, player) {
-    this.runs = runs;
-    this.run = runs[0];
-    this.player = player;
-    this.sorted = runs.map((r) => new Sorted(r.chart.x));
+  constructor(runs, player, axis, shown) {
+    Object.assign(this, { runs, run: runs[0], player, axis, shown });
     this.colours = new Colours();
-    this.panels = this.run.chart.panels.filter((p) => p.series.some((s) => range(s.y))).map((p) => this.panel(p));
+    this.zoomed = null;  // [low, high] of x; null shows all
+    this.apart = false;  // differences from the first run in the place of the curves
+    const raw = [...this.run.chart.panels];
+    this.beside = besideOf(this.run, raw);
+    const measured = new Set(this.beside.map((b) => b.panel));
+    raw.sort((a, b) => measured.has(b) - measured.has(a));  // what was measured comes first
+    this.panels = raw.filter((p) => p.series.some((s) => range(s.y))).map((p) => this.panel(p));
+    this.all = h("button", { type: "button", title: "Show the whole axis again (double click in a plot)", disabled: true, onclick: () => this.zoomTo(null) }, "Reset");
+    const button = (text, title, act) => h("button", { type: "button", title, "aria-label": title, onclick: act }, text);
+    this.bar = h("div.plotbar", { role: "group", "aria-label": "Curves" }, axis.menu(),
+      button("+", "Zoom in (ctrl and wheel in a plot)", () => this.zoom(0.5)), button("−", "Zoom out", () => this.zoom(2)),
+      button("◂", "Move left (shift and drag in a plot)", () => this.pan(-0.25)), button("▸", "Move right", () => this.pan(0.25)), this.all,
+      runs.length > 1 ? h("label.tick", {}, h("input", { type: "checkbox", onchange: (e) => { this.apart = e.target.checked; this.redraw(); this.show(player.row); } }), `difference from ${this.run.name}`) : null);
     this.element = h("div.plots", {}, this.panels.map((p) => p.element));
     player.onChange((row) => this.show(row));
+    shown.onChange(() => this.redraw());
+    axis.onChange(() => { this.zoomed = null; this.redraw(); });
+    onTheme(() => this.redraw());
   }
 
   panel(raw) {
     const styles = this.colours.of(raw.series.map((s) => s.name));
-    const box = h("div.plot", {});
-    const panel = { raw, styles, box, hidden: new Set(), values: [], plot: null };
-    const chips = raw.series.map((s, i) => {
-      const value = h("b", {}, "");
+    const canvas = h("canvas", { role: "img" }), now = h("div.now", {});
+    const over = h("div.over", { title: "" }), box = h("div.plot", {}, canvas, h("div.cursor", {}, now), over);
+    const panel = { raw, styles, box, canvas, now, over, hidden: new Set(), values: [], chips: [], graph: null };
+    raw.series.forEach((s, i) => {
+      const value = h("b", {}, ""), key = this.shown.keyOf(raw.title, s.name);
       panel.values.push(value);
-      const chip = h("button.chip", { type: "button", "aria-pressed": "true", title: `Show or hide ${s.name}`,
-        onclick: () => this.toggle(panel, i, chip) }, swatch(this.runs.length === 1 ? styles[i] : { colour: styles[i].colour, dash: [] }), `${s.name} `, value);
-      return chip;
+      panel.chips.push(h("button.chip", { type: "button", "aria-pressed": "true", title: `Show or hide ${s.name}${key ? ", here and in the picture" : ""}`,
+        onclick: () => this.toggle(panel, i) }, swatch(this.runs.length === 1 ? styles[i] : { ...styles[i], dash: [] }), `${s.name.replaceAll("_", " ")} `, value));
     });
-    panel.element = h("figure.panel", {}, h("figcaption", {}, pretty(raw.title)), box, h("div.chips", {}, chips));
+    const measured = this.beside.filter((b) => b.panel === raw).map((b) => h("span.chip.measured", {}, h("i.ring", { "aria-hidden": "true", style: { borderColor: `var(--${styles[b.series].variable})` } }), `${b.table.name}: ${b.table.columns.get(b.column).inFile}`));
+    panel.element = h("figure.panel", {}, h("figcaption", {}, pretty(raw.title)), box, h("div.chips", {}, panel.chips, measured));
+    this.scrub(panel);
     return panel;
   }
 
-  toggle(panel, i, chip) {
-    const hide = !panel.hidden.has(i);
-    hide ? panel.hidden.add(i) : panel.hidden.delete(i);
-    chip.setAttribute("aria-pressed", String(!hide));
-    this.runs.forEach((_, r) => panel.plot.setSeries(1 + r * panel.raw.series.length + i, { show: !hide }));
+  isHidden(panel, i) {
+    const key = this.shown.keyOf(panel.raw.title, panel.raw.series[i].name);
+    return key ? !this.shown.has(key) : panel.hidden.has(i);
   }
 
-  data(panel) {
-    if (this.runs.length === 1) {
-      const s = this.sorted[0];
-      return [s.x, ...panel.raw.series.map((one) => s.of(one.y))];
-    }
-    const tables = this.runs.map((run, r) => [this.sorted[r].x, ...panel.raw.series.map((one) => {
-      const twin = twinSeries(run, panel.raw, one.name);
-      return twin ? this.sorted[r].of(twin.y) : this.sorted[r].x.map(() => null);
-    })]);
-    return uPlot.join(tables);
+  toggle(panel, i) {
+    const key = this.shown.keyOf(panel.raw.title, panel.raw.series[i].name), hidden = this.isHidden(panel, i);
+    if (key) { this.shown.set(key, hidden); return; }
+    hidden ? panel.hidden.delete(i) : panel.hidden.add(i);
+    this.draw(panel);
+  }
+
+  /** What a panel shows now, as graph.js takes it. */
+  graphOf(panel) {
+    const { runs, axis, apart } = this, { raw, styles } = panel, curves = [], points = [];
+    const colours = { axis: ink("axis"), grid: ink("grid"), zero: ink("zero"), faint: ink("faint"), event: ink("event") };
+    raw.series.forEach((s, i) => {
+      if (this.isHidden(panel, i)) return;
+      runs.forEach((run, r) => {
+        const twin = r === 0 ? s : twinSeries(run, raw, s.name), x = axis.values(run);
+        if (!twin || (apart && r === 0) || alike(twin.y, x)) return;
+        const y = apart ? differenceOf(runs[0], s.y, run, twin.y, axis) : twin.y, over = apart ? runs[0] : run;
+        curves.push({ x: axis.values(over), y, bar: apart || runs.length > 1 ? null : s.bar, breaks: over.breaks, first: axis.settling(over), colour: ink(styles[i].variable), dash: runs.length === 1 ? styles[i].dash : kRuns[r % kRuns.length], width: r === 0 ? 1.8 : 1.5 });
+      });
+      for (const b of this.beside) {
+        const at = b.panel === raw && b.series === i && !apart ? this.besideX(b) : null;
+        if (at) points.push({ x: at, y: b.table.columns.get(b.column).numbers, colour: ink(styles[i].variable) });
+      }
+    });
+    const x = this.xRange(), run = runs[0], settling = axis.settling(run);
+    const marks = runs.length > 1 ? [] : run.chart.events.map((e) => ({ kind: e.kind, from: axis.place(run, e.from), to: axis.place(run, e.to) }));
+    return { x, y: reach(curves, points, x, raw.from_zero && !apart), xTitle: axis.title(), whole: axis.column === "row", curves, points, marks, settled: settling > 0 ? axis.values(run)[settling] : undefined, colours };
+  }
+
+  /** The measured values of the axis; null where the table has none. */
+  besideX(b) { return b.table.columns.get(this.axis.column)?.numbers ?? null; }
+
+  whole() {
+    const { axis } = this;
+    return span([...this.runs.map((r) => axis.values(r)), ...(axis.column === "row" ? [] : this.beside.map((b) => this.besideX(b) ?? []))]);
+  }
+
+  xRange() { return this.zoomed ?? this.whole(); }
+
+  zoomTo(range) {
+    this.zoomed = range;
+    this.all.disabled = range === null;
+    this.redraw();
+  }
+
+  /** About a place on the axis, by default the pose that is shown. */
+  zoom(factor, about = this.axis.values(this.run)[this.player.row]) {
+    const [low, high] = this.xRange(), [first, last] = this.whole();
+    if (!(about >= low && about <= high)) about = (low + high) / 2;
+    const size = Math.min((high - low) * factor, last - first);
+    if (size >= (last - first) * 0.999) { this.zoomTo(null); return; }
+    if (size < (last - first) * 1e-4) return;
+    const from = Math.min(Math.max(about - ((about - low) / (high - low)) * size, first), last - size);
+    this.zoomTo([from, from + size]);
+  }
+
+  pan(share) {
+    const [low, high] = this.xRange(), [first, last] = this.whole();
+    const by = Math.min(Math.max((high - low) * share, first - low), last - high);
+    if (this.zoomed) this.zoomTo([low + by, high + by]);
   }
 
   draw(panel) {
-    const width = Math.max(120, Math.floor(panel.box.clientWidth)), height = width < 330 ? 172 : 190;
-    if (panel.plot) { panel.plot.setSize({ width, height }); this.place(panel); return; }
-    const { raw, styles } = panel, count = this.sorted[0].x.length;
-    const series = [{}];
-    this.runs.forEach((_, r) => raw.series.forEach((s, i) => series.push({
-      label: s.name, stroke: styles[i].colour, width: r === 0 ? 1.8 : 1.5, dash: this.runs.length === 1 ? styles[i].dash : kRuns[r % kRuns.length], points: { show: r === 0 && count <= 2, size: 7, fill: styles[i].colour },
-      gaps: (u, _s, _from, _to, empty) => (this.runs.length > 1 ? empty : inOrder([...empty, ...this.sorted[0].gaps(u, this.run.chart.breaks)])) })));
-    const axis = { stroke: kAxis, font: kFont, grid: { stroke: kGrid, width: 1 }, ticks: { stroke: kGrid, width: 1, size: 4 } };
-    const options = {
-      width, height, legend: { show: false }, cursor: { show: false }, padding: [8, 12, 0, 0],
-      scales: { x: { time: false, range: (_, low, high) => (high > low ? [low, high] : [low - 1, high + 1]) },
-        y: { range: (_, low, high) => (low === null ? [0, 1] : padded(...withBars(raw, low, high), raw.from_zero)) } },
-      axes: [{ ...axis, size: 22, gap: 2, label: pretty(this.run.chart.x_title), labelFont: kFont, labelSize: 18, labelGap: 0,
-        space: 55, ...(/^row/.test(this.run.chart.x_title) ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000] } : {}) }, { ...axis, size: axisWidth, gap: 4, space: 30, values: (_, ticks) => ticks.map(tick) }],
-      series, hooks: { drawAxes: [(u) => this.marks(u)], drawSeries: [(u, i) => this.band(u, panel, i)] },
-    };
-    panel.plot = new uPlot(options, this.data(panel), panel.box);
-    panel.line = h("div.now", {});
-    panel.plot.over.append(panel.line);
-    panel.box.setAttribute("role", "img");
-    panel.box.setAttribute("aria-label", `${raw.title} over ${this.run.chart.x_title}: ${raw.series.map((s) => s.name).join(", ")}`);
-    this.scrub(panel.plot.over, panel);
+    const width = Math.max(160, Math.floor(panel.box.clientWidth)), height = width < 330 ? 172 : 190, ratio = Math.max(devicePixelRatio, 1);
+    Object.assign(panel.canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+    Object.assign(panel.canvas.style, { width: `${width}px`, height: `${height}px` });
+    const context = panel.canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    panel.graph = new Graph(width, height);
+    panel.graph.draw(new CanvasPen(context), this.graphOf(panel));
+    panel.canvas.setAttribute("aria-label", `${panel.raw.title} over ${this.axis.title()}: ${panel.raw.series.map((s) => s.name).join(", ")}`);
+    const { left, right, top, bottom } = panel.graph.box;
+    Object.assign(panel.over.style, { left: `${left}px`, width: `${right - left}px`, top: `${top}px`, height: `${bottom - top}px` });
+    Object.assign(panel.now.parentElement.style, { left: `${left}px`, width: `${right - left}px`, top: `${top}px`, height: `${bottom - top}px` });
+    panel.chips.forEach((chip, i) => {
+      chip.setAttribute("aria-pressed", String(!this.isHidden(panel, i)));
+      chip.hidden = alike(panel.raw.series[i].y, this.axis.values(this.run));  // the axis itself
+    });
     this.place(panel);
   }
 
-  /** Events, as lines through the plot; a stretch that was stepped over as a band. */
-  marks(u) {
-    if (this.runs.length > 1) return;  // whose they are could not be told
-    const g = u.ctx, { left, top, width, height } = u.bbox;
-    g.save();
-    g.beginPath();
-    g.rect(left, top, width, height);
-    g.clip();
-    for (const e of this.run.chart.events) {
-      const from = u.valToPos(e.from, "x", true), to = u.valToPos(e.to, "x", true);
-      if (e.kind === "window") { g.fillStyle = "#cc79a744"; g.fillRect(Math.min(from, to), top, Math.max(2, Math.abs(to - from)), height); continue; }
-      g.strokeStyle = e.kind === "other" ? "#b0308a" : "#7b8794";
-      g.lineWidth = devicePixelRatio;
-      g.setLineDash(e.kind === "lost" ? [2, 3] : e.kind === "gained" ? [6, 3] : []);
-      g.beginPath();
-      g.moveTo(from, top);
-      g.lineTo(from, top + height);
-      g.stroke();
-    }
-    if (u.scales.y.min < 0 && u.scales.y.max > 0) {
-      const zero = u.valToPos(0, "y", true);
-      g.strokeStyle = "#9aa5b0"; g.lineWidth = devicePixelRatio; g.setLineDash([]);
-      g.beginPath(); g.moveTo(left, zero); g.lineTo(left + width, zero); g.stroke();
-    }
-    g.restore();
-  }
-
-  /** How far a curve may be off. */
-  band(u, panel, i) {
-    const s = panel.raw.series[i - 1];
-    if (!s || !s.bar || panel.hidden.has(i - 1)) return;
-    const { x, order } = this.sorted[0], g = u.ctx;
-    g.save();
-    g.beginPath();
-    g.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
-    g.clip();
-    g.fillStyle = panel.styles[i - 1].colour + "33";
-    g.beginPath();
-    const rows = order.map((k, n) => [x[n], s.y[k], s.bar[k]]).filter((r) => r.every(Number.isFinite));
-    rows.forEach(([at, y, bar]) => g.lineTo(u.valToPos(at, "x", true), u.valToPos(y + bar, "y", true)));
-    rows.reverse().forEach(([at, y, bar]) => g.lineTo(u.valToPos(at, "x", true), u.valToPos(y - bar, "y", true)));
-    g.fill();
-    g.restore();
-  }
-
-  scrub(over, panel) {
+  scrub(panel) {
+    const { over } = panel;
+    const value = (e) => panel.graph.xAt(panel.graph.box.left + e.clientX - over.getBoundingClientRect().left);
     const choose = (e) => {
-      const box = over.getBoundingClientRect();
       this.player.stop();
-      this.player.set(nearestRow(this.run.chart.x, panel.plot.posToVal(e.clientX - box.left, "x")));
+      this.player.set(this.axis.nearest(this.axis.values(this.run), value(e), this.axis.settling(this.run), this.player.row));
     };
-    let down = false;
-    over.addEventListener("pointerdown", (e) => { down = true; over.setPointerCapture(e.pointerId); choose(e); });
-    over.addEventListener("pointermove", (e) => { if (down) choose(e); });
-    for (const end of ["pointerup", "pointercancel"]) over.addEventListener(end, () => { down = false; });
+    let down = null;
+    over.addEventListener("pointerdown", (e) => {
+      down = e.shiftKey ? { x: e.clientX, range: this.xRange() } : {};
+      over.setPointerCapture(e.pointerId);
+      if (!e.shiftKey) choose(e);
+    });
+    over.addEventListener("pointermove", (e) => {
+      if (!down) return;
+      if (!down.range) { choose(e); return; }
+      const [low, high] = down.range, [first, last] = this.whole(), by = ((down.x - e.clientX) / over.clientWidth) * (high - low);
+      const moved = Math.min(Math.max(by, first - low), last - high);
+      if (this.zoomed) this.zoomTo([low + moved, high + moved]);
+    });
+    for (const end of ["pointerup", "pointercancel"]) over.addEventListener(end, () => { down = null; });
+    over.addEventListener("dblclick", () => this.zoomTo(null));
+    over.addEventListener("wheel", (e) => { if (e.ctrlKey || e.metaKey) { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, value(e)); } }, { passive: false });
   }
 
   place(panel) {
-    if (!panel.plot) return;
-    const x = this.run.chart.x[this.player.row];
-    panel.line.hidden = !Number.isFinite(x);
-    if (Number.isFinite(x)) panel.line.style.left = `${panel.plot.valToPos(x, "x")}px`;
+    if (!panel.graph) return;
+    const x = panel.graph.toX(this.axis.values(this.run)[this.player.row]) - panel.graph.box.left;
+    panel.now.hidden = !Number.isFinite(x);
+    if (Number.isFinite(x)) panel.now.style.left = `${x}px`;
   }
 
   show(row) {
@@ -203,25 +217,21 @@ export class Plots {
       this.place(panel);
       panel.raw.series.forEach((s, i) => {
         const bar = s.bar && Number.isFinite(s.bar[row]) && s.bar[row] > 0 ? ` ± ${short(s.bar[row], 2)}` : "";
-        const others = this.runs.slice(1).map((r) => { const twin = twinSeries(r, panel.raw, s.name); return ` | ${twin ? short(twin.y[twinRow(this.run, row, r)]) : "–"}`; });
+        const others = this.runs.slice(1).map((r) => { const twin = twinSeries(r, panel.raw, s.name); return ` | ${twin ? short(twin.y[this.axis.twin(row, r)]) : "–"}`; });
         panel.values[i].textContent = short(s.y[row]) + bar + others.join("");
       });
     }
   }
 
-  resize() { for (const panel of this.panels) this.draw(panel); }
+  redraw() { for (const panel of this.panels) if (panel.box.clientWidth > 0) this.draw(panel); }
+  resize() { this.redraw(); }
+
+  /** All curves that are shown as one SVG file, in the colours of paper. */
+  svg() { return inLight(() => curvesSvg(this)); }
 }
 
-const tick = (v) => (v === 0 ? "0" : Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3 ? v.toExponential() : String(+v.toPrecision(8)));
-
-/** As wide as its longest number. */
-function axisWidth(u, values) {
-  const longest = (values ?? []).reduce((most, v) => Math.max(most, v.length), 2);
-  return 14 + 7 * longest;
-}
-
-export function swatch({ colour, dash }) {
-  const line = h("i.swatch", { "aria-hidden": "true" });
-  line.style.background = dash.length === 0 ? colour : `repeating-linear-gradient(to right, ${colour} 0 ${dash[0]}px, transparent ${dash[0]}px ${dash[0] + dash[1]}px)`;
-  return line;
+export function swatch({ variable, dash }) {
+  const mark = h("i.swatch", { "aria-hidden": "true" }), colour = `var(--${variable})`;
+  mark.style.background = dash.length === 0 ? colour : `repeating-linear-gradient(to right, ${colour} 0 ${dash[0]}px, transparent ${dash[0]}px ${dash[0] + dash[1]}px)`;
+  return mark;
 }

@@ -4,15 +4,27 @@ import { range } from "./data.js";
 import { kRuns, kGhosts } from "./colours.js";
 import { differences } from "./differences.js";
 
-export function head(runs) {
+export function head(runs, axis) {
   if (runs.length === 1) return headOf(runs[0]);
   const row = (run, i) => {
     const s = run.summary, { mark, brief } = kClasses[s.class];
-    return h("tr", {}, h("td", {}, runLine(i)), h("th", { scope: "row" }, run.name), h("td", {}, s.title), h("td", {}, `${mark} ${brief}`), h("td", {}, s.verdict[0] ?? ""));
+    return h("tr", {}, h("td", {}, runLine(i)), h("th", { scope: "row" }, run.name), h("td", {}, `${mark} ${brief}`), h("td", { title: s.verdict[0] ?? "" }, i === 0 ? "the reference" : mostlyApart(runs[0], run, axis)));
   };
   return [h("h1", {}, `${runs.length} results compared`),
     h("div.verdict", { class: `verdict ${worstOf(runs).look}` }, h("div.wide", {}, h("table", {}, h("tbody", {}, runs.map(row))),
-      h("p.facts", {}, `In the picture ${runs[0].name} is drawn whole, with its ligaments and contacts, the others as ghosts; each stands where its axis has the same value.`)))];
+      h("p.facts", {}, `In the picture ${runs[0].name} is drawn whole, the others in their colour; each stands where its axis has the same value.`)))];
+}
+
+const signed = (v, digits = 3) => (v > 0 ? "+" : "−") + short(Math.abs(v), digits);
+
+/** "x +6.10 mm at 25.0 deg, rotation −3.20 deg at 40.0 deg": what differs most of where the bones are, and of forces. */
+function mostlyApart(run, other, axis) {
+  const all = differences(run, other, axis), { unit } = axis.words(), said = [];
+  for (const kind of [/Translations|translations/, /Rotations|rotations/, /^Contact force/, /^Ligament force/]) {
+    const most = all.filter((d) => kind.test(d.panel)).sort((a, b) => Math.abs(b.largest) - Math.abs(a.largest))[0];
+    if (most && Math.abs(most.largest) > 1e-6) said.push(`${most.name.replaceAll("_", " ")} ${signed(most.largest)} ${most.unit} at ${short(most.at, 3)}${unit ? ` ${unit}` : ""}`);
+  }
+  return said.join(", ") || (all.length > 0 ? "the same curves" : "no curve in common over this axis");
 }
 
 /** How a run's lines look, and its ghost. */
@@ -20,7 +32,7 @@ function runLine(i) {
   const line = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   line.setAttribute("width", 46); line.setAttribute("height", 14); line.setAttribute("aria-hidden", "true");
   const dash = kRuns[i % kRuns.length].join(" "), ghost = i === 0 ? "none" : kGhosts[(i - 1) % kGhosts.length];
-  for (const [tag, a] of [["line", { x1: 1, y1: 7, x2: 30, y2: 7, stroke: "#1c2329", "stroke-width": 2, "stroke-dasharray": dash }], ["circle", { cx: 39, cy: 7, r: 5, fill: ghost, opacity: 0.6 }]]) {
+  for (const [tag, a] of [["line", { x1: 1, y1: 7, x2: 30, y2: 7, stroke: "currentColor", "stroke-width": 2, "stroke-dasharray": dash }], ["circle", { cx: 39, cy: 7, r: 5, fill: ghost, opacity: 0.6 }]]) {
     const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
     for (const [k, v] of Object.entries(a)) e.setAttribute(k, v);
     line.append(e);
@@ -40,19 +52,22 @@ function headOf(run) {
   const s = run.summary, { look, mark, word } = kClasses[s.class];
   const facts = [`${s.solved} of ${s.asked} ${run.motion ? "rows" : "poses"} solved`];
   if (s.stable !== undefined) facts.push(`${s.stable} stable`);
-  if (s.smallest_gap_mm !== undefined) facts.push(`smallest gap anywhere ${short(s.smallest_gap_mm, 2)} mm`);
+  if (s.smallest_gap_mm !== undefined) facts.push(`smallest gap ${Math.abs(s.smallest_gap_mm) < 1e-6 ? 0 : short(s.smallest_gap_mm, 2)} mm`);
   if (s.motion) facts.push(`${short(s.motion.duration_s)} s of motion`);
   facts.push(s.error_bars.length > 0 ? `error bars: ${bars(run)}` : "no error bars asked for");
+  if (run.every > 1) facts.push(`this page has every ${ordinal(run.every)} of ${run.raw.rows_in_full.toLocaleString("en")} rows, results.csv all`);
+  for (const t of run.beside) facts.push(`rings: ${t.name}`);
   const on = s.effects.map((e) => `${e.name} (${e.count})`).join(", "), seconds = cost(run);
   return [
     h("h1", {}, s.title || s.scene),
     h("div.verdict", { class: `verdict ${look}` }, h("span.mark", { "aria-hidden": "true" }, mark),
       h("div", {}, h("p", {}, h("strong", {}, word), s.verdict[0] ?? ""),
-        notes(s.verdict.slice(1)),
-        h("p.facts", {}, facts.join(" · ")),
-        h("p.facts", {}, `Effects on: ${on || "none"}${seconds > 0 ? ` · ${short(seconds, 3)} s in all` : ""}`))),
+        h("p.facts", { title: `Effects on: ${on || "none"}` }, facts.join(" · "), seconds > 0 ? ` · ${short(seconds, 3)} s in all` : ""),
+        notes(s.verdict.slice(1)))),
   ];
 }
+
+const ordinal = (n) => `${n}${n % 100 >= 11 && n % 100 <= 13 ? "th" : ["th", "st", "nd", "rd"][n % 10] ?? "th"}`;
 
 /** The largest bar of each coordinate: "adduction ± 0.2 °". */
 function bars(run) {
@@ -67,11 +82,12 @@ function bars(run) {
 
 const cost = (run) => (run.times ? run.times.stages.reduce((sum, t) => sum + t.seconds, 0) : 0);
 
-/** Open where there is room. */
+/** Folded to a line each: however many there are, the picture stays in the window. */
 function notes(sentences) {
   if (sentences.length === 0) return null;
-  const list = h("ul", {}, sentences.map((v) => h("li", {}, v)));
-  return h("details.notes", { open: innerWidth >= 700 }, h("summary", {}, sentences.length === 1 ? "One remark" : `${sentences.length} remarks`), list);
+  const first = (text) => { const end = text.search(/[.:;](\s|$)/); return end > 0 ? text.slice(0, end + 1) : text; };
+  const item = (text) => h("details.note", {}, h("summary", {}, first(text)), h("p", {}, text));
+  return h("details.notes", {}, h("summary", {}, sentences.length === 1 ? "One remark: " : `${sentences.length} remarks: `, h("span.brief", {}, first(sentences[0]))), h("div.list", {}, sentences.map(item)));
 }
 
 const fold = (title, open, ...content) => h("details", { open }, h("summary", {}, title), h("div.fold", {}, content));
@@ -124,19 +140,22 @@ function events(run) {
   h("p.small", {}, "In the plots: contacts gained are dashed lines, contacts lost dotted ones, stretches stepped over bands, all else full lines. Ligaments that became taut or slack stand in events.csv."));
 }
 
-export function details(runs, player) {
+export function details(runs, player, axis) {
   if (runs.length === 1) return detailsOf(runs[0], player);
-  return [compared(runs), ...runs.map((run) => fold(run.name, false, h("div.details", {}, headOf(run).slice(1), detailsOf(run, player).filter((d) => d !== null)))), keys()];
+  return [compared(runs, axis), ...runs.map((run) => fold(run.name, false, h("div.details", {}, headOf(run).slice(1), detailsOf(run, player).filter((d) => d !== null)))), keys()];
 }
 
-/** How far each curve lies from the first run's. */
-function compared(runs) {
+/** How far each curve lies from the first run's, over the axis that is chosen. */
+function compared(runs, axis) {
   return runs.slice(1).map((other) => {
-    const rows = differences(runs[0], other);
-    const title = `Differences of ${other.name} from ${runs[0].name}`;
-    if (rows.length === 0) return fold(title, true, h("p", {}, "They have no curve in common over the same axis."));
-    return fold(title, true, table(["curve", "", "largest difference", `at ${pretty(runs[0].chart.x_title)}`, "root mean square", "of a range of"],
-      rows.map((d) => [pretty(d.panel), d.name, short(d.largest), short(d.at), short(d.rms), short(d.range)])));
+    const body = h("div", {}), fill = () => {
+      const rows = differences(runs[0], other, axis);
+      body.replaceChildren(rows.length === 0 ? h("p", {}, "They have no curve in common over the same axis.") : table(["curve", "", "largest difference", `at ${axis.title()}`, "root mean square", "of a range of"],
+        rows.map((d) => [pretty(d.panel), d.name.replaceAll("_", " "), signed(d.largest, 4), short(d.at), short(d.rms), short(d.range)])));
+    };
+    fill();
+    axis.onChange(fill);
+    return fold(`Differences of ${other.name} from ${runs[0].name}`, true, body);
   });
 }
 
@@ -161,8 +180,9 @@ function detailsOf(run, player) {
 
 function keys() {
   return fold("Keys", false, table(["key", "does"], [
-    ["space", "play or pause"], ["← →", "the pose before, the next one"], ["Page up, Page down, Home, End", "on the slider: far steps, first and last pose"],
-    ["shift and arrows", "in the picture: turn"], ["+ −", "in the picture: nearer, farther"], ["0 1 2 3", "in the picture: oblique, side, front, from above"]]));
+    ["space", "play or pause"], ["← →", "the pose before, the next one"], ["Page up, Page down, Home, End", "far steps, first and last pose"],
+    ["shift and arrows", "turn the picture"], ["+ −", "nearer, farther"], ["0 to 6", "oblique, anterior, posterior, medial, lateral, proximal, distal"],
+    ["ctrl and wheel, shift and drag, double click", "in a plot: zoom, move, show all"], ["Esc", "close a menu"]]));
 }
 
 export const foot = (run) => [h("p", {}, `genu ${run.summary.version}, scene ${run.summary.scene}. The numbers are those of results.csv, in single precision. `,
