@@ -11,8 +11,11 @@ namespace {
 
 /// Elements that have no place in a scene, and what they do in OpenSim.
 struct KnownKind {
-  std::string_view type;
+  std::string_view type;  ///< "*Probe": every type that ends so
   const char* reason;
+  bool is(std::string_view other) const {
+    return type.starts_with('*') ? other.ends_with(type.substr(1)) : other == type;
+  }
 };
 constexpr std::array kKnownKinds = {
     KnownKind{"Marker", "marks a point for inverse kinematics; a scene has none"},
@@ -33,6 +36,8 @@ constexpr std::array kKnownKinds = {
     KnownKind{"CoordinateActuator", "would drive a coordinate by a control; a load `on` the coordinate does that"},
     KnownKind{"TorqueActuator", "would drive bodies by a control"},
     KnownKind{"PointActuator", "would drive a body by a control"},
+    KnownKind{"*Controller", "would excite muscles and actuators; the tension of a cable is its `magnitude`"},
+    KnownKind{"*Probe", "reports, without effect on any force"},
     KnownKind{"BushingForce", "WARNING: would hold two frames together by springs"},
     KnownKind{"ExpressionBasedBushingForce", "WARNING: would hold two frames together by springs"},
     KnownKind{"Ligament",
@@ -67,7 +72,7 @@ void settle_the_rest(const std::vector<Item>& items, Outcomes& outcomes) {
   for (const Item& item : items) {
     if (outcomes.has(item.where)) continue;
     const auto known =
-        std::find_if(kKnownKinds.begin(), kKnownKinds.end(), [&](const KnownKind& k) { return k.type == item.type; });
+        std::find_if(kKnownKinds.begin(), kKnownKinds.end(), [&](const KnownKind& k) { return k.is(item.type); });
     outcomes.left_out(item.where,
                       known == kKnownKinds.end() ? "WARNING: genu does not know this kind of element" : known->reason);
   }

@@ -110,7 +110,7 @@ void read_joint(const FileReader& reader, const XmlElement& e, Model& model) {
   joint.child = p.socket("child_frame");
   if (const XmlElement* frames = e.child("frames"))
     for (const XmlElement& frame : frames->children)
-      if (frame.tag == "PhysicalOffsetFrame") read_offset_frame(reader, frame, joint.name, model);
+      if (frame.tag == "PhysicalOffsetFrame") read_offset_frame(reader, frame, joint.name, {}, model);
   rest(joint);
   read_coordinates(reader, e, joint);
   const auto plain = std::find_if(std::begin(kPlainJoints), std::end(kPlainJoints),

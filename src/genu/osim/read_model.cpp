@@ -33,7 +33,7 @@ Mat3 inertia_of(const PropertyReader& body) {
 void read_carried(const FileReader& reader, const XmlElement& e, const std::string& name, Model& model) {
   if (const XmlElement* parts = e.child("components"))
     for (const XmlElement& part : parts->children)
-      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, model);
+      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, name, model);
   if (const XmlElement* wraps = e.objects_of("WrapObjectSet"))
     for (const XmlElement& wrap : wraps->children) read_wrap_object(reader, wrap, name, model);
 }
@@ -97,7 +97,7 @@ void read_sets(const FileReader& reader, const XmlElement& e, Model& model) {
   if (const XmlElement* ground = e.child("Ground")) read_carried(reader, *ground, "ground", model);
   if (const XmlElement* parts = e.child("components"))
     for (const XmlElement& part : parts->children)
-      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, model);
+      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, {}, model);
   for_each_member(e, "BodySet", [&](const XmlElement& body) { read_body(reader, body, model); });
   for_each_member(e, "JointSet", [&](const XmlElement& joint) { read_joint(reader, joint, model); });
   for_each_member(e, "ConstraintSet", [&](const XmlElement& one) { read_coupler(reader, one, model); });
@@ -115,9 +115,12 @@ const Coordinate* Joint::coordinate(const std::string& wanted) const {
 
 std::string last_name(const std::string& socket) { return socket.substr(socket.rfind('/') + 1); }
 
-void read_offset_frame(const FileReader& reader, const XmlElement& e, const std::string& owner, Model& model) {
+void read_offset_frame(const FileReader& reader, const XmlElement& e, const std::string& owner,
+                       const std::string& holder, Model& model) {
   const PropertyReader p(reader, e);
-  model.frames.push_back({e.name(), owner, p.socket("parent"), p.placement("orientation", "translation"), e.where});
+  std::string parent = p.socket("parent");
+  if (parent == ".." && !holder.empty()) parent = holder;
+  model.frames.push_back({e.name(), owner, parent, p.placement("orientation", "translation"), e.where});
   read_carried(reader, e, e.name(), model);
 }
 

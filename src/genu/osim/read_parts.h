@@ -6,8 +6,9 @@
 
 namespace genu::osim {
 
-/// A PhysicalOffsetFrame of `owner`, the name of a joint, or empty.
-void read_offset_frame(const FileReader& reader, const XmlElement& e, const std::string& owner, Model& model);
+/// A PhysicalOffsetFrame of `owner`, the name of a joint, or inside the body or frame `holder`; each may be empty.
+void read_offset_frame(const FileReader& reader, const XmlElement& e, const std::string& owner,
+                       const std::string& holder, Model& model);
 /// A wrap object of a body or frame; false where it is of another kind than genu has.
 bool read_wrap_object(const FileReader& reader, const XmlElement& e, const std::string& body, Model& model);
 /// Any joint; an error for a kind that genu does not know.

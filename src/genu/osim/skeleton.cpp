@@ -132,6 +132,11 @@ bool Skeleton::choose_joints(const std::vector<std::string>& names, Diagnostics&
     const bool on_ground = at(links_[j].parent.body) == model_->bodies.size();
     if (can && (asked || (moving.kind == MovingJoint::Kind::free && !on_ground))) joints_.push_back(moving);
   }
+  const auto place = [&](const MovingJoint& m) {  // as asked
+    return std::find(names.begin(), names.end(), model_->joints[at(m.joint)].name) - names.begin();
+  };
+  std::stable_sort(joints_.begin(), joints_.end(),
+                   [&](const MovingJoint& a, const MovingJoint& b) { return place(a) < place(b); });
   if (joints_.empty() && !out.has_errors())
     out.add(error_at(
         {}, Code::missing_key, "--joints", {},

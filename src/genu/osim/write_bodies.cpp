@@ -73,20 +73,19 @@ void write_revolute(SceneDraft& draft, const MovingJoint& moving) {
     draft.text += fmt::format("reference = {{ angle = {} }}\n", number_text(angle * to::kDegree));
 }
 
-/// "hip_flex_r = 30 deg, ..."; a coordinate may be a length: then it is in m.
-std::string pose_of(const SceneDraft& draft, const Joint& joint) {
-  std::string text;
-  for (const Coordinate& c : joint.coordinates)
-    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", c.name, draft.skeleton.value(c.name));
-  return text.empty() ? text : text + " (rad, m)";
+/// "1 m", "0.2 rad"
+std::string value_text(const SceneDraft& draft, const Coordinate& c) {
+  return fmt::format("{:.6g} {}", draft.skeleton.value(c.name), is_angle(draft.model, c.name) ? "rad" : "m");
 }
 
 void tell_frozen(SceneDraft& draft, const Joint& joint) {
-  const std::string reason = joint.coordinates.empty() ? "has no coordinate" : "held at the pose of the import";
-  draft.outcomes.frozen(joint.where, {}, reason, pose_of(draft, joint));
-  for (const Coordinate& c : joint.coordinates)
-    draft.outcomes.frozen(c.where, {}, "held at the pose of the import",
-                          fmt::format("{:.6g} rad or m", draft.skeleton.value(c.name)));
+  constexpr const char* kHeld = "held at the pose of the import";
+  std::string pose;
+  for (const Coordinate& c : joint.coordinates) {
+    pose += (pose.empty() ? "" : "; ") + c.name + " = " + value_text(draft, c);
+    draft.outcomes.frozen(c.where, {}, kHeld, value_text(draft, c));
+  }
+  draft.outcomes.frozen(joint.where, {}, joint.coordinates.empty() ? "has no coordinate" : kHeld, pose);
 }
 
 }  // namespace
@@ -144,23 +143,19 @@ void write_joints(SceneDraft& draft) {
 }
 
 void write_step(SceneDraft& draft) {
+  const auto mass_of = [&](const MovingJoint& m) { return draft.skeleton.bodies()[at(m.child)].mass; };
+  const MovingJoint* lead = &draft.skeleton.joints().front();  // the shank before the patella
+  for (const MovingJoint& moving : draft.skeleton.joints())
+    if (mass_of(moving) > mass_of(*lead)) lead = &moving;
+  const std::string leading = lead->kind == MovingJoint::Kind::free ? lead->rotations[0].coordinate : lead->angle;
   std::string prescribed;
-  const auto prescribe = [&](const std::string& coordinate, bool angle) {
-    const double value = draft.skeleton.value(coordinate) * (angle ? to::kDegree : to::kMillimetre);
-    prescribed += fmt::format("{}\"{}\" = {}", prescribed.empty() ? "" : ", ", draft.coordinate_name(coordinate),
-                              number_text(value));
-  };
-  bool first = true;
-  for (const MovingJoint& moving : draft.skeleton.joints()) {
-    const Joint& joint = draft.model.joints[at(moving.joint)];
-    for (const Coordinate& c : joint.coordinates) {
-      bool angle = c.name == moving.angle;
-      for (const auto& r : moving.rotations) angle |= r.coordinate == c.name;
-      const bool leads = first && angle;
-      first &= !leads;
-      if (leads || c.locked) prescribe(c.name, angle);
+  for (const MovingJoint& moving : draft.skeleton.joints())
+    for (const Coordinate& c : draft.model.joints[at(moving.joint)].coordinates) {
+      if (c.name != leading && !c.locked) continue;
+      const double unit = is_angle(draft.model, c.name) ? to::kDegree : to::kMillimetre;
+      prescribed += fmt::format("{}\"{}\" = {}", prescribed.empty() ? "" : ", ", draft.coordinate_name(c.name),
+                                number_text(draft.skeleton.value(c.name) * unit));
     }
-  }
   draft.text += fmt::format(
       "# --- Steps. CHOSEN: a model does not say what to compute. The first rotation (and what is locked) keeps the "
       "pose of\n"

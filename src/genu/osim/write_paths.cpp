@@ -149,11 +149,8 @@ class PathWriter {
 /// -k (q - q0) is feedback of the coordinate on itself; a scene has its gain per mm or deg.
 void write_spring(SceneDraft& draft, const CoordinateSpring& s) {
   const std::string coordinate = draft.coordinate_name(s.coordinate);
-  bool angle = coordinate.ends_with(".angle");
-  for (const MovingJoint& moving : draft.skeleton.joints())
-    for (const auto& r : moving.rotations)
-      angle |= moving.kind == MovingJoint::Kind::free && r.coordinate == s.coordinate;
-  const double unit = angle ? units::kDegree : units::kMillimetre;  // SI per unit of the scene
+  // SI per unit of the scene
+  const double unit = is_angle(draft.model, s.coordinate) ? units::kDegree : units::kMillimetre;
   const std::string name = draft.loads.of(s.name);
   draft.text +=
       fmt::format("{}\n[load.{}]\non = \"{}\"\nscale = {{ feedback = {{ of = \"{}\", target = {}, gain = {} }} }}\n\n",
