@@ -60,4 +60,16 @@ class PublishedTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// Ligaments of which a published table has a length, NAME_L_m.
+inline std::vector<std::string> ligament_names(const std::string& file) {
+  std::istringstream text(read_text(data_path("lenhart2015/" + file)));
+  std::string line;
+  std::getline(text, line);
+  std::istringstream cells(line);
+  std::vector<std::string> names;
+  for (std::string cell; std::getline(cells, cell, ',');)
+    if (cell.ends_with("_L_m")) names.push_back(cell.substr(0, cell.size() - 4));
+  return names;
+}
+
 }  // namespace genu::test
