@@ -64,9 +64,12 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   for (const SampleNode& node : tree.nodes) groups_.push_back({node});
 }
 
+bool Proximity::is_between(const Surface& a, const Surface& b) const {
+  return (samples_b_ ? queried_ : sampled_) == &a && (samples_b_ ? sampled_ : queried_) == &b;
+}
+
 bool Proximity::is_of(const Surface& a, const Surface& b, const Options& options) const {
-  return (samples_b_ ? queried_ : sampled_) == &a && (samples_b_ ? sampled_ : queried_) == &b &&
-         options.spacing == options_.spacing && options.reach == options_.reach &&
+  return is_between(a, b) && options.spacing == options_.spacing && options.reach == options_.reach &&
          options.centre_a == options_.centre_a && options.centre_b == options_.centre_b;
 }
 
