@@ -1,5 +1,5 @@
 // parameter_loop SCENE NUMBER COLUMN [RUNS]: how a column of the results follows a number of the scene.
-//   parameter_loop meshes/dortmans1984/scene.toml AAC.stiffness knee.rotation_deg
+//   parameter_loop meshes/dortmans1984/scene.toml AAC.stiffness AAC.force_N
 //   1. read the scene once
 //   2. change the number from 50 % to 150 % of its value, solve, print the column's largest value
 #include <algorithm>

@@ -1,10 +1,10 @@
-"""Anterior laxity of a measured knee with and without its anterior cruciate ligament.
+"""Anterior laxity of a knee with and without its anterior cruciate ligament.
 
     python3 docs/python/laxity.py [FOLDER]     writes laxity.svg into FOLDER (here, unless given)
 
-1. Read the scene once, with a load along the femur's anterior axis that pulls the tibia.
-2. Pull forward and backward by 100 N at flexion angles from 0 to 90 deg, with the ligament and without.
-3. Laxity is the tibia's way between the two.
+1. Read the scene once, with a load added that pulls the femur along the tibia's anterior axis.
+2. Pull backward and forward by 100 N while the knee flexes from 0 to 70 deg, with the ligament and without.
+3. Laxity is the femur's way between the two.
 """
 import pathlib
 import sys
@@ -12,35 +12,33 @@ import sys
 import genu
 from line_chart import line_chart
 
-SCENE = pathlib.Path(__file__).resolve().parents[2] / "meshes" / "lenhart_polynomial" / "scene.toml"
+SCENE = pathlib.Path(__file__).resolve().parents[2] / "meshes" / "dortmans1984" / "scene.toml"
 PULL = 100  # N
-DRAWER = '\n[load.drawer]\nbody = "tibia"\nforce = [1, 0, 0]\n'  # N, the world's axes: x anterior
+DRAWER = '\n[load.drawer]\nbody = "femur"\nforce = [0, 1, 0]\n'  # y is anterior
 
 
 def laxity(knee):
-    """(flexion in deg, way in mm) at every pose that both pulls have."""
-    found = {}
+    """Flexion in deg and way in mm at every pose."""
+    found = []
     for pull in (PULL, -PULL):
-        knee["drawer.force.x"] = pull
-        found[pull] = knee.run()
-    poses = min(result.solved for result in found.values())
-    forward, backward = (found[pull]["knee.x_mm"][:poses] for pull in (PULL, -PULL))
-    return found[PULL]["knee.flexion_deg"][:poses], forward - backward
+        knee["drawer.force.y"] = pull
+        found.append(knee.run())
+        assert found[-1].verdict == "solved", found[-1]
+    forward, backward = found
+    return forward["knee.flexion_deg"], forward["knee.y_mm"] - backward["knee.y_mm"]
 
 
 def main(folder):
-    text = SCENE.read_text().replace("increments = 90", "increments = 18")
-    intact = genu.parse(text + DRAWER, SCENE)
-    cut = intact.without("ACL*")
+    intact = genu.parse(SCENE.read_text() + DRAWER, SCENE)
+    cut = intact.without("?AC")  # AAC and PAC: anterior and posterior fibres
     flexion, with_acl = laxity(intact)
-    flexion_cut, without_acl = laxity(cut)
-    poses = min(len(flexion), len(flexion_cut))
+    _, without_acl = laxity(cut)
     print(f"anterior laxity at +-{PULL} N, mm")
     print("flexion_deg      intact   without ACL")
-    for k in range(0, poses, 3):
-        print(f"{flexion[k]:11.0f}{with_acl[k]:12.2f}{without_acl[k]:14.2f}")
-    lines = {"intact": with_acl[:poses], "without ACL": without_acl[:poses]}
-    line_chart(folder / "laxity.svg", flexion[:poses], lines, "flexion [deg]", f"way between +-{PULL} N [mm]")
+    for k in range(0, len(flexion), 10):
+        print(f"{abs(flexion[k]):11.0f}{with_acl[k]:12.2f}{without_acl[k]:14.2f}")
+    lines = {"intact": with_acl, "without ACL": without_acl}
+    line_chart(folder / "laxity.svg", flexion, lines, "flexion [deg]", f"way between +-{PULL} N [mm]")
 
 
 if __name__ == "__main__":

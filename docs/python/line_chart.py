@@ -18,7 +18,7 @@ def line_chart(file, x, lines, x_title, y_title):
     values = [v for line in lines.values() for v in line]
     x_low, x_high = min(x), max(x)
     y_low, y_high = min(0.0, min(values)), max(values)
-    right, bottom = _WIDTH - 150, _HEIGHT - 45
+    right, bottom = _WIDTH - 165, _HEIGHT - 45
 
     def at(u, v):
         across = _LEFT + (right - _LEFT) * (u - x_low) / (x_high - x_low)

@@ -15,9 +15,9 @@ run() { "$bin/genu" run "$1" --no-report --quiet --out "$2"; }
 run "$knee" "$work/knee"
 
 # The middle of five values is the file's own.
-"$bin/example_parameter_loop" "$knee" AAC.stiffness knee.rotation_deg 5 > "$work/loop.csv" || fail "parameter_loop"
+"$bin/example_parameter_loop" "$knee" AAC.stiffness AAC.force_N 5 > "$work/loop.csv" || fail "parameter_loop"
 [ "$(wc -l < "$work/loop.csv")" -eq 6 ] || fail "parameter_loop printed no 5 rows"
-largest=$(column "$work/knee/results.csv" knee.rotation_deg | sort -g | tail -1)
+largest=$(column "$work/knee/results.csv" AAC.force_N | sort -g | tail -1)
 [ "$(sed -n 4p "$work/loop.csv" | cut -d, -f2)" = "$largest" ] || fail "parameter_loop: not $largest in $(sed -n 4p "$work/loop.csv")"
 [ "$(cut -d, -f2 "$work/loop.csv" | sort -u | wc -l)" -eq 6 ] || fail "parameter_loop: the number changes nothing"
 
