@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/knee.h"
 #include "genu/api/scene.h"
 #include "genu/mesh_files/mesh_reader.h"
-#include "support/places.h"
 
 namespace genu::api {
 namespace {
@@ -19,12 +19,7 @@ Triangles tetrahedron() {
 }
 
 std::string refusal(const Triangles& mesh, const std::string& unit = "mm") {
-  try {
-    (void)check_mesh(mesh, unit);
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { (void)check_mesh(mesh, unit); });
 }
 
 TEST(CheckMesh, CountsAndGuessesTheUnit) {

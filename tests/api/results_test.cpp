@@ -2,23 +2,19 @@
 #include "genu/api/results.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/knee.h"
 #include "genu/api/scene.h"
-#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace genu::api {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string knee_file() { return genu::test::source_folder() + "/meshes/dortmans1984/scene.toml"; }
 
 TEST(Results, OutliveTheirSceneAndItsChanges) {
   auto knee = std::make_unique<Scene>(load(knee_file()));
@@ -76,9 +72,7 @@ TEST(Results, ReportNamesTheChanges) {
   knee.set("AAC.stiffness", 20000);
   const std::string file = folder / "report.html";
   knee.run().report(file);
-  std::ifstream in(file);
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_THAT(page, HasSubstr("AAC.stiffness = 20000 N (37200)"));
+  EXPECT_THAT(text_of(file), HasSubstr("AAC.stiffness = 20000 N (37200)"));
   EXPECT_THROW(knee.run().report(folder / "no/folder.html"), SceneError);
 }
 

@@ -1,28 +1,18 @@
 // A scene in memory: the same numbers as a file that says what was changed.
 #include "genu/api/scene.h"
 
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/data.h"
-#include "support/places.h"
+#include "api/knee.h"
 
 namespace genu::api {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string knee_file() { return genu::test::source_folder() + "/meshes/dortmans1984/scene.toml"; }
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   const auto place = text.find(what);
@@ -38,17 +28,6 @@ std::string without_table(const std::string& text, const std::string& header) {
 }
 
 std::string csv(const Scene& scene) { return scene.run().poses().csv(); }
-
-/// What SceneError says; empty where nothing is thrown.
-template <typename F>
-std::string refusal(const F& f) {
-  try {
-    f();
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(Scene, GivesTheBytesOfAFileWithTheChangedNumber) {
   Scene knee = load(knee_file());
@@ -102,13 +81,17 @@ TEST(Scene, KeepsStepsFactorsOfTheLoadsThatStay) {
 
 TEST(Scene, RefusesWhatItsRulesForbidAndStaysAsItWas) {
   Scene knee = load(knee_file());
-  EXPECT_THAT(refusal([&] { knee.set("AAC.stiffness", -2); }), HasSubstr("AAC.stiffness = -2: stiffness must be > 0"));
-  EXPECT_THAT(refusal([&] { knee.set("AAC.stiffness", std::nan("")); }), HasSubstr("must be > 0"));
-  EXPECT_THAT(refusal([&] { knee.set("A?C.stiffness", std::vector<double>{1, 2, -3}); }), HasSubstr("AMC.stiffness"));
-  EXPECT_THAT(refusal([&] { knee.set("A?C.stiffness", std::vector<double>{1, 2}); }), HasSubstr("means 3 numbers"));
-  EXPECT_THAT(refusal([&] { knee.set("AAC.stifness", 2); }), HasSubstr("did you mean \"AAC.stiffness\""));
-  EXPECT_THAT(refusal([&] { (void)knee.value("A?C.stiffness"); }), HasSubstr("means 3 numbers, not one"));
-  EXPECT_THAT(refusal([&] { (void)knee.without("XYZ*"); }), HasSubstr("no ligament, contact or load"));
+  EXPECT_THAT(refusal_of([&] { knee.set("AAC.stiffness", -2); }),
+              HasSubstr("AAC.stiffness = -2: stiffness must be > 0"));
+  EXPECT_THAT(refusal_of([&] { knee.set("AAC.stiffness", std::nan("")); }), HasSubstr("must be > 0"));
+  EXPECT_THAT(refusal_of([&] {
+                knee.set("A?C.stiffness", std::vector<double>{1, 2, -3});
+              }),
+              HasSubstr("AMC.stiffness"));
+  EXPECT_THAT(refusal_of([&] { knee.set("A?C.stiffness", std::vector<double>{1, 2}); }), HasSubstr("means 3 numbers"));
+  EXPECT_THAT(refusal_of([&] { knee.set("AAC.stifness", 2); }), HasSubstr("did you mean \"AAC.stiffness\""));
+  EXPECT_THAT(refusal_of([&] { (void)knee.value("A?C.stiffness"); }), HasSubstr("means 3 numbers, not one"));
+  EXPECT_THAT(refusal_of([&] { (void)knee.without("XYZ*"); }), HasSubstr("no ligament, contact or load"));
   EXPECT_TRUE(knee.changes().empty());
   EXPECT_EQ(csv(knee), csv(load(knee_file())));
 }
@@ -125,7 +108,7 @@ TEST(Scene, ErrorsHaveTheirPlace) {
     EXPECT_EQ(error.first().key, "ligament.AAC.stiffness");
     EXPECT_EQ(error.first().code, "out-of-range");
   }
-  EXPECT_THAT(refusal([] { (void)load("no/such/scene.toml"); }), HasSubstr("no/such/scene.toml"));
+  EXPECT_THAT(refusal_of([] { (void)load("no/such/scene.toml"); }), HasSubstr("no/such/scene.toml"));
 }
 
 TEST(Scene, CopiesAreSolvedSideBySideToTheSameBytes) {
@@ -155,7 +138,7 @@ TEST(Scene, EvaluatesItsOwnResults) {
   EXPECT_EQ(evaluated.verdict(), "evaluated");
   EXPECT_NEAR(evaluated["front.force_N"][0], found["front.force_N"][0], 1e-9);
   EXPECT_NEAR(evaluated["bone.residual_force_z_N"][0], 0, 1e-9);
-  EXPECT_THAT(refusal([&] { (void)bone.evaluate({{"joint.x_mm"}, {found["joint.x_mm"]}}); }), HasSubstr("joint.y"));
+  EXPECT_THAT(refusal_of([&] { (void)bone.evaluate({{"joint.x_mm"}, {found["joint.x_mm"]}}); }), HasSubstr("joint.y"));
 }
 
 TEST(Scene, DifferentiatesAsDifferencesDo) {
@@ -179,7 +162,7 @@ TEST(Scene, OfAFormulaNeedsNoFile) {
   const Results found = make({}).run();
   EXPECT_EQ(found.verdict(), "solved");
   EXPECT_GT(found.rows(), 10U);
-  EXPECT_THAT(refusal([] { (void)make({.kind = "stl"}); }), HasSubstr("is needed for a scene of meshes"));
+  EXPECT_THAT(refusal_of([] { (void)make({.kind = "stl"}); }), HasSubstr("is needed for a scene of meshes"));
 }
 
 }  // namespace

@@ -74,6 +74,9 @@ bool Proximity::is_of(const Surface& a, const Surface& b, const Options& options
 }
 
 void Proximity::forget() {
+  // Every search begins at the root: where that has not been looked at, nothing has.
+  const auto fresh = [](const Group& root) { return std::isnan(root.clearance) && root.measured == Pose{}; };
+  if (!groups_.empty() && fresh(groups_.front())) return;
   for (Group& group : groups_) group.clearance = std::numeric_limits<double>::quiet_NaN(), group.measured = Pose{};
   std::fill(memory_.begin(), memory_.end(), Memory{});
   std::fill(gap_.begin(), gap_.end(), kInfinity);
