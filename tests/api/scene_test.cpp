@@ -65,10 +65,24 @@ TEST(Scene, GivesThoseOfAFileWithoutWhatIsLeftOut) {
             csv(parse(without_table(text_of(knee_file()), "contact.medial"), knee_file())));
 }
 
+TEST(Scene, OfCartilageGivesThoseOfAFileWithTheChange) {
+  const std::string file = genu::test::source_folder() + "/meshes/lenhart_polynomial/scene-cells.toml";
+  const std::string text = replaced(text_of(file), "increments = 9", "increments = 1");
+  Scene knee = parse(text, file);
+  const std::string before = csv(knee);
+  knee.set("medial.modulus", 8);  // MPa
+  const std::string softer = replaced(text, "modulus = 10", "modulus = 8");
+  EXPECT_EQ(csv(knee), csv(parse(softer, file)));
+  knee.set("MCLd1.stiffness", 250);
+  EXPECT_EQ(csv(knee), csv(parse(replaced(softer, "stiffness = 500", "stiffness = 250"), file)));
+  EXPECT_NE(csv(knee), before);
+  EXPECT_THAT(refusal_of([&] { knee.set("*.poisson", 0.5); }), HasSubstr("must be >= 0 and < 0.5"));
+}
+
 TEST(Scene, KeepsStepsFactorsOfTheLoadsThatStay) {
   const std::string loads =
       "\n[load.a]\nbody = \"femur\"\nforce = [1, 0, 0]\n[load.b]\nbody = \"femur\"\nforce = [0, 2, 0]\n";
-  const std::string factors = "factors = { a = [0, 1], b = [1, 0] }\n";
+  const std::string factors = "load = { a = [0, 1], b = [1, 0] }\n";
   const std::string text = text_of(knee_file());
   const auto step = text.find("[[step]]\n");
   ASSERT_NE(step, std::string::npos);
@@ -76,7 +90,7 @@ TEST(Scene, KeepsStepsFactorsOfTheLoadsThatStay) {
     return parse(text.substr(0, step) + these + "\n[[step]]\n" + those + text.substr(step + 9), knee_file());
   };
   EXPECT_EQ(csv(with(loads, factors).without("load.a")),
-            csv(with("\n[load.b]\nbody = \"femur\"\nforce = [0, 2, 0]\n", "factors = { b = [1, 0] }\n")));
+            csv(with("\n[load.b]\nbody = \"femur\"\nforce = [0, 2, 0]\n", "load = { b = [1, 0] }\n")));
 }
 
 TEST(Scene, RefusesWhatItsRulesForbidAndStaysAsItWas) {
