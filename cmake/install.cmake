@@ -1,7 +1,8 @@
 # What `cmake --install` puts where, and the .deb that CPack makes of it: everything that is installed is named here.
 #
 # bin/genu links the rooms into itself. lib/libgenu.so is the same rooms for other programs, with the libraries they
-# use linked in privately: who uses genu::genu sees its headers, Eigen, and nothing of FCL, assimp, CGAL and the rest.
+# use linked in privately: who uses genu::genu sees genu/genu.h and the headers that it includes, and nothing of Eigen,
+# FCL, assimp, CGAL and the rest.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -15,11 +16,9 @@ endif()
 add_library(genu_library SHARED ${genu_objects})
 set_target_properties(genu_library PROPERTIES OUTPUT_NAME genu EXPORT_NAME genu LINKER_LANGUAGE CXX
                       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-target_link_libraries(genu_library PRIVATE genu_study genu_judge genu_options INTERFACE Eigen3::Eigen)
+target_link_libraries(genu_library PRIVATE genu_api genu_judge genu_options)
 target_link_options(genu_library PRIVATE -Wl,-Bsymbolic-functions -Wl,--as-needed)
 target_include_directories(genu_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-# Part of the layout of what crosses the border (cmake/options.cmake): whoever compiles against genu has to have it too.
-target_compile_definitions(genu_library INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 target_compile_features(genu_library INTERFACE cxx_std_20)
 
 # Everything that `cmake --install` copies is built by this target.
@@ -27,7 +26,11 @@ add_custom_target(installed_files DEPENDS genu genu_library)
 
 install(TARGETS genu DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS genu_library EXPORT genuTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/genu DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
+# What is not API is not installed.
+install(FILES src/genu/genu.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/genu)
+foreach(header meshes problem results scene table)
+  install(FILES src/genu/api/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/genu/api)
+endforeach()
 
 set(genu_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/genu)
 configure_package_config_file(cmake/genuConfig.cmake.in ${PROJECT_BINARY_DIR}/genuConfig.cmake
@@ -75,7 +78,7 @@ set(CPACK_PACKAGE_NAME genu)
 set(CPACK_PACKAGE_CONTACT "${GENU_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_DESCRIPTION
-    "From bone and cartilage surfaces, ligaments and loads genu finds the poses in which an articular joint balances, and says of each whether it is stable and what it was checked against. The program, the C++ library, scenes and documentation.")
+    "From bone and cartilage surfaces, ligaments and loads genu finds the poses in which an articular joint balances, and says of each whether it is stable and what it was checked against. The program, the C++ library, the Python package, scenes and documentation.")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -83,5 +86,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, cmake") # to compile against it
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, python3, python3-numpy") # to compile against it, to import it
 include(CPack)

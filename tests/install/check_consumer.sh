@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# check_consumer.sh BUILD CMAKE CXX: installs BUILD into a folder of its own and lets a project find it there, which must get by with
-# genu's headers and Eigen, and find what the installed program finds.
+# check_consumer.sh BUILD CMAKE CXX [PYTHON]: installs BUILD into a folder of its own and lets a project find it there, which must
+# get by with genu's headers, and find what the installed program finds. So must the Python package, where it is built.
 set -euo pipefail
-build=$1 cmake=$2 cxx=$3
+build=$1 cmake=$2 cxx=$3 python=${4-}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 fail() { echo "install_consumer: $*" >&2; exit 1; }
 
@@ -11,11 +11,13 @@ trap 'rm -rf "$work"' EXIT
 "$cmake" --install "$build" --prefix "$work/first" > "$work/log" || { cat "$work/log"; fail "cmake --install"; }
 mv "$work/first" "$work/prefix" # an installation may be moved
 
-# What headers include: themselves, Eigen, the standard library (a word without . or /).
+# What headers include: themselves, the standard library (a word without . or /).
 foreign=$(grep -rhoE '^ *# *include *[<"][^>"]+[>"]' "$work/prefix/include" | sed -E 's/.*[<"]([^>"]+)[>"]/\1/' | sort -u |
-          grep -vE '^(genu/[a-z_/]+\.(h|def)|Eigen/[A-Za-z]+|[a-z_]+)$' || true)
+          grep -vE '^(genu/api/[a-z_]+\.h|[a-z_]+)$' || true)
 [ -z "$foreign" ] || fail "installed headers include $foreign"
-[ "$(find "$work/prefix/include" -name '*.h' | wc -l)" -gt 100 ] || fail "headers are missing"
+[ "$(cd "$work/prefix/include" && find . -type f | LC_ALL=C sort | xargs)" = \
+  "./genu/api/meshes.h ./genu/api/problem.h ./genu/api/results.h ./genu/api/scene.h ./genu/api/table.h ./genu/genu.h" ] ||
+  fail "not the API is installed: $(cd "$work/prefix/include" && find . -type f | xargs)"
 for file in bin/genu lib/libgenu.so lib/cmake/genu/genuConfig.cmake lib/cmake/genu/genuConfigVersion.cmake \
             share/doc/genu/LICENSE share/doc/genu/copyright share/genu/meshes/dortmans1984/scene.toml; do
   [ -e "$work/prefix/$file" ] || fail "$file is not installed"
@@ -26,7 +28,7 @@ grep -q 'three.js authors' "$work/prefix/share/doc/genu/copyright" || fail "copy
 "$cmake" -S "$here/consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$cxx" \
   -DCMAKE_CXX_COMPILER_LAUNCHER= > "$work/log" 2>&1 || { cat "$work/log"; fail "the consumer cannot be configured"; }
 "$cmake" --build "$work/build" > "$work/log" 2>&1 || { cat "$work/log"; fail "the consumer cannot be built"; }
-read_headers=$(ninja -C "$work/build" -t deps | grep -E '^ +/' | grep -vE '^ +/usr/(include/(c\+\+|eigen3|x86_64-linux-gnu|[a-z0-9]+-linux-gnu|linux|asm-generic|bits|sys|gnu)/|include/[a-z0-9_-]+\.h|lib/gcc)' |
+read_headers=$(ninja -C "$work/build" -t deps | grep -E '^ +/' | grep -vE '^ +/usr/(include/(c\+\+|x86_64-linux-gnu|[a-z0-9]+-linux-gnu|linux|asm-generic|bits|sys|gnu)/|include/[a-z0-9_-]+\.h|lib/gcc)' |
                grep -vF "$work/prefix/include/genu/" | grep -vF "$here/consumer/" || true)
 [ -z "$read_headers" ] || fail "compiling the consumer read $read_headers"
 
@@ -36,4 +38,12 @@ scene=$work/prefix/share/genu/meshes/dortmans1984/scene.toml
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "knee.adduction_deg") c = i } NR > 1 { print $c }' "$work/out/results.csv" > "$work/told"
 [ "$(wc -l < "$work/told")" -eq 71 ] || fail "results.csv has not 71 rows"
 cmp "$work/found" "$work/told" || fail "the library and the program differ"
-echo "71 poses by the library as by the program, to the last digit"
+by="the library"
+if [ -n "$python" ]; then
+  PYTHONPATH=$work/prefix/lib/python3/dist-packages "$python" -c 'import sys, genu
+for value in genu.load(sys.argv[1]).run()[sys.argv[2]]: print("%.17g" % value)' "$scene" knee.adduction_deg > "$work/found" ||
+    fail "the Python package"
+  cmp "$work/found" "$work/told" || fail "the Python package and the program differ"
+  by="the library and the Python package"
+fi
+echo "71 poses by $by as by the program, to the last digit"

@@ -5,7 +5,7 @@ if(NOT CLANG_FORMAT)
   return()
 endif()
 file(GLOB_RECURSE files ${ROOT}/src/*.h ${ROOT}/src/*.cpp ${ROOT}/tools/*.h ${ROOT}/tools/*.cpp ${ROOT}/tests/*.h
-     ${ROOT}/tests/*.cpp)
+     ${ROOT}/tests/*.cpp ${ROOT}/python/*.h ${ROOT}/python/*.cpp ${ROOT}/examples/*.cpp)
 if(NOT files)
   message(FATAL_ERROR "no sources under ${ROOT}")
 endif()

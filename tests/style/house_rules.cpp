@@ -53,9 +53,11 @@ std::vector<Include> includes_of(const SourceFile& file) {
   return includes;
 }
 
-// "core" for "genu/core/pose.h" behind the prefix "genu/"; empty for a path elsewhere or directly under the prefix.
+// "core" for "genu/core/pose.h" behind the prefix "genu/"; empty for a path elsewhere or directly under the prefix. The
+// umbrella over the API belongs to its room.
 std::string room_of(const std::string& path, const std::string& prefix) {
   if (!path.starts_with(prefix)) return {};
+  if (path == prefix + "genu.h") return "api";
   const std::size_t slash = path.find('/', prefix.size());
   return slash == std::string::npos ? std::string() : path.substr(prefix.size(), slash - prefix.size());
 }

@@ -35,13 +35,15 @@ class Implausible {
 
   void ligaments() {
     Worst strain, force;
-    for (const LigamentDef& ligament : prepared_.scene.ligaments)
+    for (const LigamentDef& ligament : prepared_.scene.ligaments) {
+      const bool tears = ligament.law != "spring";  // a spring stretches as it likes
+      const Column pulls = column(ligament.name + ".force_N"), strains = column(ligament.name + ".strain");
       for (std::size_t row = 0; row < table_.rows(); ++row) {
-        const double pull = number(row, ligament.name + ".force_N");
-        const bool tears = ligament.law != "spring";  // a spring stretches as it likes
-        if (pull > 0 && tears) strain.see(number(row, ligament.name + ".strain"), row, ligament.name);
+        const double pull = number(row, pulls);
+        if (pull > 0 && tears) strain.see(number(row, strains), row, ligament.name);
         force.see(pull, row, ligament.name);
       }
+    }
     if (strain.value > limits_.strain)
       say("the strain of {} reaches {:.0f} %", strain, 100, "limit {:g} %", limits_.strain);
     if (force.value > limits_.ligament_force)
@@ -51,7 +53,8 @@ class Implausible {
   void contacts() {
     Worst force, pressure;
     const auto see = [&](const std::string& contact) {
-      for (std::size_t row = 0; row < table_.rows(); ++row) force.see(number(row, contact + ".force_N"), row, contact);
+      const Column forces = column(contact + ".force_N");
+      for (std::size_t row = 0; row < table_.rows(); ++row) force.see(number(row, forces), row, contact);
     };
     for (const ContactDef& contact : prepared_.scene.contacts) see(contact.name);
     for (const LayerDef& layer : prepared_.scene.layers) {
@@ -138,9 +141,16 @@ class Implausible {
   }
 
   /// NaN also where the table lacks the column.
-  double number(std::size_t row, const std::string& column) const {
-    return table_.has_column(column) ? table_.number(row, column) : std::numeric_limits<double>::quiet_NaN();
+  /// Where it is in the table; none where it is not.
+  using Column = std::optional<std::size_t>;
+  Column column(const std::string& name) const {
+    return table_.has_column(name) ? Column(table_.column_index(name)) : std::nullopt;
   }
+  double number(std::size_t row, const Column& column) const {
+    const double* const value = column ? std::get_if<double>(&table_.at(row, *column)) : nullptr;
+    return value != nullptr ? *value : std::numeric_limits<double>::quiet_NaN();
+  }
+  double number(std::size_t row, const std::string& name) const { return number(row, column(name)); }
 
   static std::optional<std::size_t> first_solved(const std::vector<PoseRecord>& records) {
     for (std::size_t row = 0; row < records.size(); ++row)

@@ -8,9 +8,9 @@ namespace genu {
 
 std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector<NewNumber>& numbers,
                                      Diagnostics& out) {
-  Prepared changed = prepared;
+  Scene scene = prepared.source;
   for (const auto& [parameter, value] : numbers) {
-    double* const number = parameter_number(changed.source, parameter);
+    double* const number = parameter_number(scene, parameter);
     if (number == nullptr)
       out.add(error_at({prepared.source.file}, Code::not_applicable, parameter.name, {},
                        "cannot be changed: numbers of ligaments, loads, bodies and joints can"));
@@ -18,12 +18,26 @@ std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector
       *number = value;
   }
   if (out.has_errors()) return std::nullopt;
+  return with_scene(prepared, std::move(scene), out);
+}
+
+std::optional<Prepared> with_scene(const Prepared& prepared, Scene scene, Diagnostics& out) {
+  Prepared changed;
+  changed.source = std::move(scene);
   changed.scene = place(changed.source, prepared.scene.origins);
-  auto model = build_model(changed.scene, changed.surfaces, out, changed.bones, {&prepared.scene, &prepared.model});
+  auto model = build_model(changed.scene, prepared.surfaces, out, prepared.bones, {&prepared.scene, &prepared.model});
   if (!model) return std::nullopt;
   model->meter = std::make_shared<EffectMeter>();
   changed.model = std::move(*model);
   changed.steps = plan_steps(changed.scene);
+  changed.surfaces = prepared.surfaces;
+  changed.notes = prepared.notes;
+  changed.bones = prepared.bones;
+  changed.bodies = prepared.bodies;
+  changed.seconds = prepared.seconds;
+  changed.meshes = prepared.meshes;
+  changed.facing = prepared.facing;
+  changed.search = prepared.search;
   return changed;
 }
 

@@ -20,6 +20,11 @@ using NewNumber = std::pair<Parameter, double>;
 [[nodiscard]] std::optional<Prepared> with_numbers(const Prepared& prepared, const std::vector<NewNumber>& numbers,
                                                    Diagnostics& out);
 
+/// `prepared` with the numbers of another scene: its surfaces, contacts, bodies and joints must be those of `prepared`,
+/// but for numbers that with_numbers() can change; ligaments and loads may be others. Shares as much. Empty, with
+/// errors in `out`, where the laws of `scene` cannot be.
+[[nodiscard]] std::optional<Prepared> with_scene(const Prepared& prepared, Scene scene, Diagnostics& out);
+
 /// Prepares the search for contacts once and for all that with_numbers() makes of `prepared` from now on.
 void share_search(Prepared& prepared);
 

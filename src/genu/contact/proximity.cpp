@@ -64,13 +64,19 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   for (const SampleNode& node : tree.nodes) groups_.push_back({node});
 }
 
+bool Proximity::is_between(const Surface& a, const Surface& b) const {
+  return (samples_b_ ? queried_ : sampled_) == &a && (samples_b_ ? sampled_ : queried_) == &b;
+}
+
 bool Proximity::is_of(const Surface& a, const Surface& b, const Options& options) const {
-  return (samples_b_ ? queried_ : sampled_) == &a && (samples_b_ ? sampled_ : queried_) == &b &&
-         options.spacing == options_.spacing && options.reach == options_.reach &&
+  return is_between(a, b) && options.spacing == options_.spacing && options.reach == options_.reach &&
          options.centre_a == options_.centre_a && options.centre_b == options_.centre_b;
 }
 
 void Proximity::forget() {
+  // Every search begins at the root: where that has not been looked at, nothing has.
+  const auto fresh = [](const Group& root) { return std::isnan(root.clearance) && root.measured == Pose{}; };
+  if (!groups_.empty() && fresh(groups_.front())) return;
   for (Group& group : groups_) group.clearance = std::numeric_limits<double>::quiet_NaN(), group.measured = Pose{};
   std::fill(memory_.begin(), memory_.end(), Memory{});
   std::fill(gap_.begin(), gap_.end(), kInfinity);

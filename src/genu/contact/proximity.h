@@ -48,6 +48,7 @@ class Proximity {
   /// Copies share what was prepared of the surfaces.
   Proximity(const Surface& a, const Surface& b, const Options& options);
 
+  bool is_between(const Surface& a, const Surface& b) const;
   /// Whether a pair made of these would be prepared in the same way.
   bool is_of(const Surface& a, const Surface& b, const Options& options) const;
 

@@ -22,7 +22,17 @@ void add_points(const Load& load, int body, std::vector<Vec3>& ends) {
   if (load.body_b == body && toward) ends.push_back(load.p_B);
 }
 
-JointModel::Scales choose_scales(const JointModel& model) {
+/// Whether both models have the same surfaces in contact.
+bool same_surfaces(const JointModel& a, const JointModel& b) {
+  const auto alike = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](const auto& p, const auto& q) { return p.a == q.a && p.b == q.b; });
+  };
+  return alike(a.pairs, b.pairs) && alike(a.layers, b.layers);
+}
+
+/// `before` (may be null): a model whose surfaces need not be looked at again where they are the same.
+JointModel::Scales choose_scales(const JointModel& model, const JointModel* before = nullptr) {
   JointModel::Scales scales;
   double square = 0;
   int count = 0;
@@ -59,8 +69,14 @@ JointModel::Scales choose_scales(const JointModel& model) {
       for (const auto& surface : {pair.a, pair.b})
         if (!surface->is_unbounded()) scales.size = std::max(scales.size, box_diagonal(*surface, scales.length) / 2);
   };
-  grow(model.pairs);
-  grow(model.layers);
+  const bool known = before != nullptr && before->scales.length == scales.length &&
+                     scales.length > kMinLengthShare * before->scales.size && same_surfaces(model, *before);
+  if (known) {
+    scales.size = before->scales.size;
+  } else {
+    grow(model.pairs);
+    grow(model.layers);
+  }
   // All attachments may coincide; the surfaces then give the size of the joint.
   scales.length = std::max(scales.length, kMinLengthShare * scales.size);
 
@@ -238,7 +254,7 @@ std::optional<JointModel> build_model(const PlacedScene& scene,
                             surfaces[at(b)], nullptr});
   }
   if (!good) return std::nullopt;
-  model.scales = choose_scales(model);
+  model.scales = choose_scales(model, before.model);
   for (std::size_t k = 0; k < scene.layers.size(); ++k)
     good = (share_layer(scene, before, model, k) || build_layer(scene, bones, model, k, out)) && good;
   if (!good) return std::nullopt;

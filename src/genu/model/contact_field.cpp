@@ -52,7 +52,10 @@ ContactField::ContactField(const JointModel& model) : ContactField(model, nullpt
 ContactField::ContactField(const JointModel& model, const ContactField& prepared) : ContactField(model, &prepared) {}
 
 ContactField::ContactField(const JointModel& model, const ContactField* prepared)
-    : model_(&model), spacing_(sample_spacing(model)), layers_(std::make_shared<LayerMemories>()) {
+    : model_(&model),
+      length_(model.scales.length),
+      spacing_(spacing_of(model, prepared)),
+      layers_(std::make_shared<LayerMemories>()) {
   pairs_.reserve(model.pairs.size());
   for (std::size_t k = 0; k < model.pairs.size(); ++k) {
     const auto& pair = model.pairs[k];
@@ -63,6 +66,15 @@ ContactField::ContactField(const JointModel& model, const ContactField* prepared
   layer_pairs_.resize(model.layers.size());
   for (const auto& layer : model.layers)
     any_doubtful_ = any_doubtful_ || !layer.a->doubtful().empty() || !layer.b->doubtful().empty();
+}
+
+/// sample_spacing(), which looks at every surface, unless that of `prepared` is known to be the same.
+double ContactField::spacing_of(const JointModel& model, const ContactField* prepared) const {
+  const bool alike =
+      prepared != nullptr && prepared->length_ == length_ && prepared->pairs_.size() == model.pairs.size() &&
+      std::equal(model.pairs.begin(), model.pairs.end(), prepared->pairs_.begin(),
+                 [](const JointModel::Pair& pair, const Proximity& of) { return of.is_between(*pair.a, *pair.b); });
+  return alike ? prepared->spacing_ : sample_spacing(model);
 }
 
 template <typename Meeting>

@@ -101,11 +101,13 @@ class ContactField {
   Feet feet_of_layer(const State& state, int layer);
 
   void scan_pairs(const State& state, Survey& out);
+  double spacing_of(const JointModel& model, const ContactField* prepared) const;
   template <typename Meeting>
   Proximity proximity_of(const Meeting& surfaces, const Proximity* prepared = nullptr) const;
   Pose relative(const State& state, int pair) const;
 
   const JointModel* model_;
+  double length_;  // m: characteristic length that spacing_ was chosen for
   double spacing_;
   bool any_doubtful_ = false;
   std::vector<Proximity> pairs_;

@@ -60,20 +60,19 @@ const Vec3& ContactColumns::centre(std::size_t pair, bool second) const {
   return model_.bodies[at(second ? model_.pairs[pair].body_b : model_.pairs[pair].body_a)].centre;
 }
 
-void ContactColumns::set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b,
+/// Fills the six columns of a point, which follow those of force and gap (add_pair()), from `column` on.
+void ContactColumns::set_point(std::size_t column, std::size_t pair, const Vec3& a, const Vec3& b,
                                ResultTable& table) const {
   for (const bool second : {false, true})
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i);
-      table.set(name + "." + point_column(scene_, pair, second, i),
-                to::kMillimetre * (second ? b : a)[axis] + to::kMillimetre * centre(pair, second)[axis]);
-    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      table.set(column++, to::kMillimetre * (second ? b : a)[axis] + to::kMillimetre * centre(pair, second)[axis]);
 }
 
 void ContactColumns::set_contact(const std::string& name, std::size_t pair, const Shown& c, ResultTable& table) const {
-  table.set(name + ".force_N", c.force);
-  table.set(name + ".gap_mm", to::kMillimetre * c.gap);
-  set_point(name, pair, c.a, c.b, table);
+  const std::size_t first = table.column_index(name + ".force_N");
+  table.set(first, c.force);
+  table.set(first + 1, to::kMillimetre * c.gap);
+  set_point(first + 2, pair, c.a, c.b, table);
 }
 
 ContactColumns::Contacts ContactColumns::contacts_of(std::size_t pair, const State& state,
@@ -103,12 +102,13 @@ void ContactColumns::set_pair(std::size_t pair, const Contacts& contacts, double
     total.b += c.force * c.b;
     if (nearest == nullptr || c.gap < nearest->gap) nearest = &c;
   }
-  if (forces) table.set(name + ".force_N", total.force);
-  table.set(name + ".gap_mm", to::kMillimetre * total.gap);
+  const std::size_t first = table.column_index(name + ".force_N");
+  if (forces) table.set(first, total.force);
+  table.set(first + 1, to::kMillimetre * total.gap);
   if (total.force > 0)
-    set_point(name, pair, total.a / total.force, total.b / total.force, table);
+    set_point(first + 2, pair, total.a / total.force, total.b / total.force, table);
   else if (nearest != nullptr)
-    set_point(name, pair, nearest->a, nearest->b, table);
+    set_point(first + 2, pair, nearest->a, nearest->b, table);
   if (!forces) return;
   for (const RegionDef& region : scene_.contacts[pair].regions)
     set_region(name + "." + region.name, region, contacts, centre(pair, true), table);

@@ -37,7 +37,7 @@ class ContactColumns {
   void add_pair(const std::string& name, std::size_t pair, ResultTable& table) const;
   void add_layer(const LayerDef& layer, ResultTable& table) const;
   void set_pair(std::size_t pair, const Contacts& contacts, double gap, bool forces, ResultTable& table) const;
-  void set_point(const std::string& name, std::size_t pair, const Vec3& a, const Vec3& b, ResultTable& table) const;
+  void set_point(std::size_t column, std::size_t pair, const Vec3& a, const Vec3& b, ResultTable& table) const;
   void set_contact(const std::string& name, std::size_t pair, const Shown& c, ResultTable& table) const;
   void set_region(const std::string& name, const RegionDef& region, const Contacts& contacts, const Vec3& origin,
                   ResultTable& table) const;

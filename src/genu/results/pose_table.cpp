@@ -43,7 +43,7 @@ class PoseTable {
     for (int j = 0; j < static_cast<int>(scene_.joints.size()); ++j) {
       const JointDef& joint = scene_.joints[at(j)];
       for (int i = 0; i < 6; ++i)
-        if (joint.leaves(i)) table_.add_column(coordinate_column(scene_, {j, i}));
+        if (joint.leaves(i)) free_.push_back({{j, i}, table_.add_column(coordinate_column(scene_, {j, i}))});
       for (int i = 0; i < 6; ++i) add_reaction(steps, {j, i});
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
@@ -56,8 +56,10 @@ class PoseTable {
       add_reaction(steps, quantity);
     }
     contacts_.add_columns(table_);
-    for (const auto& l : model_.ligaments)
-      for (const char* quantity : {"length_mm", "strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    for (const auto& l : model_.ligaments) {
+      ligaments_.push_back(table_.add_column(l.name + ".length_mm"));
+      for (const char* quantity : {"strain", "force_N"}) table_.add_column(l.name + "." + quantity);
+    }
     add_bundle_columns(scene_, table_);
     add_wrap_columns(model_, table_);
     add_moment_arm_columns(scene_, model_, table_);
@@ -132,10 +134,8 @@ class PoseTable {
     const PosePoint& point = record.point;
     const State& state = point.pose.state;
     const bool reactions = !record.given || record.given->reactions;
-    for (int j = 0; j < static_cast<int>(state.coordinates.size()); ++j)
-      for (int i = 0; i < 6; ++i)
-        if (scene_.joints[at(j)].leaves(i))
-          table_.set(coordinate_column(scene_, {j, i}), shown_value({j, i}, state.coordinates[at(j)][at(i)]));
+    for (const auto& [c, column] : free_)
+      table_.set(column, shown_value(c, state.coordinates[at(c.joint)][at(c.index)]));
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
       table_.set(coordinate_column(scene_, quantity),
@@ -168,11 +168,10 @@ class PoseTable {
 
   void set_ligaments(const PosePoint& point) {
     for (std::size_t i = 0; i < model_.ligaments.size(); ++i) {
-      const std::string& name = model_.ligaments[i].name;
       const LigamentShown shown_ligament = show_ligament(model_, point.pose.state, static_cast<int>(i));
-      table_.set(name + ".length_mm", to::kMillimetre * shown_ligament.length);
-      table_.set(name + ".strain", shown_ligament.strain);
-      table_.set(name + ".force_N", shown_ligament.force);
+      table_.set(ligaments_[i], to::kMillimetre * shown_ligament.length);
+      table_.set(ligaments_[i] + 1, shown_ligament.strain);
+      table_.set(ligaments_[i] + 2, shown_ligament.force);
     }
   }
 
@@ -180,6 +179,8 @@ class PoseTable {
   const JointModel& model_;
   ContactColumns contacts_;
   ResultTable table_;
+  std::vector<std::pair<CoordinateRef, std::size_t>> free_;  // coordinates that no joint holds, and their columns
+  std::vector<std::size_t> ligaments_;                       // the first of three columns of each
 };
 
 }  // namespace

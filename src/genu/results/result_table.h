@@ -19,7 +19,11 @@ class ResultTable {
   void add_row() { rows_.emplace_back(columns_.size()); }
   /// Sets a cell of the last row. A number that is not finite leaves the cell empty: no NaN is ever written.
   void set(std::size_t column, Cell value);
-  void set(std::string_view column, Cell value) { set(column_index(column), std::move(value)); }
+  /// Rows are mostly filled from left to right: the column after the last one found is looked at first.
+  void set(std::string_view column, Cell value) {
+    if (next_ >= columns_.size() || columns_[next_] != column) next_ = column_index(column);
+    set(next_++, std::move(value));
+  }
 
   /// Index of a column; throws std::out_of_range for a name that is none (a mistake in the program, not of its user).
   std::size_t column_index(std::string_view name) const { return index_.at(std::string(name)); }
@@ -36,6 +40,7 @@ class ResultTable {
   std::vector<std::string> columns_;
   std::unordered_map<std::string, std::size_t> index_;
   std::vector<std::vector<Cell>> rows_;
+  std::size_t next_ = 0;  // the column after that of the last set() by name
 };
 
 /// Columns aligned for a terminal: numbers to the right with `digits` decimals, at most `most_rows` rows spread evenly.

@@ -8,6 +8,7 @@
 
 #include "genu/appraise/hertz_check.h"
 #include "genu/appraise/layer_verdict.h"
+#include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
@@ -236,22 +237,30 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
   return out;
 }
 
+std::optional<Evaluation> evaluate_file(const Prepared& prepared, PoseFile file, const EvaluateOptions& options,
+                                        Diagnostics& out) {
+  const auto columns = match_columns(prepared.scene, file, options.columns, out);
+  if (!columns) return std::nullopt;
+  const auto given = read_given_poses(prepared.scene, file, *columns, out);
+  if (!given) return std::nullopt;
+  const auto facts = facts_of(prepared.scene, file, *columns);
+  file = {};  // its words take as much room as what follows
+  ContactField field = contact_field(prepared);
+  Evaluation found = evaluate(prepared, field, *given, options);
+  found.summary.given = facts;
+  found.summary.given->left_out = given->left_out;
+  add_verdict(prepared, found.records, found.summary);
+  return found;
+}
+
 int evaluate_scene(const SceneSource& source, const std::string& poses, const std::string& folder,
                    const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation) {
   const auto prepared = prepare_run(source, folder, out, {poses});
   auto file = read_pose_file(poses, out);
   if (!prepared || !file || refuse_motion(*prepared, "evaluate", out)) return kExitRefused;
-  const auto columns = match_columns(prepared->scene, *file, options.columns, out);
-  if (!columns) return kExitRefused;
-  const auto given = read_given_poses(prepared->scene, *file, *columns, out);
-  if (!given) return kExitRefused;
-  const auto facts = facts_of(prepared->scene, *file, *columns);
-  file.reset();  // its words take as much room as what follows
-  ContactField field(prepared->model);
-  Evaluation found = evaluate(*prepared, field, *given, options);
-  found.summary.given = facts;
-  found.summary.given->left_out = given->left_out;
-  add_verdict(*prepared, found.records, found.summary);
+  auto evaluated = evaluate_file(*prepared, std::move(*file), options, out);
+  if (!evaluated) return kExitRefused;
+  Evaluation& found = *evaluated;
   RunOptions same;
   same.cancelled = options.cancelled;
   found.folder = folder_for(folder, same, found.summary);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "genu/assemble/given_poses.h"
@@ -28,6 +29,11 @@ struct Evaluation {
 /// the scene has no rigid contacts.
 Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPoses& given,
                     const EvaluateOptions& options);
+
+/// Evaluates a scene at every pose of `file`, and says what that is worth. Empty, with the reasons in `out`, where its
+/// columns or cells are refused.
+[[nodiscard]] std::optional<Evaluation> evaluate_file(const Prepared& prepared, PoseFile file,
+                                                      const EvaluateOptions& options, Diagnostics& out);
 
 /// Reads the scene and the poses, evaluates, writes results.csv, curves.svg and summary.json into `folder`. Returns the
 /// exit code; `out` holds what was refused, `evaluation` (may be null) gets what was found.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/refuse_option.h"
+#include "genu/assemble/with_numbers.h"
 #include "genu/core/timer.h"
 #include "genu/law/laws.h"
 #include "genu/results/columns.h"
@@ -318,16 +319,23 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
   }
 }
 
-int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder, const SensitivityChoice& choice,
-                    const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
+bool solve_and_differentiate(const Prepared& prepared, const SensitivityChoice& choice, const RunOptions& options,
+                             Diagnostics& out, SensitivityResult& result) {
+  if (refuse_motion(prepared, "sensitivity", out)) return false;
+  const SensitivityRows asked = choose(prepared, choice, kMaxNamedContacts, out);
+  if (out.has_errors() || too_many(prepared, asked, out)) return false;
+  ContactField field = contact_field(prepared);
+  if (!check_start(prepared, field, out)) return false;
+  result.solution = solve(prepared, field, options);
+  differentiate(prepared, field, choice, result);
+  return true;
+}
+
+int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder,
+                    const SensitivityChoice& choice, const RunOptions& options, Diagnostics& out,
+                    SensitivityResult& result) {
   const auto prepared = prepare_run(source, folder, out);
-  if (!prepared || refuse_motion(*prepared, "sensitivity", out)) return kExitRefused;
-  const SensitivityRows asked = choose(*prepared, choice, kMaxNamedContacts, out);
-  if (out.has_errors() || too_many(*prepared, asked, out)) return kExitRefused;
-  ContactField field(prepared->model);
-  if (!check_start(*prepared, field, out)) return kExitRefused;
-  result.solution = solve(*prepared, field, options);
-  differentiate(*prepared, field, choice, result);
+  if (!prepared || !solve_and_differentiate(*prepared, choice, options, out, result)) return kExitRefused;
   const PlacedScene& scene = prepared->scene;
   const auto& steps = prepared->steps;
   const Solution& solution = result.solution;

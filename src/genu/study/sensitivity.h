@@ -36,6 +36,10 @@ SensitivityRows choose(const Prepared& prepared, const SensitivityChoice& choice
 void differentiate(const Prepared& prepared, ContactField& field, const SensitivityChoice& choice,
                    SensitivityResult& result);
 
+/// Solves a scene and differentiates what is chosen. False, with the reasons in `out`, where that is refused.
+[[nodiscard]] bool solve_and_differentiate(const Prepared& prepared, const SensitivityChoice& choice,
+                                           const RunOptions& options, Diagnostics& out, SensitivityResult& result);
+
 /// Reads, solves and differentiates a scene, and writes the run's results with sensitivity.csv, ranking.csv and
 /// sensitivity.svg into `folder` where there is one. Returns the exit code.
 [[nodiscard]] int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/surface_variants.h"
+#include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/file_list.h"
 #include "genu/core/file_text.h"
@@ -38,7 +39,7 @@ bool refused_for_flaws(const Prepared& prepared, const Solution& found, Diagnost
 
 std::optional<Solution> solve_all(const Prepared& prepared, const RunOptions& options, Diagnostics& out) {
   const Timer timer;
-  ContactField field(prepared.model);
+  ContactField field = contact_field(prepared);
   if (!check_start(prepared, field, out)) return std::nullopt;
   const double search_seconds = timer.seconds();
   Solution found = solve(prepared, field, options);

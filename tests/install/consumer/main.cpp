@@ -1,16 +1,16 @@
 // consumer SCENE COLUMN: solves a scene and prints one column of its results, a line each pose.
 #include <cstdio>
 
-#include <genu/study/run_scene.h>
+#include <genu/genu.h>
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  genu::Diagnostics diagnostics;
-  const auto prepared = genu::prepare(argv[1], diagnostics);
-  const auto solution = prepared ? genu::solve_all(*prepared, {}, diagnostics) : std::nullopt;
-  for (const genu::Diagnostic& d : diagnostics.items()) std::fprintf(stderr, "%s\n", genu::to_string(d).c_str());
-  if (!solution || !solution->poses.has_column(argv[2])) return 2;
-  for (std::size_t row = 0; row < solution->poses.rows(); ++row)
-    std::printf("%.17g\n", solution->poses.number(row, argv[2]));
-  return solution->summary.exit_code;
+  try {
+    const genu::api::Results found = genu::api::load(argv[1]).run();
+    for (const double value : found[argv[2]]) std::printf("%.17g\n", value);
+    return found.solved() == found.asked() ? 0 : 3;
+  } catch (const genu::api::SceneError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
 }

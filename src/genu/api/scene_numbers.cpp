@@ -1,0 +1,185 @@
+#include "genu/api/scene_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/api/inside.h"
+#include "genu/core/units.h"
+#include "genu/scene/words.h"
+
+namespace genu::api {
+namespace {
+
+using Kind = Parameter::Kind;
+
+std::string kind_of_object(const Parameter& p) {
+  if (p.of_ligament()) return "ligament";
+  if (p.of_surface()) return "surface";
+  if (p.of_load()) return "load";
+  if (p.of_joint()) return "joint";
+  return "body";
+}
+
+/// What a table of numbers says of an object as a whole.
+template <class Def>
+std::string fault_of(const Def& def) {
+  for (const NumberOf<Def>& number : kind_of(def).numbers)
+    if (number.fault != nullptr)
+      if (const char* why = number.fault(def); why != nullptr) return why;
+  return {};
+}
+
+std::string fault_of_object(const SceneTables& scene, const Parameter& p) {
+  switch (p.kind) {
+    case Kind::surface_number:
+      return fault_of(scene.surfaces[at(p.object)]);
+    case Kind::load_number:
+      return fault_of(scene.loads[at(p.object)]);
+    case Kind::body_number:
+      return fault_of(scene.bodies[at(p.object)]);
+    case Kind::joint_number:
+      return fault_of(scene.joints[at(p.object)]);
+    default:
+      return {};
+  }
+}
+
+std::string fault_of(SceneTables& scene, const Parameter& p) {
+  const double value = *parameter_number(scene, p);
+  if (const NumberRow* row = parameter_row(scene, p))
+    if (std::string why = row->fault(value); !why.empty()) return why;
+  if (!std::isfinite(value)) return "must be finite";
+  if (p.kind == Kind::slack_length && !(value > 0)) return "must be > 0 mm";
+  if (p.kind == Kind::reference_strain && !(value > -1)) return "must be > -1";
+  if (p.kind == Kind::damping && !(value >= 0)) return "must be >= 0";
+  return fault_of_object(scene, p);
+}
+
+bool is_vector(const SceneTables& scene, const Parameter& p) {
+  const NumberRow* row = parameter_row(scene, p);
+  return row != nullptr && !p.of_ligament() && row->size == 3;
+}
+
+bool is_point(const SceneTables& scene, const Parameter& p) {
+  if (p.kind == Kind::from_point || p.kind == Kind::to_point || p.kind == Kind::via_point) return true;
+  return is_vector(scene, p);
+}
+
+/// A number of an elastic layer.
+struct LayerNumber {
+  const char* key;
+  const char* unit;
+  double si;
+  double LayerDef::*member;
+  std::string (*fault)(double);
+};
+
+std::string above_zero(double x) { return std::isfinite(x) && x > 0 ? "" : "must be > 0"; }
+std::string below_half(double x) { return x >= 0 && x < 0.5 ? "" : "must be >= 0 and < 0.5"; }
+
+constexpr double kMegapascal = 1e6;  // Pa
+const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", kMegapascal, &LayerDef::modulus, above_zero},
+                                     {"poisson", "1", 1, &LayerDef::poisson, below_half}};
+
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+/// Takes out of `defs` what `pattern` means; how many.
+template <class Defs, class Name>
+std::size_t take_out(Defs& defs, const std::string& pattern, const char* kind, const Name& name) {
+  return std::erase_if(defs, [&](const auto& def) { return means_object(pattern, kind, name(def)); });
+}
+
+/// The same of loads, which steps name by their index.
+std::size_t take_out_loads(genu::Scene& scene, const std::string& pattern) {
+  std::vector<int> index;
+  int next = 0;
+  for (const LoadDef& load : scene.loads) index.push_back(means_object(pattern, "load", load.name) ? -1 : next++);
+  for (StepDef& step : scene.steps) {
+    std::erase_if(step.factors, [&](const StepDef::Factor& f) { return index[at(f.load)] < 0; });
+    for (StepDef::Factor& f : step.factors) f.load = index[at(f.load)];
+  }
+  return take_out(scene.loads, pattern, "load", [](const LoadDef& l) { return l.name; });
+}
+
+}  // namespace
+
+bool means_object(const std::string& pattern, const std::string& kind, const std::string& name) {
+  return matches(pattern, name) || matches(pattern, kind + "." + name);
+}
+
+void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what, bool& contacts) {
+  std::vector<std::string> known;
+  for (const LigamentDef& l : scene.ligaments) known.push_back(l.name);
+  for (const LoadDef& l : scene.loads) known.push_back(l.name);
+  for (const ContactDef& c : scene.contacts) known.push_back(c.name);
+  for (const LayerDef& l : scene.layers) known.push_back(l.pair.name);
+  const auto named = [](const auto& def) { return def.name; };
+  const std::size_t ligaments = take_out(scene.ligaments, pattern, "ligament", named),
+                    loads = take_out_loads(scene, pattern),
+                    pairs = take_out(scene.contacts, pattern, "contact", named) +
+                            take_out(scene.layers, pattern, "contact", [](const LayerDef&l) { return l.pair.name; });
+  const auto add = [&](std::size_t n, const char* word) {
+    if (n > 0) what += (what.empty() ? "" : ", ") + counted(n, word);
+  };
+  add(ligaments, "ligament");
+  add(pairs, "contact");
+  add(loads, "load");
+  contacts = pairs > 0;
+  if (what.empty())
+    refuse(Code::unknown_name, "without", with_quotes(pattern),
+           "is no ligament, contact or load of this scene" + did_you_mean(pattern, known));
+}
+
+SceneNumbers::SceneNumbers(const SceneTables& scene) {
+  SceneTables probe = scene;
+  for (const Parameter& p : parameters_of(scene)) {
+    if (parameter_number(probe, p) == nullptr) continue;
+    SceneNumber number;
+    number.name = p.name;
+    number.unit = p.unit;
+    number.si = p.si;
+    number.object = kind_of_object(p);
+    number.moves_surfaces = p.of_surface() || (p.of_joint() && is_vector(scene, p));
+    number.moves_points = is_point(scene, p);
+    number.place = [p](SceneTables& s) { return parameter_number(s, p); };
+    number.fault = [p](SceneTables& s) { return fault_of(s, p); };
+    all_.push_back(std::move(number));
+  }
+  add_layers(scene);
+  for (std::size_t k = 0; k < all_.size(); ++k) by_name_.try_emplace(all_[k].name, k);
+}
+
+void SceneNumbers::add_layers(const SceneTables& scene) {
+  for (std::size_t k = 0; k < scene.layers.size(); ++k)
+    for (const LayerNumber& n : kLayerNumbers) {
+      SceneNumber number;
+      number.name = scene.layers[k].pair.name + "." + n.key;
+      number.unit = n.unit;
+      number.si = n.si;
+      number.object = "contact";
+      const auto place = [k, member = n.member](SceneTables& s) { return &(s.layers[k].*member); };
+      number.place = place;
+      number.fault = [place, fault = n.fault](SceneTables& s) { return fault(*place(s)); };
+      all_.push_back(std::move(number));
+    }
+}
+
+bool SceneNumbers::means(const std::string& pattern, const SceneNumber& number) const {
+  return means_object(pattern, number.object, number.name);
+}
+
+std::vector<const SceneNumber*> SceneNumbers::matching(const std::string& pattern) const {
+  if (const auto known = by_name_.find(pattern); known != by_name_.end()) return {&all_[known->second]};
+  std::vector<const SceneNumber*> found;
+  for (const SceneNumber& number : all_)
+    if (means(pattern, number)) found.push_back(&number);
+  if (!found.empty()) return found;
+  std::vector<std::string> names;
+  for (const SceneNumber& number : all_) names.push_back(number.name);
+  refuse(Code::unknown_name, "number", with_quotes(pattern),
+         "is no number of this scene that can be changed" + did_you_mean(pattern, names));
+}
+
+}  // namespace genu::api
