@@ -8,7 +8,7 @@ import { pressureLegend } from "./maps.js";
 import { niceStep } from "./graph.js";
 import { h, short } from "./dom.js";
 import { range } from "./data.js";
-import { ink, onTheme } from "./theme.js";
+import { ink, isDark, onTheme } from "./theme.js";
 
 const kMargin = { left: 46, right: 12, top: 10, bottom: 38 }, kUnrolled = 1.2;  // rad: wider than this is unrolled
 
@@ -81,7 +81,7 @@ export class Plan {
     this.canvas = h("canvas", { role: "img", "aria-label": `${run.bodies[body].name} seen flat: pressure and contact path` });
     this.readout = h("div.chips", {});
     const x = axis.values(run), from = x[axis.settling(run)], to = x[run.rows - 1], { unit } = axis.words(), bone = run.bodies[body].name;
-    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${short(from, 3)} `, h("i.bar", { style: { background: pathGradient() }, "aria-hidden": "true" }), ` ${short(to, 3)} ${unit}`) : null;
+    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${short(from, 3)} `, h("i.bar", { "aria-hidden": "true" }), ` ${short(to, 3)} ${unit}`) : null;
     const what = this.maps.length > 0 ? `Pressure on the ${bone}${this.unrolled ? ", unrolled" : ""}` : `Contact path on the ${bone}`;
     this.element = h("figure.panel.path", {}, h("figcaption", {}, what), h("div.plot", {}, this.canvas),
       h("div.chips", {}, this.maps.length > 0 ? pressureLegend(this.most) : null, this.path), this.readout);
@@ -160,6 +160,7 @@ export class Plan {
     Object.assign(this.canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
     this.ratio = ratio;
+    if (this.path) this.path.querySelector("i").style.background = pathGradient(isDark());
     this.back = this.over = null;
     this.show(this.player.row);
   }
@@ -244,11 +245,11 @@ export class Plan {
 
   line(g, track) {
     const last = Math.max(1, this.run.rows - 1);
-    const grey = this.maps.length > 0;
+    const grey = this.maps.length > 0, dark = isDark();
     g.lineWidth = grey ? 2 : 3; g.lineCap = "round";
     track.forEach((q, i) => {
       const before = track[i - 1], joined = before && before.row === q.row - 1 && Math.hypot(q.at[0] - before.at[0], q.at[1] - before.at[1]) < 2;
-      g.strokeStyle = g.fillStyle = pathColour(q.row / last);
+      g.strokeStyle = g.fillStyle = pathColour(q.row / last, dark);
       g.beginPath();
       if (joined) { g.moveTo(...this.at(before.at)); g.lineTo(...this.at(q.at)); g.stroke(); return; }
       g.arc(...this.at(q.at), 1.8, 0, 2 * Math.PI); g.fill();
@@ -279,8 +280,8 @@ export class Plan {
       if (!here || !this.shown.has(`contact ${c.name}`)) return;
       const force = this.run.contactForce(c, row), [x, y] = this.at(here.at), radius = 4 + 5 * Math.sqrt(force / most);
       g.beginPath(); g.arc(x, y, radius, 0, 2 * Math.PI);
-      g.lineWidth = 4; g.strokeStyle = "#ffffff"; g.stroke();
-      g.lineWidth = 2; g.strokeStyle = "#0b5d50"; g.stroke();
+      g.lineWidth = 4; g.strokeStyle = ink("paper"); g.stroke();
+      g.lineWidth = 2; g.strokeStyle = ink("arrow"); g.stroke();
       words.push(h("span.chip", {}, `${c.name} `, h("b", {}, `${short(force, 3)} N`)));
     });
     this.maps.forEach((map) => {

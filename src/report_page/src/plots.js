@@ -35,7 +35,7 @@ function besideOf(run, panels) {
   const out = [];
   for (const table of run.beside)
     for (const column of table.columns.keys()) {
-      if (run.coordinates.includes(column) && column === run.main) continue;
+      if (column === "time_s" || column === run.main) continue;  // what curves are over
       const numbers = run.numbers(column);
       if (!numbers) continue;
       let place = null;
