@@ -6,7 +6,7 @@ import { kAxes, matrixOf } from "./framing.js";
 import { kGhosts, pathColour, pathGradient, pressureColour } from "./colours.js";
 import { pressureLegend } from "./maps.js";
 import { niceStep } from "./graph.js";
-import { h, short } from "./dom.js";
+import { h, plain, short } from "./dom.js";
 import { range } from "./data.js";
 import { ink, isDark, onTheme } from "./theme.js";
 
@@ -282,13 +282,13 @@ export class Plan {
       g.beginPath(); g.arc(x, y, radius, 0, 2 * Math.PI);
       g.lineWidth = 4; g.strokeStyle = ink("paper"); g.stroke();
       g.lineWidth = 2; g.strokeStyle = ink("arrow"); g.stroke();
-      words.push(h("span.chip", {}, `${c.name} `, h("b", {}, `${short(force, 3)} N`)));
+      words.push(h("span.chip", {}, `${plain(c.name)} `, h("b", {}, `${short(force, 3)} N`)));
     });
     this.maps.forEach((map) => {
       let peak = 0;
       map.each(row, (_, pressure) => { peak = Math.max(peak, pressure); });
       const kept = map.keptRow(row);
-      words.push(h("span.chip", {}, this.maps.length > 1 ? `${map.contact} peak ` : "peak ", h("b", {}, `${short(peak, 3)} MPa`), kept === row ? "" : ` (of pose ${this.run.numberOf(kept)})`));
+      words.push(h("span.chip", {}, this.maps.length > 1 ? `${plain(map.contact)} peak ` : "peak ", h("b", {}, `${short(peak, 3)} MPa`), kept === row ? "" : ` (of pose ${this.run.numberOf(kept)})`));
     });
     this.readout.replaceChildren(...words);
   }
