@@ -204,6 +204,21 @@ async function gaps(page) {
   assert.ok(found.legend && found.hidden);
 }
 
+/** A ball that turns by 100 deg is unrolled: its pressure moves by the arc. */
+async function unrolled(browser) {
+  const text = readFileSync(join(root, "tests/report_page/scenes/layer.toml"), "utf8");
+  const result = solve("roll", written("roll.toml", text.replace("[0, 20]", "[0, 100]").replace("increments = 5", "increments = 20")));
+  const page = await browser.open(result.page, kLaptop);
+  const centres = await page.evaluate(`(() => { const p = genu.paths.find((p) => p.maps[0]?.surface === "ball"); return { unrolled: p.unrolled !== null, title: p.element.querySelector("figcaption").textContent,
+    at: [2, 12].map((row) => { let sum = 0, x = 0, y = 0; p.maps[0].each(row, (s, v) => { const [[a, b]] = p.flatSites[0][s]; sum += v; x += v * a; y += v * b; }); return [x / sum, y / sum]; }) }; })()`);
+  assert.ok(centres.unrolled);
+  assert.match(centres.title, /unrolled/);
+  const [[x0, y0], [x1, y1]] = centres.at;
+  near(Math.hypot(x1 - x0, y1 - y0), (20 * 50 * Math.PI) / 180, 0.4, "the arc of 50 deg on a ball of 20 mm");
+  await quiet(page);
+  await page.close();
+}
+
 /** What every viewer has, one control after the other. */
 async function controls(browser) {
   const result = solve("controls", join(root, "meshes/dortmans1984/scene.toml"));
@@ -457,7 +472,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

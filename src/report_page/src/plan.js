@@ -10,7 +10,7 @@ import { h, plain, short } from "./dom.js";
 import { range } from "./data.js";
 import { ink, isDark, onTheme } from "./theme.js";
 
-const kMargin = { left: 46, right: 12, top: 10, bottom: 38 }, kUnrolled = 1.2;  // rad: wider than this is unrolled
+const kMargin = { left: 46, right: 12, top: 10, bottom: 38 }, kUnrolled = 1.2, kRound = 0.25;  // rad: wider than this is unrolled; how far a section is off its circle, of the radius
 
 /** Signed axes of the body: toward the viewer, up and to the right on paper. `pushes`: forces that press on the body, in its frame. */
 function paperAxes(pushes) {
@@ -96,12 +96,13 @@ export class Plan {
     if (all.length < 20) return null;
     let best = null;
     for (const [along, across] of [[right, up], [up, right]]) {
-      const fit = circle(all.map((p) => [p.dot(across), p.dot(n)]));
+      const section = all.map((p) => [p.dot(across), p.dot(n)]), fit = circle(section);
       if (!fit) continue;
+      const off = Math.sqrt(section.reduce((sum, [x, y]) => sum + (Math.hypot(x - fit[0], y - fit[1]) - fit[2]) ** 2, 0) / section.length) / fit[2];
       const angles = all.map((p) => Math.atan2(p.dot(across) - fit[0], p.dot(n) - fit[1])), [low, high] = range(angles);
-      if (!best || high - low > best.turn) best = { along, across, fit, turn: high - low };
+      if (!best || off < best.off) best = { along, across, fit, off, turn: high - low };
     }
-    return best && best.turn > kUnrolled && best.turn < 6 ? best : null;
+    return best && best.off < kRound && best.turn > kUnrolled && best.turn < 6 ? best : null;
   }
 
   /** A point of the body on paper, mm. */
