@@ -283,6 +283,24 @@ async function controls(browser) {
   await page.close();
 }
 
+/** A first step in which flexion stands still is folded away: the page begins where the knee flexes. */
+async function settling(browser) {
+  const text = readFileSync(join(root, "meshes/dortmans1984/scene.toml"), "utf8").replace("[[step]]", '[[step]]\nprescribe = { "knee.flexion" = 0 }\nincrements = 5\n\n[[step]]');
+  const result = solve("settling", written("settling.toml", text)), page = await browser.open(result.page, kLaptop);
+  let last = 0;
+  while (Math.abs(result.cell(last + 1, "knee.flexion_deg")) < 1e-9) ++last;
+  assert.ok(last >= 5);
+  assert.equal(await page.evaluate("genu.axis.title()"), "Flexion [deg]", "flexion is the axis although it stands still at first");
+  assert.deepEqual(await page.evaluate("[genu.axis.settling(genu.runs[0]), genu.player.row]"), [last, last]);
+  const graph = await page.evaluate("(() => { const g = genu.plots.graphOf(genu.plots.panels[0]); return { marker: g.settled, first: g.curves.map((c) => c.first) }; })()");
+  near(graph.marker, 0, 1e-12, "the marker");
+  assert.ok(graph.first.every((f) => f === last), "settling rows are drawn");
+  await page.evaluate("genu.player.set(1)");
+  assert.match(await page.evaluate('document.querySelector("output.row").textContent'), /^Flexion 0 deg, pose 2 of \d+, settling, stable$/);
+  await quiet(page);
+  await page.close();
+}
+
 /** Files: caught where the page offers them. */
 async function saved(page, result) {
   await page.evaluate(`(() => { window.kept = []; const make = URL.createObjectURL.bind(URL); URL.createObjectURL = (b) => { window.kept.push(b); return make(b); }; HTMLAnchorElement.prototype.click = function () { window.keptName = this.download; }; })()`);
@@ -472,7 +490,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);
