@@ -177,6 +177,11 @@ async function pressure(browser) {
   await page.evaluate('genu.shown.set("body bone", false); genu.view.look(genu.view.views()[5])');
   await page.settle();
   assert.ok(await page.evaluate(kPixels(viridis)) > 30, "no pressure is seen from above");
+  for (const seen of [false, true]) {
+    await page.evaluate(`[...document.querySelectorAll(".show .tick")].find((t) => t.textContent === "pressure").querySelector("input").click()`);
+    await page.settle();
+    assert.equal((await page.evaluate(kPixels(viridis))) > 30, seen, "the tick of pressure");
+  }
   const legend = await page.evaluate('document.querySelector(".view .legends").textContent');
   assert.match(legend, /pressure 0[\d.]+ MPa/);
   // What is flat shows it as well, at the centre that the file gives.
