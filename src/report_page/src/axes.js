@@ -70,7 +70,7 @@ export class Compass {
 export function hinges(run, size, groups) {
   for (const joint of run.raw.joints) {
     if (joint.type !== "revolute") continue;
-    const bar = new Mesh(new CylinderGeometry(size * 0.004, size * 0.004, size * 0.4, 8), new MeshBasicMaterial({ color: "#30363c" }));
+    const bar = new Mesh(new CylinderGeometry(size * 0.004, size * 0.004, size * 0.4, 8), new MeshBasicMaterial({ color: "#747e88" }));
     bar.position.fromArray(joint.origin);
     bar.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...joint.axis).normalize());
     groups[joint.child].add(bar);

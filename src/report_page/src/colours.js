@@ -3,6 +3,7 @@
 const kTension = ["#fdd38a", "#fca55d", "#f46d43", "#d32f27", "#8e0b26", "#4f0618"];
 const kCompression = ["#a9cfe6", "#6aaed6", "#3787c0", "#105ba4", "#08306b"];
 const kPath = ["#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffe945"];  // cividis
+const kPathOnDark = ["#5f8fd8", "#7d95bd", "#9a9da2", "#b5ae8c", "#d6c66e", "#ffe945"];  // its start would be lost there
 /** Viridis: perceptually even, also for colour-blind readers. */
 const kPressure = ["#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21908d", "#22a884", "#43bf71", "#7ad151", "#bddf26", "#fde725"];
 /** Gaps, nearest first: the darkest end for contact. */
@@ -22,7 +23,7 @@ function along(scale, t) {
 
 const css = (rgb) => `rgb(${rgb.join(",")})`;
 const bar = (scale) => `linear-gradient(to right, ${scale.join(",")})`;
-export const pathColour = (t) => css(along(kPath, t));
+export const pathColour = (t, dark = false) => css(along(dark ? kPathOnDark : kPath, t));
 /** [r, g, b] of 255 at a share of the largest pressure, and of the largest gap that is coloured. */
 export const pressureRgb = (t) => along(kPressure, t);
 export const pressureColour = (t) => css(along(kPressure, t));
@@ -37,7 +38,7 @@ export function strainColour(strain, force, most) {
 }
 
 export const gradient = (compression) => bar([...(compression ? [...kCompression].reverse() : []), ...kTension]);
-export const pathGradient = () => bar(kPath);
+export const pathGradient = (dark = false) => bar(dark ? kPathOnDark : kPath);
 export const pressureGradient = () => bar(kPressure);
 export const gapGradient = () => bar(kGap);
 

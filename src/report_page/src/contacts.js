@@ -3,9 +3,10 @@
 import { Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import { pathColour } from "./colours.js";
 import { short } from "./dom.js";
+import { ink } from "./theme.js";
 import { matrixOf } from "./framing.js";
 
-const kArrow = "#0b5d50", kMostDots = 240;
+const kMostDots = 240;
 
 class Arrow {
   constructor(size, colour, thin) {
@@ -36,7 +37,7 @@ export class Contacts {
   constructor(run, size, groups, shown, ghost = null, like = null) {
     Object.assign(this, { run, shown, ghost });
     this.arrows = run.contacts.map((c) => {
-      const arrow = new Arrow(size, ghost ?? kArrow, ghost ? 0.8 : 1);
+      const arrow = new Arrow(size, ghost ?? ink("arrow"), ghost ? 0.8 : 1);
       arrow.group.children.forEach((part) => { part.userData.contact = c; });
       groups[c.body_b].add(arrow.group);
       return arrow;
@@ -80,6 +81,8 @@ export class Contacts {
       arrow.place(tip.fromArray(c.point, 3 * row), force.fromArray(c.force, 3 * row).divideScalar(size), (this.longest * size) / this.most);
     });
   }
+
+  recolour() { if (!this.ghost) this.arrows.forEach((a) => a.ink.color.set(ink("arrow"))); }
 
   targets() { return this.arrows.filter((a) => a.group.visible).flatMap((a) => a.group.children); }
 

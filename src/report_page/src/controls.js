@@ -30,7 +30,7 @@ export function controls(view, run, shown, plots, player) {
     list("Ligaments", shown, run.bundles().map(([name]) => [`ligament ${name}`, name])),
     h("fieldset", {}, h("legend", {}, "Marks"),
       view.contacts.trails.some((t) => t) ? tick("centre of pressure, its trail", true, (on) => view.contacts.setTrails(on)) : null,
-      view.maps.any ? tick("pressure", true, (on) => view.maps.setVisible(on)) : null,
+      view.maps.any ? tick("pressure", true, (on) => { view.maps.setVisible(on); view.show(view.row); }) : null,
       view.gaps.possible ? tick("gap of rigid contacts", view.gaps.on, (on) => { view.gaps.set(on); view.show(view.row); }) : null,
       tick("axes of the bodies", false, (on) => view.setTriads(on))));
   return h("div.controls", {}, h("div.buttons", { role: "group", "aria-label": "Views" }, buttons),

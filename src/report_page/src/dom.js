@@ -33,3 +33,6 @@ export function short(value, digits = 4) {
 
 /** Units as print has them. */
 export const pretty = (text) => text.replace(/\[mm2\]/, "[mm²]").replace(/\bmm2\b/, "mm²");
+
+/** A name of a scene or table as words: "j1.angle" is "j1 angle". */
+export const plain = (name) => name.replace(/[._]/g, " ");

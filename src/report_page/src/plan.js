@@ -6,11 +6,11 @@ import { kAxes, matrixOf } from "./framing.js";
 import { kGhosts, pathColour, pathGradient, pressureColour } from "./colours.js";
 import { pressureLegend } from "./maps.js";
 import { niceStep } from "./graph.js";
-import { h, short } from "./dom.js";
+import { h, plain, short } from "./dom.js";
 import { range } from "./data.js";
-import { ink, onTheme } from "./theme.js";
+import { ink, isDark, onTheme } from "./theme.js";
 
-const kMargin = { left: 46, right: 12, top: 10, bottom: 38 }, kUnrolled = 1.2;  // rad: wider than this is unrolled
+const kMargin = { left: 46, right: 12, top: 10, bottom: 38 }, kUnrolled = 1.2, kRound = 0.25;  // rad: wider than this is unrolled; how far a section is off its circle, of the radius
 
 /** Signed axes of the body: toward the viewer, up and to the right on paper. `pushes`: forces that press on the body, in its frame. */
 function paperAxes(pushes) {
@@ -81,7 +81,7 @@ export class Plan {
     this.canvas = h("canvas", { role: "img", "aria-label": `${run.bodies[body].name} seen flat: pressure and contact path` });
     this.readout = h("div.chips", {});
     const x = axis.values(run), from = x[axis.settling(run)], to = x[run.rows - 1], { unit } = axis.words(), bone = run.bodies[body].name;
-    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${short(from, 3)} `, h("i.bar", { style: { background: pathGradient() }, "aria-hidden": "true" }), ` ${short(to, 3)} ${unit}`) : null;
+    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${short(from, 3)} `, h("i.bar", { "aria-hidden": "true" }), ` ${short(to, 3)} ${unit}`) : null;
     const what = this.maps.length > 0 ? `Pressure on the ${bone}${this.unrolled ? ", unrolled" : ""}` : `Contact path on the ${bone}`;
     this.element = h("figure.panel.path", {}, h("figcaption", {}, what), h("div.plot", {}, this.canvas),
       h("div.chips", {}, this.maps.length > 0 ? pressureLegend(this.most) : null, this.path), this.readout);
@@ -96,12 +96,13 @@ export class Plan {
     if (all.length < 20) return null;
     let best = null;
     for (const [along, across] of [[right, up], [up, right]]) {
-      const fit = circle(all.map((p) => [p.dot(across), p.dot(n)]));
+      const section = all.map((p) => [p.dot(across), p.dot(n)]), fit = circle(section);
       if (!fit) continue;
+      const off = Math.sqrt(section.reduce((sum, [x, y]) => sum + (Math.hypot(x - fit[0], y - fit[1]) - fit[2]) ** 2, 0) / section.length) / fit[2];
       const angles = all.map((p) => Math.atan2(p.dot(across) - fit[0], p.dot(n) - fit[1])), [low, high] = range(angles);
-      if (!best || high - low > best.turn) best = { along, across, fit, turn: high - low };
+      if (!best || off < best.off) best = { along, across, fit, off, turn: high - low };
     }
-    return best && best.turn > kUnrolled && best.turn < 6 ? best : null;
+    return best && best.off < kRound && best.turn > kUnrolled && best.turn < 6 ? best : null;
   }
 
   /** A point of the body on paper, mm. */
@@ -160,6 +161,7 @@ export class Plan {
     Object.assign(this.canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
     this.ratio = ratio;
+    if (this.path) this.path.querySelector("i").style.background = pathGradient(isDark());
     this.back = this.over = null;
     this.show(this.player.row);
   }
@@ -244,11 +246,11 @@ export class Plan {
 
   line(g, track) {
     const last = Math.max(1, this.run.rows - 1);
-    const grey = this.maps.length > 0;
+    const grey = this.maps.length > 0, dark = isDark();
     g.lineWidth = grey ? 2 : 3; g.lineCap = "round";
     track.forEach((q, i) => {
       const before = track[i - 1], joined = before && before.row === q.row - 1 && Math.hypot(q.at[0] - before.at[0], q.at[1] - before.at[1]) < 2;
-      g.strokeStyle = g.fillStyle = pathColour(q.row / last);
+      g.strokeStyle = g.fillStyle = pathColour(q.row / last, dark);
       g.beginPath();
       if (joined) { g.moveTo(...this.at(before.at)); g.lineTo(...this.at(q.at)); g.stroke(); return; }
       g.arc(...this.at(q.at), 1.8, 0, 2 * Math.PI); g.fill();
@@ -279,15 +281,15 @@ export class Plan {
       if (!here || !this.shown.has(`contact ${c.name}`)) return;
       const force = this.run.contactForce(c, row), [x, y] = this.at(here.at), radius = 4 + 5 * Math.sqrt(force / most);
       g.beginPath(); g.arc(x, y, radius, 0, 2 * Math.PI);
-      g.lineWidth = 4; g.strokeStyle = "#ffffff"; g.stroke();
-      g.lineWidth = 2; g.strokeStyle = "#0b5d50"; g.stroke();
-      words.push(h("span.chip", {}, `${c.name} `, h("b", {}, `${short(force, 3)} N`)));
+      g.lineWidth = 4; g.strokeStyle = ink("paper"); g.stroke();
+      g.lineWidth = 2; g.strokeStyle = ink("arrow"); g.stroke();
+      words.push(h("span.chip", {}, `${plain(c.name)} `, h("b", {}, `${short(force, 3)} N`)));
     });
     this.maps.forEach((map) => {
       let peak = 0;
       map.each(row, (_, pressure) => { peak = Math.max(peak, pressure); });
       const kept = map.keptRow(row);
-      words.push(h("span.chip", {}, this.maps.length > 1 ? `${map.contact} peak ` : "peak ", h("b", {}, `${short(peak, 3)} MPa`), kept === row ? "" : ` (of pose ${this.run.numberOf(kept)})`));
+      words.push(h("span.chip", {}, this.maps.length > 1 ? `${plain(map.contact)} peak ` : "peak ", h("b", {}, `${short(peak, 3)} MPa`), kept === row ? "" : ` (of pose ${this.run.numberOf(kept)})`));
     });
     this.readout.replaceChildren(...words);
   }

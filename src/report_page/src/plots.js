@@ -1,6 +1,6 @@
 // The curves of a result: one graph a panel, all over the same axis (axis.js), with a line at the row that is shown. A press or drag
 // in a plot chooses the row; with shift it moves the plots, with ctrl the wheel zooms them, a double click shows all again.
-import { h, short, pretty } from "./dom.js";
+import { h, plain, pretty, short } from "./dom.js";
 import { kRuns } from "./colours.js";
 import { range, twinSeries } from "./data.js";
 import { capital, quantity } from "./axis.js";
@@ -35,7 +35,7 @@ function besideOf(run, panels) {
   const out = [];
   for (const table of run.beside)
     for (const column of table.columns.keys()) {
-      if (run.coordinates.includes(column) && column === run.main) continue;
+      if (column === "time_s" || column === run.main) continue;  // what curves are over
       const numbers = run.numbers(column);
       if (!numbers) continue;
       let place = null;
@@ -86,7 +86,7 @@ export class Plots {
       const value = h("b", {}, ""), key = this.shown.keyOf(raw.title, s.name);
       panel.values.push(value);
       panel.chips.push(h("button.chip", { type: "button", "aria-pressed": "true", title: `Show or hide ${s.name}${key ? ", here and in the picture" : ""}`,
-        onclick: () => this.toggle(panel, i) }, swatch(this.runs.length === 1 ? styles[i] : { ...styles[i], dash: [] }), `${s.name.replaceAll("_", " ")} `, value));
+        onclick: () => this.toggle(panel, i) }, swatch(this.runs.length === 1 ? styles[i] : { ...styles[i], dash: [] }), `${plain(s.name)} `, value));
     });
     const measured = this.beside.filter((b) => b.panel === raw).map((b) => h("span.chip.measured", {}, h("i.ring", { "aria-hidden": "true", style: { borderColor: `var(--${styles[b.series].variable})` } }), `${b.table.name}: ${b.table.columns.get(b.column).inFile}`));
     panel.element = h("figure.panel", {}, h("figcaption", {}, pretty(raw.title)), box, h("div.chips", {}, panel.chips, measured));

@@ -1,6 +1,6 @@
 // What a reader takes along: the picture (PNG), the curves (SVG), the numbers (CSV), a moving picture (WebM). Files are made in
 // the browser; nothing leaves it.
-import { h, pretty } from "./dom.js";
+import { h, plain, pretty } from "./dom.js";
 import { Graph } from "./graph.js";
 import { SvgPen } from "./pens.js";
 import { ink } from "./theme.js";
@@ -48,7 +48,7 @@ export function curvesSvg(plots) {
       if (plots.isHidden(panel, k)) return;
       const x = 16 + (k % 4) * 112, y = height + 14 + 18 * Math.floor(k / 4), style = panel.styles[k];
       pen.line([[x, y], [x + 18, y]], { colour: ink(style.variable), width: 2, dash: plots.runs.length === 1 ? style.dash : [] });
-      pen.text(s.name.replaceAll("_", " "), [x + 23, y], { colour: text, align: "left", size: 11 });
+      pen.text(plain(s.name), [x + 23, y], { colour: text, align: "left", size: 11 });
     });
     pen.parts.push("</g>");
     if (column === across - 1 || i === shown.length - 1) top += Math.max(...heights.slice(i - column, i + 1));

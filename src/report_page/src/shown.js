@@ -10,11 +10,12 @@ export class Shown {
   }
 
   onChange(listener) { this.listeners.push(listener); }
-  has(key) { return !this.hidden.has(key); }
+  has(key) { return key.startsWith("pair ") ? this.hasPair(key.slice(5)) : !this.hidden.has(key); }
   alpha(key) { return this.hidden.has(key) ? 0 : this.opacity.get(key) ?? 1; }
 
   set(key, shown) {
-    shown ? this.hidden.delete(key) : this.hidden.add(key);
+    const keys = key.startsWith("pair ") ? this.ofPair(key.slice(5)).map((c) => `contact ${c.name}`) : [key];
+    for (const k of keys) shown ? this.hidden.delete(k) : this.hidden.add(k);
     this.tell();
   }
 
@@ -30,8 +31,10 @@ export class Shown {
   }
 
   /** A pair is hidden with all its regions or points. */
+  ofPair(name) { return this.run.contacts.filter((c) => c.name === name || c.name.startsWith(`${name}.`)); }
+
   hasPair(name) {
-    const own = this.run.contacts.filter((c) => c.name === name || c.name.startsWith(`${name}.`));
+    const own = this.ofPair(name);
     return own.length === 0 || own.some((c) => this.has(`contact ${c.name}`));
   }
 
@@ -42,6 +45,8 @@ export class Shown {
     if (/^Ligament/.test(panel) && this.bundles.has(series)) return `ligament ${series}`;
     if (!/^Contact|pressure/i.test(panel)) return null;
     const contact = this.run.contacts.find((c) => c.name === series || c.name.endsWith(`.${series}`));
-    return contact ? `contact ${contact.name}` : null;
+    if (contact) return `contact ${contact.name}`;
+    const stem = series === "whole pair" ? this.run.contacts[0]?.name.split(".")[0] : series;
+    return stem && this.ofPair(stem).length > 0 ? `pair ${stem}` : null;
   }
 }

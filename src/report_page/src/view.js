@@ -41,6 +41,7 @@ export class View {
   recolour() {
     if (!this.renderer) return;
     this.renderer.setClearColor(ink("view"));
+    this.contacts.recolour();
     this.paint();
   }
 

@@ -1,5 +1,5 @@
 // What a run says in words and tables: the verdict above, details below.
-import { h, short, table, pretty } from "./dom.js";
+import { h, plain, pretty, short, table } from "./dom.js";
 import { range } from "./data.js";
 import { kRuns, kGhosts } from "./colours.js";
 import { differences } from "./differences.js";
@@ -22,7 +22,7 @@ function mostlyApart(run, other, axis) {
   const all = differences(run, other, axis), { unit } = axis.words(), said = [];
   for (const kind of [/Translations|translations/, /Rotations|rotations/, /^Contact force/, /^Ligament force/]) {
     const most = all.filter((d) => kind.test(d.panel)).sort((a, b) => Math.abs(b.largest) - Math.abs(a.largest))[0];
-    if (most && Math.abs(most.largest) > 1e-6) said.push(`${most.name.replaceAll("_", " ")} ${signed(most.largest)} ${most.unit} at ${short(most.at, 3)}${unit ? ` ${unit}` : ""}`);
+    if (most && Math.abs(most.largest) > 1e-6) said.push(`${plain(most.name)} ${signed(most.largest)} ${most.unit} at ${short(most.at, 3)}${unit ? ` ${unit}` : ""}`);
   }
   return said.join(", ") || (all.length > 0 ? "the same curves" : "no curve in common over this axis");
 }
@@ -151,7 +151,7 @@ function compared(runs, axis) {
     const body = h("div", {}), fill = () => {
       const rows = differences(runs[0], other, axis);
       body.replaceChildren(rows.length === 0 ? h("p", {}, "They have no curve in common over the same axis.") : table(["curve", "", "largest difference", `at ${axis.title()}`, "root mean square", "of a range of"],
-        rows.map((d) => [pretty(d.panel), d.name.replaceAll("_", " "), signed(d.largest, 4), short(d.at), short(d.rms), short(d.range)])));
+        rows.map((d) => [pretty(d.panel), plain(d.name), signed(d.largest, 4), short(d.at), short(d.rms), short(d.range)])));
     };
     fill();
     axis.onChange(fill);
