@@ -31,8 +31,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 /// A value as messages show it.
 std::string shortened(const std::string& text) {
-  constexpr std::size_t kMost = 60;
-  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+  constexpr std::size_t kShownCharacters = 60;
+  return text.size() <= kShownCharacters ? text : text.substr(0, kShownCharacters) + "...";
 }
 
 }  // namespace

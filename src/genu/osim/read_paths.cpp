@@ -46,9 +46,9 @@ PathWrap read_wrap(const FileReader& reader, const XmlElement& e) {
   PathWrap wrap{p.word("wrap_object"), p.word("method", "hybrid"), -1, -1, e.where};
   if (wrap.object.empty()) p.refuse(Code::missing_key, e.where, "wrap_object", {}, "is missing");
   const std::vector<double> range = p.numbers("range");
-  constexpr double kMostPoints = 1e6;
+  constexpr double kMostPathPoints = 1e6;
   for (const double end : range)
-    if (range.size() != 2 || std::abs(end) > kMostPoints) {
+    if (range.size() != 2 || std::abs(end) > kMostPathPoints) {
       p.refuse(Code::wrong_form, p.where("range"), "range", p.word("range"), "must be two numbers of points");
       return wrap;
     }
