@@ -318,8 +318,9 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
   }
 }
 
-int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder, const SensitivityChoice& choice,
-                    const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
+int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder,
+                    const SensitivityChoice& choice, const RunOptions& options, Diagnostics& out,
+                    SensitivityResult& result) {
   const auto prepared = prepare_run(source, folder, out);
   if (!prepared || refuse_motion(*prepared, "sensitivity", out)) return kExitRefused;
   const SensitivityRows asked = choose(*prepared, choice, kMaxNamedContacts, out);
