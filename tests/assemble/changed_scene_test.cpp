@@ -16,7 +16,13 @@ namespace {
 /// kBall with a bundle, a load and a cartilage beside the rigid contact that is switched off.
 std::string scene_text() {
   std::string text = test::kBall;
-  text.insert(text.find("[[step]]"), R"([bundle.sides]
+  text.insert(text.find("[[step]]"), R"([ligament.extra]
+from = { body = "femur", point = [0, 20, 0] }
+to = { body = "tibia", point = [5, 30, -20] }
+law = "quadratic"
+stiffness = 100
+reference_strain = 0.05
+[bundle.sides]
 fibres = ["side", "far"]
 [load.push]
 body = "femur"
@@ -54,7 +60,7 @@ class ChangedScene : public testing::Test {
 TEST_F(ChangedScene, WithoutChangesItIsTheFile) {
   const auto scene = read({});
   ASSERT_TRUE(scene) << test::messages(out_);
-  EXPECT_EQ(scene->ligaments.size(), 4u);
+  EXPECT_EQ(scene->ligaments.size(), 5u);
   EXPECT_EQ(scene->title, "ball on a plate");
   EXPECT_TRUE(scene->layers.empty()) << "enabled = false";
   ASSERT_EQ(scene->disabled.size(), 1u);
@@ -65,7 +71,7 @@ TEST_F(ChangedScene, NamesPatternsAndBundlesAreLeftOut) {
   const auto front = read({{"fr*"}, {}});
   ASSERT_TRUE(front) << test::messages(out_);
   EXPECT_FALSE(has(*front, "front"));
-  EXPECT_EQ(front->ligaments.size(), 3u);
+  EXPECT_EQ(front->ligaments.size(), 4u);
   EXPECT_EQ(front->title, "ball on a plate (without fr*)");
   const auto sides = read({{"sides"}, {}});
   ASSERT_TRUE(sides) << test::messages(out_);
@@ -74,7 +80,7 @@ TEST_F(ChangedScene, NamesPatternsAndBundlesAreLeftOut) {
   const auto others = read({{"load.push", "contact.medial"}, {}});
   ASSERT_TRUE(others) << test::messages(out_);
   EXPECT_TRUE(others->loads.empty() && others->contacts.empty());
-  EXPECT_EQ(others->ligaments.size(), 4u);
+  EXPECT_EQ(others->ligaments.size(), 5u);
 }
 
 TEST_F(ChangedScene, NumbersFactorsAndDifferencesAreSet) {
@@ -104,7 +110,7 @@ TEST_F(ChangedScene, TheWrittenTextIsTheChangedScene) {
   const std::string text = with_changes(scene_text(), *scene, out_);
   const auto again = parse_scene(text, folder_ / "again.toml", out_);
   ASSERT_TRUE(again) << test::messages(out_) << text;
-  EXPECT_EQ(again->ligaments.size(), 3u);
+  EXPECT_EQ(again->ligaments.size(), 4u);
   EXPECT_EQ(again->ligaments[0].number("stiffness"), 30000);
   EXPECT_EQ(again->loads[0].force.z(), -7);
   EXPECT_EQ(again->disabled.size(), 2u);
@@ -133,13 +139,13 @@ TEST_F(ChangedScene, AChangedNumberObeysTheRulesOfAWrittenOne) {
 
 TEST_F(ChangedScene, AResultNamesItsChangesAndIsJudgedWithThem) {
   const std::string scene = folder_.write("ball.toml", scene_text()), out = folder_ / "out";
-  ASSERT_EQ(test::genu("run " + scene + " --without far --set 'push.force.z=x2' --out " + out).exit_code, 0);
+  ASSERT_EQ(test::genu("run " + scene + " --without extra --set 'push.force.z=x2' --out " + out).exit_code, 0);
   EXPECT_TRUE(test::contains(test::read_file(out + "/summary.json"), "\"changes\""));
-  EXPECT_TRUE(test::contains(test::read_file(out + "/report.html"), "without far"));
+  EXPECT_TRUE(test::contains(test::read_file(out + "/report.html"), "without extra"));
   EXPECT_TRUE(test::contains(test::read_file(out + "/results.csv"), "sides.force_N"));
   EXPECT_EQ(test::genu("judge " + out).exit_code, 0);
   const std::string beside = folder_ / "intact";
-  const test::Outcome both = test::genu("run " + scene + " --without far --beside " + beside + " --out " + out);
+  const test::Outcome both = test::genu("run " + scene + " --without extra --beside " + beside + " --out " + out);
   EXPECT_EQ(both.exit_code, 0) << both.err;
   EXPECT_TRUE(std::filesystem::exists(out + ".compared.html"));
   EXPECT_EQ(test::genu("run " + scene + " --beside " + beside + " --out " + out).exit_code, 2);

@@ -9,6 +9,7 @@
 
 #include "genu/assemble/changed_scene.h"
 #include "genu/judge/run_folder.h"
+#include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
 #include "support/judged_table.h"
 
