@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "genu/assemble/changed_scene.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
@@ -18,19 +19,6 @@
 #include "genu/study/tolerances.h"
 
 namespace genu {
-
-const LaxityRow* LaxityCurve::at(double load) const {
-  const auto same = [&](const LaxityRow& row) { return std::abs(row.load - load) <= kSameLoad * test.load; };
-  const auto found = std::find_if(rows.begin(), rows.end(), same);
-  return found == rows.end() ? nullptr : &*found;
-}
-
-double LaxityCurve::loop() const {
-  double most = 0;
-  for (const LaxityRow& row : rows)
-    most = std::max(most, std::abs(test.displacement(row.motion) - test.displacement(at(row.load)->motion)));
-  return most;
-}
 
 namespace {
 
@@ -87,8 +75,8 @@ class Tester {
     angle.solved = !solved.records.empty() && solved.records.back().point.solved();
     if (!angle.solved && !solved.records.empty()) {
       const PoseReport& report = solved.records.back().point.report;
-      angle.notes.push_back(fmt::format("no neutral pose: {}{}{}", to_string(report.status),
-                                        report.why.empty() ? "" : ": ", report.why));
+      angle.notes.push_back(
+          fmt::format("no neutral pose: {}{}{}", to_string(report.status), report.why.empty() ? "" : ": ", report.why));
     } else if (!angle.solved) {
       angle.notes.emplace_back("no neutral pose: interrupted");
     }
@@ -288,8 +276,12 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   if (!prepared) return kExitRefused;
   if (!source.changes.empty()) {
     Diagnostics said;  // warnings are said once
-    const auto written = prepare(source.path, said);
-    if (!written) return out.error(Code::cannot_read, source.path, "has changed while it was read"), kExitRefused;
+    auto scene = read_changed_scene(source.path, prepared->meshes->files(), said);
+    const auto written = scene ? prepare(std::move(*scene), prepared->meshes, said) : std::nullopt;
+    if (!written) {
+      for (const Diagnostic& d : said.items()) out.add(d);
+      return kExitRefused;
+    }
     auto tested = test_scene(*written, "as written", choice, out);
     if (!tested) return kExitRefused;
     result.scenes.push_back(std::move(*tested));

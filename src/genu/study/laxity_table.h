@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "genu/results/chart.h"
 #include "genu/results/result_table.h"
-#include "genu/study/laxity.h"
+#include "genu/study/laxity_result.h"
 
 namespace genu {
 
-/// One row a pose: scene, flexion, test, leg's load, displacement from the neutral pose, stiffness, the clinical motion,
-/// the joint's coordinates, forces of contacts, bundles and fibres.
+/// One row a pose: scene, flexion, test, leg's load, displacement from the neutral pose, stiffness, the clinical
+/// motion, the joint's coordinates, forces of contacts, bundles and fibres.
 std::string laxity_csv(const std::vector<LaxityOfScene>& scenes);
 
 /// One row a curve: displacement each way and in total, stiffness near zero and at both ends, coupled motions there.
