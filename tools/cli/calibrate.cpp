@@ -13,6 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "advice.h"
+#include "changes.h"
 #include "commands.h"
 #include "genu/study/calibrate.h"
 
@@ -22,6 +23,7 @@ namespace {
 constexpr int kMostIterations = 10'000;
 
 struct CalibrateArguments {
+  SceneChanges changes;
   std::string scene;
   std::optional<std::string> folder;
   CalibrationChoice choice;
@@ -32,7 +34,7 @@ int calibrate(const CalibrateArguments& arguments) {
   CalibrationResult result;
   RunOptions options;
   options.cancelled = stop_on_interrupt();
-  const int code = run_calibration(arguments.scene, arguments.folder, arguments.choice, options, diagnostics, result);
+  const int code = run_calibration({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options, diagnostics, result);
   print(diagnostics, code != kExitRefused);
   if (code == kExitRefused || result.report.parameters.empty()) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), to_text(result.report));
@@ -64,6 +66,7 @@ void add_calibrate(CLI::App& command, int& exit_code) {
       ->check(CLI::Range(1, kMostIterations))
       ->capture_default_str();
   command.add_option("--out", arguments->folder, "folder for the fitted scene and its results");
+  add_changes(command, arguments->changes);
   command.footer(
       "Exit code 0: fitted; 3: not converged, or the target does not determine a number; 2: refused."
       "\nExample: genu calibrate knee.toml --target measured.csv --vary j1.stiffness j1.damping --out out/fitted");

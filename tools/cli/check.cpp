@@ -9,6 +9,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "changes.h"
 #include "commands.h"
 #include "genu/mesh_care/mesh_crossings.h"
 #include "genu/study/anatomy_doubts.h"
@@ -33,7 +34,7 @@ void describe_surface(const SurfaceNote& note, const Surface& surface) {
   line("self-intersections", fmt::format("{}", crossing_triangles(surface.triangles(0, Vec3::Zero(), 0)).size()));
 }
 
-int check(const std::string& scene) {
+int check(const SceneSource& scene) {
   Diagnostics diagnostics;
   const auto prepared = prepare(scene, diagnostics);
   bool good = prepared.has_value();
@@ -46,15 +47,16 @@ int check(const std::string& scene) {
       describe_surface(prepared->notes[i], *prepared->surfaces[i]);
   }
   print(diagnostics);
-  if (good) fmt::print("{}: no errors\n", scene);
+  if (good) fmt::print("{}: no errors\n", scene.path);
   return good ? kExitOk : kExitRefused;
 }
 
 }  // namespace
 
 void add_check(CLI::App& command, int& exit_code) {
-  auto scene = std::make_shared<std::string>();
-  command.add_option("SCENE", *scene, "scene file (TOML)")->required();
+  auto scene = std::make_shared<SceneSource>("");
+  command.add_option("SCENE", scene->path, "scene file (TOML)")->required();
+  add_changes(command, scene->changes);
   command.footer("Example: genu check knee.toml");
   command.callback([scene, &exit_code] { exit_code = check(*scene); });
 }

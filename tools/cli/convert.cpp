@@ -86,7 +86,7 @@ int convert(ConvertArguments& arguments) {
   }
   const auto folder = judge::read_run_folder(arguments.folder, arguments.scene, diagnostics, true);
   if (!folder) return refused();
-  if (const auto refusal = why_not_written(arguments, folder->scene)) {
+  if (const auto refusal = why_not_written(arguments, folder->scene.path)) {
     diagnostics.error(refusal->code, {}, refusal->text);
     return refused();
   }

@@ -13,6 +13,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "advice.h"
+#include "changes.h"
 #include "commands.h"
 #include "genu/study/evaluate.h"
 
@@ -20,6 +21,7 @@ namespace genu::cli {
 namespace {
 
 struct EvaluateArguments {
+  SceneChanges changes;
   std::string scene, poses, folder;
   PoseColumnOptions columns;
   bool pressure_maps = false, quiet = false;
@@ -70,7 +72,7 @@ int evaluate(const EvaluateArguments& arguments) {
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Evaluation found;
-  const int code = evaluate_scene(arguments.scene, arguments.poses, arguments.folder, options, diagnostics, &found);
+  const int code = evaluate_scene({arguments.scene, arguments.changes}, arguments.poses, arguments.folder, options, diagnostics, &found);
   print(diagnostics, code == kExitFailed);
   if (code == kExitRefused || arguments.quiet) return code;
   constexpr std::size_t kRows = 11;
@@ -109,6 +111,7 @@ void add_evaluate(CLI::App& command, int& exit_code) {
                    "write force, pressure, depth and area of each triangle of each cartilage layer at every pose, "
                    "pressures_CONTACT.csv");
   command.add_flag("--quiet", arguments->quiet, "print errors only");
+  add_changes(command, arguments->changes);
   command.footer(
       "Example: genu evaluate knee.toml --poses measured.mot --columns \"knee.flexion=knee_angle_r[deg]\" --out "
       "out/measured");

@@ -10,10 +10,11 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "changes.h"
 #include "command_table.h"
 #include "commands.h"
 #include "genu/appraise/explain.h"
-#include "genu/scene/reader.h"
+#include "genu/assemble/changed_scene.h"
 #include "genu/scene/words.h"
 #include "genu/study/run_scene.h"
 #include "topics.h"
@@ -27,9 +28,9 @@ bool means_a_file(const std::string& word) {
          std::filesystem::is_regular_file(word, ignored);
 }
 
-int explain_scene(const std::string& file) {
+int explain_scene(const SceneSource& source) {
   Diagnostics diagnostics;
-  const auto scene = read_scene(file, diagnostics);
+  const auto scene = read_changed_scene(source, diagnostics);
   print(diagnostics);
   if (scene) fmt::print("{}", explain(*scene));
   return scene ? kExitOk : kExitRefused;
@@ -63,13 +64,15 @@ int explain_word(const CLI::App& app, const std::string& word) {
 
 void add_explain(CLI::App& command, int& exit_code) {
   auto word = std::make_shared<std::string>();
+  auto changes = std::make_shared<SceneChanges>();
   command.add_option(
       "SCENE_OR_TOPIC", *word,
       "scene file (TOML), or a section, key, column, status, event or term; the list where it is left out");
+  add_changes(command, *changes);
   command.footer(
       "Examples: genu explain knee.toml\n          genu explain ligaments\n          genu explain over_edge");
-  command.callback([&command, word, &exit_code] {
-    exit_code = means_a_file(*word) ? explain_scene(*word) : explain_word(*command.get_parent(), *word);
+  command.callback([&command, word, changes, &exit_code] {
+    exit_code = means_a_file(*word) ? explain_scene({*word, *changes}) : explain_word(*command.get_parent(), *word);
   });
 }
 

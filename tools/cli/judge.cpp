@@ -15,11 +15,11 @@
 
 #include "advice.h"
 #include "commands.h"
+#include "genu/assemble/changed_scene.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/diagnostics.h"
 #include "genu/judge/judge.h"
 #include "genu/judge/run_folder.h"
-#include "genu/scene/reader.h"
 #include "print_error.h"
 
 namespace genu::cli {
@@ -50,7 +50,7 @@ int judge_folder(const JudgeArguments& arguments) {
   }
   const auto folder = judge::read_run_folder(arguments.folder, arguments.scene, diagnostics);
   if (!folder) return refused(diagnostics);
-  const auto scene = read_scene(folder->scene, diagnostics);
+  const auto scene = read_changed_scene(folder->scene, diagnostics);
   if (!scene) return refused(diagnostics);
   const std::string table = (std::filesystem::path(arguments.folder) / "results.csv").string();
   const auto found = judge::judge_results(*scene, folder->results, table, arguments.options, diagnostics);

@@ -19,10 +19,12 @@
 #include <CLI/Validators.hpp>
 
 #include "advice.h"
+#include "changes.h"
 #include "commands.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/store/checkpoint.h"
+#include "genu/store/compare.h"
 #include "genu/study/run_scene.h"
 #include "print_error.h"
 #include "progress.h"
@@ -133,7 +135,8 @@ void print_error_bars(const Solution& solution) {
 }
 
 struct RunArguments {
-  std::string scene, folder;
+  std::string scene, folder, beside;
+  SceneChanges changes;
   int starts = 0;
   double spread = 20;
   bool error_bars = false, pressure_maps = false, no_report = false, quiet = false, resume = false;
@@ -151,7 +154,7 @@ void note_status(const ResultTable& poses) {
 int run_with_checkpoint(const RunArguments& arguments, const RunOptions& options, Diagnostics& diagnostics,
                         Solution& solution) {
   try {
-    return run_scene(arguments.scene, arguments.folder, options, diagnostics, &solution);
+    return run_scene({arguments.scene, arguments.changes}, arguments.folder, options, diagnostics, &solution);
   } catch (...) {
     const std::string file = beside(arguments.folder, ".checkpoint");
     std::error_code ignored;
@@ -161,9 +164,19 @@ int run_with_checkpoint(const RunArguments& arguments, const RunOptions& options
   }
 }
 
+/// The page with both results over each other, beside their folders.
+int write_comparison(const RunArguments& arguments) {
+  const std::string page = arguments.folder + ".compared.html";
+  Diagnostics diagnostics;
+  const int code = compare_results({arguments.beside, arguments.folder}, page, diagnostics);
+  print(diagnostics, code == kFailed);
+  if (code == kOk && !arguments.quiet) fmt::print("  {:<12}{}\n", "compared", page);
+  return code;
+}
+
 int run_scene_file(const RunArguments& arguments) {
-  const auto& [scene, folder, starts, spread, error_bars, pressure_maps, no_report, quiet, resume, failure,
-               checkpoint] = arguments;
+  const auto& [scene, folder, beside, changes, starts, spread, error_bars, pressure_maps, no_report, quiet, resume,
+               failure, checkpoint] = arguments;
   RunOptions options;
   options.starts = starts;
   options.error_bars = error_bars;
@@ -212,6 +225,26 @@ int run_scene_file(const RunArguments& arguments) {
   return code;
 }
 
+/// With --beside: the scene as it is written, then as it is changed, then the page of both.
+int run_both(const RunArguments& arguments) {
+  if (arguments.beside.empty()) return run_scene_file(arguments);
+  if (arguments.no_report || (arguments.changes.empty()))
+    return refuse(Code::usage, arguments.no_report ? "--beside compares the pages that --no-report leaves out"
+                                                   : "--beside needs --without or --set: nothing is changed");
+  if (std::filesystem::path(arguments.beside).lexically_normal() ==
+      std::filesystem::path(arguments.folder).lexically_normal())
+    return refuse(Code::usage, "--beside and --out are the same folder");
+  RunArguments written = arguments;
+  written.changes = {};
+  written.folder = arguments.beside;
+  const int first = run_scene_file(written);
+  if (first == kRefused || first == kFailed) return first;
+  const int second = run_scene_file(arguments);
+  if (second == kRefused || second == kFailed) return second;
+  const int compared = write_comparison(arguments);
+  return compared != kOk ? compared : std::max(first, second);
+}
+
 }  // namespace
 
 void add_run(CLI::App& command, int& exit_code) {
@@ -255,9 +288,17 @@ void add_run(CLI::App& command, int& exit_code) {
   command.add_flag("--no-report", arguments->no_report,
                    "leave out report.html, the page that shows the joint and its results in a browser");
   command.add_flag("--quiet", arguments->quiet, "print errors only");
-  command.footer("Example: genu run knee.toml --out out/knee");
+  add_changes(command, arguments->changes);
+  command
+      .add_option("--beside", arguments->beside,
+                  "run the scene as its file says into this folder as well, and show both results in one page, "
+                  "DIR.compared.html")
+      ->check(not_empty());
+  command.footer(
+      "Examples: genu run knee.toml --out out/knee\n          genu run knee.toml --without \"ACL*\" --beside out/intact "
+      "--out out/cut");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
-  command.callback([arguments, &exit_code] { exit_code = run_scene_file(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = run_both(*arguments); });
 }
 
 }  // namespace genu::cli

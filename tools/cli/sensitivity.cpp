@@ -13,6 +13,7 @@
 #include <CLI/Validators.hpp>
 
 #include "advice.h"
+#include "changes.h"
 #include "commands.h"
 #include "genu/study/sensitivity.h"
 
@@ -22,6 +23,7 @@ namespace {
 constexpr int kMostPrinted = 1'000'000;
 
 struct SensitivityArguments {
+  SceneChanges changes;
   std::string scene;
   std::optional<std::string> folder;
   SensitivityChoice choice;
@@ -32,7 +34,7 @@ int differentiate(const SensitivityArguments& arguments) {
   SensitivityResult result;
   RunOptions options;
   options.cancelled = stop_on_interrupt();
-  const int code = run_sensitivity(arguments.scene, arguments.folder, arguments.choice, options, diagnostics, result);
+  const int code = run_sensitivity({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options, diagnostics, result);
   print(diagnostics, code == kExitFailed);
   if (code == kExitRefused) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), result.text);
@@ -64,6 +66,7 @@ void add_sensitivity(CLI::App& command, int& exit_code) {
   command.add_option("--top", arguments->choice.most, "how many parameters to print for each output")
       ->check(CLI::Range(1, kMostPrinted))
       ->capture_default_str();
+  add_changes(command, arguments->changes);
   command.footer(
       "Example: genu sensitivity knee.toml --of knee.adduction medial.force --to \"*.stiffness\" \"*.from.*\" --out "
       "out/knee");

@@ -21,7 +21,7 @@
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/scene/centre_bodies.h"
-#include "genu/scene/reader.h"
+#include "genu/assemble/changed_scene.h"
 #include "genu/surface/blend_surface.h"
 #include "genu/surface/facet_surface.h"
 
@@ -322,10 +322,10 @@ std::optional<Vec3> middle_of_mesh(MeshLibrary& meshes, const SurfaceDef& def) {
 
 }  // namespace
 
-std::optional<Prepared> prepare(const std::string& path, Diagnostics& out) {
+std::optional<Prepared> prepare(const SceneSource& source, Diagnostics& out) {
   const Timer timer;
   auto meshes = std::make_shared<MeshLibrary>();
-  auto scene = read_scene(path, meshes->files(), out);
+  auto scene = read_changed_scene(source, meshes->files(), out);
   if (!scene) return std::nullopt;
   const double reading = timer.seconds();
   auto prepared = prepare(std::move(*scene), std::move(meshes), out);
@@ -363,6 +363,7 @@ RunSummary begin_summary(const Prepared& prepared) {
   RunSummary s;
   s.scene_file = prepared.scene.file;
   s.title = prepared.scene.title;
+  s.changed = prepared.scene.changed;
   s.version = GENU_VERSION;
   s.rigid_pairs = static_cast<int>(prepared.scene.contacts.size());
   s.length_scale = prepared.model.scales.length;

@@ -49,6 +49,21 @@ std::string wrong_key(const json& summary, bool given) {
   return counts.is_object() && is_count(counts.value("solved", json())) ? "" : counted;
 }
 
+/// What the run changed in its scene; false where that is not what a run writes.
+bool read_changes(const json& summary, SceneChanges& changes) {
+  if (!summary.contains("changes")) return true;
+  const json& said = summary["changes"];
+  const auto read = [&](const char* key, std::vector<std::string>& options) {
+    if (!said.is_object() || !said.contains(key) || !said[key].is_array()) return false;
+    for (const json& option : said[key]) {
+      if (!option.is_string()) return false;
+      options.push_back(option.get<std::string>());
+    }
+    return true;
+  };
+  return read("without", changes.without) && read("set", changes.set);
+}
+
 /// Warns where the table is not the one that the run wrote.
 void compare_table(const json& written, const std::string& path, const std::string& text, Diagnostics& out) {
   if (checksum(text).xxh128 == written["xxh128"].get<std::string>()) return;
@@ -112,12 +127,16 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   RunFolder found{scene, *results};
   if (scene.empty()) {
     for (const char* key : {"scene_path", "scene"})
-      if (found.scene.empty() && summary.contains(key) && summary[key].is_string())
-        found.scene = summary[key].get<std::string>();
-    if (found.scene.empty())
+      if (found.scene.path.empty() && summary.contains(key) && summary[key].is_string())
+        found.scene.path = summary[key].get<std::string>();
+    if (found.scene.path.empty())
       return out.error(Code::other_scene, summary_path, "does not say which scene it is of: give --scene"),
              std::nullopt;
   }
+  if (!read_changes(summary, found.scene.changes))
+    return out.error(Code::no_results, summary_path,
+                     "`changes` is not what a run writes: it is no summary of a run"),
+           std::nullopt;
   if (!scene.empty()) compare_scene(summary, scene, out);
   compare_files(summary, summary_path, out);
   compare_table(summary["results"], (at / "results.csv").string(), *results, out);

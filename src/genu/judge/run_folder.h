@@ -5,11 +5,12 @@
 #include <string>
 
 #include "genu/core/diagnostics.h"
+#include "genu/scene/scene_changes.h"
 
 namespace genu::judge {
 
 struct RunFolder {
-  std::string scene;                     ///< path of the scene file
+  SceneSource scene{""};                ///< the scene file, and what the run changed in it
   std::string results;                   ///< text of results.csv
   std::optional<std::size_t> ok_rows{};  ///< number of rows called ok in summary.json
 };

@@ -84,6 +84,8 @@ class Outputs {
     }
     for (int p = 0; p < static_cast<int>(model_.pairs.size()); ++p) add_pair(p, contact_numbers);
     for (int l = 0; l < static_cast<int>(model_.ligaments.size()); ++l) add_ligament(l);
+    for (const BundleDef& bundle : scene_.bundles)
+      if (!bundle.members.empty()) add_bundle(bundle);
     for (int l = 0; l < static_cast<int>(model_.loads.size()); ++l)
       if (model_.loads[at(l)].scale)
         add(model_.loads[at(l)].name + ".scale", "1", 1,
@@ -194,6 +196,19 @@ class Outputs {
     add(name + ".length_mm", "mm", to::kMillimetre, [l](const auto&, const auto& s) { return s.ligament(l).length; });
     add(name + ".strain", "1", 1, [l](const auto&, const auto& s) { return s.ligament(l).strain; });
     add(name + ".force_N", "N", 1, [l](const auto&, const auto& s) { return s.ligament(l).force; });
+  }
+
+  void add_bundle(const BundleDef& bundle) {
+    const auto sum = [members = bundle.members](const Sensitivity& s, double LigamentMotion::*number) {
+      double total = 0;
+      for (const int l : members) total += s.ligament(l).*number;
+      return total;
+    };
+    const double share = 1 / static_cast<double>(bundle.members.size());
+    add(bundle.name + ".strain", "1", 1,
+        [sum, share](const auto&, const auto& s) { return share * sum(s, &LigamentMotion::strain); });
+    add(bundle.name + ".force_N", "N", 1,
+        [sum](const auto&, const auto& s) { return sum(s, &LigamentMotion::force); });
   }
 
   const PlacedScene& scene_;

@@ -6,6 +6,7 @@
 #include "genu/core/units.h"
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/results/bundle_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/wrap_columns.h"
@@ -58,6 +59,7 @@ class PoseTable {
       ligaments_.push_back(table_.add_column(l.name + ".length_mm"));
       for (const char* quantity : {"strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     }
+    add_bundle_columns(scene_, table_);
     add_wrap_columns(model_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
@@ -96,6 +98,7 @@ class PoseTable {
     set_factors(point.target);
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
+    set_bundle_columns(scene_, table_);
     set_wrap_columns(model_, point.pose.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);

@@ -119,6 +119,9 @@ std::string to_json(const RunSummary& s) {
   j["files"] = ordered_json::array();
   for (const auto& f : s.files)
     j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"xxh128", f.checksum.xxh128}});
+  if (!s.changed.asked.empty())
+    j["changes"] = {
+        {"without", s.changed.asked.without}, {"set", s.changed.asked.set}, {"applied", s.changed.words}};
   if (s.results)
     j["results"] = {
         {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"xxh128", s.results->checksum.xxh128}};
@@ -159,6 +162,7 @@ std::string to_text(const RunSummary& s) {
   const auto line = [&](const std::string& name, const std::string& text) {
     out += fmt::format("  {:<12}{}\n", name, text);
   };
+  for (const auto& c : s.changed.words) line(&c == &s.changed.words.front() ? "changed" : "", c);
   for (const auto& e : s.effects) line(&e == &s.effects.front() ? "effects" : "", effect_text(e));
   for (const auto& f : s.surfaces) line(&f == &s.surfaces.front() ? "surfaces" : "", f.name + ": " + f.text);
   for (const auto& b : s.bodies) line(&b == &s.bodies.front() ? "bodies" : "", to_text(b));

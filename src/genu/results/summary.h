@@ -11,6 +11,7 @@
 #include "genu/core/file_checksum.h"
 #include "genu/core/types.h"
 #include "genu/path/path_options.h"
+#include "genu/scene/scene_changes.h"
 
 namespace genu {
 
@@ -89,6 +90,7 @@ struct RunSummary {
   std::optional<Motion> motion;
   std::string scene_file, title, version;
   std::string scene_path;  ///< absolute
+  AppliedChanges changed;  ///< in what the scene file says
   /// What was read, the scene first: whether it is still the same can be seen later.
   struct InputFile {
     std::string path;  ///< absolute

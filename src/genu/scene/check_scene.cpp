@@ -223,6 +223,9 @@ void check_columns(ReadContext& context) {
       columns.add("ligament." + ligament.name, ligament.where, ligament.name + quantity);
     }
   }
+  for (const BundleDef& bundle : scene.bundles)
+    for (const char* quantity : {".strain", ".force_N"})
+      columns.add("bundle." + bundle.name, bundle.where, bundle.name + quantity);
   for (const LoadDef& load : scene.loads)
     if (load.kind == LoadDef::Kind::cable) columns.add("load." + load.name, load.where, load.name + ".length_mm");
 }

@@ -7,7 +7,7 @@ namespace genu {
 
 namespace {
 
-void read_pair(ReadContext& context, const Item& item, ContactDef& contact) {
+void read_pair(ReadContext& context, const Item& item, bool enabled, ContactDef& contact) {
   if (!is_array(context, item, "the names of two surfaces", 2)) return;
   const Scene& scene = context.scene;
   const std::vector<std::string> names = names_of(scene.surfaces);
@@ -23,6 +23,7 @@ void read_pair(ReadContext& context, const Item& item, ContactDef& contact) {
   } else if (a >= 0 && b >= 0 && fixed(a) && fixed(b)) {
     refuse(context, item, Code::no_effect, "both surfaces are on fixed bodies");
   }
+  if (!enabled) return;
   const auto pair = std::minmax(contact.surface_a, contact.surface_b);
   const auto refuse_same = [&](const ContactDef& other) {
     if (std::minmax(other.surface_a, other.surface_b) == pair)
@@ -126,16 +127,18 @@ void read_contacts(ReadContext& context, Section& root) {
     ContactDef contact;
     contact.name = item.node->key;
     contact.where = item.node->key_where;
-    read_pair(context, section.require("surfaces"), contact);
+    const Item surfaces = section.require("surfaces");
     const auto model = read_choice(context, section.require("model"), {"rigid", "cartilage"});
+    const bool enabled = read_enabled(context, section, "contact");
+    read_pair(context, surfaces, enabled, contact);
     read_regions(context, section.find("regions"), contact);
     if (model == 1) {
       section.rename("a cartilage contact");
       LayerDef layer;
       layer.pair = contact;
       read_layer(context, section, layer);
-      context.scene.layers.push_back(std::move(layer));
-    } else {
+      if (enabled) context.scene.layers.push_back(std::move(layer));
+    } else if (enabled) {
       if (model) ++context.rigid_pairs;
       context.scene.contacts.push_back(std::move(contact));
     }

@@ -25,6 +25,7 @@ struct ReadContext {
   std::vector<bool> combination_understood;  ///< with nothing wrong in it
   bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
+  std::vector<std::string> ligaments;  ///< all that the file names, disabled ones too
   bool in_motion = false;   ///< the scene has [dynamics]
   bool turns_said = false;  ///< an angle has got the warning that it is probably in deg
 

@@ -123,8 +123,10 @@ void read_ligaments(ReadContext& context, Section& root) {
     read_rest(context, section, ligament, law);
     read_number_row(context, section, kLigamentDamping, {.objects = "ligaments"}, &ligament.damping);
     warn_unlikely(context, section, ligament);
+    const bool enabled = read_enabled(context, section, "ligament");
     section.finish();
-    context.scene.ligaments.push_back(ligament);
+    context.ligaments.push_back(ligament.name);
+    if (enabled) context.scene.ligaments.push_back(ligament);
   }
 }
 

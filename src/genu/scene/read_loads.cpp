@@ -90,8 +90,9 @@ void read_loads(ReadContext& context, Section& root) {
       read_wrench(context, section, load);
     }
     load.scale = read_scale(context, section.find("scale"));
+    const bool enabled = read_enabled(context, section, "load");
     section.finish();
-    context.scene.loads.push_back(load);
+    if (enabled) context.scene.loads.push_back(load);
   }
 }
 

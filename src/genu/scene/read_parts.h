@@ -12,11 +12,19 @@ void read_combinations(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
 void read_ligaments(ReadContext& context, Section& root);
+void read_bundles(ReadContext& context, Section& root);  ///< after the ligaments
 void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
 void read_solver(ReadContext& context, Section& root);
 void read_plausible(ReadContext& context, Section& root);
 void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read
+
+/// `enabled` of a table GROUP.NAME. Where it is false the table is noted in Scene::disabled, and must be left out of the
+/// scene after it has been read.
+bool read_enabled(ReadContext& context, Section& section, const char* group);
+
+/// Whether the scene has a table GROUP.NAME with `enabled = false`.
+bool is_disabled(const Scene& scene, const std::string& group, const std::string& name);
 
 /// [solid.NAME] of a file for `genu mesh`; no scene has them.
 void read_solid_shapes(ReadContext& context, Section& root);

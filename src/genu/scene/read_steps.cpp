@@ -52,12 +52,13 @@ void read_factors(ReadContext& context, const Item& item, StepDef& step) {
   for (const TomlNode& child : item.node->children) {
     const Item entry = item.member(child);
     const auto found = std::find(names.begin(), names.end(), child.key);
-    if (found == names.end()) {
+    const bool disabled = is_disabled(context.scene, "load", child.key);
+    if (found == names.end() && !disabled) {
       context.error(child.key_where, Code::unknown_name, entry.path, literal(child),
                     unknown_name_rule("load", child.key, names));
     }
     const auto [from, to] = read_span(context, entry, {}).value_or(std::pair(1.0, 1.0));
-    step.factors.push_back({.load = static_cast<int>(found - names.begin()), .from = from, .to = to});
+    if (!disabled) step.factors.push_back({.load = static_cast<int>(found - names.begin()), .from = from, .to = to});
   }
 }
 

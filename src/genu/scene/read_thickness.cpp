@@ -83,6 +83,8 @@ void read_layer_thickness(ReadContext& context, Section& section, LayerDef& laye
 
 void check_thickness_used(ReadContext& context) {
   const Scene& scene = context.scene;
+  const auto is_contact = [](const DisabledTable& t) { return t.group == "contact"; };
+  if (std::any_of(scene.disabled.begin(), scene.disabled.end(), is_contact)) return;  // it may be the one that uses it
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
     const SurfaceDef& s = scene.surfaces[k];
     const auto uses = [&](const LayerDef& l) {

@@ -120,13 +120,15 @@ std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out)
 
 std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out) {
   const std::optional<TomlNode> document = parse_document(text, path, out);
-  if (!document) return std::nullopt;
+  return document ? scene_of(*document, path, out) : std::nullopt;
+}
 
+std::optional<Scene> scene_of(const TomlNode& document, const std::string& path, Diagnostics& out) {
   Diagnostics found;
   Scene scene;
   scene.file = path;
   ReadContext context(path, found, scene);
-  Section root(context, {&*document, ""}, "a scene");
+  Section root(context, {&document, ""}, "a scene");
   context.in_motion = root.has("dynamics");
   read_header(context, root);
   read_bodies(context, root);
@@ -135,6 +137,7 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& pat
   read_surfaces(context, root);
   read_contacts(context, root);
   read_ligaments(context, root);
+  read_bundles(context, root);
   read_loads(context, root);
   read_steps(context, root);
   read_solver(context, root);
@@ -154,6 +157,11 @@ std::optional<Scene> read_scene(const std::string& path, InputFiles& files, Diag
   const auto text = read_text(path, files, out);
   if (!text) return std::nullopt;
   return parse_scene(*text, path, out);
+}
+
+std::optional<TomlNode> read_document(const std::string& path, InputFiles& files, Diagnostics& out) {
+  const auto text = read_text(path, files, out);
+  return text ? parse_document(*text, path, out) : std::nullopt;
 }
 
 std::optional<Scene> read_surface_file(const std::string& path, Diagnostics& out) {

@@ -7,6 +7,7 @@
 #include "genu/core/diagnostics.h"
 #include "genu/core/input_files.h"
 #include "genu/scene/scene.h"
+#include "genu/scene/toml_document.h"
 
 namespace genu {
 
@@ -19,6 +20,10 @@ namespace genu {
 
 /// The same for a text in memory; `path` names it in messages, and mesh files are looked for in its folder.
 [[nodiscard]] std::optional<Scene> parse_scene(const std::string& text, const std::string& path, Diagnostics& out);
+
+/// The two halves of read_scene(): what the file at `path` says as TOML, and the scene of such a document.
+[[nodiscard]] std::optional<TomlNode> read_document(const std::string& path, InputFiles& files, Diagnostics& out);
+[[nodiscard]] std::optional<Scene> scene_of(const TomlNode& document, const std::string& path, Diagnostics& out);
 
 /// The surfaces of a scene, or of a file that holds nothing but `format`, `title`, `units` and [surface.NAME] tables
 /// (as `genu fit` writes it) and [solid.NAME] tables: its bodies are those that the surfaces name.

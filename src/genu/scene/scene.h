@@ -9,10 +9,12 @@
 
 #include "genu/core/types.h"
 #include "genu/scene/body_def.h"
+#include "genu/scene/bundle_def.h"
 #include "genu/scene/joint_def.h"
 #include "genu/scene/load_def.h"
 #include "genu/scene/path_def.h"
 #include "genu/scene/plausible_def.h"
+#include "genu/scene/scene_changes.h"
 #include "genu/scene/solid_def.h"
 #include "genu/scene/surface_def.h"
 
@@ -189,12 +191,15 @@ struct SceneTables {
   std::vector<ContactDef> contacts;  ///< rigid ones
   std::vector<LayerDef> layers;
   std::vector<LigamentDef> ligaments;
+  std::vector<BundleDef> bundles;
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
   SolverDef solver;
   PlausibleDef plausible;
   std::optional<DynamicsDef> dynamics;
   std::vector<SolidDef> solids;  ///< of a file for `genu mesh` alone
+  std::vector<DisabledTable> disabled;
+  AppliedChanges changed;  ///< of what the file says
 };
 
 /// A scene as read: points on a body are measured from the body's origin in the file.

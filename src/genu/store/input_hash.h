@@ -10,8 +10,8 @@
 
 namespace genu {
 
-/// The scene's file and its meshes with their checksums (core/file_checksum.h), in the order of the scene; empty for a
-/// file that cannot be read.
+/// The scene's file and its meshes with their checksums (core/file_checksum.h), in the order of the scene, then what is
+/// changed in it (scene_changes.h); empty for a file that cannot be read.
 std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene, InputFiles& files);
 
 /// Of this program, of the libraries that it is linked with, and of the instructions that they choose from the

@@ -118,7 +118,7 @@ class RigidContacts {
 
 }  // namespace
 
-std::optional<ResultsRead> read_results(const std::string& scene, const std::string& text, const std::string& file,
+std::optional<ResultsRead> read_results(const SceneSource& scene, const std::string& text, const std::string& file,
                                         Diagnostics& out) {
   auto prepared = prepare(scene, out);
   auto words = parse_pose_file(text, file, out);

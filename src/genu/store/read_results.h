@@ -23,7 +23,7 @@ struct ResultsRead {
 
 /// `scene`: path of the scene file; `text`: of results.csv, the content of `file`. What is wrong with either is said
 /// in `out`. A contact whose place is not on its surface, as where the scene was changed, is left out with a warning.
-[[nodiscard]] std::optional<ResultsRead> read_results(const std::string& scene, const std::string& text,
+[[nodiscard]] std::optional<ResultsRead> read_results(const SceneSource& scene, const std::string& text,
                                                       const std::string& file, Diagnostics& out);
 
 }  // namespace genu

@@ -54,7 +54,7 @@ std::vector<Unknown> choose_unknowns(Scene& scene, const std::vector<std::string
   for (const std::string& pattern : patterns) {
     bool found = false, fixed = false;
     for (const Parameter& p : all) {
-      if (!matches(pattern, p.name)) continue;
+      if (!matches(scene, pattern, p.name)) continue;
       const bool can = can_vary(p);
       found = found || can;
       fixed = fixed || !can;
@@ -261,9 +261,9 @@ bool can_be_written(const Prepared& prepared, const std::vector<Unknown>& unknow
 
 }  // namespace
 
-int run_calibration(const std::string& path, const std::optional<std::string>& folder, const CalibrationChoice& choice,
+int run_calibration(const SceneSource& source, const std::optional<std::string>& folder, const CalibrationChoice& choice,
                     const RunOptions& options, Diagnostics& out, CalibrationResult& result) {
-  auto prepared = prepare_run(path, folder, out, {choice.target});
+  auto prepared = prepare_run(source, folder, out, {choice.target});
   if (!prepared) return kExitRefused;
   const std::vector<Unknown> unknowns = choose_unknowns(prepared->source, choice.vary, out);
   const auto target =
@@ -282,7 +282,7 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
   const Calibration calibration(*prepared, unknowns, *target, options);
   const auto start = calibration.residuals(VecX::Zero(static_cast<Eigen::Index>(unknowns.size())));
   if (!start) {
-    out.error(Code::not_solved, path,
+    out.error(Code::not_solved, source.path,
               "cannot be fitted from these values: not all of its rows can be computed (genu run says why)");
     return kExitRefused;
   }
@@ -293,7 +293,7 @@ int run_calibration(const std::string& path, const std::optional<std::string>& f
   }
   const LeastSquaresResult fit = calibration.fit(choice.most_iterations);
   if (fit.jacobian.size() == 0) {
-    out.error(Code::not_solved, path, std::string("is not fitted: ") + to_string(fit.stop));
+    out.error(Code::not_solved, source.path, std::string("is not fitted: ") + to_string(fit.stop));
     return kExitIncomplete;
   }
   const auto fitted = calibration.with(fit.x);

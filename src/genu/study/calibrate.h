@@ -26,7 +26,7 @@ struct CalibrationResult {
 /// there is one. Stiffnesses, dampings, masses and slack lengths are fitted by their logarithms and so stay positive;
 /// derivatives are central differences. Returns the exit code: incomplete where the fit has not converged or the target
 /// leaves a parameter undetermined. Names that are none and a target that cannot be followed are refused in `out`.
-[[nodiscard]] int run_calibration(const std::string& path, const std::optional<std::string>& folder,
+[[nodiscard]] int run_calibration(const SceneSource& source, const std::optional<std::string>& folder,
                                   const CalibrationChoice& choice, const RunOptions& options, Diagnostics& out,
                                   CalibrationResult& result);
 

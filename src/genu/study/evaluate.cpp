@@ -251,9 +251,9 @@ std::optional<Evaluation> evaluate_file(const Prepared& prepared, PoseFile file,
   return found;
 }
 
-int evaluate_scene(const std::string& path, const std::string& poses, const std::string& folder,
+int evaluate_scene(const SceneSource& source, const std::string& poses, const std::string& folder,
                    const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation) {
-  const auto prepared = prepare_run(path, folder, out, {poses});
+  const auto prepared = prepare_run(source, folder, out, {poses});
   auto file = read_pose_file(poses, out);
   if (!prepared || !file || refuse_motion(*prepared, "evaluate", out)) return kExitRefused;
   auto evaluated = evaluate_file(*prepared, std::move(*file), options, out);

@@ -37,7 +37,7 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
 
 /// Reads the scene and the poses, evaluates, writes results.csv, curves.svg and summary.json into `folder`. Returns the
 /// exit code; `out` holds what was refused, `evaluation` (may be null) gets what was found.
-[[nodiscard]] int evaluate_scene(const std::string& path, const std::string& poses, const std::string& folder,
+[[nodiscard]] int evaluate_scene(const SceneSource& source, const std::string& poses, const std::string& folder,
                                  const EvaluateOptions& options, Diagnostics& out, Evaluation* evaluation);
 
 }  // namespace genu

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/changed_scene.h"
 #include "genu/assemble/scene_values.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/scratch_folder.h"
@@ -234,6 +235,7 @@ void save_failure(const std::string& file, const std::string& scene, const Prepa
   failure.program = program_hash();
   failure.scene = file_bytes(scene);
   if (failure.scene.empty()) return say(Code::cannot_read, "is not written: the scene cannot be read");
+  if (prepared != nullptr) failure.scene = with_changes(failure.scene, prepared->scene, out);
   failure.scene =
       without_folders(with_mesh_names(failure.scene, [&](const std::string& own) { return names.name_of(own); }));
   failure.rest = found.rest;

@@ -169,9 +169,9 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   return error_bars(solution.poses, poses);
 }
 
-std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder, Diagnostics& out,
+std::optional<Prepared> prepare_run(const SceneSource& source, const std::optional<std::string>& folder, Diagnostics& out,
                                     const std::vector<std::string>& inputs) {
-  if (!folder) return prepare(path, out);
+  if (!folder) return prepare(source, out);
   {
     // Before an hour of solving: can the folder be written at all?
     StagedFolder probe("results");
@@ -180,7 +180,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
       return std::nullopt;
     }
   }
-  if (folder_holds(*folder, path)) {
+  if (folder_holds(*folder, source.path)) {
     out.error(Code::would_lose_input, *folder,
               "holds the scene itself, which would be lost with the folder: choose another folder");
     return std::nullopt;
@@ -191,7 +191,7 @@ std::optional<Prepared> prepare_run(const std::string& path, const std::optional
               "holds " + input + ", which would be lost with the folder: choose another folder");
     return std::nullopt;
   }
-  auto prepared = prepare(path, out);
+  auto prepared = prepare(source, out);
   if (!prepared) return std::nullopt;
   for (const std::string& file : mesh_files(prepared->scene)) {
     if (!folder_holds(*folder, file)) continue;

@@ -15,7 +15,7 @@ namespace genu {
 /// Reads and builds what a run into `folder` needs. Empty, with the reasons in `out`, where the input is refused or the
 /// folder cannot be written or holds the input; without a `folder` nothing is to be written. `inputs`: other files that
 /// the folder must not hold.
-[[nodiscard]] std::optional<Prepared> prepare_run(const std::string& path, const std::optional<std::string>& folder,
+[[nodiscard]] std::optional<Prepared> prepare_run(const SceneSource& source, const std::optional<std::string>& folder,
                                                   Diagnostics& out, const std::vector<std::string>& inputs = {});
 
 /// Refuses what cannot be started (surfaces that overlap by more than 6 mm in the reference pose): said in `out`.
@@ -58,7 +58,7 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
 
 /// Reads, solves, writes the results into `folder`. Returns the exit code; `out` holds what was refused, `solution`
 /// (may be null) gets what was found.
-[[nodiscard]] int run_scene(const std::string& path, const std::string& folder, const RunOptions& options,
+[[nodiscard]] int run_scene(const SceneSource& source, const std::string& folder, const RunOptions& options,
                             Diagnostics& out, Solution* solution);
 
 }  // namespace genu

@@ -138,7 +138,7 @@ void mark_parameters(const SceneTables& scene, const std::vector<Parameter>& kno
                      std::vector<bool>& wanted, Diagnostics& out) {
   bool found = false;
   for (std::size_t k = 0; k < known.size(); ++k) {
-    if (pattern != "all" && !matches(pattern, known[k].name)) continue;
+    if (pattern != "all" && !matches(scene, pattern, known[k].name)) continue;
     wanted[k] = found = true;
   }
   if (!found) refuse_option(out, Code::unknown_name, "--to", pattern, no_parameter(scene, known, pattern));
@@ -331,9 +331,10 @@ bool solve_and_differentiate(const Prepared& prepared, const SensitivityChoice& 
   return true;
 }
 
-int run_sensitivity(const std::string& path, const std::optional<std::string>& folder, const SensitivityChoice& choice,
-                    const RunOptions& options, Diagnostics& out, SensitivityResult& result) {
-  const auto prepared = prepare_run(path, folder, out);
+int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder,
+                    const SensitivityChoice& choice, const RunOptions& options, Diagnostics& out,
+                    SensitivityResult& result) {
+  const auto prepared = prepare_run(source, folder, out);
   if (!prepared || !solve_and_differentiate(*prepared, choice, options, out, result)) return kExitRefused;
   const PlacedScene& scene = prepared->scene;
   const auto& steps = prepared->steps;

@@ -42,7 +42,7 @@ void differentiate(const Prepared& prepared, ContactField& field, const Sensitiv
 
 /// Reads, solves and differentiates a scene, and writes the run's results with sensitivity.csv, ranking.csv and
 /// sensitivity.svg into `folder` where there is one. Returns the exit code.
-[[nodiscard]] int run_sensitivity(const std::string& path, const std::optional<std::string>& folder,
+[[nodiscard]] int run_sensitivity(const SceneSource& source, const std::optional<std::string>& folder,
                                   const SensitivityChoice& choice, const RunOptions& options, Diagnostics& out,
                                   SensitivityResult& result);
 

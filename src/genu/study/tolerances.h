@@ -183,4 +183,16 @@ inline constexpr int kMaxNamedContacts = 99;
 /// [1] Largest sensitivity.csv. Fails first: if too large, the disk is full.
 inline constexpr std::size_t kMaxSensitivityRows = 5000000;
 
+// laxity
+
+/// [1] Sine of the angle, or cosine, within which two axes are parallel, or perpendicular. Fails first: if too small, a
+/// knee with axes written to few digits gets its varus moment about the tibia's anterior axis.
+inline constexpr double kSameAxis = 1e-6;
+
+/// [of the full load] Difference of two loads that are the same. Fails first: if too large, neighbouring rows are one.
+inline constexpr double kSameLoad = 1e-9;
+
+/// [m or rad] Distance between loading and unloading above which both are drawn. Fails first: nothing (pictures).
+inline constexpr double kVisibleLoop = 1e-6;
+
 }  // namespace genu

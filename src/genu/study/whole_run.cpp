@@ -140,16 +140,16 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
   s.verdict.insert(s.verdict.begin(), said);
 }
 
-int run_scene(const std::string& path, const std::string& folder, const RunOptions& options, Diagnostics& out,
+int run_scene(const SceneSource& source, const std::string& folder, const RunOptions& options, Diagnostics& out,
               Solution* solution) {
   if (!options.save_failure.empty())
     if (const auto kept = why_not_replaced(options.save_failure, "\"genu_failure\":")) {
       out.error(kept->code, {}, kept->text);
       return kExitRefused;
     }
-  const auto prepared = prepare_run(path, folder, out);
+  const auto prepared = prepare_run(source, folder, out);
   if (!prepared) {
-    if (!options.save_failure.empty()) save_failure(options.save_failure, path, nullptr, {}, options, out);
+    if (!options.save_failure.empty()) save_failure(options.save_failure, source.path, nullptr, {}, options, out);
     return kExitRefused;
   }
   if (holds_others(folder, options, out)) return kExitRefused;
@@ -166,7 +166,7 @@ int run_scene(const std::string& path, const std::string& folder, const RunOptio
   int code = kExitRefused;
   if (found) code = keep_results(*prepared, folder, own, checkpoint, out, *found);
   if (!options.save_failure.empty() && !(found && found->stopped == "interrupted"))
-    save_failure(options.save_failure, path, &*prepared, found ? *found : Solution(), options, out);
+    save_failure(options.save_failure, source.path, &*prepared, found ? *found : Solution(), options, out);
   if (found && solution != nullptr) *solution = std::move(*found);
   return code;
 }

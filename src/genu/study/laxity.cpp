@@ -1,0 +1,314 @@
+#include "genu/study/laxity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "genu/assemble/with_numbers.h"
+#include "genu/core/atomic_output.h"
+#include "genu/core/timer.h"
+#include "genu/core/units.h"
+#include "genu/equilibrium/sensitivity.h"
+#include "genu/results/summary.h"
+#include "genu/study/laxity_table.h"
+#include "genu/study/run_scene.h"
+#include "genu/study/solve_path.h"
+#include "genu/study/tolerances.h"
+
+namespace genu {
+
+const LaxityRow* LaxityCurve::at(double load) const {
+  const auto same = [&](const LaxityRow& row) { return std::abs(row.load - load) <= kSameLoad * test.load; };
+  const auto found = std::find_if(rows.begin(), rows.end(), same);
+  return found == rows.end() ? nullptr : &*found;
+}
+
+double LaxityCurve::loop() const {
+  double most = 0;
+  for (const LaxityRow& row : rows)
+    most = std::max(most, std::abs(test.displacement(row.motion) - test.displacement(at(row.load)->motion)));
+  return most;
+}
+
+namespace {
+
+/// A part of a path: the load of the test from one value to another.
+struct Leg {
+  double from, to;  ///< N or N m
+  int increments;
+};
+
+class Tester {
+ public:
+  Tester(const LaxityJoint& knee, const LaxityChoice& choice) : knee_(knee), choice_(choice) {}
+
+  LaxityAngle test(double flexion) const {
+    LaxityAngle angle;
+    angle.flexion = flexion;
+    Prepared own = knee_.prepared;
+    own.model.meter = std::make_shared<EffectMeter>();
+    own.steps = {step(flexion, -1, {0, 0, 1})};
+    ContactField field = contact_field(own);
+    const Solved solved = solve(own, field);
+    note_neutral(solved, angle);
+    if (!angle.solved) return angle;
+    angle.neutral = row_of(own, solved.records.back(), -1);
+    const State& state = solved.records.back().point.pose.state;
+    for (std::size_t j = 0; j < own.model.joints.size(); ++j) own.model.joints[j].start = state.coordinates[j];
+    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, flexion));
+    return angle;
+  }
+
+ private:
+  StepPlan step(double flexion, int load, const Leg& leg) const {
+    const Prepared& p = knee_.prepared;
+    StepPlan plan;
+    plan.prescribed = {{QuantityRef(knee_.joint, 0), flexion, flexion}};
+    plan.increments = leg.increments;
+    const StepPlan* last = p.steps.empty() ? nullptr : &p.steps.back();
+    plan.start_time = plan.end_time = last ? last->end_time : 0;
+    plan.factors.assign(p.scene.loads.size(), {0, 0});
+    for (std::size_t k = 0; last && k < last->factors.size(); ++k)
+      plan.factors[k] = {last->factors[k].to, last->factors[k].to};
+    plan.factors[genu::at(knee_.compression)] = {choice_.compression, choice_.compression};
+    if (load >= 0) plan.factors[genu::at(load)] = {leg.from, leg.to};
+    return plan;
+  }
+
+  Solved solve(const Prepared& own, ContactField& field) const {
+    RunOptions options;
+    options.cancelled = choice_.cancelled;
+    return solve_path(own, field, options);
+  }
+
+  static void note_neutral(const Solved& solved, LaxityAngle& angle) {
+    angle.solved = !solved.records.empty() && solved.records.back().point.solved();
+    if (!angle.solved && !solved.records.empty()) {
+      const PoseReport& report = solved.records.back().point.report;
+      angle.notes.push_back(fmt::format("no neutral pose: {}{}{}", to_string(report.status),
+                                        report.why.empty() ? "" : ": ", report.why));
+    } else if (!angle.solved) {
+      angle.notes.emplace_back("no neutral pose: interrupted");
+    }
+    for (const PathEvent& event : solved.events)
+      if (event.begins_branch()) angle.notes.push_back("the joint snapped on its way to this angle: " + event.what);
+    if (angle.solved && solved.records.back().point.stability.verdict == Stability::Verdict::unstable)
+      angle.notes.emplace_back("the neutral pose is unstable");
+  }
+
+  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load) const {
+    LaxityRow row;
+    row.record = record;
+    const GroodSuntayDef& axes = *own.scene.joints[genu::at(knee_.joint)].grood_suntay;
+    const auto& poses = record.point.pose.state.poses;
+    if (const auto motion = grood_suntay(axes, poses[genu::at(axes.femur.body)], poses[genu::at(axes.tibia.body)]))
+      row.motion = *motion;
+    if (load >= 0) row.load = record.point.target.load_factors[genu::at(load)];
+    return row;
+  }
+
+  /// Poses of the legs in order, up to the first that is not solved or on another branch. `ended`: why there.
+  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, double flexion, const std::vector<Leg>& legs,
+                                 std::string& ended) const {
+    const int load = knee_.loads[static_cast<std::size_t>(test.kind)];
+    own.steps.clear();
+    for (const Leg& leg : legs) own.steps.push_back(step(flexion, load, leg));
+    own.model.meter = std::make_shared<EffectMeter>();
+    ContactField field = contact_field(own);
+    const Solved solved = solve(own, field);
+    Sensitivity sensitivity(own.scene, own.model);
+    Parameter factor;
+    factor.kind = Parameter::Kind::factor;
+    factor.object = load;
+    std::vector<LaxityRow> rows;
+    for (const PoseRecord& record : solved.records) {
+      if (!record.point.solved() || record.point.branch != solved.records.front().point.branch) break;
+      rows.push_back(row_of(own, record, load));
+      if (!sensitivity.factor(rows.back().record.point)) continue;
+      sensitivity.differentiate(factor);
+      if (const auto rate = sensitivity.clinical(knee_.joint)) rows.back().compliance = test.displacement(*rate);
+    }
+    if (rows.size() < solved.records.size() || !solved.path.complete) ended = end_words(solved, test, load, rows);
+    return rows;
+  }
+
+  /// "anterior: ends at 80.4 N, 12.1 mm: the equilibrium path turns back (limit point)"
+  static std::string end_words(const Solved& solved, const LaxityTest& test, int load,
+                               const std::vector<LaxityRow>& rows) {
+    const PathEvent* event = nullptr;
+    for (const PathEvent& e : solved.events) {
+      const bool ends = e.begins_branch() || e.kind == PathEvent::Kind::turns_back ||
+                        e.kind == PathEvent::Kind::snaps || e.kind == PathEvent::Kind::jump ||
+                        e.kind == PathEvent::Kind::over_edge || e.kind == PathEvent::Kind::overlap ||
+                        e.kind == PathEvent::Kind::flawed_mesh || e.kind == PathEvent::Kind::stopped;
+      if (ends && event == nullptr && e.rows_before >= static_cast<int>(rows.size())) event = &e;
+    }
+    const double last = rows.empty() ? 0 : rows.back().load;
+    const double at = event ? event->target.load_factors[genu::at(load)] : last;
+    const std::size_t k = rows.size();
+    std::string why = event ? std::string(to_string(event->kind)) : "";
+    if (k < solved.records.size() && !solved.records[k].point.solved()) {
+      const PoseReport& report = solved.records[k].point.report;
+      why = report.why.empty() ? std::string(to_string(report.status)) : report.why;
+    } else if (event && !event->what.empty()) {
+      why += ": " + event->what;
+    }
+    if (rows.size() >= solved.records.size() && !event) why = "interrupted";
+    std::string pose;
+    if (!rows.empty()) {
+      const double shift = test.displacement(rows.back().motion) - test.displacement(rows.front().motion);
+      pose = fmt::format(", after {:.4g} {} at {:.4g} {}", test.shown() * shift, test.unit(), last, test.load_unit());
+    }
+    return fmt::format("{} ends at {:.4g} {}{}: {}", test.direction(at >= 0), at, test.load_unit(), pose, why);
+  }
+
+  LaxityCurve curve(Prepared& own, const LaxityTest& test, double flexion) const {
+    LaxityCurve made;
+    made.test = test;
+    const int n = choice_.increments;
+    const double full = test.load;
+    std::string ended;
+    made.rows = rows_of(own, test, flexion, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
+    if (!ended.empty()) made.ended.push_back(ended);
+    // A path that ended before it came back to zero has not seen the other direction.
+    if (ended.empty() || made.rows.empty() || made.rows.size() > static_cast<std::size_t>(2 * n)) return made;
+    ended.clear();
+    const auto back = rows_of(own, test, flexion, {{0, -full, n}, {-full, 0, n}}, ended);
+    if (!ended.empty()) made.ended.push_back(ended);
+    made.rows.insert(made.rows.end(), back.begin() + (back.empty() ? 0 : 1), back.end());
+    return made;
+  }
+
+  const LaxityJoint& knee_;
+  const LaxityChoice& choice_;
+};
+
+}  // namespace
+
+std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoice& choice) {
+  std::vector<LaxityAngle> angles(choice.flexions.size());
+  const Tester tester(knee, choice);
+  tbb::parallel_for(std::size_t{0}, angles.size(), [&](std::size_t k) { angles[k] = tester.test(choice.flexions[k]); });
+  return angles;
+}
+
+namespace {
+
+std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::string& name, const LaxityChoice& choice,
+                                        Diagnostics& out) {
+  ContactField field(prepared.model);
+  if (!check_start(prepared, field, out)) return std::nullopt;
+  auto knee = with_laxity_loads(prepared, out);
+  if (!knee) return std::nullopt;
+  share_search(knee->prepared);
+  LaxityOfScene tested{name, std::move(*knee), {}};
+  tested.angles = solve_laxity(tested.knee, choice);
+  return tested;
+}
+
+/// "without ACL*; MCL*.stiffness=x0.5"
+std::string name_of(const SceneChanges& changes) {
+  std::string name;
+  for (const std::string& pattern : changes.without) name += (name.empty() ? "without " : ", ") + pattern;
+  for (const std::string& option : changes.set) name += (name.empty() ? "" : "; ") + option;
+  return name;
+}
+
+/// Sentences for everything that is missing; the first says how much there is.
+std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, std::size_t tests, bool& complete) {
+  std::vector<std::string> sentences = {""};
+  std::size_t asked = 0, whole = 0;
+  for (const LaxityOfScene& s : scenes)
+    for (const LaxityAngle& angle : s.angles) {
+      const std::string place = fmt::format("{}{:g} deg", scenes.size() > 1 ? s.name + ", " : "",
+                                            std::round(1e9 * to::kDegree * angle.flexion) / 1e9);
+      asked += tests;
+      for (const std::string& note : angle.notes) sentences.push_back(place + ": " + note + ".");
+      for (const LaxityCurve& curve : angle.curves) {
+        whole += curve.ended.empty() ? 1 : 0;
+        for (const std::string& ended : curve.ended) sentences.push_back(place + ", " + ended + ".");
+      }
+    }
+  complete = whole == asked;
+  sentences.front() = complete ? fmt::format("All {} curves are complete.", asked)
+                               : fmt::format("{} of {} curves are complete.", whole, asked);
+  return sentences;
+}
+
+RunSummary summary_of(const LaxityResult& result, double seconds, int exit_code) {
+  const LaxityOfScene& last = result.scenes.back();
+  RunSummary summary = begin_summary(last.knee.prepared);
+  for (const LaxityOfScene& s : result.scenes)
+    for (const LaxityAngle& angle : s.angles)
+      for (const LaxityCurve& curve : angle.curves)
+        for (const LaxityRow& row : curve.rows) {
+          const PosePoint& point = row.record.point;
+          ++summary.poses_asked, ++summary.poses_solved;
+          summary.poses_stable += point.stability.verdict == Stability::Verdict::stable ? 1 : 0;
+          summary.iterations += point.report.iterations;
+          summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
+        }
+  summary.verdict = result.verdict;
+  summary.verdict_class = exit_code == kExitOk ? RunSummary::Class::solved : RunSummary::Class::not_solved;
+  summary.exit_code = exit_code;
+  summary.seconds.emplace_back("laxity", seconds);
+  note_files(last.knee.prepared, summary);
+  return summary;
+}
+
+std::string write_laxity(const std::string& folder, const LaxityResult& result, const LaxityChoice& choice,
+                         const RunSummary& summary) {
+  StagedFolder out("results");
+  std::string error = text_of(out.open(folder));
+  const auto write = [&](const std::string& name, const std::string& content) {
+    if (error.empty()) error = write_file_atomically(out.path() / name, content);
+  };
+  write("laxity.csv", laxity_csv(result.scenes));
+  write("laxity_summary.csv", laxity_summary(result.scenes).to_csv());
+  std::string pictures;
+  for (const LaxityTest& test : choice.tests) {
+    const std::string picture = to_svg(laxity_chart(result, choice, test));
+    pictures += picture;
+    write(std::string(test.name()) + ".svg", picture);
+  }
+  write("laxity.html", laxity_page(result, pictures));
+  write("summary.json", to_json(summary));
+  if (error.empty()) error = out.commit();
+  return error;
+}
+
+}  // namespace
+
+int run_laxity(const SceneSource& source, const std::optional<std::string>& folder, const LaxityChoice& choice,
+               Diagnostics& out, LaxityResult& result) {
+  const Timer timer;
+  const auto prepared = prepare_run(source, folder, out);
+  if (!prepared) return kExitRefused;
+  if (!source.changes.empty()) {
+    Diagnostics said;  // warnings are said once
+    const auto written = prepare(source.path, said);
+    if (!written) return out.error(Code::cannot_read, source.path, "has changed while it was read"), kExitRefused;
+    auto tested = test_scene(*written, "as written", choice, out);
+    if (!tested) return kExitRefused;
+    result.scenes.push_back(std::move(*tested));
+  }
+  const std::string name = source.changes.empty() ? "as written" : name_of(source.changes);
+  auto tested = test_scene(*prepared, name, choice, out);
+  if (!tested) return kExitRefused;
+  result.scenes.push_back(std::move(*tested));
+  bool complete = true;
+  result.title = prepared->scene.title;
+  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.text = laxity_text(result.scenes);
+  const int code = complete ? kExitOk : kExitIncomplete;
+  if (!folder) return code;
+  result.folder = *folder;
+  const std::string error = write_laxity(*folder, result, choice, summary_of(result, timer.seconds(), code));
+  if (error.empty()) return code;
+  out.error(Code::cannot_write, {}, error);
+  return kExitFailed;
+}
+
+}  // namespace genu
