@@ -87,8 +87,8 @@ class Tester {
     angle.solved = !solved.records.empty() && solved.records.back().point.solved();
     if (!angle.solved && !solved.records.empty()) {
       const PoseReport& report = solved.records.back().point.report;
-      angle.notes.push_back(fmt::format("no neutral pose: {}{}{}", to_string(report.status),
-                                        report.why.empty() ? "" : ": ", report.why));
+      angle.notes.push_back(
+          fmt::format("no neutral pose: {}{}{}", to_string(report.status), report.why.empty() ? "" : ": ", report.why));
     } else if (!angle.solved) {
       angle.notes.emplace_back("no neutral pose: interrupted");
     }
@@ -265,7 +265,7 @@ std::string write_laxity(const std::string& folder, const LaxityResult& result, 
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
-  write("laxity.csv", laxity_csv(result.scenes));
+  write("laxity.csv", laxity_rows(result.scenes).to_csv());
   write("laxity_summary.csv", laxity_summary(result.scenes).to_csv());
   std::string pictures;
   for (const LaxityTest& test : choice.tests) {
@@ -280,6 +280,17 @@ std::string write_laxity(const std::string& folder, const LaxityResult& result, 
 }
 
 }  // namespace
+
+int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostics& out, LaxityResult& result) {
+  auto tested = test_scene(prepared, "as written", choice, out);
+  if (!tested) return kExitRefused;
+  result.scenes.push_back(std::move(*tested));
+  bool complete = true;
+  result.title = prepared.scene.title;
+  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.text = laxity_text(result.scenes);
+  return complete ? kExitOk : kExitIncomplete;
+}
 
 int run_laxity(const SceneSource& source, const std::optional<std::string>& folder, const LaxityChoice& choice,
                Diagnostics& out, LaxityResult& result) {

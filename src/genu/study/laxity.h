@@ -66,9 +66,14 @@ struct LaxityResult {
   std::string folder;
 };
 
-/// Reads the scene, with its changes the scene as written as well, and tests both. Writes laxity.csv, laxity_summary.csv,
-/// laxity.html, one picture a test and summary.json into `folder` where there is one. The exit code: incomplete where a
-/// leg or a neutral pose is missing.
+/// Tests one scene that is prepared, as it is. The exit code: refused, with the reasons in `out`, or as of
+/// run_laxity().
+[[nodiscard]] int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostics& out,
+                              LaxityResult& result);
+
+/// Reads the scene, with its changes the scene as written as well, and tests both. Writes laxity.csv,
+/// laxity_summary.csv, laxity.html, one picture a test and summary.json into `folder` where there is one. The exit
+/// code: incomplete where a leg or a neutral pose is missing.
 [[nodiscard]] int run_laxity(const SceneSource& source, const std::optional<std::string>& folder,
                              const LaxityChoice& choice, Diagnostics& out, LaxityResult& result);
 

@@ -18,11 +18,11 @@ struct LaxityTest {
   double load = 0;  ///< N or N m, of both directions
 
   bool turns() const { return kind != Kind::drawer; }
-  const char* name() const;                            ///< "drawer", "varus-valgus", "rotation"
-  std::string direction(bool positive) const;          ///< "anterior", "posterior", ...
+  const char* name() const;                    ///< "drawer", "varus-valgus", "rotation"
+  std::string direction(bool positive) const;  ///< "anterior", "posterior", ...
   const char* load_unit() const { return turns() ? "Nm" : "N"; }
   const char* unit() const { return turns() ? "deg" : "mm"; }
-  double shown() const;                                ///< mm or deg per SI unit
+  double shown() const;                                 ///< mm or deg per SI unit
   double displacement(const KneeMotion& motion) const;  ///< m or rad, of a motion or of its rate
 };
 

@@ -241,7 +241,7 @@ std::string forces(const std::vector<LaxityOfScene>& scenes, const std::vector<L
 
 }  // namespace
 
-std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) {
+ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
   ResultTable out;
   for (const char* column : {"scene", "flexion_deg", "test", "load_N", "load_Nm", "displacement_mm", "displacement_deg",
                              "stiffness_N_per_mm", "stiffness_Nm_per_deg"})
@@ -267,7 +267,7 @@ std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) {
           out.set(column, poses.table().at(k, c));
     }
   }
-  return out.to_csv();
+  return out;
 }
 
 ResultTable laxity_summary(const std::vector<LaxityOfScene>& scenes) {
@@ -322,8 +322,7 @@ Chart laxity_chart(const LaxityResult& result, const LaxityChoice& choice, const
   Chart chart;
   chart.title = fmt::format("{} ({}, + {})", test.name(), result.title, test.direction(true));
   chart.x_title = fmt::format("load [{}]", test.load_unit());
-  for (int k = -choice.increments; k <= choice.increments; ++k)
-    chart.x.push_back(test.load * k / choice.increments);
+  for (int k = -choice.increments; k <= choice.increments; ++k) chart.x.push_back(test.load * k / choice.increments);
   for (const LaxityOfScene& s : result.scenes) {
     ChartPanel panel;
     panel.title = fmt::format("{}, {} [{}]", s.name, test.direction(true), test.unit());
@@ -347,11 +346,11 @@ Chart laxity_chart(const LaxityResult& result, const LaxityChoice& choice, const
 }
 
 std::string laxity_page(const LaxityResult& result, const std::string& pictures) {
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + svg_escaped(result.title) +
-      "</title>\n<style>body{font:15px/1.4 Helvetica,Arial,sans-serif;margin:2em;max-width:70em}"
-      "pre{font-size:12px;overflow-x:auto}svg{max-width:100%;height:auto}</style></head>\n<body><h1>" +
-      svg_escaped("Laxity: " + result.title) + "</h1>\n<ul>";
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+                     svg_escaped(result.title) +
+                     "</title>\n<style>body{font:15px/1.4 Helvetica,Arial,sans-serif;margin:2em;max-width:70em}"
+                     "pre{font-size:12px;overflow-x:auto}svg{max-width:100%;height:auto}</style></head>\n<body><h1>" +
+                     svg_escaped("Laxity: " + result.title) + "</h1>\n<ul>";
   for (const std::string& sentence : result.verdict) page += "<li>" + svg_escaped(sentence) + "</li>";
   return page + "</ul>\n" + pictures + "\n<pre>" + svg_escaped(result.text) + "</pre>\n</body></html>\n";
 }
