@@ -79,8 +79,7 @@ struct LayerNumber {
 std::string above_zero(double x) { return std::isfinite(x) && x > 0 ? "" : "must be > 0"; }
 std::string below_half(double x) { return x >= 0 && x < 0.5 ? "" : "must be >= 0 and < 0.5"; }
 
-constexpr double kMegapascal = 1e6;  // Pa
-const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", kMegapascal, &LayerDef::modulus, above_zero},
+const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", units::kMegapascal, &LayerDef::modulus, above_zero},
                                      {"poisson", "1", 1, &LayerDef::poisson, below_half}};
 
 std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
