@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "genu/api/results_of.h"
 #include "genu/api/scene_inside.h"
+#include "genu/api/table_of.h"
 #include "genu/core/units.h"
 #include "genu/model/generalised_forces.h"
 #include "genu/scene/words.h"
@@ -120,13 +122,12 @@ LaxityChoice choice_of(const LaxityOptions& options) {
   constexpr double kMostLoad = 1e5, kMostAngle = 180, kMostIncrements = 1000;
   for (const double angle : options.at)
     choice.flexions.push_back(units::kDegree * number("at", angle, -kMostAngle, kMostAngle));
-  using Kind = LaxityTest::Kind;
-  const auto add = [&](Kind kind, const char* key, double load) {
+  const auto add = [&](LaxityTest::Kind kind, const char* key, double load) {
     if (number(key, load, 0, kMostLoad) > 0) choice.tests.push_back({kind, load});
   };
-  add(Kind::drawer, "anterior", options.anterior);
-  add(Kind::varus, "varus", options.varus);
-  add(Kind::rotation, "internal", options.internal);
+  add(LaxityTest::Kind::drawer, "anterior", options.anterior);
+  add(LaxityTest::Kind::varus, "varus", options.varus);
+  add(LaxityTest::Kind::rotation, "internal", options.internal);
   if (choice.flexions.empty() || choice.tests.empty())
     refuse(Code::missing_key, "laxity", {}, "needs a flexion angle and a load above 0");
   choice.compression = number("compression", options.compression, 0, kMostLoad);
