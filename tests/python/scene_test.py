@@ -37,9 +37,9 @@ class Numbers(unittest.TestCase):
             compare(self, bone.evaluate(poses).table(), program("evaluate", BONE, "--poses", file))
 
     def test_of_changes_are_those_of_the_command_line(self):
-        wheel = genu.load(WHEEL).without("ahead")
+        wheel = genu.load(WHEEL).without("across")
         wheel["upright.stiffness"] *= 0.5
-        told = program("run", WHEEL, "--no-report", "--without", "ahead", "--set", "upright.stiffness=x0.5")
+        told = program("run", WHEEL, "--no-report", "--without", "across", "--set", "upright.stiffness=x0.5")
         compare(self, wheel.run().table(), told)
         without = genu.load(WHEEL).without("upright1")
         compare(self, without.run().table(), program("run", WHEEL, "--no-report", "--without", "upright1"))
