@@ -6,14 +6,14 @@
 namespace genu {
 namespace {
 
-struct Read {
+struct HeaderRead {
   PoseHeader header;
   std::string said;
 };
 
-Read read(const std::string& text) {
+HeaderRead read_header(const std::string& text) {
   Diagnostics out;
-  Read read;
+  HeaderRead read;
   {
     LongErrors errors("p.mot", out);
     read.header = read_pose_header(lines_of(text), errors);
@@ -23,7 +23,7 @@ Read read(const std::string& text) {
 }
 
 TEST(PoseHeader, OpenSim) {
-  const Read r = read("Coordinates\nversion=1\nnRows=4\nnColumns = 3\ninDegrees=YES\n");
+  const HeaderRead r = read_header("Coordinates\nversion=1\nnRows=4\nnColumns = 3\ninDegrees=YES\n");
   EXPECT_EQ(r.said, "");
   EXPECT_EQ(r.header.rows->count, 4u);
   EXPECT_EQ(r.header.columns->count, 3u);
@@ -33,32 +33,32 @@ TEST(PoseHeader, OpenSim) {
 }
 
 TEST(PoseHeader, ASentence) {
-  EXPECT_EQ(read("Angles are in degrees.\n").header.angles.degrees, true);
-  EXPECT_EQ(read("  ANGLES are in RADIANS\n").header.angles.degrees, false);
-  EXPECT_EQ(read("Angles are in degrees, not radians.\n").header.angles.degrees, std::nullopt);
-  EXPECT_EQ(read("Units are S.I. units (second, meters, Newtons, ...)\n").header.angles.degrees, std::nullopt);
+  EXPECT_EQ(read_header("Angles are in degrees.\n").header.angles.degrees, true);
+  EXPECT_EQ(read_header("  ANGLES are in RADIANS\n").header.angles.degrees, false);
+  EXPECT_EQ(read_header("Angles are in degrees, not radians.\n").header.angles.degrees, std::nullopt);
+  EXPECT_EQ(read_header("Units are S.I. units (second, meters, Newtons, ...)\n").header.angles.degrees, std::nullopt);
 }
 
 TEST(PoseHeader, SimmMeansDegrees) {
-  const Read r = read("name trial.mot\ndatacolumns 3\ndatarows 4\notherdata 1\nrange 0.0 0.3\n");
+  const HeaderRead r = read_header("name trial.mot\ndatacolumns 3\ndatarows 4\notherdata 1\nrange 0.0 0.3\n");
   EXPECT_EQ(r.header.rows->count, 4u);
   EXPECT_EQ(r.header.columns->count, 3u);
   EXPECT_EQ(r.header.angles.degrees, true);
   EXPECT_TRUE(r.header.angles.assumed);
-  EXPECT_EQ(read("datarows 4\ninDegrees=no\n").header.angles.degrees, false);
-  EXPECT_EQ(read("range of motion of the left knee\n").header.angles.degrees, std::nullopt);
+  EXPECT_EQ(read_header("datarows 4\ninDegrees=no\n").header.angles.degrees, false);
+  EXPECT_EQ(read_header("range of motion of the left knee\n").header.angles.degrees, std::nullopt);
 }
 
 TEST(PoseHeader, WordsThatSayTheOpposite) {
-  const Read r = read("inDegrees=no\nAngles are in degrees.\n");
+  const HeaderRead r = read_header("inDegrees=no\nAngles are in degrees.\n");
   EXPECT_EQ(r.header.angles.degrees, false);
   EXPECT_EQ(r.header.angles.against, "\"Angles are in degrees.\"");
-  EXPECT_FALSE(read("inDegrees=yes\nAngles are in degrees.\n").header.angles.against);
+  EXPECT_FALSE(read_header("inDegrees=yes\nAngles are in degrees.\n").header.angles.against);
 }
 
 TEST(PoseHeader, BadEntries) {
-  EXPECT_EQ(read("inDegrees=maybe\n").said, "p.mot:1:11: inDegrees = maybe: must be yes or no\n");
-  EXPECT_EQ(read("datarows many\n").said, "p.mot:1:10: datarows = many: must be a whole number >= 0\n");
+  EXPECT_EQ(read_header("inDegrees=maybe\n").said, "p.mot:1:11: inDegrees = maybe: must be yes or no\n");
+  EXPECT_EQ(read_header("datarows many\n").said, "p.mot:1:10: datarows = many: must be a whole number >= 0\n");
 }
 
 }  // namespace

@@ -54,6 +54,18 @@ class RunFolder : public testing::Test {
 
 TEST_F(RunFolder, AsItWasWritten) { EXPECT_EQ(said(summary()), ""); }
 
+TEST_F(RunFolder, TheChangesOfTheSceneAreRead) {
+  const std::string mark = "\"partial\"", changes = "\"changes\": { \"without\": [\"ACL*\"], \"set\": [\"a.b=2\"] }, ";
+  EXPECT_EQ(said(changed(summary(), mark, changes + mark)), "");
+  Diagnostics out;
+  const auto found = judge::read_run_folder(folder_ / "out", {}, out);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->scene.changes.without, std::vector<std::string>{"ACL*"});
+  EXPECT_EQ(found->scene.changes.set, std::vector<std::string>{"a.b=2"});
+  const std::string wrong = said(changed(summary(), mark, "\"changes\": { \"without\": 3 }, " + mark));
+  EXPECT_TRUE(test::contains(wrong, "`changes` is not what a run writes")) << wrong;
+}
+
 TEST_F(RunFolder, WithRowsCutThatAreNotOk) {
   const std::string cut = said(summary(), "step,status\n1,ok\n");
   EXPECT_TRUE(test::contains(cut, "has 1 rows where the run wrote 2")) << cut;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/assemble/changed_scene.h"
 #include "genu/judge/run_folder.h"
 #include "genu/scene/reader.h"
 #include "genu/study/run_scene.h"
@@ -39,8 +40,8 @@ inline void expect_folder_judged_ok(const std::string& folder, const std::string
   for (const Diagnostic& d : out.items())
     if (d.severity == Diagnostic::Severity::error) ADD_FAILURE() << to_string(d);
   if (!found) return;
-  const auto read = read_scene(found->scene, out);
-  ASSERT_TRUE(read.has_value()) << found->scene;
+  const auto read = read_changed_scene(found->scene, out);
+  ASSERT_TRUE(read.has_value()) << found->scene.path;
   const auto rows = static_cast<std::size_t>(std::count(found->results.begin(), found->results.end(), '\n'));
   const auto judgement = judge::judge_results(*read, found->results, folder, quick_judge(rows), out);
   ASSERT_TRUE(judgement.has_value()) << folder;

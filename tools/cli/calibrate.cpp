@@ -34,7 +34,8 @@ int calibrate(const CalibrateArguments& arguments) {
   CalibrationResult result;
   RunOptions options;
   options.cancelled = stop_on_interrupt();
-  const int code = run_calibration({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options, diagnostics, result);
+  const int code = run_calibration({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options,
+                                   diagnostics, result);
   print(diagnostics, code != kExitRefused);
   if (code == kExitRefused || result.report.parameters.empty()) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), to_text(result.report));

@@ -15,9 +15,10 @@ inline void add_changes(CLI::App& command, SceneChanges& changes) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      .add_option("--set", changes.set,
-                  "NAME=VALUE: another number than the file's, by the names of genu sensitivity: AAC.stiffness=1000 (in "
-                  "the file's units), \"MCL*.stiffness=x0.5\", push.force.z=+2; may be repeated")
+      .add_option(
+          "--set", changes.set,
+          "NAME=VALUE: another number than the file's, by the names of genu sensitivity: AAC.stiffness=1000 (in "
+          "the file's units), \"MCL*.stiffness=x0.5\", push.force.z=+2; may be repeated")
       ->allow_extra_args(false);
 }
 

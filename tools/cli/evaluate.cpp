@@ -72,7 +72,8 @@ int evaluate(const EvaluateArguments& arguments) {
   options.cancelled = stop_on_interrupt();
   Diagnostics diagnostics;
   Evaluation found;
-  const int code = evaluate_scene({arguments.scene, arguments.changes}, arguments.poses, arguments.folder, options, diagnostics, &found);
+  const int code = evaluate_scene({arguments.scene, arguments.changes}, arguments.poses, arguments.folder, options,
+                                  diagnostics, &found);
   print(diagnostics, code == kExitFailed);
   if (code == kExitRefused || arguments.quiet) return code;
   constexpr std::size_t kRows = 11;

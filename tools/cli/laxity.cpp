@@ -1,6 +1,7 @@
 // genu laxity knee.toml --at 0,30,60,90 --anterior 134 --without "ACL*" --out out/laxity
 //   1. read scene and meshes; refuse with every error at once
-//   2. at each flexion angle the neutral pose, then each load up, down and back; with changes the scene as written first
+//   2. at each flexion angle the neutral pose, then each load up, down and back; with changes the scene as written
+//   first
 //   3. print laxity, coupled motions and ligament forces; write laxity.csv, laxity.html, pictures, summary.json
 #include <memory>
 #include <optional>
@@ -44,8 +45,7 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
   for (const double angle : arguments.at) choice.flexions.push_back(units::kDegree * angle);
   Diagnostics diagnostics;
   LaxityResult result;
-  const int code =
-      run_laxity({arguments.scene, arguments.changes}, arguments.folder, choice, diagnostics, result);
+  const int code = run_laxity({arguments.scene, arguments.changes}, arguments.folder, choice, diagnostics, result);
   print(diagnostics, code == kFailed);
   if (code == kRefused) return code;
   if (!arguments.quiet) fmt::print("{}\n\n{}\n", printable(result.title), result.text);
@@ -90,8 +90,9 @@ void add_laxity(CLI::App& command, int& exit_code) {
       "those named."
       "\nExit code 0: all curves complete; 3: a curve ends early, the verdict says at what load and why; 2: refused."
       "\nExample: genu laxity knee.toml --at 0,30,60,90 --anterior 134 --without \"ACL*\" --out out/laxity");
-  advice().hint("laxity",
-                "the verdict above says which curve ends, at what load and why; all other rows of laxity.csv are valid");
+  advice().hint(
+      "laxity",
+      "the verdict above says which curve ends, at what load and why; all other rows of laxity.csv are valid");
   command.callback([arguments, anterior, varus, internal, &exit_code] {
     const bool all = anterior->count() + varus->count() + internal->count() == 0;
     std::vector<LaxityTest> tests;

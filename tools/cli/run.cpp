@@ -295,7 +295,8 @@ void add_run(CLI::App& command, int& exit_code) {
                   "DIR.compared.html")
       ->check(not_empty());
   command.footer(
-      "Examples: genu run knee.toml --out out/knee\n          genu run knee.toml --without \"ACL*\" --beside out/intact "
+      "Examples: genu run knee.toml --out out/knee\n          genu run knee.toml --without \"ACL*\" --beside "
+      "out/intact "
       "--out out/cut");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
   command.callback([arguments, &exit_code] { exit_code = run_both(*arguments); });

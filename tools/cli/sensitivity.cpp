@@ -34,7 +34,8 @@ int differentiate(const SensitivityArguments& arguments) {
   SensitivityResult result;
   RunOptions options;
   options.cancelled = stop_on_interrupt();
-  const int code = run_sensitivity({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options, diagnostics, result);
+  const int code = run_sensitivity({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options,
+                                   diagnostics, result);
   print(diagnostics, code == kExitFailed);
   if (code == kExitRefused) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), result.text);

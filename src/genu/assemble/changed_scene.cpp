@@ -55,8 +55,7 @@ class Changes {
       std::size_t count = 0;
       for (TomlNode& table : members(group)) {
         known.push_back(table.key);
-        if (!matches(scene_, pattern, table.key) &&
-            !matches(scene_, pattern, std::string(group) + "." + table.key))
+        if (!matches(scene_, pattern, table.key) && !matches(scene_, pattern, std::string(group) + "." + table.key))
           continue;
         disable(group, table);
         ++count;
@@ -185,8 +184,7 @@ void add_errors(const Diagnostics& from, Diagnostics& to) {
 /// "Knee (without ACL*; MCL*.stiffness=x0.5)"
 std::string changed_title(const std::string& title, const SceneChanges& changes) {
   std::string words;
-  for (const std::string& name : changes.without)
-    words += (words.empty() ? "without " : ", ") + name;
+  for (const std::string& name : changes.without) words += (words.empty() ? "without " : ", ") + name;
   for (const std::string& option : changes.set) words += (words.empty() ? "" : "; ") + option;
   return title + (title.empty() ? "" : " ") + "(" + words + ")";
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "genu/assemble/build_surface.h"
+#include "genu/assemble/changed_scene.h"
 #include "genu/assemble/facing.h"
 #include "genu/assemble/mesh_diagnostics.h"
 #include "genu/assemble/read_bones.h"
@@ -21,7 +22,6 @@
 #include "genu/model/build_model.h"
 #include "genu/model/contact_field.h"
 #include "genu/scene/centre_bodies.h"
-#include "genu/assemble/changed_scene.h"
 #include "genu/surface/blend_surface.h"
 #include "genu/surface/facet_surface.h"
 

@@ -44,7 +44,8 @@ struct Prepared {
   std::shared_ptr<const ContactField> search;  ///< shared with other numbers (with_numbers.h); null: not shared
 };
 
-/// Reads the scene (changed_scene.h) and its meshes, checks them, builds the surfaces and the model. Warnings go to `out` as well.
+/// Reads the scene (changed_scene.h) and its meshes, checks them, builds the surfaces and the model. Warnings go to
+/// `out` as well.
 [[nodiscard]] std::optional<Prepared> prepare(const SceneSource& source, Diagnostics& out);
 
 /// The same of a scene in memory, as read_scene() or parse_scene() gives it, changed or not. Its meshes come from

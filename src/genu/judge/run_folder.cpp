@@ -134,8 +134,7 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
              std::nullopt;
   }
   if (!read_changes(summary, found.scene.changes))
-    return out.error(Code::no_results, summary_path,
-                     "`changes` is not what a run writes: it is no summary of a run"),
+    return out.error(Code::no_results, summary_path, "`changes` is not what a run writes: it is no summary of a run"),
            std::nullopt;
   if (!scene.empty()) compare_scene(summary, scene, out);
   compare_files(summary, summary_path, out);

@@ -10,7 +10,7 @@
 namespace genu::judge {
 
 struct RunFolder {
-  SceneSource scene{""};                ///< the scene file, and what the run changed in it
+  SceneSource scene{""};                 ///< the scene file, and what the run changed in it
   std::string results;                   ///< text of results.csv
   std::optional<std::size_t> ok_rows{};  ///< number of rows called ok in summary.json
 };

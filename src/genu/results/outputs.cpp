@@ -207,8 +207,7 @@ class Outputs {
     const double share = 1 / static_cast<double>(bundle.members.size());
     add(bundle.name + ".strain", "1", 1,
         [sum, share](const auto&, const auto& s) { return share * sum(s, &LigamentMotion::strain); });
-    add(bundle.name + ".force_N", "N", 1,
-        [sum](const auto&, const auto& s) { return sum(s, &LigamentMotion::force); });
+    add(bundle.name + ".force_N", "N", 1, [sum](const auto&, const auto& s) { return sum(s, &LigamentMotion::force); });
   }
 
   const PlacedScene& scene_;

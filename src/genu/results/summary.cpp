@@ -120,8 +120,7 @@ std::string to_json(const RunSummary& s) {
   for (const auto& f : s.files)
     j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"xxh128", f.checksum.xxh128}});
   if (!s.changed.asked.empty())
-    j["changes"] = {
-        {"without", s.changed.asked.without}, {"set", s.changed.asked.set}, {"applied", s.changed.words}};
+    j["changes"] = {{"without", s.changed.asked.without}, {"set", s.changed.asked.set}, {"applied", s.changed.words}};
   if (s.results)
     j["results"] = {
         {"rows", s.results->rows}, {"bytes", s.results->checksum.bytes}, {"xxh128", s.results->checksum.xxh128}};

@@ -26,8 +26,8 @@ struct ReadContext {
   bool bodies_understood = true;             ///< false where a body could not be told fixed or moving
   int rigid_pairs = 0;
   std::vector<std::string> ligaments;  ///< all that the file names, disabled ones too
-  bool in_motion = false;   ///< the scene has [dynamics]
-  bool turns_said = false;  ///< an angle has got the warning that it is probably in deg
+  bool in_motion = false;              ///< the scene has [dynamics]
+  bool turns_said = false;             ///< an angle has got the warning that it is probably in deg
 
   void error(SourceLocation where, Code code, std::string key, std::string found, std::string rule) {
     out.add(error_at({file, where}, code, std::move(key), std::move(found), std::move(rule)));

@@ -261,8 +261,9 @@ bool can_be_written(const Prepared& prepared, const std::vector<Unknown>& unknow
 
 }  // namespace
 
-int run_calibration(const SceneSource& source, const std::optional<std::string>& folder, const CalibrationChoice& choice,
-                    const RunOptions& options, Diagnostics& out, CalibrationResult& result) {
+int run_calibration(const SceneSource& source, const std::optional<std::string>& folder,
+                    const CalibrationChoice& choice, const RunOptions& options, Diagnostics& out,
+                    CalibrationResult& result) {
   auto prepared = prepare_run(source, folder, out, {choice.target});
   if (!prepared) return kExitRefused;
   const std::vector<Unknown> unknowns = choose_unknowns(prepared->source, choice.vary, out);

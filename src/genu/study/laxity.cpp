@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "genu/assemble/changed_scene.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
@@ -265,7 +266,7 @@ std::string write_laxity(const std::string& folder, const LaxityResult& result, 
   const auto write = [&](const std::string& name, const std::string& content) {
     if (error.empty()) error = write_file_atomically(out.path() / name, content);
   };
-  write("laxity.csv", laxity_rows(result.scenes).to_csv());
+  write("laxity.csv", laxity_csv(result.scenes));
   write("laxity_summary.csv", laxity_summary(result.scenes).to_csv());
   std::string pictures;
   for (const LaxityTest& test : choice.tests) {
@@ -299,8 +300,12 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   if (!prepared) return kExitRefused;
   if (!source.changes.empty()) {
     Diagnostics said;  // warnings are said once
-    const auto written = prepare(source.path, said);
-    if (!written) return out.error(Code::cannot_read, source.path, "has changed while it was read"), kExitRefused;
+    auto scene = read_changed_scene(source.path, prepared->meshes->files(), said);
+    const auto written = scene ? prepare(std::move(*scene), prepared->meshes, said) : std::nullopt;
+    if (!written) {
+      for (const Diagnostic& d : said.items()) out.add(d);
+      return kExitRefused;
+    }
     auto tested = test_scene(*written, "as written", choice, out);
     if (!tested) return kExitRefused;
     result.scenes.push_back(std::move(*tested));

@@ -154,7 +154,7 @@ std::string laxity_of(const std::vector<LaxityOfScene>& scenes, const LaxityTest
   const std::string plus = test.direction(true), minus = test.direction(false), unit = test.unit();
   ResultTable table;
   for (const std::string& column :
-       {std::string("flexion_deg"), plus + "_" + unit, minus + "_" + unit, "total_" + unit, "stiffness_0_" + per,
+       {std::string("flexion_deg"), plus + "_" + unit, minus + "_" + unit, "total_" + unit, std::string("at_0"),
         "at_" + plus, "at_" + minus, std::string("scene"), std::string("note")})
     table.add_column(column);
   bool any_note = false;
@@ -172,7 +172,7 @@ std::string laxity_of(const std::vector<LaxityOfScene>& scenes, const LaxityTest
       set_if(table, plus + "_" + unit, a);
       set_if(table, minus + "_" + unit, b);
       set_if(table, "total_" + unit, a - b);
-      set_if(table, "stiffness_0_" + per, stiffness(test, curve->rows.empty() ? nullptr : &curve->rows.front()));
+      set_if(table, "at_0", stiffness(test, curve->rows.empty() ? nullptr : &curve->rows.front()));
       set_if(table, "at_" + plus, stiffness(test, up));
       set_if(table, "at_" + minus, stiffness(test, down));
     }
@@ -204,6 +204,26 @@ std::string coupled_motions(const std::vector<LaxityOfScene>& scenes, const std:
   std::vector<std::string> skip;
   if (scenes.size() == 1) skip.emplace_back("scene");
   return "motions from the neutral pose under the full loads\n" + text_of(table, skip, 2);
+}
+
+/// Where the joint rests without the loads of the tests.
+std::string neutral_poses(const std::vector<LaxityOfScene>& scenes) {
+  ResultTable table;
+  table.add_column("flexion_deg");
+  for (const Coupled& c : kCoupled) table.add_column(c.name);
+  for (const char* column : {"stability", "scene"}) table.add_column(column);
+  for (const LaxityOfScene& s : scenes)
+    for (const LaxityAngle& angle : s.angles) {
+      if (!angle.solved) continue;
+      table.add_row();
+      table.set("flexion_deg", degrees(angle.flexion));
+      for (const Coupled& c : kCoupled) table.set(c.name, c.of(angle.neutral.motion));
+      table.set("stability", std::string(to_string(angle.neutral.record.point.stability)));
+      table.set("scene", s.name);
+    }
+  std::vector<std::string> skip;
+  if (scenes.size() == 1) skip.emplace_back("scene");
+  return "neutral poses (Grood and Suntay)\n" + text_of(table, skip, 2);
 }
 
 std::string forces(const std::vector<LaxityOfScene>& scenes, const std::vector<LaxityTest>& tests) {
@@ -270,6 +290,8 @@ ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
   return out;
 }
 
+std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) { return laxity_rows(scenes).to_csv(); }
+
 ResultTable laxity_summary(const std::vector<LaxityOfScene>& scenes) {
   ResultTable table;
   for (const char* column : {"scene", "flexion_deg", "test", "load", "unit", "positive", "negative", "total",
@@ -313,7 +335,7 @@ ResultTable laxity_summary(const std::vector<LaxityOfScene>& scenes) {
 std::string laxity_text(const std::vector<LaxityOfScene>& scenes) {
   const std::vector<LaxityTest> tests = tests_of(scenes);
   if (tests.empty()) return {};
-  std::string text;
+  std::string text = neutral_poses(scenes) + "\n";
   for (const LaxityTest& test : tests) text += laxity_of(scenes, test) + "\n";
   return text + coupled_motions(scenes, tests) + "\n" + forces(scenes, tests);
 }

@@ -169,8 +169,8 @@ ErrorBars find_error_bars(const Prepared& prepared, const RunOptions& options, S
   return error_bars(solution.poses, poses);
 }
 
-std::optional<Prepared> prepare_run(const SceneSource& source, const std::optional<std::string>& folder, Diagnostics& out,
-                                    const std::vector<std::string>& inputs) {
+std::optional<Prepared> prepare_run(const SceneSource& source, const std::optional<std::string>& folder,
+                                    Diagnostics& out, const std::vector<std::string>& inputs) {
   if (!folder) return prepare(source, out);
   {
     // Before an hour of solving: can the folder be written at all?

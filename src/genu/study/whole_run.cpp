@@ -91,6 +91,14 @@ bool holds_others(const std::string& folder, const RunOptions& options, Diagnost
   return any;
 }
 
+/// " --without 'ACL*' --set 'AAC.stiffness=x0.5'"
+std::string options_of(const SceneChanges& changes) {
+  std::string words;
+  for (const std::string& pattern : changes.without) words += " --without " + shell_word(pattern);
+  for (const std::string& option : changes.set) words += " --set " + shell_word(option);
+  return words;
+}
+
 /// Writes what was found where it belongs. The exit code.
 int keep_results(const Prepared& prepared, const std::string& folder, const RunOptions& options, Checkpoint& checkpoint,
                  Diagnostics& out, Solution& found) {
@@ -134,7 +142,8 @@ void mark_partial(const std::string& scene, const std::string& folder, const Che
     goes_on = fmt::format("continues from row {} and ends with the bytes of an undisturbed run", rows);
   else if (checkpoint != nullptr && checkpoint->earlier())
     goes_on = fmt::format("continues from the rows of an earlier run in {}", checkpoint->file());
-  said += fmt::format("genu run {} --out {} --resume {}.", shell_word(scene), shell_word(folder), goes_on);
+  said += fmt::format("genu run {}{} --out {} --resume {}.", shell_word(scene), options_of(s.changed.asked),
+                      shell_word(folder), goes_on);
   if (checkpoint != nullptr && !checkpoint->problem().empty())
     said += fmt::format(" {} cannot be written: {}.", checkpoint->file(), checkpoint->problem());
   s.verdict.insert(s.verdict.begin(), said);
