@@ -55,7 +55,7 @@ endif()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/report_page/bundle/page.html)
 configure_file(cmake/copyright.in copyright @ONLY)
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN __pycache__ EXCLUDE)
 
 # The manual page and the completions are written by the program, from its own table of commands.
 set(genu_written ${PROJECT_BINARY_DIR}/written)

@@ -72,6 +72,12 @@ in the frame of the body that a column names. Results stay valid when their scen
       .def_property_readonly(
           "effects", [](std::shared_ptr<api::Sensitivity> s) { return cube_of(s, s->effects); },
           "In the unit of the column, of the standard change of each number. No copy, read-only.");
+  py::class_<api::Laxity>(module, "Laxity", "What a laxity test has found.")
+      .def_readonly("poses", &api::Laxity::poses, "Table, one row a pose: the columns of laxity.csv.")
+      .def_readonly("summary", &api::Laxity::summary, "Table, one row a curve: the columns of laxity_summary.csv.")
+      .def_readonly("complete", &api::Laxity::complete, "Whether every curve reaches its full load both ways.")
+      .def_readonly("sentences", &api::Laxity::sentences, "What is missing, and why, as list of str.")
+      .def("__repr__", [](const api::Laxity& l) { return l.text; });
 }
 
 }  // namespace genu::python

@@ -125,6 +125,20 @@ std::shared_ptr<api::Sensitivity> sensitivity(SharedScene& scene, const py::obje
       [&] { return scene.locked([&](const api::Scene& s) { return s.sensitivity(outputs, numbers, options); }); }));
 }
 
+api::Laxity laxity(SharedScene& scene, const py::object& at, double anterior, double varus, double internal,
+                   double compression, int increments) {
+  const py::array_t<double> angles = numbers_from(at, "at", 1);
+  Call call;
+  const api::LaxityOptions options{{angles.data(), angles.data() + angles.size()},
+                                   anterior,
+                                   varus,
+                                   internal,
+                                   compression,
+                                   increments,
+                                   call.cancelled()};
+  return call.run([&] { return scene.locked([&](const api::Scene& s) { return s.laxity(options); }); });
+}
+
 using Factors = std::map<std::string, double>;
 
 py::array_t<double> residual(SharedScene& scene, const py::object& q, const Factors& factors, double time) {
@@ -219,6 +233,13 @@ of: column or columns, with or without their unit ("knee.adduction"); to: number
 "all" for everything; names joined by + with ":together" at the end move as one. Returns Sensitivity. SceneError for names
 that are none, columns without a derivative and scenes with motion.)";
 
+constexpr char kLaxityDoc[] =
+    R"(How lax a knee is, as `genu laxity` tests it: at each flexion angle the neutral pose, then each load up, down and back.
+
+at: flexion angles in deg, shape (n,). anterior (N), varus and internal (N m): loads both ways, 0 for no such test.
+compression: N along the tibia's long axis, in all poses. increments: steps from 0 to the full load. Returns Laxity.
+SceneError where the scene's joint has no grood_suntay, and for numbers that are out of range.)";
+
 constexpr char kResidualDoc[] =
     R"(For a solver of your own: what drives each coordinate, shape (n,), N m of rotations and N of translations.
 
@@ -265,6 +286,9 @@ void add_scenes(py::module_& module) {
       .def("run", &run, py::arg("progress") = py::none(), py::kw_only(), py::arg("error_bars") = false, kRunDoc)
       .def("evaluate", &evaluate, py::arg("poses"), py::arg("units") = py::none(), kEvaluateDoc)
       .def("sensitivity", &sensitivity, py::arg("of"), py::arg("to"), py::arg("progress") = py::none(), kSensitivityDoc)
+      .def("laxity", &laxity, py::arg("at") = std::vector<double>{0, 30, 60, 90}, py::kw_only(),
+           py::arg("anterior") = 134.0, py::arg("varus") = 10.0, py::arg("internal") = 5.0,
+           py::arg("compression") = 0.0, py::arg("increments") = 10, kLaxityDoc)
       .def("residual", &residual, py::arg("q"), py::arg("factors") = Factors(), py::arg("time") = 0.0, kResidualDoc)
       .def("stiffness", &stiffness, py::arg("q"), py::arg("factors") = Factors(), py::arg("time") = 0.0, kStiffnessDoc)
       .def_property_readonly(

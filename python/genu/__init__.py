@@ -8,6 +8,7 @@
     knee.without("PAC").run().verdict
 """
 from genu._genu import (
+    Laxity,
     MeshCheck,
     MeshFinding,
     Number,
@@ -38,6 +39,7 @@ Sensitivity.ranking = _show.ranking
 MeshCheck.__repr__ = _show.mesh_text
 
 __all__ = [
+    "Laxity",
     "MeshCheck",
     "MeshFinding",
     "Number",

@@ -9,27 +9,14 @@ import unittest
 
 import genu
 import numpy
-from support import BONE, CARTILAGE, KNEE, program, refusal
+from support import BONE, CARTILAGE, KNEE, WHEEL, compare, program, refusal
 
 
 class Numbers(unittest.TestCase):
-    def compare(self, results, told):
-        """Every value, as float("%.17g") brings it back."""
-        table = results.table()
-        self.assertEqual(list(table.columns), list(told))
-        for name, words in told.items():
-            column = table[name]
-            self.assertEqual(len(column), len(words))
-            if isinstance(column, list):
-                self.assertEqual(column, words, name)
-                continue
-            expected = numpy.array([float(w) if w else numpy.nan for w in words])
-            numpy.testing.assert_array_equal(column, expected, name)
-
     def test_are_those_of_the_program(self):
-        for scene in (KNEE, BONE, CARTILAGE):
+        for scene in (KNEE, BONE, CARTILAGE, WHEEL):
             with self.subTest(scene=scene.parent.name):
-                self.compare(genu.load(scene).run(), program("run", scene, "--no-report"))
+                compare(self, genu.load(scene).run().table(), program("run", scene, "--no-report"))
 
     def test_are_those_of_a_file_with_the_change(self):
         knee = genu.load(KNEE)
@@ -37,7 +24,7 @@ class Numbers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "scene.toml"
             file.write_text(KNEE.read_text().replace("stiffness = 37200.0", "stiffness = 18600.0"))
-            self.compare(knee.run(), program("run", file, "--no-report"))
+            compare(self, knee.run().table(), program("run", file, "--no-report"))
 
     def test_of_evaluate_are_those_of_the_program(self):
         bone = genu.load(BONE)
@@ -47,7 +34,29 @@ class Numbers(unittest.TestCase):
             file = pathlib.Path(folder) / "poses.csv"
             rows = [",".join(poses)] + [",".join(str(column[k]) for column in poses.values()) for k in range(2)]
             file.write_text("\n".join(rows) + "\n")
-            self.compare(bone.evaluate(poses), program("evaluate", BONE, "--poses", file))
+            compare(self, bone.evaluate(poses).table(), program("evaluate", BONE, "--poses", file))
+
+    def test_of_changes_are_those_of_the_command_line(self):
+        wheel = genu.load(WHEEL).without("across")
+        wheel["upright.stiffness"] *= 0.5
+        told = program("run", WHEEL, "--no-report", "--without", "across", "--set", "upright.stiffness=x0.5")
+        compare(self, wheel.run().table(), told)
+        without = genu.load(WHEEL).without("upright1")
+        compare(self, without.run().table(), program("run", WHEEL, "--no-report", "--without", "upright1"))
+        self.assertEqual(genu.load(WHEEL).without("upright").ligaments, ["ahead", "across"])
+
+    def test_of_laxity_are_those_of_the_program(self):
+        wheel = genu.load(WHEEL)
+        found = wheel.laxity([0, 10], anterior=20, varus=0.2, internal=0.1, compression=10, increments=3)
+        asked = ("--at", "0,10", "--anterior", "20", "--varus", "0.2", "--internal", "0.1", "--compression", "10")
+        asked = ("laxity", WHEEL, *asked, "--increments", "3")
+        compare(self, found.poses, program(*asked, table="laxity.csv"))
+        compare(self, found.summary, program(*asked, table="laxity_summary.csv"))
+        self.assertEqual(found.complete, len(found.sentences) == 1)
+        self.assertIn("drawer", repr(found))
+        self.assertIn("from 0 to", str(refusal(lambda: wheel.laxity(anterior=-1))))
+        refusal(lambda: wheel.laxity(anterior=0, varus=0, internal=0))
+        refusal(lambda: genu.load(KNEE).laxity())
 
 
 class Changes(unittest.TestCase):

@@ -3,14 +3,11 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "genu/api/problem.h"
-#include "genu/api/results.h"
 #include "genu/assemble/prepare.h"
-#include "genu/assemble/solution.h"
 #include "genu/core/diagnostics.h"
 
 namespace genu::api {
@@ -39,13 +36,5 @@ auto use(Ready& ready, const F& f) {
   copy.model.meter = std::make_shared<EffectMeter>();
   return f(copy);
 }
-
-Table table_of(ResultTable table);
-
-/// Of a run, with what a report needs.
-Results results_of(std::shared_ptr<Ready> ready, Solution solution, std::vector<std::string> changes);
-/// Of poses that were given.
-Results results_of(std::shared_ptr<Ready> ready, std::vector<PoseRecord> records, ResultTable poses, RunSummary summary,
-                   std::vector<std::string> changes);
 
 }  // namespace genu::api

@@ -71,4 +71,21 @@ struct Sensitivity {
   std::vector<std::string> changes;  ///< the standard change of each number: "1 %", "1 mm"
 };
 
+/// What `genu laxity` tests: at each flexion angle the neutral pose, then each load up, down and back.
+struct LaxityOptions {
+  std::vector<double> at = {0, 30, 60, 90};         ///< deg, of the joint's first rotation
+  double anterior = 134, varus = 10, internal = 5;  ///< N, N m, N m, both ways; 0: no such test
+  double compression = 0;                           ///< N along the tibia's long axis, in all poses
+  int increments = 10;                              ///< from 0 to the full load
+  std::function<bool()> cancelled{};                ///< as RunOptions::cancelled
+};
+
+struct Laxity {
+  Table poses;                         ///< laxity.csv: one row a pose
+  Table summary;                       ///< laxity_summary.csv: one row a curve
+  bool complete = false;               ///< every curve reaches its full load both ways
+  std::vector<std::string> sentences;  ///< what is missing, and why
+  std::string text;                    ///< the tables that the program prints
+};
+
 }  // namespace genu::api

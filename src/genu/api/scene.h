@@ -89,7 +89,7 @@ class Scene {
   void set(const std::string& pattern, std::span<const double> values);
   /// Replaces the law of a ligament. Sensitivities to its numbers are then refused.
   void set_law(const std::string& ligament, Law law);
-  /// This scene without the ligaments, contacts and loads whose names match ("ACL*", "ligament.ACL*").
+  /// This scene without the ligaments, contacts and loads whose names, or bundles, match ("ACL*", "ligament.ACL*").
   [[nodiscard]] Scene without(const std::string& pattern) const;
 
   /// Solves it as `genu run` does, with the same numbers to the last digit.
@@ -99,6 +99,9 @@ class Scene {
   /// Solves it and differentiates columns of results to numbers of the scene, both chosen as by `genu sensitivity`.
   Sensitivity sensitivity(const std::vector<std::string>& of, const std::vector<std::string>& to,
                           const RunOptions& options = {}) const;
+
+  /// Tests how lax a knee is, as `genu laxity` does: its joint has grood_suntay.
+  Laxity laxity(const LaxityOptions& options = {}) const;
 
   /// The values of coordinates() where the search for equilibrium starts: rad, m.
   std::vector<double> start() const;

@@ -9,6 +9,7 @@
 #include "genu/api/inside.h"
 #include "genu/api/scene.h"
 #include "genu/api/scene_numbers.h"
+#include "genu/assemble/solution.h"
 #include "genu/model/ligament_law.h"
 
 namespace genu::api {

@@ -79,34 +79,58 @@ struct LayerNumber {
 std::string above_zero(double x) { return std::isfinite(x) && x > 0 ? "" : "must be > 0"; }
 std::string below_half(double x) { return x >= 0 && x < 0.5 ? "" : "must be >= 0 and < 0.5"; }
 
-constexpr double kMegapascal = 1e6;  // Pa
-const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", kMegapascal, &LayerDef::modulus, above_zero},
+const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", units::kMegapascal, &LayerDef::modulus, above_zero},
                                      {"poisson", "1", 1, &LayerDef::poisson, below_half}};
 
 std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-/// Takes out of `defs` what `pattern` means; how many.
-template <class Defs, class Name>
-std::size_t take_out(Defs& defs, const std::string& pattern, const char* kind, const Name& name) {
-  return std::erase_if(defs, [&](const auto& def) { return means_object(pattern, kind, name(def)); });
-}
-
-/// The same of loads, which steps name by their index.
-std::size_t take_out_loads(genu::Scene& scene, const std::string& pattern) {
+/// Of each object its index among those that stay; -1 for those that a pattern means.
+template <class Defs>
+std::vector<int> kept(const SceneTables& scene, const Defs& defs, const std::string& pattern, const char* kind) {
   std::vector<int> index;
   int next = 0;
-  for (const LoadDef& load : scene.loads) index.push_back(means_object(pattern, "load", load.name) ? -1 : next++);
+  for (const auto& def : defs) index.push_back(means_object(scene, pattern, kind, def.name) ? -1 : next++);
+  return index;
+}
+
+/// Takes out of `defs` what is not kept; how many.
+template <class Defs>
+std::size_t take_out(Defs& defs, const std::vector<int>& index) {
+  std::size_t k = 0;
+  return std::erase_if(defs, [&](const auto&) { return index[k++] < 0; });
+}
+
+/// Ligaments, which bundles name by their index.
+std::size_t take_out_ligaments(genu::Scene& scene, const std::string& pattern) {
+  const std::vector<int> index = kept(scene, scene.ligaments, pattern, "ligament");
+  for (BundleDef& bundle : scene.bundles) {
+    std::erase_if(bundle.members, [&](int member) { return index[at(member)] < 0; });
+    for (int& member : bundle.members) member = index[at(member)];
+  }
+  return take_out(scene.ligaments, index);
+}
+
+/// Loads, which steps name by their index.
+std::size_t take_out_loads(genu::Scene& scene, const std::string& pattern) {
+  const std::vector<int> index = kept(scene, scene.loads, pattern, "load");
   for (StepDef& step : scene.steps) {
     std::erase_if(step.factors, [&](const StepDef::Factor& f) { return index[at(f.load)] < 0; });
     for (StepDef::Factor& f : step.factors) f.load = index[at(f.load)];
   }
-  return take_out(scene.loads, pattern, "load", [](const LoadDef& l) { return l.name; });
+  return take_out(scene.loads, index);
+}
+
+std::size_t take_out_contacts(genu::Scene& scene, const std::string& pattern) {
+  const std::size_t layers = std::erase_if(
+      scene.layers, [&](const LayerDef& layer) { return means_object(scene, pattern, "contact", layer.pair.name); });
+  return layers + take_out(scene.contacts, kept(scene, scene.contacts, pattern, "contact"));
 }
 
 }  // namespace
 
-bool means_object(const std::string& pattern, const std::string& kind, const std::string& name) {
-  return matches(pattern, name) || matches(pattern, kind + "." + name);
+bool means_object(const SceneTables& scene, const std::string& pattern, const std::string& kind,
+                  const std::string& name) {
+  return matches(scene, pattern, name) || matches(scene, pattern, kind + "." + name);
 }
 
 void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what, bool& contacts) {
@@ -115,11 +139,9 @@ void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what
   for (const LoadDef& l : scene.loads) known.push_back(l.name);
   for (const ContactDef& c : scene.contacts) known.push_back(c.name);
   for (const LayerDef& l : scene.layers) known.push_back(l.pair.name);
-  const auto named = [](const auto& def) { return def.name; };
-  const std::size_t ligaments = take_out(scene.ligaments, pattern, "ligament", named),
-                    loads = take_out_loads(scene, pattern),
-                    pairs = take_out(scene.contacts, pattern, "contact", named) +
-                            take_out(scene.layers, pattern, "contact", [](const LayerDef&l) { return l.pair.name; });
+  for (const BundleDef& b : scene.bundles) known.push_back(b.name);
+  const std::size_t ligaments = take_out_ligaments(scene, pattern), loads = take_out_loads(scene, pattern),
+                    pairs = take_out_contacts(scene, pattern);
   const auto add = [&](std::size_t n, const char* word) {
     if (n > 0) what += (what.empty() ? "" : ", ") + counted(n, word);
   };
@@ -129,10 +151,11 @@ void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what
   contacts = pairs > 0;
   if (what.empty())
     refuse(Code::unknown_name, "without", with_quotes(pattern),
-           "is no ligament, contact or load of this scene" + did_you_mean(pattern, known));
+           "is no ligament, bundle, contact or load of this scene" + did_you_mean(pattern, known));
 }
 
 SceneNumbers::SceneNumbers(const SceneTables& scene) {
+  bundles_.bundles = scene.bundles;
   SceneTables probe = scene;
   for (const Parameter& p : parameters_of(scene)) {
     if (parameter_number(probe, p) == nullptr) continue;
@@ -166,15 +189,11 @@ void SceneNumbers::add_layers(const SceneTables& scene) {
     }
 }
 
-bool SceneNumbers::means(const std::string& pattern, const SceneNumber& number) const {
-  return means_object(pattern, number.object, number.name);
-}
-
 std::vector<const SceneNumber*> SceneNumbers::matching(const std::string& pattern) const {
   if (const auto known = by_name_.find(pattern); known != by_name_.end()) return {&all_[known->second]};
   std::vector<const SceneNumber*> found;
   for (const SceneNumber& number : all_)
-    if (means(pattern, number)) found.push_back(&number);
+    if (means_object(bundles_, pattern, number.object, number.name)) found.push_back(&number);
   if (!found.empty()) return found;
   std::vector<std::string> names;
   for (const SceneNumber& number : all_) names.push_back(number.name);

@@ -31,14 +31,15 @@ class SceneNumbers {
 
  private:
   void add_layers(const SceneTables& scene);
-  bool means(const std::string& pattern, const SceneNumber& number) const;
 
+  SceneTables bundles_;  ///< which alone it has: they name the numbers of their fibres
   std::vector<SceneNumber> all_;
   std::map<std::string, std::size_t> by_name_;
 };
 
-/// Whether a pattern means an object of a scene: "ACL*", "ligament.ACL*".
-bool means_object(const std::string& pattern, const std::string& kind, const std::string& name);
+/// Whether a pattern means an object of a scene, or its bundle: "ACL*", "ligament.ACL*".
+bool means_object(const SceneTables& scene, const std::string& pattern, const std::string& kind,
+                  const std::string& name);
 
 /// `scene` without the ligaments, contacts and loads that a pattern means. Throws SceneError if there is none. `what`:
 /// "12 ligaments"; `contacts`: any contact is left out.

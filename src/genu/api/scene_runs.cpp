@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "genu/api/results_of.h"
 #include "genu/api/scene_inside.h"
+#include "genu/api/table_of.h"
 #include "genu/core/units.h"
 #include "genu/model/generalised_forces.h"
 #include "genu/scene/words.h"
 #include "genu/study/evaluate.h"
+#include "genu/study/laxity.h"
+#include "genu/study/laxity_table.h"
 #include "genu/study/run_motion.h"
 #include "genu/study/sensitivity.h"
 
@@ -102,6 +106,47 @@ Sensitivity Scene::sensitivity(const std::vector<std::string>& of, const std::ve
     for (std::size_t o = 0; o < rows.outputs.size(); ++o)
       for (std::size_t p = 0; p < rows.parameters.size(); ++p) result.effects.push_back(rows.effect(r, o, p));
   return result;
+}
+
+namespace {
+
+/// Throws for what the command line does not take either.
+LaxityChoice choice_of(const LaxityOptions& options) {
+  LaxityChoice choice;
+  const auto number = [](const char* key, double value, double least, double most) {
+    if (!(value >= least && value <= most))
+      refuse(Code::out_of_range, key, fmt::format("{:.6g}", value),
+             fmt::format("must be from {:g} to {:g}", least, most));
+    return value;
+  };
+  constexpr double kMostLoad = 1e5, kMostAngle = 180, kMostIncrements = 1000;
+  for (const double angle : options.at)
+    choice.flexions.push_back(units::kDegree * number("at", angle, -kMostAngle, kMostAngle));
+  const auto add = [&](LaxityTest::Kind kind, const char* key, double load) {
+    if (number(key, load, 0, kMostLoad) > 0) choice.tests.push_back({kind, load});
+  };
+  add(LaxityTest::Kind::drawer, "anterior", options.anterior);
+  add(LaxityTest::Kind::varus, "varus", options.varus);
+  add(LaxityTest::Kind::rotation, "internal", options.internal);
+  if (choice.flexions.empty() || choice.tests.empty())
+    refuse(Code::missing_key, "laxity", {}, "needs a flexion angle and a load above 0");
+  choice.compression = number("compression", options.compression, 0, kMostLoad);
+  choice.increments = static_cast<int>(number("increments", options.increments, 1, kMostIncrements));
+  choice.cancelled = options.cancelled;
+  return choice;
+}
+
+}  // namespace
+
+Laxity Scene::laxity(const LaxityOptions& options) const {
+  const LaxityChoice choice = choice_of(options);
+  const auto ready = inside_->assembled();
+  Diagnostics out;
+  LaxityResult found;
+  const int code = use(*ready, [&](const Prepared& prepared) { return test_laxity(prepared, choice, out, found); });
+  check(out);
+  return {table_of(laxity_rows(found.scenes)), table_of(laxity_summary(found.scenes)), code == kExitOk, found.verdict,
+          found.text};
 }
 
 std::vector<double> Scene::start() const {

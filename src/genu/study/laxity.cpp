@@ -269,6 +269,17 @@ std::string write_laxity(const std::string& folder, const LaxityResult& result, 
 
 }  // namespace
 
+int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostics& out, LaxityResult& result) {
+  auto tested = test_scene(prepared, "as written", choice, out);
+  if (!tested) return kExitRefused;
+  result.scenes.push_back(std::move(*tested));
+  bool complete = true;
+  result.title = prepared.scene.title;
+  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.text = laxity_text(result.scenes);
+  return complete ? kExitOk : kExitIncomplete;
+}
+
 int run_laxity(const SceneSource& source, const std::optional<std::string>& folder, const LaxityChoice& choice,
                Diagnostics& out, LaxityResult& result) {
   const Timer timer;

@@ -13,6 +13,11 @@ namespace genu {
 /// The same numbers on any number of threads.
 std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoice& choice);
 
+/// Tests one scene that is prepared, as it is. The exit code: refused, with the reasons in `out`, or as of
+/// run_laxity().
+[[nodiscard]] int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostics& out,
+                              LaxityResult& result);
+
 /// Reads the scene, with its changes the scene as written as well, and tests both. Writes laxity.csv,
 /// laxity_summary.csv, laxity.html, one picture a test and summary.json into `folder` where there is one. The exit
 /// code: incomplete where a leg or a neutral pose is missing.

@@ -261,7 +261,7 @@ std::string forces(const std::vector<LaxityOfScene>& scenes, const std::vector<L
 
 }  // namespace
 
-std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) {
+ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
   ResultTable out;
   for (const char* column : {"scene", "flexion_deg", "test", "load_N", "load_Nm", "displacement_mm", "displacement_deg",
                              "stiffness_N_per_mm", "stiffness_Nm_per_deg"})
@@ -287,8 +287,10 @@ std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) {
           out.set(column, poses.table().at(k, c));
     }
   }
-  return out.to_csv();
+  return out;
 }
+
+std::string laxity_csv(const std::vector<LaxityOfScene>& scenes) { return laxity_rows(scenes).to_csv(); }
 
 ResultTable laxity_summary(const std::vector<LaxityOfScene>& scenes) {
   ResultTable table;

@@ -12,6 +12,8 @@ namespace genu {
 
 /// One row a pose: scene, flexion, test, leg's load, displacement from the neutral pose, stiffness, the clinical
 /// motion, the joint's coordinates, forces of contacts, bundles and fibres.
+ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes);
+/// The same as the text of laxity.csv.
 std::string laxity_csv(const std::vector<LaxityOfScene>& scenes);
 
 /// One row a curve: displacement each way and in total, stiffness near zero and at both ends, coupled motions there.

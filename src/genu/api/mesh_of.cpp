@@ -1,9 +1,8 @@
-#include "genu/api/meshes.h"
+#include "genu/api/mesh_of.h"
 
 #include <fmt/format.h>
 
 #include "genu/api/inside.h"
-#include "genu/api/mesh_of.h"
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/scene/words.h"
 

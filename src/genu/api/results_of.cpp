@@ -1,8 +1,8 @@
-#include "genu/api/results.h"
+#include "genu/api/results_of.h"
 
 #include <limits>
 
-#include "genu/api/inside.h"
+#include "genu/api/table_of.h"
 #include "genu/core/atomic_output.h"
 #include "genu/model/generalised_forces.h"
 #include "genu/results/report.h"

@@ -1,11 +1,10 @@
-#include "genu/api/scene.h"
+#include "genu/api/scene_inside.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "genu/api/own_law.h"
-#include "genu/api/scene_inside.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/model/generalised_forces.h"
 #include "genu/scene/centre_bodies.h"

@@ -1,4 +1,4 @@
-#include "genu/api/table.h"
+#include "genu/api/table_of.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "genu/api/inside.h"
-#include "genu/results/result_table.h"
 #include "genu/scene/words.h"
 
 namespace genu::api {
