@@ -8,6 +8,7 @@
 #include "genu/equilibrium/held_drivers.h"
 #include "genu/equilibrium/piece_changes.h"
 #include "genu/equilibrium/rigid_descent.h"
+#include "genu/equilibrium/state_difference.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
 #include "genu/equilibrium/tolerances.h"
 
@@ -283,11 +284,10 @@ PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& targe
 PoseReport ActiveSetSolver::settle_from_seed(Balanced& pose, const Target& target, const SeedWay& way) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const HeldDrivers held(*model_, target, trial.state);
-  const SeedReport seed =
-      way.downhill ? descent_seed(*model_, *field_, held.target(), trial.state, way.stride, options_.cancelled)
-                   : stiffness_homotopy(*model_, *field_, held.target(), trial.state, way.stiffer, options_.cancelled);
-  held.give_back(trial.state);
+  const SeedReport seed = with_held_drivers(*model_, target, trial.state, [&](const Target& held) {
+    return way.downhill ? descent_seed(*model_, *field_, held, trial.state, way.stride, options_.cancelled)
+                        : stiffness_homotopy(*model_, *field_, held, trial.state, way.stiffer, options_.cancelled);
+  });
   PoseReport report;
   if (!seed.balanced) {
     report.iterations = seed.iterations;
@@ -316,11 +316,7 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
     const double allowed = std::max(field_->overlap(from, pair), field_->overlap(to, pair)) + shallow;
     State between = from;
     for (int k = 1; k < steps; ++k) {
-      const double u = static_cast<double>(k) / steps;
-      for (std::size_t i = 0; i < from.poses.size(); ++i) {
-        const Pose &a = from.poses[i], &b = to.poses[i];
-        between.poses[i] = {exp_rotation(u * log_rotation(b.R * a.R.transpose())) * a.R, (1 - u) * a.p + u * b.p};
-      }
+      poses_between(from, to, static_cast<double>(k) / steps, between);
       if (field_->overlap(between, pair) > allowed) return true;
     }
   }
@@ -330,9 +326,9 @@ bool ActiveSetSolver::passes_through(const State& from, const State& to, bool fo
 PoseReport ActiveSetSolver::settle_downhill(Balanced& pose, const Target& target) {
   Balanced trial = pose;
   for (const ActiveContact& c : trial.state.contacts) trial.open.push_back({c.pair, c.number, c.geometry, 0});
-  const HeldDrivers held(*model_, target, trial.state);
-  const RestReport rest = slide_to_rest(*model_, *field_, held.target(), trial.state, options_.cancelled);
-  held.give_back(trial.state);
+  const RestReport rest = with_held_drivers(*model_, target, trial.state, [&](const Target& held) {
+    return slide_to_rest(*model_, *field_, held, trial.state, options_.cancelled);
+  });
   PoseReport report;
   report.iterations = rest.steps;
   if (!rest.at_rest) {

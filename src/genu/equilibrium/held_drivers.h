@@ -22,4 +22,13 @@ class HeldDrivers {
   std::vector<std::pair<std::size_t, double>> factors_;  ///< of the driven coordinates, by their multiplier
 };
 
+/// What `seed` finds from `state` with the drivers held.
+template <typename Seed>
+auto with_held_drivers(const JointModel& model, const Target& target, State& state, const Seed& seed) {
+  const HeldDrivers held(model, target, state);
+  auto found = seed(held.target());
+  held.give_back(state);
+  return found;
+}
+
 }  // namespace genu

@@ -186,8 +186,9 @@ class Layers {
   }
 
   bool lies_on_border(const Vec3& x) const {
-    return std::any_of(region_->conditions.begin(), region_->conditions.end(),
-                       [&](const auto& c) { return std::abs(x[c.axis] - c.value) <= kOnBorder * pose_.subject->size; });
+    return std::any_of(region_->conditions.begin(), region_->conditions.end(), [&](const auto& c) {
+      return std::abs(x[c.axis] - c.value) <= kRegionBorder * pose_.subject->size;
+    });
   }
 
   /// Those on the border are counted as the area that is written asks.

@@ -112,7 +112,7 @@ inline constexpr double kFacetLoadError = 0.05;
 
 /// [size of the scene] Distance of a triangle's centre from the border of a region at which its side is rounding. Fails
 /// first: if too small, the same sum is rejected.
-inline constexpr double kOnBorder = 1e-12;
+inline constexpr double kRegionBorder = 1e-12;
 
 // motion
 

@@ -17,6 +17,7 @@
 #include "genu/equilibrium/uniqueness.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/path/arc_length_follower.h"
+#include "genu/path/change_drivers.h"
 #include "genu/path/fields.h"
 #include "genu/path/path_follower.h"
 #include "genu/path/tolerances.h"
@@ -85,12 +86,11 @@ class PathRun {
   /// Balances the joint at its current pose, then follows the path to the first values of the step.
   bool reach_start(const StepPlan& step) {
     if (step_ == 1) factors_ = step.target(0).load_factors;
-    change_drivers(step);
+    change_drivers(solver_.model(), step_ > 1 ? &steps_[at(step_ - 2)] : nullptr, step, pose_.state, factors_);
     const StepPlan plan = approach_to(step, solver_.model(), pose_.state, factors_);
     factors_ = step.target(1).load_factors;
     approaching_ = true;
-    const Target start = plan.target(0);
-    report_ = step_ == 1 ? solver_.settle_cold(pose_, start) : settle_freed(solver_, pose_, start);
+    report_ = step_ == 1 ? solver_.settle_cold(pose_, plan.target(0)) : settle_freed(solver_, pose_, plan.target(0));
     result_.iterations += report_.iterations;
     if (report_.status != PoseStatus::ok) {
       if (settle_past_flaw(step, report_)) return true;
@@ -114,21 +114,6 @@ class PathRun {
     report_ = follower_.report();
     approaching_ = false;
     return true;
-  }
-
-  /// Loads that drove a coordinate in the step before begin with the factor found there. Those that begin to drive are
-  /// searched from the factor 1, and a coordinate that gets its reaction back from none.
-  void change_drivers(const StepPlan& step) {
-    std::vector<double>& multipliers = pose_.state.multipliers;
-    const std::vector<StepPlan::Prescribed> none, &before = step_ > 1 ? steps_[at(step_ - 2)].prescribed : none;
-    for (std::size_t m = 0; m < before.size(); ++m)
-      for (const int driver : before[m].drivers) factors_[at(driver)] = multipliers[m];
-    fit_multipliers(solver_.model(), step.target(0), pose_.state);
-    for (std::size_t m = 0; m < step.prescribed.size(); ++m) {
-      const std::vector<int>& drivers = step.prescribed[m].drivers;
-      if ((m < before.size() ? before[m].drivers : std::vector<int>()) == drivers) continue;
-      multipliers[m] = drivers.empty() ? 0 : 1;
-    }
   }
 
   /// Where contact touches a mesh flaw on the way to the step's start, at a pose that nobody requested: tries the start
