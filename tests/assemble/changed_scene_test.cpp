@@ -151,5 +151,25 @@ TEST_F(ChangedScene, AResultNamesItsChangesAndIsJudgedWithThem) {
   EXPECT_EQ(test::genu("run " + scene + " --beside " + beside + " --out " + out).exit_code, 2);
 }
 
+TEST_F(ChangedScene, RowsOfOtherChangesAreNotContinued) {
+  const std::string text = test::with_first(scene_text(), "increments = 5", "increments = 100");
+  const std::string scene = folder_.write("ball.toml", text), out = folder_ / "out";
+  RunOptions options;
+  options.checkpoint_seconds = 0;
+  int rows = 0;
+  options.progress = [&](int done, int) { rows = done; };
+  options.cancelled = [&] { return rows >= 50; };
+  Diagnostics said;
+  ASSERT_EQ(run_scene({scene, {{"extra"}, {}}}, out, options, said, nullptr), kExitIncomplete);
+  options.cancelled = {};
+  options.resume = true;
+  Diagnostics other, none;
+  EXPECT_EQ(run_scene({scene, {{}, {"push.force.z=-9"}}}, out, options, other, nullptr), kExitRefused);
+  EXPECT_EQ(run_scene(scene, out, options, none, nullptr), kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(none), "what --without and --set change: has changed since"))
+      << test::messages(none);
+  EXPECT_EQ(run_scene({scene, {{"extra"}, {}}}, out, options, said, nullptr), kExitOk) << test::messages(said);
+}
+
 }  // namespace
 }  // namespace genu

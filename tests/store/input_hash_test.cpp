@@ -22,6 +22,15 @@ TEST(InputHash, OfTheSceneAndItsMeshesInTheirOrder) {
   EXPECT_EQ(input_hashes(scene, files), expected);
 }
 
+TEST(InputHash, OfChangesIsThatOfTheirPlacesAndValues) {
+  Scene scene;
+  const std::string none = change_hash(scene);
+  scene.changed.edits.push_back({{}, "ligament.AAC.stiffness", "2"});
+  const std::string two = change_hash(scene);
+  scene.changed.edits.back().text = "3";
+  EXPECT_TRUE(none != two && two != change_hash(scene) && none != change_hash(scene));
+}
+
 TEST(InputHash, OfTheProgramStaysTheSame) {
   EXPECT_EQ(program_hash().size(), 32u);
   EXPECT_EQ(program_hash(), program_hash());

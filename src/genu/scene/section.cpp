@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "genu/scene/read_parts.h"
 #include "genu/scene/words.h"
 
 namespace genu {
@@ -74,18 +73,6 @@ std::vector<Item> named_tables(ReadContext& context, Section& root, const char* 
     if (is_table(context, item)) tables.push_back(item);
   }
   return tables;
-}
-
-bool read_enabled(ReadContext& context, Section& section, const char* group) {
-  const Item item = section.find("enabled");
-  if (!item || read_bool(context, item).value_or(true)) return true;
-  context.scene.disabled.push_back({group, section.item().node->key, section.item().node->key_where});
-  return false;
-}
-
-bool is_disabled(const Scene& scene, const std::string& group, const std::string& name) {
-  return std::any_of(scene.disabled.begin(), scene.disabled.end(),
-                     [&](const DisabledTable& t) { return t.group == group && t.name == name; });
 }
 
 void check_name(ReadContext& context, SourceLocation where, const std::string& path, const std::string& name) {

@@ -61,10 +61,13 @@ std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables&
   };
   add(scene.file);
   for (const std::string& file : mesh_files(scene)) add(file);
+  return hashes;
+}
+
+std::string change_hash(const SceneTables& scene) {
   std::string changes;
   for (const SceneEdit& edit : scene.changed.edits) changes += edit.key + "=" + edit.text + "\n";
-  if (!changes.empty()) hashes.emplace_back("changes of the scene", checksum(changes).xxh128);
-  return hashes;
+  return checksum(changes).xxh128;
 }
 
 std::string program_hash() {

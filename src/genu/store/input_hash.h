@@ -10,9 +10,12 @@
 
 namespace genu {
 
-/// The scene's file and its meshes with their checksums (core/file_checksum.h), in the order of the scene, then what is
-/// changed in it (scene_changes.h); empty for a file that cannot be read.
+/// The scene's file and its meshes with their checksums (core/file_checksum.h), in the order of the scene; empty for a
+/// file that cannot be read.
 std::vector<std::pair<std::string, std::string>> input_hashes(const SceneTables& scene, InputFiles& files);
+
+/// Of what --without and --set change in the scene.
+std::string change_hash(const SceneTables& scene);
 
 /// Of this program, of the libraries that it is linked with, and of the instructions that they choose from the
 /// processor: where all are the same, the same input gives the same bytes.

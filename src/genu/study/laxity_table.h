@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "genu/results/chart.h"
 #include "genu/results/result_table.h"
-#include "genu/study/laxity.h"
+#include "genu/study/laxity_result.h"
 
 namespace genu {
 

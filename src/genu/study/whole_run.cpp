@@ -162,7 +162,9 @@ int run_scene(const SceneSource& source, const std::string& folder, const RunOpt
     return kExitRefused;
   }
   if (holds_others(folder, options, out)) return kExitRefused;
-  Checkpoint checkpoint(folder, input_hashes(prepared->scene, prepared->meshes->files()), options.checkpoint_seconds);
+  auto inputs = input_hashes(prepared->scene, prepared->meshes->files());
+  inputs.emplace_back("what --without and --set change", change_hash(prepared->scene));
+  Checkpoint checkpoint(folder, std::move(inputs), options.checkpoint_seconds);
   RunOptions own = options;
   own.keep_partial = true;
   own.keep_rest = !options.save_failure.empty();
