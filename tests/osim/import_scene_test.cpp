@@ -189,6 +189,10 @@ TEST(ImportScene, NamesThatAreNoKeysAreMade) {
       leg_with("Blankevoort1991Ligament name=\"LCL1\"", "Blankevoort1991Ligament name=\"LCL 1\n[load.x]\"");
   const Imported leg(text);
   EXPECT_EQ(leg.scene.ligaments[0].name, "LCL_1__load_x_");
+  text = leg_text();
+  for (std::size_t at = 0; (at = text.find("knee_rot_r", at)) != std::string::npos;)
+    text.replace(at, 10, "knee_;} x&#10;[y]_r");
+  EXPECT_EQ(Imported(text).scene.joints[0].rotations[2].name, "___x__y_");
 }
 
 }  // namespace

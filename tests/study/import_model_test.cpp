@@ -58,8 +58,8 @@ TEST_F(ImportsTheLeg, IntoASceneThatCanBeEvaluated) {
   ASSERT_EQ(found.poses.rows(), 2u);
   // By hand: from (0, 0, 35) to (-10, -70, 35) mm.
   EXPECT_NEAR(found.poses.number(0, "LCL1.length_mm"), std::hypot(10.0, 70.0), 1e-9);
-  // The plateau is 29 mm below, the condyle's lowest vertex 30, those beside it 34/12 mm away on its sphere. The deepest
-  // ray starts at a third of a square of 50/12 mm, nearly amid two of them. The file has whole um.
+  // The plateau is 29 mm below, the condyle's lowest vertex 30, those beside it 34/12 mm away on its sphere. The
+  // deepest ray starts at a third of a square of 50/12 mm, nearly amid two of them. The file has whole um.
   const double beside = std::sqrt(30 * 30 - 34.0 / 12 * 34 / 12) - 29, share = (50.0 / 36) / (34.0 / 24);
   EXPECT_NEAR(found.poses.number(0, "tf_contact.max_depth_mm"), 1 - share + share * beside, 2e-4);
 }

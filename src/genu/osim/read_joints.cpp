@@ -55,9 +55,10 @@ void move_plainly(const PropertyReader& p, const std::string& moves, Joint& join
 
 /// The place of a TransformAxis: rotation1 to translation3; -1 for another name.
 int place_of_axis(const std::string& name) {
-  constexpr std::array kNames = {"rotation1", "rotation2", "rotation3", "translation1", "translation2", "translation3"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  return found == kNames.end() ? -1 : static_cast<int>(found - kNames.begin());
+  constexpr std::array kAxisNames = {"rotation1",    "rotation2",    "rotation3",
+                                     "translation1", "translation2", "translation3"};
+  const auto found = std::find(kAxisNames.begin(), kAxisNames.end(), name);
+  return found == kAxisNames.end() ? -1 : static_cast<int>(found - kAxisNames.begin());
 }
 
 Axis read_axis(const FileReader& reader, const XmlElement& e, const Joint& joint) {

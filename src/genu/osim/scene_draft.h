@@ -23,9 +23,12 @@ struct SceneDraft {
   const SceneRequest& request;
   Outcomes outcomes = {};
   SceneNames bodies = {}, joints = {}, surfaces = {}, contacts = {}, ligaments = {}, loads = {};
+  std::map<std::string, SceneNames> coordinates = {};  ///< of each joint
   std::string text = {};
 
   std::string body_name(int rigid);
+  /// "flex"
+  std::string short_name(const Joint& joint, const std::string& coordinate);
   /// "knee_r.flex"
   std::string coordinate_name(const std::string& coordinate);
 };

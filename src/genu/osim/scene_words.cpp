@@ -33,6 +33,12 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", number_text(v.x()), number_text(v.y()), number_text(v.z()));
 }
 
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  return line;
+}
+
 std::string point_text(const Vec3& p) { return vector_text(p * to::kMillimetre); }
 
 std::string SceneNames::of(const std::string& name) {

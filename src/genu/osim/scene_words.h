@@ -16,6 +16,9 @@ std::string vector_text(const Vec3& v);
 /// A point in m as mm.
 std::string point_text(const Vec3& p);
 
+/// Text for a comment: one line without control characters.
+std::string one_line(const std::string& text);
+
 /// Names of one kind of thing: each name of the model gets one of the scene (letters, digits, _ and -), no two alike.
 class SceneNames {
  public:

@@ -10,18 +10,14 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/osim/frames.h"
+#include "genu/osim/joint_kinds.h"
 #include "genu/osim/model.h"
 
 namespace genu::osim {
 
 /// Values of coordinates by name, rad or m.
 using CoordinateValues = std::map<std::string, double>;
-
-/// A frame of the model as a place in one of its bodies.
-struct PlacedFrame {
-  int body = -1;  ///< index into Model::bodies; their number: the ground
-  Pose X_body_frame;
-};
 
 /// Several bodies of the model as one of the scene.
 struct RigidBody {
@@ -31,24 +27,6 @@ struct RigidBody {
   double mass = 0;
   Vec3 centre = Vec3::Zero();   ///< of mass, in the rigid body
   Mat3 inertia = Mat3::Zero();  ///< about that centre, axes of the rigid body
-};
-
-/// A joint of the model as one of the scene.
-struct MovingJoint {
-  enum class Kind { free, revolute };
-  struct Rotation {
-    std::string coordinate;
-    int axis = 0;  ///< 0 x, 1 y, 2 z
-    bool negative = false;
-  };
-  int joint = -1;  ///< index into Model::joints
-  Kind kind = Kind::free;
-  int parent = -1, child = -1;              ///< indices into Skeleton::bodies
-  std::array<Rotation, 3> rotations;        ///< free
-  std::array<std::string, 3> translations;  ///< free: the coordinates along x, y, z
-  std::string angle;                        ///< revolute: its coordinate
-  Vec3 axis = Vec3::UnitZ();                ///< revolute: in the parent
-  Vec3 origin = Vec3::Zero();               ///< revolute: of the child, in the parent
 };
 
 class Skeleton {

@@ -34,7 +34,7 @@ void write_body(SceneDraft& draft, int index) {
     else
       draft.outcomes.frozen(where, "body." + name, "fixed in another body at the pose of the import");
   }
-  if (rigid.bodies.size() > 1) draft.text += fmt::format("# One rigid body of: {}\n", parts_of(draft, rigid));
+  if (rigid.bodies.size() > 1) draft.text += fmt::format("# One rigid body of: {}\n", one_line(parts_of(draft, rigid)));
   draft.text += fmt::format("[body.{}]\n", name);
   if (rigid.fixed) draft.text += "fixed = true\n";
   if (!rigid.fixed && rigid.mass > 0 && draft.model.gravity.norm() > 0) {
@@ -48,7 +48,7 @@ void write_body(SceneDraft& draft, int index) {
 const char* kAxes[] = {"x", "y", "z"};
 
 void write_free(SceneDraft& draft, const MovingJoint& moving, const Joint& joint) {
-  const auto local = [&](const std::string& c) { return short_coordinate(c, joint.name); };
+  const auto local = [&](const std::string& c) { return draft.short_name(joint, c); };
   std::string rotations, reference;
   for (const MovingJoint::Rotation& r : moving.rotations) {
     rotations += fmt::format("{}\"{} {}{}\"", rotations.empty() ? "" : ", ", local(r.coordinate), r.negative ? "-" : "",
@@ -94,18 +94,22 @@ std::string SceneDraft::body_name(int rigid) {
   return bodies.of(skeleton.body_name(skeleton.bodies()[at(rigid)].named_after));
 }
 
+std::string SceneDraft::short_name(const Joint& joint, const std::string& coordinate) {
+  return coordinates[joint.name].of(short_coordinate(coordinate, joint.name));
+}
+
 std::string SceneDraft::coordinate_name(const std::string& coordinate) {
   for (const MovingJoint& moving : skeleton.joints()) {
     const Joint& joint = model.joints[at(moving.joint)];
     if (joint.coordinate(coordinate) == nullptr) continue;
     const bool angle = moving.kind == MovingJoint::Kind::revolute;
-    return joints.of(joint.name) + "." + (angle ? "angle" : short_coordinate(coordinate, joint.name));
+    return joints.of(joint.name) + "." + (angle ? "angle" : short_name(joint, coordinate));
   }
   return {};
 }
 
 std::string source_comment(const std::string& type, const std::string& name, const SourceLocation& where) {
-  return fmt::format("# {} {}, line {}", type, name, where.line);
+  return fmt::format("# {} {}, line {}", one_line(type), one_line(name), where.line);
 }
 
 void write_bodies(SceneDraft& draft) {

@@ -127,8 +127,9 @@ const XmlElement* XmlElement::objects_of(std::string_view list) const {
 }
 
 std::optional<XmlElement> parse_xml(const std::string& bytes, const std::string& file, Diagnostics& out) {
-  constexpr std::string_view kMark = "\xef\xbb\xbf";
-  const std::string_view text = std::string_view(bytes).substr(bytes.starts_with(kMark) ? kMark.size() : 0);
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  const std::string_view text =
+      std::string_view(bytes).substr(bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   const Places places(text);
   const auto refuse = [&](Code code, const SourceLocation& where, const std::string& rule) {
     out.add(error_at({file, where}, code, {}, {}, rule));
