@@ -32,14 +32,14 @@ thread_local bool counting = false;
 std::atomic<long> allocations{0};
 }  // namespace
 
-// NOLINTBEGIN: what replaces the global ones has to look like this
-void* operator new(std::size_t size) {
+// NOLINTBEGIN: what replaces the global ones has to look like this. Inlined, GCC would take free() for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   if (counting) ++allocations;
   if (void* p = std::malloc(size)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 // NOLINTEND
 
 namespace {

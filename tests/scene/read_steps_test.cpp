@@ -76,7 +76,7 @@ TEST(ReadSteps, DriveErrors) {
                           const std::string& rule) {
     expect_refused("load = { push = [0, 1] }", drive, "step[1]." + key, found, rule);
   };
-  refused("drive = @\"pull\"", "drive", "\"pull\"", "unknown load; known: \"push\"; did you mean \"push\"?");
+  refused("drive = @\"pull\"", "drive", "\"pull\"", "unknown load; known: \"push\"");
   refused("drive = @3", "drive", "3", "must be");
   refused("drive = @[]", "drive", "[]", "must name a load");
   refused("drive = [\"push\", @\"push\"]", "drive[2]", "\"push\"", "drives a coordinate already");

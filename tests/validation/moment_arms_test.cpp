@@ -51,7 +51,7 @@ magnitude = 10
 prescribe = { "knee.flexion" = [40, 50] }
 )";
 
-TEST(MomentArmColumns, AreDerivativesOfLengths) {
+TEST(MomentArms, AreDerivativesOfLengths) {
   Diagnostics out;
   const auto scene = parse_scene(kChain, "scene.toml", out);
   ASSERT_TRUE(scene.has_value()) << messages(out);
