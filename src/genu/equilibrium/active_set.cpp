@@ -7,8 +7,8 @@
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/held_drivers.h"
 #include "genu/equilibrium/piece_changes.h"
+#include "genu/equilibrium/poses_between.h"
 #include "genu/equilibrium/rigid_descent.h"
-#include "genu/equilibrium/state_difference.h"
 #include "genu/equilibrium/stiffness_homotopy.h"
 #include "genu/equilibrium/tolerances.h"
 

@@ -20,7 +20,4 @@ std::pair<double, double> largest_motion(const State& from, const State& to);
 std::vector<std::pair<PathEvent::Kind, std::string>> changes(const JointModel& model, const State& before,
                                                              const State& after);
 
-/// The poses at the share `u` of the straight way from one state to another; the rest of `out` stays.
-void poses_between(const State& from, const State& to, double u, State& out);
-
 }  // namespace genu

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kLists = {"objects",    "coordinates",       "frames",
                                                     "components", "attached_geometry", "groups"};
-constexpr std::array<std::string_view, 4> kParts = {"GeometryPath", "FrameGeometry", "defaults", "Appearance"};
+constexpr std::array<std::string_view, 4> kInnerParts = {"GeometryPath", "FrameGeometry", "defaults", "Appearance"};
 /// Elements of a model that are no sets and need no row.
 constexpr std::array<std::string_view, 9> kPlain = {
     "Ground",       "gravity",     "credits",           "publications",
@@ -32,7 +32,7 @@ std::string set_of(const XmlElement& e, const std::string& around) {
 
 void collect(const XmlElement& e, const std::string& set, std::vector<Item>& items) {
   for (const XmlElement& child : e.children) {
-    if (one_of(kParts, child.tag)) continue;
+    if (one_of(kInnerParts, child.tag)) continue;
     if (!one_of(kLists, child.tag)) {
       collect(child, set_of(child, set), items);
       continue;
@@ -49,7 +49,7 @@ void collect(const XmlElement& e, const std::string& set, std::vector<Item>& ite
 std::vector<Item> items_of(const XmlElement& model) {
   std::vector<Item> items;
   for (const XmlElement& child : model.children)
-    if (!child.tag.ends_with("Set") && !one_of(kPlain, child.tag) && !one_of(kParts, child.tag))
+    if (!child.tag.ends_with("Set") && !one_of(kPlain, child.tag) && !one_of(kInnerParts, child.tag))
       items.push_back({"model", child.tag, child.name(), child.where});
   collect(model, "model", items);
   const auto before = [](const Item& a, const Item& b) {

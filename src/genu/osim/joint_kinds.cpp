@@ -15,14 +15,14 @@ namespace {
 int sign_of(const Function& f) {
   if (!f.is_line() || f.scale * f.coefficients[1] != 0) return 0;
   const double slope = f.scale * f.coefficients[0];
-  if (std::abs(std::abs(slope) - 1) > kSameAxis) return 0;
+  if (std::abs(std::abs(slope) - 1) > kAxisRounding) return 0;
   return slope > 0 ? 1 : -1;
 }
 
 /// 1 for x, 2 for y, 3 for z, negative where it points the other way; 0 for another direction.
 int axis_of(const Vec3& direction) {
   for (int i = 0; i < 3; ++i)
-    if (std::abs(std::abs(direction[i]) - 1) <= kSameAxis) return direction[i] > 0 ? i + 1 : -i - 1;
+    if (std::abs(std::abs(direction[i]) - 1) <= kAxisRounding) return direction[i] > 0 ? i + 1 : -i - 1;
   return 0;
 }
 
@@ -62,7 +62,7 @@ std::string why_not_revolute(const Joint& joint, MovingJoint& moving) {
   for (const Axis& axis : joint.rotations) {
     if (!moves(axis)) continue;
     const double slope = axis.function.is_line() ? axis.function.scale * axis.function.coefficients[0] : 0;
-    if (std::abs(std::abs(slope) - 1) > kSameAxis) return "its rotation is not its coordinate or minus that";
+    if (std::abs(std::abs(slope) - 1) > kAxisRounding) return "its rotation is not its coordinate or minus that";
     moving.angle = axis.coordinate;
   }
   return {};

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxFileSize = 64'000'000;
 /// [1] Deviation of a rotation axis from a coordinate axis, and of a slope from 1 or -1, that counts as none. Fails
 /// first: if too large, a joint is imported with axes that it does not have; if too small, axes of five decimals are
 /// refused.
-inline constexpr double kSameAxis = 1e-9;
+inline constexpr double kAxisRounding = 1e-9;
 
 /// [m, 1] Difference of two frames of one rigid body that counts as none. Fails first: if too small, round-off of a
 /// chain of offsets makes two frames of one.
