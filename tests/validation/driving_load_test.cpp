@@ -128,12 +128,24 @@ TEST(DrivingLoad, DerivativesAreWhatSolvingTheEditedSceneGives) {
 }
 
 TEST(DrivingLoad, ACableThatWouldHaveToPushIsADoubt) {
-  const Solution solution =
-      solution_of(crane("[[step]]\nprescribe = { \"hinge.angle\" = [80, 100] }\ndrive = \"cable\"\nincrements = 2\n"));
+  const Solution solution = solution_of(
+      replaced(crane("[[step]]\nprescribe = { \"hinge.angle\" = [0, 20] }\ndrive = \"cable\"\nincrements = 2\n"),
+               "force = [0, -20, 0]", "force = [0, 20, 0]"));
   ASSERT_EQ(solution.poses.rows(), 3u);
   EXPECT_LT(solution.poses.number(2, "cable.factor"), 0);
   EXPECT_EQ(solution.summary.verdict_class, RunSummary::Class::doubtful);
   EXPECT_THAT(solution.summary.verdict, testing::Contains(testing::HasSubstr("cable would have to push")));
+}
+
+/// At 90 deg the line of the cable passes through the hinge.
+TEST(DrivingLoad, ACableWithoutAMomentArmHoldsNothing) {
+  const Solution solution =
+      solution_of(crane("[[step]]\nprescribe = { \"hinge.angle\" = [80, 100] }\ndrive = \"cable\"\nincrements = 2\n"));
+  ASSERT_EQ(solution.poses.rows(), 3u);
+  EXPECT_EQ(word(solution.poses, 1, "status"), "undetermined");
+  EXPECT_EQ(solution.summary.verdict_class, RunSummary::Class::not_solved);
+  EXPECT_THAT(solution.summary.verdict,
+              testing::Contains(testing::HasSubstr("load cable, which has no moment arm about hinge.angle")));
 }
 
 }  // namespace

@@ -71,8 +71,12 @@ std::string undetermined(const Prepared& prepared, const PosePoint& point) {
   for (const QuantityRef& q : u.shared_reactions) {
     const JointDef& joint = prepared.scene.joints[static_cast<std::size_t>(q.first.joint)];
     const bool named = q.combination >= 0 || joint.leaves(q.first.index);  // what a joint holds has no name of its own
-    const std::string name =
+    std::string name =
         named ? "the reaction of " + quantity_name(prepared.scene, q) : "reactions of joint " + joint.name;
+    for (const auto& p : point.target.prescribed)
+      if (p.coordinate == q && !p.drivers.empty())
+        name = fmt::format("the factor of load {}, which has no moment arm about {} here",
+                           prepared.scene.loads[at(p.drivers.front())].name, quantity_name(prepared.scene, q));
     if (std::find(forces.begin(), forces.end(), name) == forces.end()) forces.push_back(name);
   }
   for (const int c : u.shared_contacts) {
