@@ -123,7 +123,7 @@ TEST(DrivingLoad, DerivativesAreWhatSolvingTheEditedSceneGives) {
            "point = [1, 2, 30]\ntoward = { body = \"ground\", point = [5, 40, -60] }\nmagnitude = 15\n"
            "scale = { over = \"knee.flexion\", table = [[0, 0.5], [40, 1], [90, 2]] }");
   const std::string step =
-      "[[step]]\nprescribe = { \"knee.flexion\" = [11, 51] }\ndrive = \"muscle\"\nincrements = 4\n";
+      "[[step]]\nprescribe = { \"knee.flexion\" = [11, 14] }\ndrive = \"muscle\"\nincrements = 3\n";
   compare("driven knee", knee(loads + step), {0, 3});
 }
 
