@@ -1,4 +1,4 @@
-// node screenshot.mjs REPORT OUT.png [--size WxH] (1366x768) [--phone] [--row N | --at SHARE] [--whole] [--click TEXT]: a picture of a report.html.
+// node screenshot.mjs REPORT OUT.png [--size WxH] (1366x768) [--phone] [--at SHARE] [--whole] [--pdf] [--dark] [--scale N] [--run SCRIPT]: a picture of a report.html.
 import { writeFileSync } from "node:fs";
 import { parseArgs } from "node:util";
 import { Browser } from "./browser.mjs";
