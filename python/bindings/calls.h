@@ -1,4 +1,4 @@
-// Work without Python's lock: other threads run, Ctrl-C stops it, and progress is told.
+// Work without Python's lock: other threads run, Ctrl-C stops it, and progress is reported.
 #pragma once
 
 #include <atomic>

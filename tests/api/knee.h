@@ -1,11 +1,14 @@
 // The knee that the tests of the API solve, and files as texts.
 #pragma once
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
 
-#include "genu/api/problem.h"
+#include <gtest/gtest.h>
+
+#include "genu/api/scene.h"
 #include "support/places.h"
 
 namespace genu::api {
@@ -27,5 +30,20 @@ std::string refusal_of(const F& f) {
   }
   return {};
 }
+
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto place = text.find(what);
+  EXPECT_NE(place, std::string::npos) << what;
+  return place == std::string::npos ? text : text.replace(place, what.size(), with);
+}
+
+/// The text without the table [ligament.NAME].
+inline std::string without_table(const std::string& text, const std::string& header) {
+  const auto begin = text.find("[" + header + "]");
+  EXPECT_NE(begin, std::string::npos) << header;
+  return text.substr(0, begin) + text.substr(std::min(text.size(), text.find("\n[", begin) + 1));
+}
+
+inline std::string csv(const Scene& scene) { return scene.run().poses().csv(); }
 
 }  // namespace genu::api

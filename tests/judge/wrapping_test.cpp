@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "corrupted.h"
+#include "support/crank_scene.h"
 #include "support/scenes.h"
 
 namespace genu {
@@ -15,25 +16,8 @@ using ::testing::Contains;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// A crank whose cord winds over an egg, and a flap that is free.
-const std::string kScene = R"(format = 1
-units = { length = "mm", angle = "deg" }
-[body.frame]
-fixed = true
-[body.crank]
-[joint.hinge]
-type = "revolute"
-parent = "frame"
-child = "crank"
-axis = [0, 0, 1]
-[body.flap]
-[joint.flap]
-type = "revolute"
-parent = "frame"
-child = "flap"
-axis = [0, 0, 1]
-stiffness = 1
-[surface.egg]
+/// A crank whose cord winds over an egg.
+const std::string kScene = test::crank_scene(R"([surface.egg]
 body = "frame"
 shape = "ellipsoid"
 radii = [12, 9, 15]
@@ -47,7 +31,7 @@ reference_strain = 0.05
 [[step]]
 prescribe = { "hinge.angle" = [20, -35] }
 increments = 10
-)";
+)");
 
 const Corrupted& cranked() {
   static const Corrupted run = [] {

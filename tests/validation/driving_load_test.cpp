@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/units.h"
+#include "support/crank_scene.h"
 #include "support/knee_scene.h"
 #include "support/scene_model.h"
 #include "support/scenes.h"
@@ -17,27 +18,9 @@ namespace {
 
 constexpr double kCrank = 40, kMast = 60, kForce = 20;  // mm, mm, N
 
-/// A crank about z with a force on its end, in the world, and a cable from its end to the top of a mast over the hinge.
-/// (The flap is there because something has to be free.)
+/// The crank with a force on its end, in the world, and a cable from its end to the top of a mast over the hinge.
 std::string crane(const std::string& steps) {
-  return R"(format = 1
-units = { length = "mm", angle = "deg" }
-[body.frame]
-fixed = true
-[body.crank]
-[joint.hinge]
-type = "revolute"
-parent = "frame"
-child = "crank"
-axis = [0, 0, 1]
-[body.flap]
-[joint.flap]
-type = "revolute"
-parent = "frame"
-child = "flap"
-axis = [0, 0, 1]
-stiffness = 1
-[load.down]
+  return crank_scene(R"([load.down]
 body = "crank"
 point = [40, 0, 0]
 force = [0, -20, 0]
@@ -45,7 +28,7 @@ force = [0, -20, 0]
 from = { body = "frame", point = [0, 60, 0] }
 to = { body = "crank", point = [40, 0, 0] }
 magnitude = 5
-)" + steps;
+)" + steps);
 }
 
 /// mm: of the cable about the hinge, positive where it lifts the crank.

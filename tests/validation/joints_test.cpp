@@ -1,4 +1,4 @@
-// Joints other than the knee (meshes/joints): what the first lines of each scene say is right of it.
+// Joints other than the knee (meshes/joints): the expected results in the first lines of each scene.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
 #include "motion_scene.h"
+#include "support/crank_scene.h"
 #include "support/data.h"
 #include "support/knee_scene.h"
 #include "support/scenes.h"
@@ -20,31 +21,13 @@ using test::table_of;
 
 constexpr double kRadius = 10;  // mm
 
-/// A crank about z that winds a cord over a rod at its axis. (The flap is there because something has to be free.)
+/// A crank that winds a cord over a rod at its axis.
 std::string crank(const std::string& cord, const std::string& step) {
-  return R"(format = 1
-units = { length = "mm", angle = "deg" }
-[body.frame]
-fixed = true
-[body.crank]
-[joint.hinge]
-type = "revolute"
-parent = "frame"
-child = "crank"
-axis = [0, 0, 1]
-[body.flap]
-[joint.flap]
-type = "revolute"
-parent = "frame"
-child = "flap"
-axis = [0, 0, 1]
-stiffness = 1
-[surface.rod]
+  return test::crank_scene(R"([surface.rod]
 body = "frame"
 shape = "cylinder"
 radius = 10
-)" + cord +
-         "[[step]]\n" + step;
+)" + cord + "[[step]]\n" + step);
 }
 
 const std::string kCord = R"([ligament.cord]

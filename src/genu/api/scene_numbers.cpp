@@ -113,8 +113,18 @@ std::size_t take_out_ligaments(genu::Scene& scene, const std::string& pattern) {
 /// Loads, which steps name by their index.
 std::size_t take_out_loads(genu::Scene& scene, const std::string& pattern) {
   const std::vector<int> index = kept(scene, scene.loads, pattern, "load");
+  const auto gone = [&](int load) { return index[at(load)] < 0; };
+  for (const StepDef& step : scene.steps)
+    for (const StepDef::Prescribed& p : step.prescribe)
+      if (!p.drivers.empty() && std::all_of(p.drivers.begin(), p.drivers.end(), gone))
+        refuse(Code::conflict, "without", with_quotes(pattern),
+               "would leave nothing that holds " + quantity_name(scene, p.coordinate) + ", which a step drives");
   for (StepDef& step : scene.steps) {
-    std::erase_if(step.factors, [&](const StepDef::Factor& f) { return index[at(f.load)] < 0; });
+    for (StepDef::Prescribed& p : step.prescribe) {
+      std::erase_if(p.drivers, gone);
+      for (int& driver : p.drivers) driver = index[at(driver)];
+    }
+    std::erase_if(step.factors, [&](const StepDef::Factor& f) { return gone(f.load); });
     for (StepDef::Factor& f : step.factors) f.load = index[at(f.load)];
   }
   return take_out(scene.loads, index);

@@ -22,7 +22,7 @@ class Table {
   /// One number a row, NaN where the cell is empty. Valid as long as any copy of this table. Throws SceneError for a
   /// name that is none, or a column of words.
   std::span<const double> numbers(const std::string& column) const;
-  /// One word a row; numbers as they stand in csv().
+  /// One word a row; numbers as in csv().
   std::vector<std::string> words(const std::string& column) const;
 
   /// As the program writes it: 17 significant digits, empty cells.

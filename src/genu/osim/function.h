@@ -1,4 +1,4 @@
-// OpenSim's functions of one coordinate, as far as joints, couplers and moving points of a path have them.
+// OpenSim's functions of one coordinate: of joints, couplers and moving points of paths.
 #pragma once
 
 #include <vector>

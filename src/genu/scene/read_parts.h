@@ -16,6 +16,8 @@ void read_ligaments(ReadContext& context, Section& root);
 void read_bundles(ReadContext& context, Section& root);  ///< after the ligaments
 void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
+/// `drive` of a step whose `prescribe` and `load` are known: one load, a list, or a table of either by coordinate.
+void read_drive(ReadContext& context, const Item& item, StepDef& step);
 void read_solver(ReadContext& context, Section& root);
 void read_plausible(ReadContext& context, Section& root);
 void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read

@@ -94,6 +94,14 @@ std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnosti
                      "laxity needs a free joint whose tibia moves: fix the femur instead"));
     return std::nullopt;
   }
+  if (!scene.steps.empty())
+    for (const StepDef::Prescribed& p : scene.steps.back().prescribe)
+      if (!p.drivers.empty()) {
+        out.add(error_at({scene.file, scene.steps.back().where}, Code::not_applicable, "drive", {},
+                         "laxity needs loads of known size, and the last step searches the factor of " +
+                             scene.loads[at(p.drivers.front())].name + ": give it in `load`"));
+        return std::nullopt;
+      }
   const double side = axes.right ? 1 : -1;
   LoadDef drawer = on_tibia("laxity_drawer", axes), varus = on_tibia("laxity_varus", axes),
           rotation = on_tibia("laxity_rotation", axes), compression = on_tibia("laxity_compression", axes);

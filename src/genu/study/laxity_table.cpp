@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Flush round-off: what is prescribed is a round number.
+/// Flush round-off: a prescribed value is a round number.
 double degrees(double angle) { return std::round(1e9 * to::kDegree * angle) / 1e9; }
 
 /// The other motions of a pose from the neutral one, in the unit and sign of the columns.
@@ -352,7 +352,8 @@ Chart laxity_chart(const LaxityResult& result, const LaxityChoice& choice, const
     for (const LaxityAngle& angle : s.angles) {
       const LaxityCurve* curve = curve_of(angle, test);
       if (curve == nullptr) continue;
-      ChartSeries forth{fmt::format("{:g} deg", degrees(angle.flexion)), {}}, back{forth.name + ", unloading", {}};
+      const std::string name = fmt::format("{:g} deg", degrees(angle.flexion));
+      ChartSeries forth{name, {}}, back{name + ", unloading", {}};
       for (const double load : chart.x) {
         forth.y.push_back(displacement(*curve, curve->at(load)));
         const auto same = [&](const LaxityRow& row) { return std::abs(row.load - load) <= kSameLoad * test.load; };
