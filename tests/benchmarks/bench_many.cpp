@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -48,6 +49,8 @@ using namespace genu;
 
 constexpr int kChunks = 64;  // results are summed chunk by chunk, in this order on any number of cores
 constexpr int kBank = 97;    // laws of each spring to draw from
+
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
 double resident_mb() {
   std::ifstream in("/proc/self/statm");
@@ -208,7 +211,7 @@ int main(int argc, char** argv) {
   fmt::print("two cores    {:7.2f} s  {:6.2f} us a pose, efficiency {:.2f}\n", two.seconds,
              1e6 * two.seconds / static_cast<double>(poses), one.seconds / (2 * two.seconds));
   fmt::print("allocations in the loops {} and {}, memory grown by {:.1f} MB\n", on_one, on_two, grown);
-  const bool same = std::memcmp(&one.sum, &two.sum, sizeof one.sum) == 0 && one.solved == two.solved;
+  const bool same = bits(one.sum) == bits(two.sum) && one.solved == two.solved;
   fmt::print("{}\n", same ? "the same on one core and on two, to the last bit" : "one core and two DIFFER");
   return same && on_one == 0 && on_two == 0 && one.solved > poses / 2 && grown < 5 ? 0 : 1;
 }

@@ -115,7 +115,7 @@ TEST(WholeKnee, QuadricepsAloneCarryThePatellaWhereItIsPublished) {
     }
     std::printf("%s\n", scene == text ? "tibia loaded as published" : "tibia not loaded");
     differences.print();
-    for (const std::string& name : places) EXPECT_LT(differences.largest(name), scene == text ? 0.5 : 2);
+    for (const std::string& name : places) EXPECT_LT(differences.largest(name), scene == text ? 0.6 : 2);
     for (const std::string& name : angles) EXPECT_LT(differences.largest(name), scene == text ? 0.7 : 3.5);
   }
 }
@@ -164,10 +164,11 @@ std::pair<std::size_t, std::size_t> solved_rows(const std::string& text) {
 TEST(WholeKnee, EveryShippedOneIsSolved) {
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-patella-cart_shift.stl");
   GENU_NEEDS_DATA("ssm/mean_Patella_Cartilage.ply");
-  for (const std::string scene :
-       {"lenhart2015_whole/scene-rigid", "lenhart2015_whole/scene-isometric", "clouthier2019/mean",
-        "clouthier2019/S001", "clouthier2019/S002", "clouthier2019/mean-rigid", "clouthier2019/S001-rigid"}) {
-    const auto [ok, rows] = solved_rows(replaced(scene_text(scene), "increments = 90", "increments = 18"));
+  for (const std::string scene : {"lenhart2015_whole/scene-rigid", "lenhart2015_whole/scene-isometric",
+                                  "clouthier2019/mean", "clouthier2019/S001", "clouthier2019/S002",
+                                  "clouthier2019/mean-rigid", "clouthier2019/S001-rigid", "clouthier2019/S002-rigid"}) {
+    const auto [ok, rows] = solved_rows(replaced(replaced(scene_text(scene), "increments = 90", "increments = 18"),
+                                                 "increments = 80", "increments = 20"));
     EXPECT_EQ(ok, rows) << scene;
     EXPECT_GE(rows, 19u) << scene;
   }
