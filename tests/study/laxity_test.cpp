@@ -83,7 +83,7 @@ std::string crooked(double y) {
                                              spring_between("behind", at(25, -2, -19), at(0, 1, 0), 4, 24));
 }
 
-LaxityChoice choice_of(std::vector<LaxityTest> tests, std::vector<double> degrees = {0}) {
+LaxityChoice choice_of(std::vector<LaxityTest> tests, const std::vector<double>& degrees = {0}) {
   LaxityChoice choice;
   choice.tests = std::move(tests);
   for (const double angle : degrees) choice.flexions.push_back(units::kDegree * angle);

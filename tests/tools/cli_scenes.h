@@ -86,7 +86,7 @@ inline Outcome shell(const std::string& command) {
 /// Runs `genu ARGUMENTS`; longer than 120 s counts as a hang (exit code 124). Whatever does not end well ends with what
 /// to do next.
 inline Outcome genu(const std::string& arguments) {
-  const Outcome done = shell("timeout 120 " + genu::test::program() + " " + arguments);
+  Outcome done = shell("timeout 120 " + genu::test::program() + " " + arguments);
   if (done.exit_code >= 1 && done.exit_code <= 3) {
     EXPECT_EQ(last_line(done.err).rfind("what to do: ", 0), 0u) << "genu " << arguments << "\n" << done.err;
   }

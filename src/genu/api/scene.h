@@ -88,7 +88,7 @@ class Scene {
   void set(const std::string& pattern, double value);
   void set(const std::string& pattern, std::span<const double> values);
   /// Replaces the law of a ligament. Sensitivities to its numbers are then refused.
-  void set_law(const std::string& ligament, Law law);
+  void set_law(const std::string& ligament, const Law& law);
   /// This scene without the ligaments, contacts and loads whose names, or bundles, match ("ACL*", "ligament.ACL*").
   [[nodiscard]] Scene without(const std::string& pattern) const;
 

@@ -157,7 +157,7 @@ void Scene::set(const std::string& pattern, std::span<const double> values) {
   inside_->forget();
 }
 
-void Scene::set_law(const std::string& ligament, Law law) {
+void Scene::set_law(const std::string& ligament, const Law& law) {
   const std::vector<std::string> known = ligaments();
   if (std::find(known.begin(), known.end(), ligament) == known.end())
     refuse(Code::unknown_name, "ligament", with_quotes(ligament),

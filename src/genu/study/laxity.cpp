@@ -161,7 +161,7 @@ class Tester {
     made.rows = rows_of(own, test, flexion, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
     // A path that ended before it came back to zero has not seen the other direction.
-    if (ended.empty() || made.rows.empty() || made.rows.size() > static_cast<std::size_t>(2 * n)) return made;
+    if (ended.empty() || made.rows.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n)) return made;
     ended.clear();
     const auto back = rows_of(own, test, flexion, {{0, -full, n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
