@@ -13,7 +13,7 @@ namespace genu {
 namespace {
 
 /// The knee off its solution: a random twist, forces and multiplier.
-State shaken(const JointModel& model, State state, std::mt19937& random) {
+State shaken(const JointModel& model, const State& state, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Correction change;
   change.resize(1, static_cast<int>(state.multipliers.size()), static_cast<int>(state.contacts.size()));

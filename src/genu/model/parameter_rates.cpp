@@ -54,7 +54,8 @@ void add_weight_rate(const PlacedScene& scene, const JointModel& model, const St
 }
 
 /// The spring of the joint at 1 less that at 0 of the number: the change by the number.
-JointSpring spring_change(JointDef def, const Parameter& parameter) {
+JointSpring spring_change(const JointDef& joint, const Parameter& parameter) {
+  JointDef def = joint;
   double& number = kind_of(def).numbers[at(parameter.number)].values(def)[parameter.component];
   number = 0;
   const JointSpring zero = make_spring(def, parameter.object);

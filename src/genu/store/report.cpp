@@ -149,7 +149,7 @@ std::string column_of_title(const std::string& title) {
 
 /// What the curves are over; where they are over rows, the prescribed coordinate that changes most, angles first.
 std::string main_coordinate(const Prepared& p, const ResultTable& poses, const Chart& chart) {
-  if (const std::string column = column_of_title(chart.x_title); poses.has_column(column)) return column;
+  if (std::string column = column_of_title(chart.x_title); poses.has_column(column)) return column;
   std::string best;
   std::pair<bool, double> most{false, 0};
   for (const StepPlan& step : p.steps)
