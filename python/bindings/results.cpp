@@ -52,10 +52,17 @@ in the frame of the body that a column names. Results stay valid when their scen
           "where "
           "a pose was not found.")
       .def("summary", &api::Results::summary_json, "The text of summary.json.")
-      .def("report", &api::Results::report, py::arg("file"), py::call_guard<py::gil_scoped_release>(),
-           "Writes the page that shows the joint in a browser, all in one file. SceneError where it cannot be written, "
-           "or "
-           "for given poses.");
+      .def(
+          "report",
+          [](const api::Results& r, const py::object& file) {
+            const auto path = py::module_::import("os").attr("fspath")(file).cast<std::string>();
+            const py::gil_scoped_release free;
+            r.report(path);
+          },
+          py::arg("file"),
+          "Writes the page that shows the joint in a browser, all in one file. SceneError where it cannot be written, "
+          "or "
+          "for given poses.");
   py::class_<api::Sensitivity, std::shared_ptr<api::Sensitivity>>(
       module, "Sensitivity", R"(Derivatives of columns of results to numbers of a scene, exact, at every pose.
 

@@ -75,14 +75,22 @@ struct GivenPoses {
   }
 };
 
+bool holds_words(const py::handle& column) {
+  const auto kind = py::module_::import("numpy").attr("asarray")(column).attr("dtype").attr("kind").cast<std::string>();
+  return kind == "U" || kind == "S" || kind == "O";
+}
+
 GivenPoses poses_from(SharedScene& scene, const py::object& given, const std::optional<std::string>& units) {
   GivenPoses out;
   out.poses.units = units.value_or("");
+  if (py::isinstance<api::Results>(given)) return poses_from(scene, given.attr("table")(), units);
   if (py::hasattr(given, "keys")) {
-    const auto* table = py::isinstance<api::Table>(given) ? given.cast<const api::Table*>() : nullptr;
     for (const py::handle& key : given.attr("keys")()) {
       const auto name = py::str(key).cast<std::string>();
-      if (table == nullptr || !table->has_words(name)) out.add(name, given[key]);  // as `status` of an earlier run
+      if (name == "status")
+        for (const py::handle& word : given[key]) out.poses.status.push_back(py::str(word).cast<std::string>());
+      else if (!holds_words(given[key]))  // as `stability` of an earlier run
+        out.add(name, given[key]);
     }
     return out;
   }
@@ -220,7 +228,7 @@ Ctrl-C raises KeyboardInterrupt.)";
 constexpr char kEvaluateDoc[] =
     R"(Forces and contacts at given poses, as `genu evaluate` does: nothing is solved.
 
-poses: a dict or DataFrame of columns of one length, named as in results.csv ("knee.flexion_deg"), as the scene or as
+poses: Results of a run; a dict or DataFrame of columns of one length, named as in results.csv ("knee.flexion_deg"), as the scene or as
 OpenSim names the coordinates, also `time` (s) and LOAD.factor; or an array of shape (rows, len(scene.coordinates)).
 units: of columns whose names do not say theirs, "deg,mm"; else rad and m.
 The residual columns (BODY.residual_force_x_N, ...) hold what each moving body lacks to balance.
@@ -244,8 +252,9 @@ constexpr char kResidualDoc[] =
     R"(For a solver of your own: what drives each coordinate, shape (n,), N m of rotations and N of translations.
 
 q: the values of scene.coordinates, shape (n,), rad and m. factors: of loads by name, 1 where none is given. time: s, for
-loads that change with it. The sum of ligaments, cartilage, loads, weights and joint springs; 0 at an equilibrium.
-SceneError for a scene with rigid contacts (their forces are unknowns) and at a gimbal pose; ValueError for another shape.)";
+loads that change with it. The sum of ligaments, cartilage, loads, weights and joint springs; 0 at an equilibrium, for a
+prescribed coordinate minus its reaction. SceneError for a scene with rigid contacts (their forces are unknowns), at a gimbal
+pose, and where the factor of a load that drives is not given; ValueError for another shape.)";
 
 constexpr char kStiffnessDoc[] =
     R"(-d residual / dq, exact, shape (n, n): N m/rad, N m/m, N/rad and N/m. Symmetric where all forces have a potential,

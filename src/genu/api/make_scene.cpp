@@ -52,7 +52,9 @@ Scene load(const std::string& file, const std::map<std::string, Triangles>& mesh
 Scene parse(const std::string& text, const std::string& file, const std::map<std::string, Triangles>& meshes) {
   Diagnostics out;
   auto read = parse_scene(text, file, out);
-  return scene_of(std::move(read), meshes, std::make_shared<MeshLibrary>(), out);
+  auto library = std::make_shared<MeshLibrary>();
+  library->files().put(file, text);
+  return scene_of(std::move(read), meshes, std::move(library), out);
 }
 
 Scene make(const NewScene& asked) {

@@ -41,6 +41,7 @@ Results results_of(std::shared_ptr<Ready> ready, Solution solution, std::vector<
   inside->verdict = to_string(solution.summary.verdict_class);
   inside->changes = std::move(changes);
   inside->solution = std::move(solution);
+  inside->solution.summary.changed.words = inside->changes;
   return Results(std::move(inside));
 }
 
@@ -54,6 +55,7 @@ Results results_of(std::shared_ptr<Ready> ready, std::vector<PoseRecord> records
   inside->changes = std::move(changes);
   inside->records = std::move(records);
   inside->solution.summary = std::move(summary);
+  inside->solution.summary.changed.words = inside->changes;
   return Results(std::move(inside));
 }
 

@@ -47,6 +47,8 @@ struct Poses {
   std::vector<std::string> names;
   std::vector<std::span<const double>> columns;
   std::string units = {};  ///< "deg,mm": of columns whose names do not say it; else rad and m
+  /// Of rows of earlier results, with their columns step and increment: rows that were not solved are left out.
+  std::vector<std::string> status = {};
 };
 
 /// Loads at a pose that is not part of a run.
@@ -106,8 +108,8 @@ class Scene {
   /// The values of coordinates() where the search for equilibrium starts: rad, m.
   std::vector<double> start() const;
   /// For a solver of your own: what drives each of coordinates(), N m of rotations and N of translations, at their
-  /// values `q` (rad, m); 0 at equilibrium. Of ligaments, cartilage, loads, weights and joint springs. A scene with
-  /// rigid contacts is refused: their forces are unknowns.
+  /// values `q` (rad, m); 0 at equilibrium, for a prescribed coordinate minus its reaction. Of ligaments, cartilage,
+  /// loads, weights and joint springs. A scene with rigid contacts is refused: their forces are unknowns.
   std::vector<double> residual(std::span<const double> q, const Loading& loading = {}) const;
   /// -d residual / dq, exact: positive definite at a stable equilibrium.
   Matrix stiffness(std::span<const double> q, const Loading& loading = {}) const;

@@ -51,6 +51,7 @@ std::shared_ptr<Ready> Scene::Inside::assembled() {
   std::optional<Prepared> made;
   if (!shares_base()) {
     made = prepared(out)->prepared;
+    warnings = problems_of(out);
     made->model.meter = std::make_shared<EffectMeter>();
   } else {
     made = with_scene(base->prepared, source, out);

@@ -51,7 +51,10 @@ std::string fault_of(SceneTables& scene, const Parameter& p) {
   if (const NumberRow* row = parameter_row(scene, p))
     if (std::string why = row->fault(value); !why.empty()) return why;
   if (!std::isfinite(value)) return "must be finite";
-  if (p.kind == Kind::slack_length && !(value > 0)) return "must be > 0 mm";
+  if (p.kind == Kind::slack_length && !(value > 0)) {
+    const bool without_length = value == 0 && scene.ligaments[at(p.object)].law == "spring";
+    if (!without_length) return "must be > 0 mm";
+  }
   if (p.kind == Kind::reference_strain && !(value > -1)) return "must be > -1";
   if (p.kind == Kind::damping && !(value >= 0)) return "must be >= 0";
   return fault_of_object(scene, p);

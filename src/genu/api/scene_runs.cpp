@@ -45,10 +45,12 @@ PoseFile file_of(const Poses& poses) {
   file.path = "poses";
   file.names.line = 1;
   for (const std::string& name : poses.names) file.names.cells.push_back({name, 1});
+  if (!poses.status.empty()) file.names.cells.push_back({"status", 1});
   const std::size_t rows = poses.columns.empty() ? 0 : poses.columns.front().size();
   for (std::size_t r = 0; r < rows; ++r) {
     PoseFile::Row row{static_cast<int>(r) + 2, {}};
     for (const auto& column : poses.columns) row.cells.push_back({fmt::format("{}", column[r]), 1});
+    if (!poses.status.empty()) row.cells.push_back({poses.status[r], 1});
     file.rows.push_back(std::move(row));
   }
   return file;
@@ -59,6 +61,10 @@ void check_shape(const Poses& poses) {
     refuse(Code::wrong_form, "poses", {},
            fmt::format("have {} names and {} columns", poses.names.size(), poses.columns.size()));
   if (poses.columns.empty() || poses.columns.front().empty()) refuse(Code::missing_key, "poses", {}, "have no row");
+  if (!poses.status.empty() && poses.status.size() != poses.columns.front().size())
+    refuse(Code::wrong_form, "poses", "\"status\"",
+           fmt::format("has {} rows, and {} has {}", poses.status.size(), poses.names.front(),
+                       poses.columns.front().size()));
   for (std::size_t k = 0; k < poses.names.size(); ++k)
     if (poses.columns[k].size() != poses.columns.front().size())
       refuse(Code::wrong_form, "poses", with_quotes(poses.names[k]),
@@ -172,6 +178,13 @@ std::vector<double> factors_of(const Prepared& prepared, const Loading& loading)
       refuse(Code::out_of_range, "factors." + name, fmt::format("{}", factor), "must be finite");
     factors[static_cast<std::size_t>(place - known.begin())] = factor;
   }
+  for (const StepDef& step : prepared.scene.steps)
+    for (const StepDef::Prescribed& p : step.prescribe)
+      for (const int driver : p.drivers)
+        if (const std::string& name = known[at(driver)]; !loading.factors.contains(name))
+          refuse(Code::missing_key, "factors." + name, {},
+                 "is needed: the load drives " + quantity_name(prepared.scene, p.coordinate) +
+                     ", so its factor is an unknown of every pose");
   return factors;
 }
 

@@ -12,6 +12,7 @@
 #include "genu/appraise/layer_verdict.h"
 #include "genu/appraise/overload.h"
 #include "genu/appraise/verdict.h"
+#include "genu/core/timer.h"
 
 namespace genu {
 namespace {
@@ -60,6 +61,7 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
   s.worst_residual = solved.path.worst_residual;
   s.exit_code = solved.complete() ? kExitOk : kExitIncomplete;
   if (s.poses_solved == 0 && !s.partial) s.bearable_loads = bearable_loads(prepared, field, newton);
+  const Timer timer;
   s.locations = locate_contacts(prepared, solved.records);
   s.verdict = verdict_sentences(prepared, solved.records, solved.events, s);
   s.seconds.emplace_back("solving", solved.seconds);
@@ -73,6 +75,7 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
   std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
   for (std::string& sentence : implausible(prepared, solved.records, poses)) doubts.push_back(std::move(sentence));
   classify(doubts, !prepared.facing.empty(), s);
+  s.seconds.emplace_back("appraising", timer.seconds());
   return s;
 }
 

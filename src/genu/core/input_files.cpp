@@ -35,6 +35,13 @@ std::shared_ptr<const std::string> InputFiles::bytes(const std::string& path) {
   return read(path).bytes;
 }
 
+void InputFiles::put(const std::string& path, std::string bytes) {
+  const std::lock_guard lock(mutex_);
+  File& file = files_[path];
+  file.bytes = std::make_shared<const std::string>(std::move(bytes));
+  file.checksum = genu::checksum(*file.bytes);
+}
+
 std::optional<FileChecksum> InputFiles::checksum(const std::string& path) {
   const std::lock_guard lock(mutex_);
   return read(path).checksum;

@@ -17,6 +17,9 @@ class InputFiles {
   /// The bytes of a regular file, read whole at the first call for its path; null where that fails.
   std::shared_ptr<const std::string> bytes(const std::string& path);
 
+  /// Gives a file its bytes: the one of that path is not opened.
+  void put(const std::string& path, std::string bytes);
+
   /// Of the bytes that were read; reads the file where nobody has asked for it yet. Empty where that fails.
   std::optional<FileChecksum> checksum(const std::string& path);
 

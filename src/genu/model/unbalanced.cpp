@@ -1,6 +1,6 @@
 #include "genu/model/unbalanced.h"
 
-#include "genu/model/coordinate_forces.h"
+#include "genu/model/generalised_forces.h"
 #include "genu/model/layer_levels.h"
 
 namespace genu {

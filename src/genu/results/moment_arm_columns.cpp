@@ -1,7 +1,7 @@
 #include "genu/results/moment_arm_columns.h"
 
 #include "genu/core/units.h"
-#include "genu/model/coordinate_forces.h"
+#include "genu/model/generalised_forces.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
 

@@ -106,6 +106,12 @@ std::string to_text(const RunSummary::BodyFacts& b) {
       I(1, 2));
 }
 
+double seconds_of(const RunSummary& summary, const std::string& stage) {
+  for (const auto& [name, seconds] : summary.seconds)
+    if (name == stage) return seconds;
+  return 0;
+}
+
 const char* to_string(RunSummary::Class verdict) {
   constexpr const char* kWords[] = {"solved", "doubtful", "not_solved"};
   return kWords[static_cast<int>(verdict)];
@@ -119,7 +125,7 @@ std::string to_json(const RunSummary& s) {
   j["files"] = ordered_json::array();
   for (const auto& f : s.files)
     j["files"].push_back({{"path", f.path}, {"bytes", f.checksum.bytes}, {"xxh128", f.checksum.xxh128}});
-  if (!s.changed.asked.empty())
+  if (!s.changed.asked.empty() || !s.changed.words.empty())
     j["changes"] = {{"without", s.changed.asked.without}, {"set", s.changed.asked.set}, {"applied", s.changed.words}};
   if (s.results)
     j["results"] = {

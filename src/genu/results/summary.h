@@ -128,6 +128,9 @@ struct RunSummary {
   int exit_code = 0;
 };
 
+/// s: of a stage of RunSummary::seconds; 0 where there is none.
+double seconds_of(const RunSummary& summary, const std::string& stage);
+
 /// "solved", "doubtful", "not_solved"
 const char* to_string(RunSummary::Class verdict);
 

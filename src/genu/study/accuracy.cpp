@@ -211,7 +211,7 @@ int run_accuracy(const std::string& path, const std::optional<std::string>& fold
       out.add(error_at({}, Code::unknown_name, "--target", unit, "no output of this scene has this unit"));
   if (out.has_errors()) return kExitRefused;
   report.stages = prepared->seconds;
-  report.stages.push_back(own.summary.seconds.back());
+  report.stages.emplace_back("solving", seconds_of(own.summary, "solving"));
   int code = report.chosen < 0 ? kExitIncomplete : kExitOk;
   if (!folder) return code;
   own.folder = folder_for(*folder, options, own.summary);

@@ -24,7 +24,7 @@ bool solve_once(Trial& trial, const RunOptions& options, double most, Solution* 
   trial.solved = solution.summary.poses_solved;
   trial.asked = solution.summary.poses_asked;
   if (trial.solved > 0) {
-    trial.seconds.push_back(solution.summary.seconds.back().second / trial.solved);  // "solving"
+    trial.seconds.push_back(seconds_of(solution.summary, "solving") / trial.solved);
     for (std::size_t k = 0; k < kAccuracyEffects; ++k)
       trial.effects[k].push_back(effect_seconds(*trial.prepared, k) / trial.solved);
   }

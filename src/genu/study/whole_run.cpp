@@ -44,7 +44,9 @@ std::optional<Solution> solve_all(const Prepared& prepared, const RunOptions& op
   const double search_seconds = timer.seconds();
   Solution found = solve(prepared, field, options);
   if (refused_for_flaws(prepared, found, out)) return std::nullopt;
-  found.summary.seconds.insert(found.summary.seconds.end() - 1, {"preparing contact search", search_seconds});
+  auto& stages = found.summary.seconds;
+  stages.insert(std::find_if(stages.begin(), stages.end(), [](const auto& s) { return s.first == "solving"; }),
+                {"preparing contact search", search_seconds});
   if (!found.stopped.empty()) return found;
   found.stopped = stop_of([&] {
     if (options.starts > 0) {
