@@ -47,11 +47,7 @@ class Planner {
 
  private:
   void add_point(const PathPoint& point, std::size_t number) {
-    const auto placed = skeleton_.frame(point.frame);
-    if (!placed) {
-      plan_.problem = "has a point on no frame of the model";
-      return;
-    }
+    const PlacedFrame placed = skeleton_.frame(point.frame);
     if (point.condition) {
       const double q = skeleton_.value(point.condition->coordinate);
       if (skeleton_.moves(point.condition->coordinate))
@@ -69,7 +65,7 @@ class Planner {
           plan_.remarks.push_back(fmt::format(
               "its point {} moves with {} in the model, here it is fixed as at the pose of the import", point.name, c));
       }
-    plan_.points.push_back({skeleton_.rigid_body(placed->body), skeleton_.in_rigid(*placed) * location});
+    plan_.points.push_back({skeleton_.rigid_body(placed.body), skeleton_.in_rigid(placed) * location});
     numbers_.push_back(static_cast<int>(number) + 1);
   }
 
@@ -124,9 +120,8 @@ PathPlan plan_path(const Model& model, const Skeleton& skeleton, const GeometryP
 }
 
 PlacedWrap place_wrap(const Skeleton& skeleton, const WrapObject& object) {
-  const auto placed = skeleton.frame(object.body);
-  if (!placed) return {0, {}};
-  return {skeleton.rigid_body(placed->body), skeleton.in_rigid(*placed) * object.X_body_wrap};
+  const PlacedFrame placed = skeleton.frame(object.frame);
+  return {skeleton.rigid_body(placed.body), skeleton.in_rigid(placed) * object.X_body_wrap};
 }
 
 }  // namespace genu::osim

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/osim/frames.h"
 #include "genu/osim/read_parts.h"
 
 namespace genu::osim {
@@ -107,11 +108,10 @@ void read_joint(const FileReader& reader, const XmlElement& e, Model& model) {
   joint.type = e.tag;
   joint.name = e.name();
   joint.where = e.where;
-  joint.parent = p.socket("parent_frame");
-  joint.child = p.socket("child_frame");
-  if (const XmlElement* frames = e.child("frames"))
-    for (const XmlElement& frame : frames->children)
-      if (frame.tag == "PhysicalOffsetFrame") read_offset_frame(reader, frame, joint.name, {}, model);
+  const std::string path = "/jointset/" + joint.name;
+  for (const char* list : {"frames", "components"}) read_offset_frames(reader, e, list, path, model);
+  joint.parent = frame_path(model, p.socket("parent_frame"), path);
+  joint.child = frame_path(model, p.socket("child_frame"), path);
   rest(joint);
   read_coordinates(reader, e, joint);
   const auto plain = std::find_if(std::begin(kPlainJoints), std::end(kPlainJoints),

@@ -116,9 +116,9 @@ void write_bodies(SceneDraft& draft) {
   draft.text += "# --- Bodies: one for all that the imported joints do not move in each other ---\n";
   for (int i = 0; at(i) < draft.skeleton.bodies().size(); ++i) write_body(draft, i);
   for (const OffsetFrame& f : draft.model.frames)
-    if (const auto placed = draft.skeleton.frame(f.name, f.owner))
-      draft.outcomes.frozen(f.where, "body." + draft.body_name(draft.skeleton.rigid_body(placed->body)),
-                            "a fixed place in a body: points are given in the body itself");
+    draft.outcomes.frozen(f.where,
+                          "body." + draft.body_name(draft.skeleton.rigid_body(draft.skeleton.frame(f.path).body)),
+                          "a fixed place in a body: points are given in the body itself");
 }
 
 void write_joints(SceneDraft& draft) {
