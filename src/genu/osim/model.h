@@ -43,8 +43,9 @@ struct OffsetFrame {
 
 struct Coordinate {
   std::string name;
-  double default_value = 0;
+  double default_value = 0;  ///< prescribed: the value of its function at time 0
   bool locked = false;
+  bool prescribed = false;  ///< by a function of time
   SourceLocation where;
 };
 
@@ -72,6 +73,7 @@ struct Joint {
 struct Coupler {
   std::string name, independent, dependent;
   Function function;
+  bool enforced = true;
   SourceLocation where;
 };
 

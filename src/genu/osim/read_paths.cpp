@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "genu/osim/frames.h"
@@ -5,6 +8,8 @@
 
 namespace genu::osim {
 namespace {
+
+constexpr const char* kQuadrants[] = {"", "all", "x", "+x", "-x", "y", "+y", "-y", "z", "+z", "-z"};
 
 PathPoint::Moving read_moving(const FileReader& reader, const XmlElement& e) {
   const PropertyReader p(reader, e);
@@ -89,6 +94,8 @@ bool read_wrap_object(const FileReader& reader, const XmlElement& e, const std::
   w.active = p.flag("active", true);
   w.X_body_wrap = p.placement("xyz_body_rotation", "translation");
   w.quadrant = p.word("quadrant", "all");
+  if (std::find(std::begin(kQuadrants), std::end(kQuadrants), w.quadrant) == std::end(kQuadrants))
+    p.refuse(Code::unknown_name, p.where("quadrant"), "quadrant", w.quadrant, "must be all, x, -x, y, -y, z or -z");
   w.where = e.where;
   if (e.tag == "WrapEllipsoid") {
     w.kind = WrapObject::Kind::ellipsoid;

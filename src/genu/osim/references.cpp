@@ -86,10 +86,11 @@ class References {
   void chains_of_couplers() {
     std::map<std::string, const Coupler*> driver;
     for (const Coupler& c : model_.couplers)
-      if (!driver.emplace(c.dependent, &c).second)
+      if (c.enforced && !driver.emplace(c.dependent, &c).second)
         refuse(Code::duplicate, named(c), c.where, c.dependent,
                "is driven by " + driver[c.dependent]->name + " too: one coordinate, one coupler");
     for (const Coupler& c : model_.couplers) {
+      if (!c.enforced) continue;
       std::string at = c.independent;
       for (std::size_t steps = 0; steps < driver.size() && at != c.dependent && driver.count(at) > 0; ++steps)
         at = driver[at]->independent;

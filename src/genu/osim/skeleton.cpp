@@ -57,6 +57,18 @@ bool Skeleton::moves(const std::string& coordinate) const {
   });
 }
 
+const Coupler* Skeleton::driver_of(const std::string& coordinate) const {
+  for (const Coupler& c : model_->couplers)
+    if (c.enforced && c.dependent == coordinate) return &c;
+  return nullptr;
+}
+
+bool Skeleton::follows_what_moves(const std::string& coordinate) const {
+  const Coupler* driver = driver_of(coordinate);
+  while (driver != nullptr && !moves(driver->independent)) driver = driver_of(driver->independent);
+  return driver != nullptr;
+}
+
 bool Skeleton::moves_joint(const std::string& joint) const {
   return std::any_of(joints_.begin(), joints_.end(),
                      [&](const MovingJoint& j) { return model_->joints[at(j.joint)].name == joint; });
@@ -93,11 +105,10 @@ bool Skeleton::link_joints(Diagnostics& out) {
 double Skeleton::settled(const std::string& coordinate, const CoordinateValues& values) const {
   std::vector<const Coupler*> chain;
   std::string first = coordinate;
-  const auto drives = [&](const Coupler& c) { return c.dependent == first; };
   while (values.count(first) == 0 && !moves(first)) {
-    const auto driver = std::find_if(model_->couplers.begin(), model_->couplers.end(), drives);
-    if (driver == model_->couplers.end()) break;
-    chain.push_back(&*driver);
+    const Coupler* driver = driver_of(first);
+    if (driver == nullptr) break;
+    chain.push_back(driver);
     first = driver->independent;
   }
   double found = value(first);
@@ -111,7 +122,8 @@ void Skeleton::settle_values(const CoordinateValues& values) {
   for (const auto& [name, value] : values)
     if (const auto known = values_.find(name); known != values_.end()) known->second = value;
   CoordinateValues driven;
-  for (const Coupler& c : model_->couplers) driven[c.dependent] = settled(c.dependent, values);
+  for (const Coupler& c : model_->couplers)
+    if (c.enforced) driven[c.dependent] = settled(c.dependent, values);
   for (const auto& [name, value] : driven) values_[name] = value;
 }
 

@@ -43,6 +43,8 @@ class Skeleton {
   double value(const std::string& coordinate) const;
   /// Whether a coordinate belongs to a joint that moves.
   bool moves(const std::string& coordinate) const;
+  /// Whether a coordinate is driven, through couplers, by one that moves.
+  bool follows_what_moves(const std::string& coordinate) const;
   bool moves_joint(const std::string& joint) const;
 
   /// A frame of the model by its path.
@@ -66,6 +68,7 @@ class Skeleton {
   bool link_joints(Diagnostics& out);
   void settle_values(const CoordinateValues& values);
   double settled(const std::string& coordinate, const CoordinateValues& values) const;
+  const Coupler* driver_of(const std::string& coordinate) const;
   bool choose_joints(const std::vector<std::string>& names, Diagnostics& out);
   bool place_bodies(Diagnostics& out);
   void unite_bodies();

@@ -71,7 +71,7 @@ std::string file_of(const SceneDraft& draft, const std::string& file) {
 void write_surface(SceneDraft& draft, const ContactMesh& mesh) {
   const PlacedFrame placed = draft.skeleton.frame(mesh.frame);
   const Pose X = draft.skeleton.in_rigid(placed) * mesh.X_frame_mesh;
-  const std::string name = draft.surfaces.of(mesh.name);
+  const std::string name = draft.surfaces.of(mesh.where, mesh.name);
   draft.text += fmt::format("{}\n[surface.{}]\nbody = \"{}\"\nshape = \"mesh\"\nfile = {}\nunits = \"m\"\n",
                             source_comment("Smith2018ContactMesh", mesh.name, mesh.where), name,
                             draft.body_name(draft.skeleton.rigid_body(placed.body)), file_of(draft, mesh.file));
@@ -92,13 +92,14 @@ void write_surface(SceneDraft& draft, const ContactMesh& mesh) {
 }
 
 void write_contact(SceneDraft& draft, const ContactForce& force, const Pair& pair) {
-  const std::string name = draft.contacts.of(force.name), casting = draft.surfaces.of(pair.casting->name);
+  const std::string name = draft.contacts.of(force.where, force.name),
+                    casting = draft.surfaces.of(pair.casting->where, pair.casting->name);
   const double modulus = modulus_of(force, pair) / units::kMegapascal;
   draft.text += fmt::format(
       "{}\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"cartilage\"\nmodulus = {}\npoisson = {}\nlaw = \"{}\"\n"
       "quadrature = \"triangles\"\ncast_from = \"{}\"\nrim = \"cut\"\nsearch_depth = {}\n\n",
       source_comment("Smith2018ArticularContactForce", force.name, force.where), name,
-      draft.surfaces.of(pair.target->name), casting, number_text(modulus),
+      draft.surfaces.of(pair.target->where, pair.target->name), casting, number_text(modulus),
       number_text((pair.target->poisson + pair.casting->poisson) / 2), force.logarithmic ? "logarithmic" : "linear",
       casting, number_text(force.most_depth * to::kMillimetre));
   draft.outcomes.kept(force.where, "contact." + name, remark_on(force, pair));
