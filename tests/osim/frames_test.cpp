@@ -10,7 +10,7 @@ namespace {
 using osim::find_frame;
 using osim::frame_path;
 
-constexpr int kFemur = 1, kTibia = 2, kGround = 4;
+constexpr int kFemur = 1, kTibia = 2, kGroundBody = 4;
 
 /// Where the origin of a frame is, and in which body: {-1} for none.
 std::pair<int, Vec3> origin(const osim::Model& model, const std::string& path) {
@@ -23,7 +23,7 @@ TEST(Frames, ArePlacesInBodies) {
   EXPECT_EQ(origin(model, "/bodyset/tibia_r"), std::pair(kTibia, Vec3(0, 0, 0)));
   EXPECT_EQ(origin(model, "/bodyset/tibia_r/plateau_frame"), std::pair(kTibia, Vec3(0, -0.031, 0)));
   EXPECT_EQ(origin(model, "/jointset/knee_r/femur_offset"), std::pair(kFemur, Vec3(0, -0.4, 0)));
-  EXPECT_EQ(origin(model, "/ground").first, kGround);
+  EXPECT_EQ(origin(model, "/ground").first, kGroundBody);
 }
 
 TEST(Frames, AreFoundByTheirWholePath) {

@@ -226,6 +226,11 @@ TEST(ImportScene, NamesThatCollideAreToldApart) {
 TEST(ImportScene, SomethingIsAlwaysFree) {
   const Imported ankle(leg_text(), {"ankle_r"});
   EXPECT_TRUE(ankle.scene.steps.at(0).prescribe.empty());
+  const Imported idle(leg_with("</coordinates>",
+                               "<Coordinate name=\"idle\"><locked>true</locked></Coordinate></coordinates>",
+                               "CustomJoint name=\"knee_r\""));
+  EXPECT_EQ(idle.scene.steps.at(0).prescribe.size(), 2u);
+  EXPECT_TRUE(contains(idle.row("Coordinate", "idle"), "left out,,moves nothing"));
   std::string text = leg_text();
   for (std::size_t at = text.find("name=\"knee_flex_r\""), end = text.find("<frames>", at); at < end; ++at)
     if (text.compare(at, 16, "</default_value>") == 0) {

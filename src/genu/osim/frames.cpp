@@ -5,8 +5,8 @@
 namespace genu::osim {
 namespace {
 
-const std::string kGround = "/ground";
-const std::string kBodySet = "/bodyset/";
+constexpr const char* kGroundPath = "/ground";
+constexpr const char* kBodyPaths = "/bodyset/";
 
 const OffsetFrame* offset_frame(const Model& model, const std::string& path) {
   const auto found =
@@ -36,7 +36,7 @@ std::string frame_path(const Model& model, const std::string& socket, const std:
   const std::string inside = without_dots(owner + "/" + socket);
   if (socket.starts_with('.') || socket.find('/') != std::string::npos) return inside;
   if (offset_frame(model, inside) != nullptr) return inside;
-  return socket == "ground" ? kGround : kBodySet + socket;
+  return socket == "ground" ? kGroundPath : kBodyPaths + socket;
 }
 
 std::optional<PlacedFrame> find_frame(const Model& model, const std::string& path) {
@@ -48,9 +48,9 @@ std::optional<PlacedFrame> find_frame(const Model& model, const std::string& pat
       at = &offset->parent;
       continue;
     }
-    const auto body =
-        std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& b) { return *at == kBodySet + b.name; });
-    if (body == model.bodies.end() && *at != kGround) return std::nullopt;
+    const auto body = std::find_if(model.bodies.begin(), model.bodies.end(),
+                                   [&](const Body& b) { return *at == kBodyPaths + b.name; });
+    if (body == model.bodies.end() && *at != kGroundPath) return std::nullopt;
     placed.body = static_cast<int>(body - model.bodies.begin());
     return placed;
   }

@@ -19,10 +19,12 @@ std::string columns_of(SceneDraft& draft) {
   std::vector<std::string> columns;
   for (const MovingJoint& moving : draft.skeleton.joints()) {
     const Joint& joint = draft.model.joints[at(moving.joint)];
-    for (const Coordinate& c : joint.coordinates)
-      if (moving.kind == MovingJoint::Kind::revolute || short_coordinate(c.name, joint.name) == c.name ||
-          draft.short_name(joint, c.name) != short_coordinate(c.name, joint.name))
+    for (const Coordinate& c : joint.coordinates) {
+      const std::string known = short_coordinate(c.name, joint.name);
+      const bool revolute = moving.kind == MovingJoint::Kind::revolute;
+      if (moving.has(c.name) && (revolute || known == c.name || draft.short_name(joint, c.name) != known))
         columns.push_back(draft.coordinate_name(c.name) + "=" + c.name);
+    }
   }
   return joined(columns);
 }

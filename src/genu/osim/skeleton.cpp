@@ -52,9 +52,7 @@ double Skeleton::value(const std::string& coordinate) const {
 }
 
 bool Skeleton::moves(const std::string& coordinate) const {
-  return std::any_of(joints_.begin(), joints_.end(), [&](const MovingJoint& j) {
-    return model_->joints[at(j.joint)].coordinate(coordinate) != nullptr;
-  });
+  return std::any_of(joints_.begin(), joints_.end(), [&](const MovingJoint& j) { return j.has(coordinate); });
 }
 
 const Coupler* Skeleton::driver_of(const std::string& coordinate) const {

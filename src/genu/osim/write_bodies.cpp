@@ -106,6 +106,7 @@ std::set<std::string> held_coordinates(const SceneDraft& draft) {
   const std::string leading = leading_coordinate(draft);
   for (const MovingJoint& moving : draft.skeleton.joints())
     for (const Coordinate& c : draft.model.joints[at(moving.joint)].coordinates) {
+      if (!moving.has(c.name)) continue;
       ++all;
       if (c.locked || c.prescribed) held.push_back(c.name);
     }
@@ -153,7 +154,7 @@ std::string SceneDraft::short_name(const Joint& joint, const std::string& coordi
 std::string SceneDraft::coordinate_name(const std::string& coordinate) {
   for (const MovingJoint& moving : skeleton.joints()) {
     const Joint& joint = model.joints[at(moving.joint)];
-    if (joint.coordinate(coordinate) == nullptr) continue;
+    if (!moving.has(coordinate)) continue;
     const bool angle = moving.kind == MovingJoint::Kind::revolute;
     return joint_name(joint) + "." + (angle ? "angle" : short_name(joint, coordinate));
   }
@@ -188,8 +189,13 @@ void write_joints(SceneDraft& draft) {
     free ? write_free(draft, moving, joint) : write_revolute(draft, moving);
     draft.text += "\n";
     draft.outcomes.kept(joint.where, "joint." + name);
-    for (const Coordinate& c : joint.coordinates)
+    for (const Coordinate& c : joint.coordinates) {
+      if (!moving.has(c.name)) {
+        draft.outcomes.left_out(c.where, "moves nothing");
+        continue;
+      }
       draft.outcomes.kept(c.where, draft.coordinate_name(c.name), "", remark_on(c, held.count(c.name) > 0));
+    }
   }
   for (const Joint& joint : draft.model.joints)
     if (!draft.skeleton.moves_joint(joint.name)) tell_frozen(draft, joint);
