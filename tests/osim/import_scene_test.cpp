@@ -279,6 +279,7 @@ TEST(ImportScene, WhatWouldActIsAWarning) {
   EXPECT_TRUE(contains(leg.row("CoordinateLimitForce", "stop"), "left out,,WARNING: would push a coordinate back"));
   EXPECT_EQ(leg.load("hamstring").value, 0);
   EXPECT_TRUE(contains(leg.row("Thelen2003Muscle", "hamstring"), "WARNING: it would push with 30 N"));
+  EXPECT_TRUE(contains(leg.imported.summary.back(), "kept          Thelen2003Muscle hamstring: "));
 }
 
 }  // namespace

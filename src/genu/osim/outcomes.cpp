@@ -110,6 +110,9 @@ std::vector<std::string> outcome_summary(const std::vector<Item>& items, const O
     const std::string why = g.outcome->reason.empty() ? "" : ": " + g.outcome->reason;
     lines.push_back(fmt::format("{:<8} {:>4} {} ({}){}", word_of(g.outcome->fate), g.names.size(), g.type, names, why));
   }
+  for (const Item& item : items)  // of one element alone, which its group does not say
+    if (const Outcome& o = outcomes.of(item.where); o.detail.find("WARNING") != std::string::npos)
+      lines.push_back(fmt::format("{:<8}      {} {}: {}", word_of(o.fate), item.type, item.name, o.detail));
   return lines;
 }
 
