@@ -127,6 +127,9 @@ TEST(PathPlan, WrapsComeBetweenThePointsNearestToThem) {
 TEST(PathPlan, ThatNamesNothingIsAProblem) {
   const Leg lost(leg_with("<wrap_object>condyles", "<wrap_object>condylus"));
   EXPECT_TRUE(contains(lost.muscle(1).problem, "wraps round condylus"));
+  const Leg alike(leg_with("\"ring\"", "\"condyles\""));
+  EXPECT_EQ(alike.muscle(1).wraps.size(), 1u);
+  EXPECT_TRUE(contains(alike.muscle(1).remarks.at(0), "condyles: the first is taken, of /bodyset/femur_r"));
   const Leg inactive(leg_with("<wrap_object>condyles", "<wrap_object>ring"));
   EXPECT_TRUE(inactive.muscle(1).problem.empty());
   EXPECT_TRUE(inactive.muscle(1).wraps.empty());

@@ -112,12 +112,15 @@ class Planner {
   }
 
   void add_wrap(const PathWrap& wrap) {
-    const auto object = std::find_if(model_.wraps.begin(), model_.wraps.end(),
-                                     [&](const WrapObject& w) { return w.name == last_name(wrap.object); });
+    const auto called = [&](const WrapObject& w) { return w.name == last_name(wrap.object); };
+    const auto object = std::find_if(model_.wraps.begin(), model_.wraps.end(), called);
     if (object == model_.wraps.end()) {
       plan_.problem = "wraps round " + wrap.object + ", which is no wrap object that genu has";
       return;
     }
+    if (std::any_of(object + 1, model_.wraps.end(), called))
+      plan_.remarks.push_back("WARNING: several wrap objects are called " + object->name + ": the first is taken, of " +
+                              object->frame);
     if (!object->active) {
       plan_.remarks.push_back("its wrap object " + object->name + " is not active in the model");
       return;
