@@ -195,5 +195,92 @@ TEST(ImportScene, NamesThatAreNoKeysAreMade) {
   EXPECT_EQ(Imported(text).scene.joints[0].rotations[2].name, "___x__y_");
 }
 
+/// Changes of the model in which two elements of one kind of table have one name.
+TEST(ImportScene, NamesThatCollideAreToldApart) {
+  const auto with = [](std::initializer_list<std::pair<const char*, const char*>> changes) {
+    std::string text = leg_text();
+    for (const auto& [from, to] : changes)
+      for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += std::string(to).size())
+        text.replace(at, std::string(from).size(), to);
+    return text;
+  };
+  const Imported mesh(with({{"\"medial edge\"", "\"plateau\""}, {">medial edge<", ">plateau<"}}));
+  EXPECT_EQ(mesh.surface("plateau").shape, SurfaceDef::Shape::mesh);
+  EXPECT_EQ(mesh.surface("plateau_2").shape, SurfaceDef::Shape::ellipsoid);
+  EXPECT_EQ(mesh.scene.surfaces[at(mesh.ligament("MCL1").wraps.at(0).surface)].name, "plateau_2");
+  const Imported force(with({{"PathSpring name=\"capsule\"", "PathSpring name=\"LCL1\""}}));
+  EXPECT_EQ(force.ligament("LCL1").law, "blankevoort");
+  EXPECT_EQ(force.ligament("LCL1_2").law, "linear");
+  const Imported load(with({{"Force name=\"varus_spring\"", "Force name=\"hamstring\""}}));
+  EXPECT_TRUE(load.load("hamstring_2").scale.has_value());
+  const Imported nameless(with({{"<PathSpring name=\"capsule\">", "<PathSpring>"},
+                                {"<PointToPointSpring name=\"spring\">", "<PointToPointSpring>"}}));
+  EXPECT_EQ(nameless.ligament("_").law, "linear");
+  EXPECT_EQ(nameless.ligament("__2").law, "spring");
+  const Imported coordinate(with({{"knee_rot_r", "flex"}}));
+  EXPECT_EQ(coordinate.scene.joints[0].rotations[0].name, "knee_flex_r");
+  EXPECT_EQ(coordinate.scene.joints[0].rotations[2].name, "flex");
+  EXPECT_EQ(coordinate.imported.columns, "knee_r.knee_flex_r=knee_flex_r, knee_r.flex=flex");
+}
+
+TEST(ImportScene, SomethingIsAlwaysFree) {
+  const Imported ankle(leg_text(), {"ankle_r"});
+  EXPECT_TRUE(ankle.scene.steps.at(0).prescribe.empty());
+  const Imported idle(leg_with("</coordinates>",
+                               "<Coordinate name=\"idle\"><locked>true</locked></Coordinate></coordinates>",
+                               "CustomJoint name=\"knee_r\""));
+  EXPECT_EQ(idle.scene.steps.at(0).prescribe.size(), 2u);
+  EXPECT_TRUE(contains(idle.row("Coordinate", "idle"), "left out,,moves nothing"));
+  std::string text = leg_text();
+  for (std::size_t at = text.find("name=\"knee_flex_r\""), end = text.find("<frames>", at); at < end; ++at)
+    if (text.compare(at, 16, "</default_value>") == 0) {
+      text.insert(at + 16, "<locked>true</locked>");
+      end += 21;
+    }
+  text.erase(text.find("<locked>true</locked><locked>"), 21);
+  const Imported locked(text);
+  EXPECT_EQ(locked.scene.steps.at(0).prescribe.size(), 5u);
+  EXPECT_TRUE(contains(locked.row("Coordinate", "knee_tz_r"), "kept,knee_r.tz,\"WARNING: fixed in the model, free"));
+  EXPECT_TRUE(contains(locked.row("Coordinate", "knee_ty_r"), "locked in the model: prescribed in the step"));
+}
+
+TEST(ImportScene, PrescribedCoordinatesKeepTheirValue) {
+  const std::string value = "<default_value>0</default_value>";
+  const Imported leg(leg_with(value,
+                              value + "<prescribed>true</prescribed><prescribed_function><Constant><value>0.7</value>"
+                                      "</Constant></prescribed_function>",
+                              "Coordinate name=\"knee_rot_r\""));
+  EXPECT_EQ(leg.scene.steps.at(0).prescribe.size(), 3u);
+  EXPECT_TRUE(contains(leg.imported.text, "\"knee_r.rot\" = 40.1070456592"));
+  EXPECT_TRUE(contains(leg.row("Coordinate", "knee_rot_r"), "prescribed by a function of time in the model"));
+}
+
+TEST(ImportScene, SaysWhatCouplersWouldDo) {
+  const auto row = [](const std::string& text) {
+    return Imported(text).row("CoordinateCouplerConstraint", "ankle_follows_hip");
+  };
+  const std::string independent = "<independent_coordinate_names>", dependent = "<dependent_coordinate_name>";
+  EXPECT_TRUE(contains(row(leg_text()), "frozen,,both coordinates are held"));
+  const std::string moving = leg_with(independent + "hip_flex_r", independent + "knee_flex_r");
+  EXPECT_TRUE(contains(row(moving), "frozen,,WARNING: in the"));
+  EXPECT_TRUE(
+      contains(row(leg_with(dependent + "ankle_angle_r", dependent + "knee_rot_r")), "left out,,WARNING: would"));
+  EXPECT_TRUE(contains(row(leg_with("<isEnforced>true", "<isEnforced>false")), "left out,,is not enforced"));
+  const std::string chain = leg_with("</objects>\n    </ConstraintSet>",
+                                     leg_coupler("knee_flex_r", "hip_flex_r") + "</objects></ConstraintSet>");
+  EXPECT_TRUE(contains(row(chain), "WARNING: in the model its dependent coordinate follows one that moves"));
+}
+
+TEST(ImportScene, WhatWouldActIsAWarning) {
+  osim::SceneRequest request;
+  request.tensions["hamstring"] = -30;
+  const Imported leg(leg_with("<HuntCrossleyForce name=\"heel\"", "<CoordinateLimitForce name=\"stop\""), {"knee_r"},
+                     {}, request);
+  EXPECT_TRUE(contains(leg.row("CoordinateLimitForce", "stop"), "left out,,WARNING: would push a coordinate back"));
+  EXPECT_EQ(leg.load("hamstring").value, 0);
+  EXPECT_TRUE(contains(leg.row("Thelen2003Muscle", "hamstring"), "WARNING: it would push with 30 N"));
+  EXPECT_TRUE(contains(leg.imported.summary.back(), "kept          Thelen2003Muscle hamstring: "));
+}
+
 }  // namespace
 }  // namespace genu::test

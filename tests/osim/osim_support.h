@@ -33,6 +33,15 @@ inline osim::Model model_of(const std::string& text) {
   return model.value_or(osim::Model());
 }
 
+/// A coupler: dependent = 0.5 + independent.
+inline std::string leg_coupler(const std::string& independent, const std::string& dependent) {
+  return "<CoordinateCouplerConstraint name=\"" + dependent +
+         "_follows\"><coupled_coordinates_function><LinearFunction><coefficients>1 0.5</coefficients></LinearFunction>"
+         "</coupled_coordinates_function><independent_coordinate_names>" +
+         independent + "</independent_coordinate_names><dependent_coordinate_name>" + dependent +
+         "</dependent_coordinate_name></CoordinateCouplerConstraint>";
+}
+
 inline osim::Model leg() { return model_of(leg_text()); }
 
 /// The first message about a text that is refused; empty, with a failure, where it is not.

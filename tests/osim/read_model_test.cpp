@@ -42,6 +42,21 @@ TEST(ReadModel, TakesWhatIsMissingFromTheDefaults) {
   EXPECT_EQ(model_of(leg_with("<transition_strain>0.05</transition_strain>", "")).ligaments[0].transition_strain, 0.06);
 }
 
+TEST(ReadModel, PrescribedCoordinatesHaveTheValueOfTheirFunction) {
+  const std::string course =
+      "<prescribed>true</prescribed><prescribed_function><LinearFunction><coefficients>1 0.7</coefficients>"
+      "</LinearFunction></prescribed_function>";
+  const auto hip = [](const std::string& more) {
+    const std::string value = "<default_value>0</default_value>";
+    return model_of(leg_with(value, value + more, "Coordinate name=\"hip_flex_r\"")).joints[1].coordinates[0];
+  };
+  EXPECT_TRUE(hip(course).prescribed);
+  EXPECT_EQ(hip(course).default_value, 0.7);
+  EXPECT_EQ(hip(course + "<locked>true</locked>").default_value, 0);
+  EXPECT_FALSE(hip("<prescribed>true</prescribed><prescribed_function/>").prescribed);
+  EXPECT_FALSE(hip("<prescribed>false" + course.substr(16)).prescribed);
+}
+
 TEST(ReadModel, ListsEveryElementOnceInOrder) {
   const osim::Model m = leg();
   int markers = 0, coordinates = 0, wraps = 0;
@@ -93,6 +108,7 @@ TEST(ReadModel, RefusesWrongValuesWithTheirPlace) {
       {"SimmSpline", "GCVSpline", "<MultiplierFunction", ""},
       {"<PinJoint", "<ScrewJoint", "", ""},
       {"true</active>", "yes</active>", "", "must be true or false"},
+      {"<quadrant>-x", "<quadrant>x+", "", "must be all, x, -x, y, -y, z or -z"},
       {"<dimensions>0.02 0.015", "<dimensions>0.02 0", "", "must be > 0"},
       {"<socket_parent_frame>/bodyset/femur_r", "<socket_parent_frame>", "LCL1-P1", "is missing"},
       {"<wrap_object>medial edge</wrap_object>", "", "", "wrap_object: is missing"},

@@ -16,11 +16,14 @@ TEST(SceneWords, NumbersHaveTwelveDigitsAndNoMinusZero) {
 
 TEST(SceneWords, NamesAreKeysAndDiffer) {
   SceneNames names;
-  EXPECT_EQ(names.of("tibia_r"), "tibia_r");
-  EXPECT_EQ(names.of("medial edge"), "medial_edge");
-  EXPECT_EQ(names.of("medial.edge"), "medial_edge_2");
-  EXPECT_EQ(names.of("medial edge"), "medial_edge");
-  for (const char* odd : {"", "3rd", "-x", "a\"b", "\xc3\xa4", "a\nb"}) EXPECT_TRUE(is_name(names.of(odd))) << odd;
+  EXPECT_EQ(names.of({1, 1}, "tibia_r"), "tibia_r");
+  EXPECT_EQ(names.of({2, 1}, "medial edge"), "medial_edge");
+  EXPECT_EQ(names.of({3, 1}, "medial.edge"), "medial_edge_2");
+  EXPECT_EQ(names.of({3, 7}, "medial edge"), "medial_edge_3");  // another element of that name
+  EXPECT_EQ(names.of({2, 1}, "medial edge"), "medial_edge");
+  int line = 4;
+  for (const char* odd : {"", "", "3rd", "-x", "a\"b", "\xc3\xa4", "a\nb"})
+    EXPECT_TRUE(is_name(names.of({++line, 1}, odd))) << odd;
 }
 
 TEST(SceneWords, CoordinatesLoseTheNameOfTheirJoint) {

@@ -85,6 +85,18 @@ TEST_F(ImportsTheLeg, WithTheTensionsOfARow) {
   EXPECT_TRUE(test::contains(text, "magnitude = 0"));
 }
 
+TEST_F(ImportsTheLeg, AtOneMomentOfBothFiles) {
+  ModelImport import = asked();
+  import.pose = folder_.write("states.sto", "s\nendheader\ntime\thip_flex_r\n0\t0\n0.01\t0.1\n");
+  import.forces = folder_.write("forces.sto", "f\nendheader\ntime\thamstring\n5\t10\n0.0100000001\t-20\n");
+  const std::string text = refused(import);
+  EXPECT_TRUE(test::contains(text, "forces.sto:4:1: time = 5: is not the time of row 1 of " + import.pose + ", 0"))
+      << text;
+  import.row = 2;
+  EXPECT_TRUE(test::contains(written(import), "[load.hamstring]"));
+  EXPECT_TRUE(test::contains(test::read_file(folder_ / "leg/import.csv"), "WARNING: it would push with 20 N"));
+}
+
 TEST_F(ImportsTheLeg, OnlyWhereNothingIs) {
   fs::create_directory(folder_ / "leg");
   folder_.write("leg/notes.txt", "mine");
@@ -92,6 +104,7 @@ TEST_F(ImportsTheLeg, OnlyWhereNothingIs) {
   EXPECT_FALSE(import_model(asked(), out).has_value());
   EXPECT_TRUE(out.has_errors());
   EXPECT_EQ(test::read_file(folder_ / "leg/notes.txt"), "mine");
+  EXPECT_TRUE(test::contains(to_string(out.items().front()), "leg: has content, so it will not be replaced"));
 }
 
 TEST_F(ImportsTheLeg, UnlessMeshesAreMissing) {

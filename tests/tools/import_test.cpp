@@ -31,6 +31,7 @@ TEST(CliImport, RefusesWithThePlace) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(contains(refused.err, "leg.osim:")) << refused.err;
   EXPECT_TRUE(contains(refused.err, "Body tibia_r.mass = x: \"x\" is no finite number")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "what to do: correct the model there")) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "leg"));
   EXPECT_EQ(genu("import " + model + " --row 2 --out " + (folder / "leg")).exit_code, 2);
   EXPECT_EQ(genu("import " + model + " --out ''").exit_code, 2);

@@ -56,9 +56,17 @@ std::string advice_on_place(const Diagnostic& problem, const std::string& comman
   return advice_on_command(command, kRefused);
 }
 
+/// What to do about an error in a model of OpenSim.
+std::string advice_on_model(const Diagnostic& problem) {
+  if (problem.code == Code::no_such_file) return "name the folder of the model's meshes with --geometry";
+  return "correct the model there, in OpenSim or in an editor; docs/opensim.md says what genu reads and what it "
+         "refuses";
+}
+
 }  // namespace
 
 std::string advice_on(const Diagnostic& problem, const std::string& command) {
+  if (problem.line > 0 && problem.file.ends_with(".osim")) return advice_on_model(problem);
   const std::string by_code = advice_on_code(problem.code);
   return by_code.empty() ? advice_on_place(problem, command) : by_code;
 }

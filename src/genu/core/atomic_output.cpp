@@ -65,7 +65,8 @@ MayBeFault why_not_of_kind(const fs::path& target, const std::string& kind) {
   const auto list = read_file_list(target);
   const std::string another = " will not be replaced: choose another folder";
   const std::string other =
-      list ? ": holds genu's " + list->kind : ": has content that genu did not list as its " + kind;
+      list ? ": holds genu's " + list->kind
+           : ": has content" + (kind.empty() ? std::string() : " that genu did not list as its " + kind);
   if (!list || list->kind != kind) return Fault{Code::would_overwrite, target.string() + other + ", so it" + another};
   if (const fs::path closed = read_only_folder(target); !closed.empty())
     return Fault{Code::cannot_write, closed.string() + ": is read-only, so it" + another};

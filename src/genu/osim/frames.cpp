@@ -5,46 +5,54 @@
 namespace genu::osim {
 namespace {
 
-/// The part of a path before its last one: "knee_r" of "/jointset/knee_r/tibia_offset".
-std::string owner_in(const std::string& path) {
-  const std::size_t end = path.rfind('/');
-  if (end == std::string::npos || end == 0) return {};
-  return last_name(path.substr(0, end));
+constexpr const char* kGroundPath = "/ground";
+constexpr const char* kBodyPaths = "/bodyset/";
+
+const OffsetFrame* offset_frame(const Model& model, const std::string& path) {
+  const auto found =
+      std::find_if(model.frames.begin(), model.frames.end(), [&](const OffsetFrame& f) { return f.path == path; });
+  return found == model.frames.end() ? nullptr : &*found;
 }
 
-const OffsetFrame* offset_frame(const Model& model, const std::string& name, const std::string& owner) {
-  const OffsetFrame* any = nullptr;
-  for (const OffsetFrame& f : model.frames) {
-    if (f.name != name) continue;
-    if (f.owner == owner) return &f;
-    if (any == nullptr) any = &f;
+/// A path without "." and "..".
+std::string without_dots(const std::string& path) {
+  std::string out;
+  for (std::size_t from = 0; from < path.size();) {
+    const std::size_t slash = std::min(path.find('/', from), path.size());
+    const std::string part = path.substr(from, slash - from);
+    if (part == "..")
+      out.resize(out.empty() ? 0 : out.rfind('/'));
+    else if (!part.empty() && part != ".")
+      out += "/" + part;
+    from = slash + 1;
   }
-  return any;
+  return out;
 }
 
 }  // namespace
 
-std::optional<PlacedFrame> find_frame(const Model& model, const std::string& path, const std::string& owner) {
+std::string frame_path(const Model& model, const std::string& socket, const std::string& owner) {
+  if (socket.starts_with('/')) return without_dots(socket);
+  const std::string inside = without_dots(owner + "/" + socket);
+  if (socket.starts_with('.') || socket.find('/') != std::string::npos) return inside;
+  if (offset_frame(model, inside) != nullptr) return inside;
+  return socket == "ground" ? kGroundPath : kBodyPaths + socket;
+}
+
+std::optional<PlacedFrame> find_frame(const Model& model, const std::string& path) {
   PlacedFrame placed;
-  std::string at = path, of = owner;
+  const std::string* at = &path;
   for (std::size_t steps = 0; steps <= model.frames.size(); ++steps) {
-    const std::string name = last_name(at), within = owner_in(at);
-    if (name == "ground") {
-      placed.body = static_cast<int>(model.bodies.size());
-      return placed;
+    if (const OffsetFrame* offset = offset_frame(model, *at)) {
+      placed.X_body_frame = offset->X_parent_frame * placed.X_body_frame;
+      at = &offset->parent;
+      continue;
     }
-    const bool in_joint = !within.empty() && within != ".." && within != "bodyset";
-    const OffsetFrame* offset = within == "bodyset" ? nullptr : offset_frame(model, name, in_joint ? within : of);
-    if (offset == nullptr) {
-      const auto body =
-          std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& b) { return b.name == name; });
-      if (body == model.bodies.end()) return std::nullopt;
-      placed.body = static_cast<int>(body - model.bodies.begin());
-      return placed;
-    }
-    placed.X_body_frame = offset->X_parent_frame * placed.X_body_frame;
-    at = offset->parent;
-    of = offset->owner;
+    const auto body = std::find_if(model.bodies.begin(), model.bodies.end(),
+                                   [&](const Body& b) { return *at == kBodyPaths + b.name; });
+    if (body == model.bodies.end() && *at != kGroundPath) return std::nullopt;
+    placed.body = static_cast<int>(body - model.bodies.begin());
+    return placed;
   }
   return std::nullopt;
 }

@@ -13,14 +13,18 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Columns that `genu evaluate` would not find: coordinates whose names do not begin as their joint does.
+/// Columns that `genu evaluate` would not find: coordinates whose names do not begin as their joint does, or that have
+/// another name in the scene.
 std::string columns_of(SceneDraft& draft) {
   std::vector<std::string> columns;
   for (const MovingJoint& moving : draft.skeleton.joints()) {
     const Joint& joint = draft.model.joints[at(moving.joint)];
-    for (const Coordinate& c : joint.coordinates)
-      if (moving.kind == MovingJoint::Kind::revolute || short_coordinate(c.name, joint.name) == c.name)
+    for (const Coordinate& c : joint.coordinates) {
+      const std::string known = short_coordinate(c.name, joint.name);
+      const bool revolute = moving.kind == MovingJoint::Kind::revolute;
+      if (moving.has(c.name) && (revolute || known == c.name || draft.short_name(joint, c.name) != known))
         columns.push_back(draft.coordinate_name(c.name) + "=" + c.name);
+    }
   }
   return joined(columns);
 }
@@ -64,7 +68,7 @@ ImportedScene import_scene(const Model& model, const Skeleton& skeleton, const S
   write_bodies(draft);
   write_joints(draft);
   for (const MovingJoint& moving : skeleton.joints())
-    scene.joints.push_back(draft.joints.of(model.joints[at(moving.joint)].name));
+    scene.joints.push_back(draft.joint_name(model.joints[at(moving.joint)]));
   write_contacts(draft);
   write_paths(draft);
   write_springs(draft);

@@ -70,6 +70,13 @@ std::string why_not_revolute(const Joint& joint, MovingJoint& moving) {
 
 }  // namespace
 
+bool MovingJoint::has(const std::string& coordinate) const {
+  if (kind == Kind::revolute) return coordinate == angle;
+  const auto turns = [&](const Rotation& r) { return r.coordinate == coordinate; };
+  return std::any_of(rotations.begin(), rotations.end(), turns) ||
+         std::find(translations.begin(), translations.end(), coordinate) != translations.end();
+}
+
 bool read_kind(const Joint& joint, MovingJoint& moving, std::string& why_not) {
   moving.kind = MovingJoint::Kind::free;
   const std::string no_free = why_not_free(joint, moving);

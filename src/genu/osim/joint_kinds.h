@@ -25,6 +25,9 @@ struct MovingJoint {
   std::string angle;                        ///< revolute: its coordinate
   Vec3 axis = Vec3::UnitZ();                ///< revolute: in the parent
   Vec3 origin = Vec3::Zero();               ///< revolute: of the child, in the parent
+
+  /// Whether a coordinate is one of the scene's; a model may have others that move nothing.
+  bool has(const std::string& coordinate) const;
 };
 
 /// Whether a joint is one of a scene: a free joint (six free axes, each along a coordinate axis, moved by one

@@ -1,7 +1,8 @@
 // A model of OpenSim 4 as data: what the file says of bodies, joints, paths and contact, in its own units (m, rad, N,
 // kg, Pa), each with its place in the file. Nothing is computed here.
 //
-// Names of other things (sockets) are kept as the file has them: "/bodyset/tibia_r", "femur_r_offset", "/ground".
+// Sockets of frames are paths from the model: "/bodyset/tibia_r", "/jointset/knee_r/femur_r_offset", "/ground"
+// (frames.h).
 #pragma once
 
 #include <array>
@@ -34,16 +35,17 @@ struct Body {
 /// PhysicalOffsetFrame: a frame fixed in another one.
 struct OffsetFrame {
   std::string name;
-  std::string owner;   ///< the joint it is part of; empty: the model or a body
-  std::string parent;  ///< socket
+  std::string path;    ///< its own: "/jointset/knee_r/femur_offset"
+  std::string parent;  ///< path
   Pose X_parent_frame;
   SourceLocation where;
 };
 
 struct Coordinate {
   std::string name;
-  double default_value = 0;
+  double default_value = 0;  ///< prescribed: the value of its function at time 0
   bool locked = false;
+  bool prescribed = false;  ///< by a function of time
   SourceLocation where;
 };
 
@@ -59,7 +61,7 @@ struct Axis {
 /// axes one after the other, translations along the parent's.
 struct Joint {
   std::string type, name;
-  std::string parent, child;  ///< sockets of its two frames
+  std::string parent, child;  ///< paths of its two frames
   std::vector<Coordinate> coordinates;
   std::array<Axis, 3> rotations, translations;
   SourceLocation where;
@@ -71,6 +73,7 @@ struct Joint {
 struct Coupler {
   std::string name, independent, dependent;
   Function function;
+  bool enforced = true;
   SourceLocation where;
 };
 
@@ -78,7 +81,7 @@ struct WrapObject {
   enum class Kind { ellipsoid, cylinder, sphere, torus };
   Kind kind = Kind::sphere;
   std::string type, name;
-  std::string body;  ///< name of the body or frame that has it
+  std::string frame;  ///< path of the body or frame that has it
   bool active = true;
   Pose X_body_wrap;
   std::string quadrant;       ///< "all", or the side it counts on: "x", "-y"

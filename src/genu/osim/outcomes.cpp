@@ -32,7 +32,7 @@ constexpr std::array kKnownKinds = {
     KnownKind{"ContactMesh", "a shape of a contact force that genu does not import"},
     KnownKind{"ContactSphere", "a shape of a contact force that genu does not import"},
     KnownKind{"ContactHalfSpace", "a shape of a contact force that genu does not import"},
-    KnownKind{"CoordinateLimitForce", "would push a coordinate back beyond its limits"},
+    KnownKind{"CoordinateLimitForce", "WARNING: would push a coordinate back beyond its limits"},
     KnownKind{"CoordinateActuator", "would drive a coordinate by a control; a load `on` the coordinate does that"},
     KnownKind{"TorqueActuator", "would drive bodies by a control"},
     KnownKind{"PointActuator", "would drive a body by a control"},
@@ -42,7 +42,8 @@ constexpr std::array kKnownKinds = {
     KnownKind{"ExpressionBasedBushingForce", "WARNING: would hold two frames together by springs"},
     KnownKind{"Ligament",
               "WARNING: would pull by a curve of force over length; a ligament with law = \"table\" does that"},
-    KnownKind{"CoordinateCouplerConstraint", "would make one coordinate follow another; a [combination] does that"},
+    KnownKind{"CoordinateCouplerConstraint",
+              "WARNING: would make one coordinate follow another; a [combination] does that"},
     KnownKind{"PointConstraint", "WARNING: would hold two points together"},
     KnownKind{"WeldConstraint", "WARNING: would hold two frames together"},
 };
@@ -109,6 +110,9 @@ std::vector<std::string> outcome_summary(const std::vector<Item>& items, const O
     const std::string why = g.outcome->reason.empty() ? "" : ": " + g.outcome->reason;
     lines.push_back(fmt::format("{:<8} {:>4} {} ({}){}", word_of(g.outcome->fate), g.names.size(), g.type, names, why));
   }
+  for (const Item& item : items)  // of one element alone, which its group does not say
+    if (const Outcome& o = outcomes.of(item.where); o.detail.find("WARNING") != std::string::npos)
+      lines.push_back(fmt::format("{:<8}      {} {}: {}", word_of(o.fate), item.type, item.name, o.detail));
   return lines;
 }
 

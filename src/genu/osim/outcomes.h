@@ -51,7 +51,8 @@ void settle_the_rest(const std::vector<Item>& items, Outcomes& outcomes);
 /// import.csv: line, set, type, name, fate, in_scene, reason; a row for each element.
 std::string outcome_table(const std::vector<Item>& items, const Outcomes& outcomes);
 
-/// In words, a line for each kind of element and reason: how many, which, and what they would have done.
+/// In words, a line for each kind of element and reason: how many, which, and what they would have done. Then a line
+/// for each element with a WARNING of its own.
 std::vector<std::string> outcome_summary(const std::vector<Item>& items, const Outcomes& outcomes);
 
 }  // namespace genu::osim

@@ -133,6 +133,12 @@ std::string PropertyReader::socket(const char* tag) const {
   return path;
 }
 
+std::string PropertyReader::coordinate(const std::string& prefix) const {
+  const std::string path = word(("socket_" + prefix + "coordinate").c_str());
+  const std::string name = path.empty() ? word((prefix + "coordinate").c_str()) : path;
+  return name.substr(name.rfind('/') + 1);
+}
+
 SourceLocation PropertyReader::where(const char* tag) const {
   const XmlElement* e = find(tag);
   return e == nullptr ? element_.where : e->where;

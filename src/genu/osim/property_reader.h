@@ -34,6 +34,8 @@ class PropertyReader {
   bool flag(const char* tag, bool otherwise) const;
   /// A socket or, in files of early versions of OpenSim 4, a name in its place; an error where there is none.
   std::string socket(const char* tag) const;
+  /// The coordinate that a socket says or, in older files of OpenSim 4, a name in its place; `prefix` is "" or "x_".
+  std::string coordinate(const std::string& prefix = {}) const;
   SourceLocation where(const char* tag) const;
 
   /// The function inside `holder`, an element with one child that is a function; a constant 0 with an error in the

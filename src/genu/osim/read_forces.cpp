@@ -1,3 +1,4 @@
+#include "genu/osim/frames.h"
 #include "genu/osim/read_parts.h"
 
 namespace genu::osim {
@@ -18,7 +19,7 @@ Ligament named(const XmlElement& e, const PropertyReader& p) {
 void read_blankevoort(const FileReader& reader, const XmlElement& e, Model& model) {
   const PropertyReader p(reader, e);
   Ligament l = named(e, p);
-  l.path = read_path(reader, e);
+  l.path = read_path(reader, e, model);
   l.stiffness = p.positive("linear_stiffness");
   l.slack_length = p.positive("slack_length");
   l.transition_strain = p.positive("transition_strain", kTransitionStrain);
@@ -31,7 +32,7 @@ void read_path_spring(const FileReader& reader, const XmlElement& e, Model& mode
   const PropertyReader p(reader, e);
   Ligament l = named(e, p);
   l.law = Ligament::Law::linear;
-  l.path = read_path(reader, e);
+  l.path = read_path(reader, e, model);
   l.slack_length = p.positive("resting_length");
   l.stiffness = p.positive("stiffness") * l.slack_length;
   l.damping = p.number("dissipation", 0);
@@ -48,7 +49,7 @@ void read_point_spring(const FileReader& reader, const XmlElement& e, Model& mod
     p.refuse(Code::out_of_range, p.where("rest_length"), "rest_length", p.word("rest_length"), "must be >= 0 m");
   for (const char* end : {"1", "2"})
     l.path.points.push_back({end,
-                             p.socket((std::string("body") + end).c_str()),
+                             frame_path(model, p.socket((std::string("body") + end).c_str()), "/forceset/" + l.name),
                              p.vector((std::string("point") + end).c_str(), Vec3::Zero()),
                              {},
                              {},
@@ -77,13 +78,13 @@ void read_articular_contact(const FileReader& reader, const XmlElement& e, Model
 
 void read_coordinate_spring(const FileReader& reader, const XmlElement& e, Model& model) {
   const PropertyReader p(reader, e);
-  model.springs.push_back({e.name(), p.word("coordinate"), p.flag("appliesForce", true), p.number("stiffness", 0),
+  model.springs.push_back({e.name(), p.coordinate(), p.flag("appliesForce", true), p.number("stiffness", 0),
                            p.number("rest_length", 0), p.number("viscosity", 0), e.where});
 }
 
 void read_muscle(const FileReader& reader, const XmlElement& e, Model& model) {
   const PropertyReader p(reader, e);
-  model.muscles.push_back({e.tag, e.name(), p.flag("appliesForce", true), read_path(reader, e),
+  model.muscles.push_back({e.tag, e.name(), p.flag("appliesForce", true), read_path(reader, e, model),
                            p.number("max_isometric_force", 0), e.where});
 }
 
@@ -122,7 +123,7 @@ void read_contact_geometry(const FileReader& reader, const XmlElement& e, Model&
   const PropertyReader p(reader, e);
   ContactMesh m;
   m.name = e.name();
-  m.frame = p.socket("frame");
+  m.frame = frame_path(model, p.socket("frame"), "/contactgeometryset/" + m.name);
   m.X_frame_mesh = p.placement("orientation", "location");
   m.file = p.word("mesh_file");
   m.file_where = p.where("mesh_file");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/osim/frames.h"
 #include "genu/osim/read_parts.h"
 
 namespace genu::osim {
@@ -30,7 +31,11 @@ void read_coordinates(const FileReader& reader, const XmlElement& e, Joint& join
   for (const XmlElement& c : list->children) {
     if (c.tag != "Coordinate") continue;
     const PropertyReader p(reader, c);
-    joint.coordinates.push_back({c.name(), p.number("default_value", 0), p.flag("locked", false), c.where});
+    Coordinate coordinate{c.name(), p.number("default_value", 0), p.flag("locked", false), false, c.where};
+    const XmlElement* course = c.child("prescribed_function");
+    coordinate.prescribed = !coordinate.locked && p.flag("prescribed", false) && course && !course->children.empty();
+    if (coordinate.prescribed) coordinate.default_value = p.function(*course)(0);
+    joint.coordinates.push_back(std::move(coordinate));
   }
 }
 
@@ -107,11 +112,10 @@ void read_joint(const FileReader& reader, const XmlElement& e, Model& model) {
   joint.type = e.tag;
   joint.name = e.name();
   joint.where = e.where;
-  joint.parent = p.socket("parent_frame");
-  joint.child = p.socket("child_frame");
-  if (const XmlElement* frames = e.child("frames"))
-    for (const XmlElement& frame : frames->children)
-      if (frame.tag == "PhysicalOffsetFrame") read_offset_frame(reader, frame, joint.name, {}, model);
+  const std::string path = "/jointset/" + joint.name;
+  for (const char* list : {"frames", "components"}) read_offset_frames(reader, e, list, path, model);
+  joint.parent = frame_path(model, p.socket("parent_frame"), path);
+  joint.child = frame_path(model, p.socket("child_frame"), path);
   rest(joint);
   read_coordinates(reader, e, joint);
   const auto plain = std::find_if(std::begin(kPlainJoints), std::end(kPlainJoints),
@@ -130,12 +134,11 @@ void read_joint(const FileReader& reader, const XmlElement& e, Model& model) {
 void read_coupler(const FileReader& reader, const XmlElement& e, Model& model) {
   if (e.tag != "CoordinateCouplerConstraint") return;
   const PropertyReader p(reader, e);
-  if (!p.flag("isEnforced", true)) return;
   const XmlElement* holder = e.child("coupled_coordinates_function");
   Function f = p.function(holder == nullptr ? e : *holder);
   f.scale *= p.number("scale_factor", 1);
-  model.couplers.push_back(
-      {e.name(), p.word("independent_coordinate_names"), p.word("dependent_coordinate_name"), std::move(f), e.where});
+  model.couplers.push_back({e.name(), p.word("independent_coordinate_names"), p.word("dependent_coordinate_name"),
+                            std::move(f), p.flag("isEnforced", true), e.where});
 }
 
 }  // namespace genu::osim

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "genu/core/file_text.h"
+#include "genu/osim/frames.h"
 #include "genu/osim/read_parts.h"
+#include "genu/osim/references.h"
 #include "genu/osim/tolerances.h"
 
 namespace genu::osim {
@@ -29,13 +31,11 @@ Mat3 inertia_of(const PropertyReader& body) {
   return inertia;
 }
 
-/// What a body, the ground or an offset frame carries: frames and wrap objects.
-void read_carried(const FileReader& reader, const XmlElement& e, const std::string& name, Model& model) {
-  if (const XmlElement* parts = e.child("components"))
-    for (const XmlElement& part : parts->children)
-      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, name, model);
+/// What the body, ground or offset frame at `path` carries: frames and wrap objects.
+void read_carried(const FileReader& reader, const XmlElement& e, const std::string& path, Model& model) {
+  read_offset_frames(reader, e, "components", path, model);
   if (const XmlElement* wraps = e.objects_of("WrapObjectSet"))
-    for (const XmlElement& wrap : wraps->children) read_wrap_object(reader, wrap, name, model);
+    for (const XmlElement& wrap : wraps->children) read_wrap_object(reader, wrap, path, model);
 }
 
 void read_body(const FileReader& reader, const XmlElement& e, Model& model) {
@@ -44,7 +44,7 @@ void read_body(const FileReader& reader, const XmlElement& e, Model& model) {
   Body b{e.name(), p.number("mass", 0), p.vector("mass_center", Vec3::Zero()), inertia_of(p), e.where};
   if (b.name.empty()) p.refuse(Code::missing_key, e.where, "name", {}, "is missing");
   if (b.mass < 0) p.refuse(Code::out_of_range, p.where("mass"), "mass", fmt::format("{}", b.mass), "must be >= 0 kg");
-  read_carried(reader, e, b.name, model);
+  read_carried(reader, e, "/bodyset/" + b.name, model);
   model.bodies.push_back(std::move(b));
 }
 
@@ -65,7 +65,10 @@ class UniqueNames {
 };
 
 void refuse_repeated_names(const FileReader& reader, const Model& model) {
-  UniqueNames bodies(reader, "body"), joints(reader, "joint"), coordinates(reader, "coordinate");
+  UniqueNames bodies(reader, "body"), joints(reader, "joint"), coordinates(reader, "coordinate"),
+      frames(reader, "frame"), meshes(reader, "contact mesh");
+  for (const ContactMesh& m : model.contact_meshes) meshes.add(m.name, m.where);
+  for (const OffsetFrame& f : model.frames) frames.add(f.path, f.where);
   for (const Body& b : model.bodies) bodies.add(b.name, b.where);
   for (const Joint& j : model.joints) {
     joints.add(j.name, j.where);
@@ -94,10 +97,8 @@ bool check_version(const XmlElement& root, const std::string& file, Diagnostics&
 
 void read_sets(const FileReader& reader, const XmlElement& e, Model& model) {
   model.gravity = PropertyReader(reader, e).vector("gravity", Vec3(0, -9.80665, 0));
-  if (const XmlElement* ground = e.child("Ground")) read_carried(reader, *ground, "ground", model);
-  if (const XmlElement* parts = e.child("components"))
-    for (const XmlElement& part : parts->children)
-      if (part.tag == "PhysicalOffsetFrame") read_offset_frame(reader, part, {}, {}, model);
+  if (const XmlElement* ground = e.child("Ground")) read_carried(reader, *ground, "/ground", model);
+  read_offset_frames(reader, e, "components", {}, model);
   for_each_member(e, "BodySet", [&](const XmlElement& body) { read_body(reader, body, model); });
   for_each_member(e, "JointSet", [&](const XmlElement& joint) { read_joint(reader, joint, model); });
   for_each_member(e, "ConstraintSet", [&](const XmlElement& one) { read_coupler(reader, one, model); });
@@ -115,13 +116,18 @@ const Coordinate* Joint::coordinate(const std::string& wanted) const {
 
 std::string last_name(const std::string& socket) { return socket.substr(socket.rfind('/') + 1); }
 
-void read_offset_frame(const FileReader& reader, const XmlElement& e, const std::string& owner,
-                       const std::string& holder, Model& model) {
-  const PropertyReader p(reader, e);
-  std::string parent = p.socket("parent");
-  if (parent == ".." && !holder.empty()) parent = holder;
-  model.frames.push_back({e.name(), owner, parent, p.placement("orientation", "translation"), e.where});
-  read_carried(reader, e, e.name(), model);
+void read_offset_frames(const FileReader& reader, const XmlElement& e, const char* tag, const std::string& owner,
+                        Model& model) {
+  const XmlElement* list = e.child(tag);
+  if (list == nullptr) return;
+  for (const XmlElement& frame : list->children) {
+    if (frame.tag != "PhysicalOffsetFrame") continue;
+    const PropertyReader p(reader, frame);
+    const std::string path = owner + "/" + frame.name();
+    model.frames.push_back({frame.name(), path, frame_path(model, p.socket("parent"), path),
+                            p.placement("orientation", "translation"), frame.where});
+    read_carried(reader, frame, path, model);
+  }
 }
 
 std::optional<Model> parse_model(const std::string& text, const std::string& path, Diagnostics& out) {
@@ -146,6 +152,7 @@ std::optional<Model> parse_model(const std::string& text, const std::string& pat
   const FileReader reader{path, element->child("defaults"), out};
   read_sets(reader, *element, model);
   refuse_repeated_names(reader, model);
+  check_references(model, out);
   model.items = items_of(*element);
   if (out.count(Diagnostic::Severity::error) > before) return std::nullopt;
   return model;

@@ -1,31 +1,36 @@
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
+#include "genu/osim/frames.h"
 #include "genu/osim/read_parts.h"
 
 namespace genu::osim {
 namespace {
 
-/// The last part of a socket that names a coordinate, or its name as older files of OpenSim 4 have it.
-std::string coordinate_of(const PropertyReader& p, const std::string& prefix) {
-  const std::string socket = p.word(("socket_" + prefix + "coordinate").c_str());
-  return last_name(socket.empty() ? p.word((prefix + "coordinate").c_str()) : socket);
-}
+constexpr const char* kQuadrants[] = {"", "all", "x", "+x", "-x", "y", "+y", "-y", "z", "+z", "-z"};
 
 PathPoint::Moving read_moving(const FileReader& reader, const XmlElement& e) {
   const PropertyReader p(reader, e);
   PathPoint::Moving moving;
   for (int i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
-    moving.coordinates[at(i)] = coordinate_of(p, axis + "_");
+    moving.coordinates[at(i)] = p.coordinate(axis + "_");
     if (const XmlElement* location = e.child(axis + "_location"))
       moving.functions[at(i)] = PropertyReader(reader, *location).function(*location);
   }
   return moving;
 }
 
-PathPoint read_point(const FileReader& reader, const XmlElement& e) {
+PathPoint read_point(const FileReader& reader, const XmlElement& e, const std::string& path, const Model& model) {
   const PropertyReader p(reader, e);
-  PathPoint point{e.name(), p.socket("parent_frame"), p.vector("location", Vec3::Zero()), {}, {}, e.where};
+  PathPoint point{e.name(),
+                  frame_path(model, p.socket("parent_frame"), path + "/" + e.name()),
+                  p.vector("location", Vec3::Zero()),
+                  {},
+                  {},
+                  e.where};
   if (e.tag == "MovingPathPoint") {
     point.moving = read_moving(reader, e);
   } else if (e.tag == "ConditionalPathPoint") {
@@ -33,7 +38,7 @@ PathPoint read_point(const FileReader& reader, const XmlElement& e) {
     if (range.size() != 2)
       p.refuse(Code::wrong_form, p.where("range"), "range", p.word("range"), "must be two numbers");
     else
-      point.condition = PathPoint::Condition{coordinate_of(p, ""), range[0], range[1]};
+      point.condition = PathPoint::Condition{p.coordinate(), range[0], range[1]};
   } else if (e.tag != "PathPoint") {
     p.refuse(Code::not_built, e.where, {}, {},
              "is a kind of point that genu does not read (it reads PathPoint, ConditionalPathPoint, MovingPathPoint)");
@@ -61,7 +66,7 @@ PathWrap read_wrap(const FileReader& reader, const XmlElement& e) {
 
 }  // namespace
 
-GeometryPath read_path(const FileReader& reader, const XmlElement& owner) {
+GeometryPath read_path(const FileReader& reader, const XmlElement& owner, const Model& model) {
   GeometryPath path;
   const PropertyReader p(reader, owner);
   const XmlElement* e = owner.child("GeometryPath");
@@ -70,7 +75,8 @@ GeometryPath read_path(const FileReader& reader, const XmlElement& owner) {
     return path;
   }
   if (const XmlElement* points = e->objects_of("PathPointSet"))
-    for (const XmlElement& point : points->children) path.points.push_back(read_point(reader, point));
+    for (const XmlElement& point : points->children)
+      path.points.push_back(read_point(reader, point, "/forceset/" + owner.name() + "/geometrypath", model));
   if (const XmlElement* wraps = e->objects_of("PathWrapSet"))
     for (const XmlElement& wrap : wraps->children) path.wraps.push_back(read_wrap(reader, wrap));
   if (path.points.size() < 2)
@@ -79,15 +85,17 @@ GeometryPath read_path(const FileReader& reader, const XmlElement& owner) {
   return path;
 }
 
-bool read_wrap_object(const FileReader& reader, const XmlElement& e, const std::string& body, Model& model) {
+bool read_wrap_object(const FileReader& reader, const XmlElement& e, const std::string& frame, Model& model) {
   const PropertyReader p(reader, e);
   WrapObject w;
   w.type = e.tag;
   w.name = e.name();
-  w.body = body;
+  w.frame = frame;
   w.active = p.flag("active", true);
   w.X_body_wrap = p.placement("xyz_body_rotation", "translation");
   w.quadrant = p.word("quadrant", "all");
+  if (std::find(std::begin(kQuadrants), std::end(kQuadrants), w.quadrant) == std::end(kQuadrants))
+    p.refuse(Code::unknown_name, p.where("quadrant"), "quadrant", w.quadrant, "must be all, x, -x, y, -y, z or -z");
   w.where = e.where;
   if (e.tag == "WrapEllipsoid") {
     w.kind = WrapObject::Kind::ellipsoid;

@@ -13,7 +13,7 @@ namespace genu::osim {
 
 /// What a user gives beside the model.
 struct SceneRequest {
-  std::map<std::string, double> tensions;     ///< N, of muscles by name
+  std::map<std::string, double> tensions;     ///< N, of muscles by name; negative ones pull with 0
   std::map<std::string, std::string> meshes;  ///< mesh files of the model, as the scene names them
 };
 
@@ -27,6 +27,7 @@ struct SceneDraft {
   std::string text = {};
 
   std::string body_name(int rigid);
+  std::string joint_name(const Joint& joint) { return joints.of(joint.where, joint.name); }
   /// "flex"
   std::string short_name(const Joint& joint, const std::string& coordinate);
   /// "knee_r.flex"

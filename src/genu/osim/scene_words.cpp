@@ -41,12 +41,13 @@ std::string one_line(const std::string& text) {
 
 std::string point_text(const Vec3& p) { return vector_text(p * to::kMillimetre); }
 
-std::string SceneNames::of(const std::string& name) {
-  if (const auto known = given_.find(name); known != given_.end()) return known->second;
+std::string SceneNames::of(const SourceLocation& element, const std::string& name) {
+  std::string& given = given_[{element.line, element.column}];
+  if (!given.empty()) return given;
   const std::string key = as_key(name);
   std::string free = key;
   for (int n = 2; !taken_.insert(free).second; ++n) free = fmt::format("{}_{}", key, n);
-  return given_[name] = free;
+  return given = free;
 }
 
 std::string short_coordinate(const std::string& coordinate, const std::string& joint) {

@@ -4,7 +4,9 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "genu/core/source_location.h"
 #include "genu/core/types.h"
 
 namespace genu::osim {
@@ -19,13 +21,15 @@ std::string point_text(const Vec3& p);
 /// Text for a comment: one line without control characters.
 std::string one_line(const std::string& text);
 
-/// Names of one kind of thing: each name of the model gets one of the scene (letters, digits, _ and -), no two alike.
+/// Names of one kind of table: each element of the model gets one (letters, digits, _ and -), no two alike, though
+/// their names are alike or missing.
 class SceneNames {
  public:
-  std::string of(const std::string& name);
+  /// `element`: its place in the file, which tells it apart; {} of the ground.
+  std::string of(const SourceLocation& element, const std::string& name);
 
  private:
-  std::map<std::string, std::string> given_;
+  std::map<std::pair<int, int>, std::string> given_;
   std::set<std::string> taken_;
 };
 

@@ -52,9 +52,19 @@ double Skeleton::value(const std::string& coordinate) const {
 }
 
 bool Skeleton::moves(const std::string& coordinate) const {
-  return std::any_of(joints_.begin(), joints_.end(), [&](const MovingJoint& j) {
-    return model_->joints[at(j.joint)].coordinate(coordinate) != nullptr;
-  });
+  return std::any_of(joints_.begin(), joints_.end(), [&](const MovingJoint& j) { return j.has(coordinate); });
+}
+
+const Coupler* Skeleton::driver_of(const std::string& coordinate) const {
+  for (const Coupler& c : model_->couplers)
+    if (c.enforced && c.dependent == coordinate) return &c;
+  return nullptr;
+}
+
+bool Skeleton::follows_what_moves(const std::string& coordinate) const {
+  const Coupler* driver = driver_of(coordinate);
+  while (driver != nullptr && !moves(driver->independent)) driver = driver_of(driver->independent);
+  return driver != nullptr;
 }
 
 bool Skeleton::moves_joint(const std::string& joint) const {
@@ -62,9 +72,7 @@ bool Skeleton::moves_joint(const std::string& joint) const {
                      [&](const MovingJoint& j) { return model_->joints[at(j.joint)].name == joint; });
 }
 
-std::optional<PlacedFrame> Skeleton::frame(const std::string& path, const std::string& owner) const {
-  return find_frame(*model_, path, owner);
-}
+PlacedFrame Skeleton::frame(const std::string& path) const { return find_frame(*model_, path).value(); }
 
 const std::string& Skeleton::body_name(int body) const {
   static const std::string ground = "ground";
@@ -79,36 +87,42 @@ Pose Skeleton::rigid_in_ground(int rigid) const {
 bool Skeleton::link_joints(Diagnostics& out) {
   std::vector<const Joint*> mover(model_->bodies.size(), nullptr);
   for (const Joint& joint : model_->joints) {
-    const auto parent = frame(joint.parent, joint.name), child = frame(joint.child, joint.name);
-    for (const auto& [socket, placed] : {std::pair(joint.parent, parent), std::pair(joint.child, child)})
-      if (!placed)
-        refuse(out, Code::unknown_name, joint.where, joint.type + " " + joint.name, socket,
-               "is no frame or body of the model");
-    if (!parent || !child) continue;
-    if (at(child->body) == model_->bodies.size())
+    const PlacedFrame parent = frame(joint.parent), child = frame(joint.child);
+    if (at(child.body) == model_->bodies.size())
       refuse(out, Code::not_built, joint.where, joint.type + " " + joint.name, joint.child,
              "is the ground, as the child of a joint: turn the joint round");
-    else if (const Joint* other = std::exchange(mover[at(child->body)], &joint))
+    else if (const Joint* other = std::exchange(mover[at(child.body)], &joint))
       refuse(out, Code::not_built, joint.where, joint.type + " " + joint.name, joint.child,
              fmt::format("is moved by the joint {} too: genu reads no loops", other->name));
-    links_.push_back({*parent, *child});
+    links_.push_back({parent, child});
   }
   return !out.has_errors();
 }
 
-void Skeleton::settle_values(const CoordinateValues& values, Diagnostics& out) {
+/// A coordinate that is frozen follows what drives it, through as many couplers as there are; they make no circle.
+double Skeleton::settled(const std::string& coordinate, const CoordinateValues& values) const {
+  std::vector<const Coupler*> chain;
+  std::string first = coordinate;
+  while (values.count(first) == 0 && !moves(first)) {
+    const Coupler* driver = driver_of(first);
+    if (driver == nullptr) break;
+    chain.push_back(driver);
+    first = driver->independent;
+  }
+  double found = value(first);
+  for (auto link = chain.rbegin(); link != chain.rend(); ++link) found = (*link)->function(found);
+  return found;
+}
+
+void Skeleton::settle_values(const CoordinateValues& values) {
   for (const Joint& joint : model_->joints)
     for (const Coordinate& c : joint.coordinates) values_[c.name] = c.default_value;
   for (const auto& [name, value] : values)
     if (const auto known = values_.find(name); known != values_.end()) known->second = value;
-  for (const Coupler& c : model_->couplers) {
-    const bool known = is_known(c.independent) && is_known(c.dependent);
-    if (!known)
-      refuse(out, Code::unknown_name, c.where, "CoordinateCouplerConstraint " + c.name,
-             is_known(c.independent) ? c.dependent : c.independent, "is no coordinate of the model");
-    else if (values.count(c.dependent) == 0 && !moves(c.dependent))
-      values_[c.dependent] = c.function(values_[c.independent]);
-  }
+  CoordinateValues driven;
+  for (const Coupler& c : model_->couplers)
+    if (c.enforced) driven[c.dependent] = settled(c.dependent, values);
+  for (const auto& [name, value] : driven) values_[name] = value;
 }
 
 bool Skeleton::choose_joints(const std::vector<std::string>& names, Diagnostics& out) {
@@ -264,8 +278,8 @@ std::optional<Skeleton> Skeleton::build(const Model& model, const std::vector<st
                                         const CoordinateValues& values, Diagnostics& out) {
   Skeleton s(model);
   if (!s.link_joints(out) || !s.choose_joints(joints, out)) return std::nullopt;
-  s.settle_values(values, out);
-  if (out.has_errors() || !s.place_bodies(out)) return std::nullopt;
+  s.settle_values(values);
+  if (!s.place_bodies(out)) return std::nullopt;
   s.unite_bodies();
   if (!s.frame_rigid_bodies(out)) return std::nullopt;
   s.add_masses();

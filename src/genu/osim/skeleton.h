@@ -41,13 +41,14 @@ class Skeleton {
   const std::vector<MovingJoint>& joints() const { return joints_; }
   /// The value of a coordinate at the pose, rad or m.
   double value(const std::string& coordinate) const;
-  bool is_known(const std::string& coordinate) const { return values_.count(coordinate) > 0; }
   /// Whether a coordinate belongs to a joint that moves.
   bool moves(const std::string& coordinate) const;
+  /// Whether a coordinate is driven, through couplers, by one that moves.
+  bool follows_what_moves(const std::string& coordinate) const;
   bool moves_joint(const std::string& joint) const;
 
-  /// A frame by its path; `owner` is the joint whose own frames come first. Nothing where there is none.
-  std::optional<PlacedFrame> frame(const std::string& path, const std::string& owner = {}) const;
+  /// A frame of the model by its path.
+  PlacedFrame frame(const std::string& path) const;
   /// Index into bodies() of the rigid body with that body of the model.
   int rigid_body(int body) const { return rigid_of_[at(body)]; }
   /// X_rigid_body.
@@ -65,7 +66,9 @@ class Skeleton {
   };
 
   bool link_joints(Diagnostics& out);
-  void settle_values(const CoordinateValues& values, Diagnostics& out);
+  void settle_values(const CoordinateValues& values);
+  double settled(const std::string& coordinate, const CoordinateValues& values) const;
+  const Coupler* driver_of(const std::string& coordinate) const;
   bool choose_joints(const std::vector<std::string>& names, Diagnostics& out);
   bool place_bodies(Diagnostics& out);
   void unite_bodies();

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -88,22 +90,73 @@ void tell_frozen(SceneDraft& draft, const Joint& joint) {
   draft.outcomes.frozen(joint.where, {}, joint.coordinates.empty() ? "has no coordinate" : kHeld, pose);
 }
 
+std::string leading_coordinate(const SceneDraft& draft) {
+  const auto mass_of = [&](const MovingJoint& m) { return draft.skeleton.bodies()[at(m.child)].mass; };
+  const MovingJoint* lead = &draft.skeleton.joints().front();  // the shank before the patella
+  for (const MovingJoint& moving : draft.skeleton.joints())
+    if (mass_of(moving) > mass_of(*lead)) lead = &moving;
+  return lead->kind == MovingJoint::Kind::free ? lead->rotations[0].coordinate : lead->angle;
+}
+
+/// What the step prescribes: all that is locked or prescribed in the model, and the leading rotation, as long as
+/// something is left to find its balance.
+std::set<std::string> held_coordinates(const SceneDraft& draft) {
+  std::vector<std::string> held;
+  std::size_t all = 0;
+  const std::string leading = leading_coordinate(draft);
+  for (const MovingJoint& moving : draft.skeleton.joints())
+    for (const Coordinate& c : draft.model.joints[at(moving.joint)].coordinates) {
+      if (!moving.has(c.name)) continue;
+      ++all;
+      if (c.locked || c.prescribed) held.push_back(c.name);
+    }
+  if (std::find(held.begin(), held.end(), leading) == held.end()) held.push_back(leading);
+  held.resize(std::min(held.size(), all - 1));
+  return {held.begin(), held.end()};
+}
+
+const char* remark_on(const Coordinate& c, bool held) {
+  if (!c.locked && !c.prescribed) return "";
+  if (!held) return "WARNING: fixed in the model, free here: something must find its balance";
+  return c.locked
+             ? "locked in the model: prescribed in the step"
+             : "prescribed by a function of time in the model: prescribed in the step, as at the pose of the import";
+}
+
+/// What the pose of the import means for a coupler of coordinates.
+void tell_coupler(SceneDraft& draft, const Coupler& c) {
+  if (!c.enforced) return draft.outcomes.left_out(c.where, "is not enforced in the model");
+  if (draft.skeleton.moves(c.dependent)) return;
+  if (draft.skeleton.follows_what_moves(c.dependent))
+    draft.outcomes.frozen(c.where, {},
+                          "WARNING: in the model its dependent coordinate follows one that moves; here it is held at "
+                          "the pose of the import",
+                          c.dependent);
+  else
+    draft.outcomes.frozen(c.where, {}, "both coordinates are held at the pose of the import");
+}
+
 }  // namespace
 
 std::string SceneDraft::body_name(int rigid) {
-  return bodies.of(skeleton.body_name(skeleton.bodies()[at(rigid)].named_after));
+  const int body = skeleton.bodies()[at(rigid)].named_after;
+  return bodies.of(at(body) < model.bodies.size() ? model.bodies[at(body)].where : SourceLocation(),
+                   skeleton.body_name(body));
 }
 
 std::string SceneDraft::short_name(const Joint& joint, const std::string& coordinate) {
-  return coordinates[joint.name].of(short_coordinate(coordinate, joint.name));
+  const std::string shortened = short_coordinate(coordinate, joint.name);
+  const auto same = [&](const Coordinate& c) { return short_coordinate(c.name, joint.name) == shortened; };
+  const bool alone = std::count_if(joint.coordinates.begin(), joint.coordinates.end(), same) == 1;
+  return coordinates[joint.name].of(joint.coordinate(coordinate)->where, alone ? shortened : coordinate);
 }
 
 std::string SceneDraft::coordinate_name(const std::string& coordinate) {
   for (const MovingJoint& moving : skeleton.joints()) {
     const Joint& joint = model.joints[at(moving.joint)];
-    if (joint.coordinate(coordinate) == nullptr) continue;
+    if (!moving.has(coordinate)) continue;
     const bool angle = moving.kind == MovingJoint::Kind::revolute;
-    return joints.of(joint.name) + "." + (angle ? "angle" : short_name(joint, coordinate));
+    return joint_name(joint) + "." + (angle ? "angle" : short_name(joint, coordinate));
   }
   return {};
 }
@@ -116,18 +169,19 @@ void write_bodies(SceneDraft& draft) {
   draft.text += "# --- Bodies: one for all that the imported joints do not move in each other ---\n";
   for (int i = 0; at(i) < draft.skeleton.bodies().size(); ++i) write_body(draft, i);
   for (const OffsetFrame& f : draft.model.frames)
-    if (const auto placed = draft.skeleton.frame(f.name, f.owner))
-      draft.outcomes.frozen(f.where, "body." + draft.body_name(draft.skeleton.rigid_body(placed->body)),
-                            "a fixed place in a body: points are given in the body itself");
+    draft.outcomes.frozen(f.where,
+                          "body." + draft.body_name(draft.skeleton.rigid_body(draft.skeleton.frame(f.path).body)),
+                          "a fixed place in a body: points are given in the body itself");
 }
 
 void write_joints(SceneDraft& draft) {
+  const std::set<std::string> held = held_coordinates(draft);
   draft.text +=
       "# --- Joints: signs, order and meaning of the coordinates are those of the model; angles in deg, lengths in mm "
       "---\n";
   for (const MovingJoint& moving : draft.skeleton.joints()) {
     const Joint& joint = draft.model.joints[at(moving.joint)];
-    const std::string name = draft.joints.of(joint.name);
+    const std::string name = draft.joint_name(joint);
     const bool free = moving.kind == MovingJoint::Kind::free;
     draft.text += fmt::format("{}\n[joint.{}]\ntype = \"{}\"\nparent = \"{}\"\nchild = \"{}\"\n",
                               source_comment(joint.type, joint.name, joint.where), name, free ? "free" : "revolute",
@@ -135,37 +189,36 @@ void write_joints(SceneDraft& draft) {
     free ? write_free(draft, moving, joint) : write_revolute(draft, moving);
     draft.text += "\n";
     draft.outcomes.kept(joint.where, "joint." + name);
-    for (const Coordinate& c : joint.coordinates)
-      draft.outcomes.kept(c.where, draft.coordinate_name(c.name), "",
-                          c.locked ? "locked in the model: prescribed in the step" : "");
+    for (const Coordinate& c : joint.coordinates) {
+      if (!moving.has(c.name)) {
+        draft.outcomes.left_out(c.where, "moves nothing");
+        continue;
+      }
+      draft.outcomes.kept(c.where, draft.coordinate_name(c.name), "", remark_on(c, held.count(c.name) > 0));
+    }
   }
   for (const Joint& joint : draft.model.joints)
     if (!draft.skeleton.moves_joint(joint.name)) tell_frozen(draft, joint);
-  for (const Coupler& c : draft.model.couplers)
-    if (!draft.skeleton.moves(c.dependent))
-      draft.outcomes.frozen(c.where, {}, "both coordinates are held at the pose of the import");
+  for (const Coupler& c : draft.model.couplers) tell_coupler(draft, c);
 }
 
 void write_step(SceneDraft& draft) {
-  const auto mass_of = [&](const MovingJoint& m) { return draft.skeleton.bodies()[at(m.child)].mass; };
-  const MovingJoint* lead = &draft.skeleton.joints().front();  // the shank before the patella
-  for (const MovingJoint& moving : draft.skeleton.joints())
-    if (mass_of(moving) > mass_of(*lead)) lead = &moving;
-  const std::string leading = lead->kind == MovingJoint::Kind::free ? lead->rotations[0].coordinate : lead->angle;
+  const std::set<std::string> held = held_coordinates(draft);
   std::string prescribed;
   for (const MovingJoint& moving : draft.skeleton.joints())
     for (const Coordinate& c : draft.model.joints[at(moving.joint)].coordinates) {
-      if (c.name != leading && !c.locked) continue;
+      if (held.count(c.name) == 0) continue;
       const double unit = is_angle(draft.model, c.name) ? to::kDegree : to::kMillimetre;
       prescribed += fmt::format("{}\"{}\" = {}", prescribed.empty() ? "" : ", ", draft.coordinate_name(c.name),
                                 number_text(draft.skeleton.value(c.name) * unit));
     }
   draft.text += fmt::format(
-      "# --- Steps. CHOSEN: a model does not say what to compute. The first rotation (and what is locked) keeps the "
-      "pose of\n"
-      "# the import; all else finds its balance. `genu evaluate` takes poses from a file instead ---\n"
-      "[[step]]\nprescribe = {{ {} }}\nincrements = 1\n",
-      prescribed);
+      "# --- Steps. CHOSEN: a model does not say what to compute. {}\n"
+      "# `genu evaluate` takes poses from a file instead ---\n"
+      "[[step]]\n{}increments = 1\n",
+      prescribed.empty() ? "The only coordinate finds its balance."
+                         : "What is prescribed keeps the pose of the import; all else finds its balance.",
+      prescribed.empty() ? "" : "prescribe = { " + prescribed + " }\n");
 }
 
 }  // namespace genu::osim

@@ -20,8 +20,7 @@ const ContactMesh* mesh_named(const Model& model, const std::string& socket) {
 }
 
 int rigid_of(const Skeleton& skeleton, const ContactMesh& mesh) {
-  const auto placed = skeleton.frame(mesh.frame);
-  return placed ? skeleton.rigid_body(placed->body) : -1;
+  return skeleton.rigid_body(skeleton.frame(mesh.frame).body);
 }
 
 /// A contact force that acts between different rigid bodies, with its meshes.
@@ -35,10 +34,6 @@ Pair pair_of(const Model& model, const Skeleton& skeleton, const ContactForce& f
   Pair pair{mesh_named(model, force.target), mesh_named(model, force.casting), nullptr};
   if (!force.applies)
     pair.why_not = "its appliesForce is false in the model";
-  else if (pair.target == nullptr || pair.casting == nullptr)
-    pair.why_not = "WARNING: one of its meshes is no Smith2018ContactMesh of the model";
-  else if (rigid_of(skeleton, *pair.target) < 0 || rigid_of(skeleton, *pair.casting) < 0)
-    pair.why_not = "WARNING: one of its meshes is on no frame of the model";
   else if (rigid_of(skeleton, *pair.target) == rigid_of(skeleton, *pair.casting))
     pair.why_not = "presses two parts of one rigid body together: no effect while they are frozen";
   return pair;
@@ -74,13 +69,12 @@ std::string file_of(const SceneDraft& draft, const std::string& file) {
 }
 
 void write_surface(SceneDraft& draft, const ContactMesh& mesh) {
-  const auto placed = draft.skeleton.frame(mesh.frame);
-  if (!placed) return;
-  const Pose X = draft.skeleton.in_rigid(*placed) * mesh.X_frame_mesh;
-  const std::string name = draft.surfaces.of(mesh.name);
+  const PlacedFrame placed = draft.skeleton.frame(mesh.frame);
+  const Pose X = draft.skeleton.in_rigid(placed) * mesh.X_frame_mesh;
+  const std::string name = draft.surfaces.of(mesh.where, mesh.name);
   draft.text += fmt::format("{}\n[surface.{}]\nbody = \"{}\"\nshape = \"mesh\"\nfile = {}\nunits = \"m\"\n",
                             source_comment("Smith2018ContactMesh", mesh.name, mesh.where), name,
-                            draft.body_name(draft.skeleton.rigid_body(placed->body)), file_of(draft, mesh.file));
+                            draft.body_name(draft.skeleton.rigid_body(placed.body)), file_of(draft, mesh.file));
   const bool turned = !X.R.isApprox(Mat3::Identity(), 1e-12);
   if (turned || point_text(X.p) != point_text(Vec3::Zero())) draft.text += "origin = " + point_text(X.p) + "\n";
   if (turned) {
@@ -98,13 +92,14 @@ void write_surface(SceneDraft& draft, const ContactMesh& mesh) {
 }
 
 void write_contact(SceneDraft& draft, const ContactForce& force, const Pair& pair) {
-  const std::string name = draft.contacts.of(force.name), casting = draft.surfaces.of(pair.casting->name);
+  const std::string name = draft.contacts.of(force.where, force.name),
+                    casting = draft.surfaces.of(pair.casting->where, pair.casting->name);
   const double modulus = modulus_of(force, pair) / units::kMegapascal;
   draft.text += fmt::format(
       "{}\n[contact.{}]\nsurfaces = [\"{}\", \"{}\"]\nmodel = \"cartilage\"\nmodulus = {}\npoisson = {}\nlaw = \"{}\"\n"
       "quadrature = \"triangles\"\ncast_from = \"{}\"\nrim = \"cut\"\nsearch_depth = {}\n\n",
       source_comment("Smith2018ArticularContactForce", force.name, force.where), name,
-      draft.surfaces.of(pair.target->name), casting, number_text(modulus),
+      draft.surfaces.of(pair.target->where, pair.target->name), casting, number_text(modulus),
       number_text((pair.target->poisson + pair.casting->poisson) / 2), force.logarithmic ? "logarithmic" : "linear",
       casting, number_text(force.most_depth * to::kMillimetre));
   draft.outcomes.kept(force.where, "contact." + name, remark_on(force, pair));

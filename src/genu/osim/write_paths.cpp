@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ class PathWriter {
   void write_ligament(const Ligament& l) {
     const PathPlan plan = plan_of(l.path, l.applies, l.where);
     if (plan.points.empty()) return;
-    const std::string name = draft_.ligaments.of(l.name);
+    const std::string name = draft_.ligaments.of(l.where, l.name);
     sections_ += fmt::format("{}\n[ligament.{}]\n{}", source_comment(l.type, l.name, l.where), name, path_text(plan));
     sections_ += law_text(l) + "\n";
     std::string detail = remarks_of(plan);
@@ -39,15 +40,19 @@ class PathWriter {
   void write_muscle(const Muscle& m) {
     const PathPlan plan = plan_of(m.path, m.applies, m.where);
     if (plan.points.empty()) return;
-    const std::string name = draft_.loads.of(m.name);
+    const std::string name = draft_.loads.of(m.where, m.name);
     const auto given = draft_.request.tensions.find(m.name);
     const bool has = given != draft_.request.tensions.end();
+    std::string detail = remarks_of(plan);
+    if (has && given->second < 0)
+      detail += (detail.empty() ? "" : "; ") +
+                fmt::format("WARNING: it would push with {:g} N, which no cable does: here 0", -given->second);
     sections_ += fmt::format("{}; largest isometric force {:g} N\n[load.{}]\n{}magnitude = {}\n\n",
                              source_comment(m.type, m.name, m.where), m.max_isometric_force, name, path_text(plan),
-                             number_text(has ? given->second : 0));
+                             number_text(has ? std::max(0.0, given->second) : 0));
     draft_.outcomes.kept(m.where, "load." + name,
                          has ? "a cable with the tension given" : "a cable without tension: --forces gives one",
-                         remarks_of(plan));
+                         detail);
   }
 
   /// The surfaces, then what wraps round them.
@@ -130,7 +135,7 @@ class PathWriter {
   }
 
   std::string surface_of(const WrapObject& w) {
-    const std::string name = draft_.surfaces.of(w.name);
+    const std::string name = draft_.surfaces.of(w.where, w.name);
     if (!written_.insert(&w).second) return name;
     const auto [rigid, X] = place_wrap(draft_.skeleton, w);
     surfaces_ += fmt::format("{}\n[surface.{}]\nbody = \"{}\"\n{}origin = {}\nx_axis = {}\nz_axis = {}\n\n",
@@ -151,7 +156,7 @@ void write_spring(SceneDraft& draft, const CoordinateSpring& s) {
   const std::string coordinate = draft.coordinate_name(s.coordinate);
   // SI per unit of the scene
   const double unit = is_angle(draft.model, s.coordinate) ? units::kDegree : units::kMillimetre;
-  const std::string name = draft.loads.of(s.name);
+  const std::string name = draft.loads.of(s.where, s.name);
   draft.text +=
       fmt::format("{}\n[load.{}]\non = \"{}\"\nscale = {{ feedback = {{ of = \"{}\", target = {}, gain = {} }} }}\n\n",
                   source_comment("SpringGeneralizedForce", s.name, s.where), name, coordinate, coordinate,

@@ -1,5 +1,6 @@
 #include "genu/study/import_model.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "genu/core/units.h"
 #include "genu/osim/read_model.h"
 #include "genu/scene/reader.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -52,9 +54,9 @@ std::optional<double> number_at(const TableRow& table, int row, std::size_t colu
 }
 
 /// Coordinates of the model in the row, in rad and m.
-osim::CoordinateValues read_pose(const osim::Model& model, const ModelImport& asked, Diagnostics& out) {
+osim::CoordinateValues read_pose(const osim::Model& model, const ModelImport& asked,
+                                 const std::optional<TableRow>& table, Diagnostics& out) {
   osim::CoordinateValues values;
-  const auto table = read_row(asked.pose, asked.row, out);
   if (!table) return values;
   std::set<std::string> known;
   for (const osim::Joint& joint : model.joints)
@@ -71,10 +73,10 @@ osim::CoordinateValues read_pose(const osim::Model& model, const ModelImport& as
   return values;
 }
 
-/// Muscle forces in the row, N. A muscle that would push pulls with 0.
-std::map<std::string, double> read_tensions(const osim::Model& model, const ModelImport& asked, Diagnostics& out) {
+/// Muscle forces in the row, N.
+std::map<std::string, double> read_tensions(const osim::Model& model, const ModelImport& asked,
+                                            const std::optional<TableRow>& table, Diagnostics& out) {
   std::map<std::string, double> tensions;
-  const auto table = read_row(asked.forces, asked.row, out);
   if (!table) return tensions;
   std::set<std::string> known;
   for (const osim::Muscle& m : model.muscles) known.insert(m.name);
@@ -85,11 +87,43 @@ std::map<std::string, double> read_tensions(const osim::Model& model, const Mode
     const std::string name = osim::last_name(path);
     if (known.count(name) == 0) continue;
     const auto value = number_at(*table, asked.row, c, out);
-    if (value) tensions[name] = std::max(0.0, *value);
+    if (value) tensions[name] = *value;
   }
   if (tensions.empty() && !out.has_errors())
     out.error(Code::missing_key, asked.forces, "has no column that is a muscle of " + asked.model);
   return tensions;
+}
+
+/// The cell of the column `time`, where the file has one.
+const PoseFile::Cell* time_of(const std::optional<TableRow>& table, int row) {
+  if (!table) return nullptr;
+  const auto& names = table->file.names.cells;
+  const auto time =
+      std::find_if(names.begin(), names.end(), [](const PoseFile::Cell& cell) { return cell.text == "time"; });
+  return time == names.end() ? nullptr : &table->row(row).cells[static_cast<std::size_t>(time - names.begin())];
+}
+
+/// One row of two files is one moment.
+void refuse_different_times(const std::optional<TableRow>& pose, const std::optional<TableRow>& forces,
+                            const ModelImport& asked, Diagnostics& out) {
+  const PoseFile::Cell *here = time_of(forces, asked.row), *there = time_of(pose, asked.row);
+  if (here == nullptr || there == nullptr) return;
+  const auto of_forces = number_in(here->text), of_pose = number_in(there->text);
+  if (of_forces && of_pose && std::abs(*of_forces - *of_pose) <= kSameMoment) return;
+  out.add(error_at({asked.forces, {forces->row(asked.row).line, here->column}}, Code::conflict, "time", here->text,
+                   fmt::format("is not the time of row {} of {}, {}: --row counts in both files", asked.row, asked.pose,
+                               there->text)));
+}
+
+/// Coordinates and muscle forces of the files beside the model.
+void read_tables(const osim::Model& model, const ModelImport& asked, osim::CoordinateValues& values,
+                 std::map<std::string, double>& tensions, Diagnostics& out) {
+  std::optional<TableRow> pose, forces;
+  if (!asked.pose.empty()) pose = read_row(asked.pose, asked.row, out);
+  if (!asked.forces.empty()) forces = read_row(asked.forces, asked.row, out);
+  refuse_different_times(pose, forces, asked, out);
+  values = read_pose(model, asked, pose, out);
+  tensions = read_tensions(model, asked, forces, out);
 }
 
 /// Folders where a mesh of the model may be.
@@ -141,12 +175,15 @@ std::map<std::string, std::string> find_meshes(const osim::Model& model, const o
   return found;
 }
 
-/// Reads the scene before it takes its place: what a scene cannot have is found now, not later.
-void check_written(const fs::path& written, const std::string& name, Diagnostics& out) {
+/// Reads the scene before it takes its place: what a scene cannot have is found now, not later, and said of the model,
+/// for the scene is not kept.
+void check_written(const fs::path& written, const ImportReport& report, const std::string& model, Diagnostics& out) {
   Diagnostics found;
   const auto scene = read_scene(written.string(), found);
   for (Diagnostic d : found.items()) {
-    if (d.file == written.string()) d.file = name;
+    if (d.file == written.string()) d.file = report.file;
+    if (!scene)
+      d = error_at({model, {}}, d.code, "line " + std::to_string(d.line) + " of its scene: " + d.key, d.found, d.rule);
     if (!scene || d.severity == Diagnostic::Severity::warning) out.add(std::move(d));
   }
 }
@@ -164,8 +201,7 @@ std::optional<ImportReport> import_model(const ModelImport& asked, Diagnostics& 
   if (!model) return std::nullopt;
   osim::CoordinateValues values;
   osim::SceneRequest request;
-  if (!asked.pose.empty()) values = read_pose(*model, asked, out);
-  if (!asked.forces.empty()) request.tensions = read_tensions(*model, asked, out);
+  read_tables(*model, asked, values, request.tensions, out);
   if (out.has_errors()) return std::nullopt;
   const auto skeleton = osim::Skeleton::build(*model, asked.joints, values, out);
   if (!skeleton) return std::nullopt;
@@ -182,7 +218,7 @@ std::optional<ImportReport> import_model(const ModelImport& asked, Diagnostics& 
     return std::nullopt;
   }
   std::string error = write_files(report.scene, staged);
-  if (error.empty()) check_written(staged.path() / "scene.toml", report.file, out);
+  if (error.empty()) check_written(staged.path() / "scene.toml", report, asked.model, out);
   if (out.has_errors()) return std::nullopt;
   if (error.empty()) error = staged.commit();
   report.written = error.empty();

@@ -18,6 +18,12 @@ inline constexpr double kMinOrder = 0.5;
 /// [1] Largest order that is believed. Fails first: if too large, errors are far too small.
 inline constexpr double kMaxOrder = 8;
 
+// import_model
+
+/// [s] Difference of the times of two rows that counts as none. Fails first: if too large, poses and forces of
+/// different moments are put together; if too small, files that print fewer digits are refused.
+inline constexpr double kSameMoment = 1e-6;
+
 // accuracy_choice
 
 /// [1] Error allowed without a target, over the smallest of all. Fails first: nothing (choice of a setting).
