@@ -85,11 +85,12 @@ GivenPoses poses_from(SharedScene& scene, const py::object& given, const std::op
   out.poses.units = units.value_or("");
   if (py::isinstance<api::Results>(given)) return poses_from(scene, given.attr("table")(), units);
   if (py::hasattr(given, "keys")) {
+    const bool results = given.contains("status");  // of an earlier run, with columns of words
     for (const py::handle& key : given.attr("keys")()) {
       const auto name = py::str(key).cast<std::string>();
       if (name == "status")
         for (const py::handle& word : given[key]) out.poses.status.push_back(py::str(word).cast<std::string>());
-      else if (!holds_words(given[key]))  // as `stability` of an earlier run
+      else if (!results || !holds_words(given[key]))
         out.add(name, given[key]);
     }
     return out;

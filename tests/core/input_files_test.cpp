@@ -32,6 +32,15 @@ TEST(InputFiles, KeepTheChecksumOfWhatWasReleased) {
   EXPECT_EQ(files.checksum(path)->xxh128, checksum("one").xxh128);
 }
 
+TEST(InputFiles, APathThatWasGivenItsBytesIsNotOpened) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("file.txt", "on disk");
+  InputFiles files;
+  files.put(path, "in memory");
+  EXPECT_EQ(*files.bytes(path), "in memory");
+  EXPECT_EQ(files.checksum(path)->xxh128, checksum("in memory").xxh128);
+}
+
 TEST(InputFiles, HaveNothingOfWhatIsNoRegularFile) {
   const test::TemporaryFolder folder;
   InputFiles files;

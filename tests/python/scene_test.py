@@ -255,6 +255,27 @@ class Poses(unittest.TestCase):
             with self.assertRaises((TypeError, ValueError)):
                 bone.evaluate(poses)
 
+    def test_of_any_results_are_those_of_their_table(self):
+        bone = genu.load(BONE)
+        found = bone.run()
+        expected = bone.evaluate(found.table())["front.force_N"]
+        numpy.testing.assert_array_equal(bone.evaluate(found)["front.force_N"], expected)
+        numpy.testing.assert_array_equal(bone.evaluate(found.to_dataframe())["front.force_N"], expected)
+        rows = {name: found[name] for name in found.table().keys()}
+        failed = {**rows, "status": ["ok"] * (len(found) - 1) + ["no_equilibrium"]}
+        self.assertEqual(len(bone.evaluate(failed)), len(found) - 1)
+
+    def test_need_the_factor_of_a_load_that_drives(self):
+        text = BONE.read_text()
+        driven = genu.parse(text + "\n[load.lift]\nbody = \"bone\"\nforce = [0, 0, 1]\n\n[[step]]\n"
+                            'prescribe = { "joint.z" = [-1, -2] }\ndrive = "lift"\nincrements = 2\n', "driven.toml")
+        found = driven.run()
+        self.assertEqual(found.verdict, "solved")
+        q = found.q[-1]
+        self.assertIn("factors.lift", str(refusal(lambda: driven.residual(q))))
+        left = driven.residual(q, factors={"lift": found["lift.factor"][-1]})
+        self.assertLess(abs(left).max(), 1e-8)
+
     def test_may_be_results(self):
         bone = genu.load(BONE)
         found = bone.run()
