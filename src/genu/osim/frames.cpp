@@ -33,7 +33,7 @@ std::string without_dots(const std::string& path) {
 
 std::string frame_path(const Model& model, const std::string& socket, const std::string& owner) {
   if (socket.starts_with('/')) return without_dots(socket);
-  const std::string inside = without_dots(owner + "/" + socket);
+  std::string inside = without_dots(owner + "/" + socket);
   if (socket.starts_with('.') || socket.find('/') != std::string::npos) return inside;
   if (offset_frame(model, inside) != nullptr) return inside;
   return socket == "ground" ? kGroundPath : kBodyPaths + socket;
