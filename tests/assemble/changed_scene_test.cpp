@@ -116,6 +116,18 @@ TEST_F(ChangedScene, TheWrittenTextIsTheChangedScene) {
   EXPECT_EQ(again->disabled.size(), 2u);
 }
 
+TEST_F(ChangedScene, WhatTwoNamesLeaveOutIsWrittenOnce) {
+  for (const SceneChanges& changes : {SceneChanges{{"side", "si*", "sides"}, {}}, SceneChanges{{"sides", "s*"}, {}}}) {
+    const auto scene = read(changes);
+    ASSERT_TRUE(scene) << test::messages(out_);
+    const std::string text = with_changes(scene_text(), *scene, out_);
+    const auto again = parse_scene(text, folder_ / "again.toml", out_);
+    ASSERT_TRUE(again) << test::messages(out_) << text;
+    EXPECT_EQ(again->ligaments.size(), 3u);
+    EXPECT_EQ(again->disabled.size(), 3u) << "side, far and the cartilage that the file leaves out";
+  }
+}
+
 TEST_F(ChangedScene, AnUnknownNameIsRefusedWithANearOne) {
   EXPECT_TRUE(test::contains(refused({{"frnt"}, {}}), "did you mean \"front\"?")) << test::messages(out_);
   EXPECT_TRUE(test::contains(refused({{}, {"front.stifness=1"}}), "did you mean \"front.stiffness\"?"))

@@ -109,11 +109,12 @@ class Changes {
   }
 
   void disable(const std::string& group, TomlNode& table) {
+    const TomlNode* written = table.member("enabled");
+    if (written != nullptr && written->kind == TomlNode::Kind::boolean && !written->boolean) return;  // as it is
     TomlNode off;
     off.kind = TomlNode::Kind::boolean;
     off.key = "enabled";
     off.key_where = off.where = table.key_where;
-    const TomlNode* written = table.member("enabled");
     const std::string key = group + "." + table.key + ".enabled";
     if (written != nullptr)
       applied_.edits.push_back({written->where, key, "false"});
