@@ -199,6 +199,21 @@ TEST(Laxity, AChangedSceneStandsBesideTheWrittenOne) {
   EXPECT_TRUE(test::contains(result.text, "without ahead")) << result.text;
 }
 
+TEST(Laxity, TheStepsOfTheSceneNeedNotPrescribeFlexion) {
+  const LaxityChoice choice = choice_of({kDrawer});
+  const std::string loaded = test::with_first(two_springs(), "prescribe = { \"knee.flexion\" = [0, 10] }\n",
+                                              "load = { weight = [0.5, 1] }\n") +
+                             "[load.weight]\nbody = \"tibia\"\nforce = [0, 0, 40]\n";
+  const std::string driven = test::with_first(two_springs(), "increments = 5\n",
+                                              "drive = \"pull\"\nincrements = 5\n[[step]]\nincrements = 1\n") +
+                             "[load.pull]\ncoordinate = \"knee.flexion\"\nmoment = 1\n";
+  for (const std::string& text : {loaded, driven}) {
+    const LaxityResult result = tested(text, choice);
+    EXPECT_EQ(result.scenes.at(0).angles.at(0).curves.at(0).rows.size(), 41u);
+    EXPECT_EQ(laxity_rows(result.scenes).rows(), 42u);
+  }
+}
+
 TEST(Laxity, CompressionActsAtAllPoses) {
   LaxityChoice choice = choice_of({kDrawer});
   const LaxityResult light = tested(two_springs(), choice);

@@ -42,10 +42,11 @@ class Tester {
     const Solved solved = solve(own, field);
     note_neutral(solved, angle);
     if (!angle.solved) return angle;
-    angle.neutral = row_of(own, solved.records.back(), -1);
+    angle.steps = own.steps;
+    angle.neutral = row_of(own, solved.records.back(), -1, 0);
     const State& state = solved.records.back().point.pose.state;
     for (std::size_t j = 0; j < own.model.joints.size(); ++j) own.model.joints[j].start = state.coordinates[j];
-    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, flexion));
+    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, angle));
     return angle;
   }
 
@@ -86,9 +87,11 @@ class Tester {
       angle.notes.emplace_back("the neutral pose is unstable");
   }
 
-  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load) const {
+  /// `steps`: of the angle, before those of `own`.
+  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load, std::size_t steps) const {
     LaxityRow row;
     row.record = record;
+    row.record.point.step += static_cast<int>(steps);
     const GroodSuntayDef& axes = *own.scene.joints[genu::at(knee_.joint)].grood_suntay;
     const auto& poses = record.point.pose.state.poses;
     if (const auto motion = grood_suntay(axes, poses[genu::at(axes.femur.body)], poses[genu::at(axes.tibia.body)]))
@@ -98,11 +101,13 @@ class Tester {
   }
 
   /// Poses of the legs in order, up to the first that is not solved or on another branch. `ended`: why there.
-  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, double flexion, const std::vector<Leg>& legs,
-                                 std::string& ended) const {
+  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, LaxityAngle& angle,
+                                 const std::vector<Leg>& legs, std::string& ended) const {
     const int load = knee_.loads[static_cast<std::size_t>(test.kind)];
     own.steps.clear();
-    for (const Leg& leg : legs) own.steps.push_back(step(flexion, load, leg));
+    for (const Leg& leg : legs) own.steps.push_back(step(angle.flexion, load, leg));
+    const std::size_t before = angle.steps.size();
+    angle.steps.insert(angle.steps.end(), own.steps.begin(), own.steps.end());
     own.model.meter = std::make_shared<EffectMeter>();
     ContactField field = contact_field(own);
     const Solved solved = solve(own, field);
@@ -113,7 +118,7 @@ class Tester {
     std::vector<LaxityRow> rows;
     for (const PoseRecord& record : solved.records) {
       if (!record.point.solved() || record.point.branch != solved.records.front().point.branch) break;
-      rows.push_back(row_of(own, record, load));
+      rows.push_back(row_of(own, record, load, before));
       if (!sensitivity.factor(rows.back().record.point)) continue;
       sensitivity.differentiate(factor);
       if (const auto rate = sensitivity.clinical(knee_.joint)) rows.back().compliance = test.displacement(*rate);
@@ -152,18 +157,18 @@ class Tester {
     return fmt::format("{} ends at {:.4g} {}{}: {}", test.direction(at >= 0), at, test.load_unit(), pose, why);
   }
 
-  LaxityCurve curve(Prepared& own, const LaxityTest& test, double flexion) const {
+  LaxityCurve curve(Prepared& own, const LaxityTest& test, LaxityAngle& angle) const {
     LaxityCurve made;
     made.test = test;
     const int n = choice_.increments;
     const double full = test.load;
     std::string ended;
-    made.rows = rows_of(own, test, flexion, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
+    made.rows = rows_of(own, test, angle, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
     // A path that ended before it came back to zero has not seen the other direction.
     if (ended.empty() || made.rows.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n)) return made;
     ended.clear();
-    const auto back = rows_of(own, test, flexion, {{0, -full, n}, {-full, 0, n}}, ended);
+    const auto back = rows_of(own, test, angle, {{0, -full, n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
     made.rows.insert(made.rows.end(), back.begin() + (back.empty() ? 0 : 1), back.end());
     return made;
@@ -184,6 +189,19 @@ std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoic
 
 namespace {
 
+/// The steps that were solved take the place of the scene's own.
+void take_steps(LaxityOfScene& tested) {
+  std::vector<StepPlan> all;
+  for (LaxityAngle& angle : tested.angles) {
+    const int before = static_cast<int>(all.size());
+    angle.neutral.record.point.step += before;
+    for (LaxityCurve& curve : angle.curves)
+      for (LaxityRow& row : curve.rows) row.record.point.step += before;
+    all.insert(all.end(), angle.steps.begin(), angle.steps.end());
+  }
+  tested.knee.prepared.steps = std::move(all);
+}
+
 std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::string& name, const LaxityChoice& choice,
                                         Diagnostics& out) {
   ContactField field(prepared.model);
@@ -193,6 +211,7 @@ std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::str
   share_search(knee->prepared);
   LaxityOfScene tested{name, std::move(*knee), {}};
   tested.angles = solve_laxity(tested.knee, choice);
+  take_steps(tested);
   return tested;
 }
 

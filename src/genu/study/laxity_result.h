@@ -45,11 +45,12 @@ struct LaxityAngle {
   bool solved = false;             ///< the neutral pose
   std::vector<std::string> notes;  ///< why not, or what happened on the way to it
   std::vector<LaxityCurve> curves;
+  std::vector<StepPlan> steps;  ///< that were solved: those of the neutral pose, then of each curve
 };
 
 struct LaxityOfScene {
   std::string name;  ///< "as written", "without ACL*"
-  LaxityJoint knee;
+  LaxityJoint knee;  ///< its steps are those of the test, angle by angle; each pose has the number of its own
   std::vector<LaxityAngle> angles;
 };
 
