@@ -227,6 +227,22 @@ TEST(Laxity, CompressionActsAtAllPoses) {
   EXPECT_NEAR(force(pressed) - force(light), 200, 1e-6);
 }
 
+TEST(Laxity, WhatIsInterruptedReplacesNoWholeResult) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", two_springs()), out = folder / "out";
+  LaxityChoice choice = choice_of({kDrawer});
+  Diagnostics said;
+  LaxityResult whole, part;
+  ASSERT_EQ(run_laxity(scene, out, choice, said, whole), kExitOk) << test::messages(said);
+  const std::string rows = test::read_file(out + "/laxity.csv");
+  choice.cancelled = [] { return true; };
+  EXPECT_EQ(run_laxity(scene, out, choice, said, part), kExitIncomplete);
+  EXPECT_EQ(test::read_file(out + "/laxity.csv"), rows);
+  EXPECT_EQ(part.folder, out + ".interrupted");
+  EXPECT_TRUE(std::filesystem::exists(part.folder + "/laxity.csv"));
+  EXPECT_TRUE(test::contains(part.verdict.at(0), "Interrupted")) << part.verdict.at(0);
+}
+
 TEST(Laxity, WhatCannotBeTestedIsRefused) {
   const auto refused = [](const std::string& text) {
     const test::TemporaryFolder folder;

@@ -326,8 +326,12 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   result.text = laxity_text(result.scenes);
   const int code = complete ? kExitOk : kExitIncomplete;
   if (!folder) return code;
-  result.folder = *folder;
-  const std::string error = write_laxity(*folder, result, choice, summary_of(result, timer.seconds(), code));
+  RunSummary summary = summary_of(result, timer.seconds(), code);
+  RunOptions options;
+  options.cancelled = choice.cancelled;
+  result.folder = folder_for(*folder, options, summary);
+  result.verdict = summary.verdict;
+  const std::string error = write_laxity(result.folder, result, choice, summary);
   if (error.empty()) return code;
   out.error(Code::cannot_write, {}, error);
   return kExitFailed;

@@ -19,8 +19,8 @@ std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoic
                               LaxityResult& result);
 
 /// Reads the scene, with its changes the scene as written as well, and tests both. Writes laxity.csv,
-/// laxity_summary.csv, laxity.html, one picture a test and summary.json into `folder` where there is one. The exit
-/// code: incomplete where a leg or a neutral pose is missing.
+/// laxity_summary.csv, laxity.html, one picture a test and summary.json into `folder` where there is one, or beside it
+/// (folder_for()) where it was cancelled. The exit code: incomplete where a leg or a neutral pose is missing.
 [[nodiscard]] int run_laxity(const SceneSource& source, const std::optional<std::string>& folder,
                              const LaxityChoice& choice, Diagnostics& out, LaxityResult& result);
 
