@@ -227,6 +227,29 @@ TEST(Laxity, CompressionActsAtAllPoses) {
   EXPECT_NEAR(force(pressed) - force(light), 200, 1e-6);
 }
 
+TEST(Laxity, TheAngleIsFlexionWhateverTheSignOfTheRotation) {
+  const LaxityChoice choice = choice_of({kDrawer, kVarus, kRotation}, {0, 10, 20});
+  std::string extended = test::with_first(crooked(1), "\"flexion y\"", "\"extension -y\"");
+  extended = test::with_first(extended, "\"knee.flexion\" = [0, 10]", "\"knee.extension\" = [0, -10]");
+  const LaxityResult flexed = tested(crooked(1), choice), turned = tested(extended, choice);
+  EXPECT_NEAR(turned.scenes.at(0).angles.at(1).neutral.motion.flexion, 10 * units::kDegree, 1e-12);
+  const ResultTable one = laxity_summary(flexed.scenes), other = laxity_summary(turned.scenes);
+  ASSERT_EQ(one.rows(), 9u);
+  for (std::size_t row = 0; row < one.rows(); ++row)
+    EXPECT_NEAR(other.number(row, "total"), one.number(row, "total"), 1e-7) << row;
+}
+
+TEST(Laxity, AnotherAxisThanTheFloatingOneIsSaid) {
+  const std::string said = "not the floating axis";
+  const std::string text =
+      test::with_first(crooked(1), "\"adduction x\", \"rotation -z\"", "\"rotation -z\", \"adduction x\"");
+  const LaxityResult other = tested(text, choice_of({kDrawer, kVarus}));
+  ASSERT_EQ(other.verdict.size(), 2u);
+  EXPECT_TRUE(test::contains(other.verdict[1], said)) << other.verdict[1];
+  EXPECT_EQ(tested(text, choice_of({kDrawer})).verdict.size(), 1u) << "no varus moment";
+  EXPECT_EQ(tested(crooked(1), choice_of({kDrawer, kVarus})).verdict.size(), 1u) << "about the floating axis";
+}
+
 TEST(Laxity, WhatIsInterruptedReplacesNoWholeResult) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("scene.toml", two_springs()), out = folder / "out";
@@ -259,6 +282,9 @@ TEST(Laxity, WhatCannotBeTestedIsRefused) {
   still.replace(still.find("[body.femur]\nfixed = true\n[body.tibia]\n"), 39,
                 "[body.femur]\n[body.tibia]\nfixed = true\n");
   EXPECT_FALSE(refused(still).empty());
+  const std::string adducted =
+      test::with_first(two_springs(), "\"flexion y\", \"adduction x\"", "\"adduction x\", \"flexion y\"");
+  EXPECT_TRUE(test::contains(refused(adducted), "not about the femur's flexion axis"));
 }
 
 TEST(Laxity, ACurveThatEndsStopsNoOther) {

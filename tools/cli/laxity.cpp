@@ -62,7 +62,7 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
 void add_laxity(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<LaxityArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML); the knee's joint has grood_suntay")->required();
-  command.add_option("--at", arguments->at, "flexion angles in deg: the joint's first rotation")
+  command.add_option("--at", arguments->at, "flexion angles in deg, positive where the knee bends")
       ->delimiter(',')
       ->check(number_within(-180, 180))
       ->capture_default_str();

@@ -54,7 +54,8 @@ class Tester {
   StepPlan step(double flexion, int load, const Leg& leg) const {
     const Prepared& p = knee_.prepared;
     StepPlan plan;
-    plan.prescribed = {{QuantityRef(knee_.joint, 0), flexion, flexion}};
+    const double angle = knee_.flexion_sign * flexion;
+    plan.prescribed = {{QuantityRef(knee_.joint, 0), angle, angle}};
     plan.increments = leg.increments;
     const StepPlan* last = p.steps.empty() ? nullptr : &p.steps.back();
     plan.start_time = plan.end_time = last ? last->end_time : 0;
@@ -224,20 +225,26 @@ std::string name_of(const SceneChanges& changes) {
 }
 
 /// Sentences for everything that is missing; the first says how much there is.
-std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, std::size_t tests, bool& complete) {
+std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, const std::vector<LaxityTest>& tests,
+                                    bool& complete) {
   std::vector<std::string> sentences = {""};
   std::size_t asked = 0, whole = 0;
   for (const LaxityOfScene& s : scenes)
     for (const LaxityAngle& angle : s.angles) {
       const std::string place = fmt::format("{}{:g} deg", scenes.size() > 1 ? s.name + ", " : "",
                                             std::round(1e9 * to::kDegree * angle.flexion) / 1e9);
-      asked += tests;
+      asked += tests.size();
       for (const std::string& note : angle.notes) sentences.push_back(place + ": " + note + ".");
       for (const LaxityCurve& curve : angle.curves) {
         whole += curve.ended.empty() ? 1 : 0;
         for (const std::string& ended : curve.ended) sentences.push_back(place + ", " + ended + ".");
       }
     }
+  const auto bends_sideways = [](const LaxityTest& test) { return test.kind == LaxityTest::Kind::varus; };
+  if (!scenes.front().knee.floating && std::any_of(tests.begin(), tests.end(), bends_sideways))
+    sentences.emplace_back(
+        "The varus moment acts about the tibia's anterior axis, not the floating axis: the joint's rotations are not "
+        "flexion, adduction and rotation about the tibia's long axis, in this order.");
   complete = whole == asked;
   sentences.front() = complete ? fmt::format("All {} curves are complete.", asked)
                                : fmt::format("{} of {} curves are complete.", whole, asked);
@@ -294,7 +301,7 @@ int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostic
   result.scenes.push_back(std::move(*tested));
   bool complete = true;
   result.title = prepared.scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, complete);
   result.text = laxity_text(result.scenes);
   return complete ? kExitOk : kExitIncomplete;
 }
@@ -322,7 +329,7 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   result.scenes.push_back(std::move(*tested));
   bool complete = true;
   result.title = prepared->scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, complete);
   result.text = laxity_text(result.scenes);
   const int code = complete ? kExitOk : kExitIncomplete;
   if (!folder) return code;

@@ -72,6 +72,15 @@ bool turns_as_clinicians(const JointDef& joint, const GroodSuntayDef& axes, doub
   return true;
 }
 
+/// Of flexion about the joint's first rotation; empty where that turns about another axis than the femur's flexion
+/// axis.
+std::optional<double> flexion_sign(const JointDef& joint, const GroodSuntayDef& axes) {
+  const Vec3 flexion = axes.femur.proximal.cross(axes.femur.anterior);
+  const Vec3& turned = joint.rotations[0].axis;
+  if (joint.parent != axes.femur.body || turned.cross(flexion).norm() > kFlexionTilt) return std::nullopt;
+  return turned.dot(flexion) > 0 ? 1 : -1;
+}
+
 LoadDef on_tibia(const std::string& name, const GroodSuntayDef& axes) {
   LoadDef load;
   load.name = name;
@@ -84,7 +93,7 @@ LoadDef on_tibia(const std::string& name, const GroodSuntayDef& axes) {
 }  // namespace
 
 std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnostics& out) {
-  LaxityJoint made{prepared, clinical_joint(prepared.source, out), {}, -1, true};
+  LaxityJoint made{prepared, clinical_joint(prepared.source, out), {}, -1, 1, true};
   if (made.joint < 0 || refuse_motion(prepared, "laxity", out)) return std::nullopt;
   Scene& scene = made.prepared.source;
   const JointDef& joint = scene.joints[static_cast<std::size_t>(made.joint)];
@@ -94,6 +103,15 @@ std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnosti
                      "laxity needs a free joint whose tibia moves: fix the femur instead"));
     return std::nullopt;
   }
+  const auto sign_of_flexion = flexion_sign(joint, axes);
+  if (!sign_of_flexion) {
+    out.add(error_at({scene.file, joint.where}, Code::not_applicable, "joint." + joint.name, {},
+                     "laxity prescribes flexion, and the first rotation of this joint, " + joint.rotations[0].name +
+                         ", is not about the femur's flexion axis (grood_suntay: anterior x proximal): let the femur "
+                         "be the parent and name flexion first"));
+    return std::nullopt;
+  }
+  made.flexion_sign = *sign_of_flexion;
   if (!scene.steps.empty())
     for (const StepDef::Prescribed& p : scene.steps.back().prescribe)
       if (!p.drivers.empty()) {

@@ -11,7 +11,7 @@
 namespace genu {
 
 struct LaxityChoice {
-  std::vector<double> flexions;   ///< rad, of the joint's first rotation
+  std::vector<double> flexions;   ///< rad, positive where the knee bends, of the joint's first rotation
   std::vector<LaxityTest> tests;  ///< at most one of each kind
   double compression = 0;         ///< N, in all poses
   int increments = 10;            ///< from 0 to the full load
