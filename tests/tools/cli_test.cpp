@@ -52,6 +52,9 @@ TEST(Cli, ResultsHaveAUsualFolder) {
   EXPECT_TRUE(contains(ball.err, "results go to out/ball; another folder: --out DIR")) << ball.err;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/ball/results.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder / "out/knee-soft/report.html")) << knee.err;
+  const Outcome changed = shell(at + program() + " run ball.toml --without front");
+  EXPECT_EQ(changed.exit_code, 2) << "which is not that of a changed scene";
+  EXPECT_TRUE(contains(changed.err, "need --out DIR")) << changed.err;
   EXPECT_EQ(ball.out.find('\x1b'), std::string::npos) << "colours where there is no terminal";
 }
 

@@ -306,8 +306,9 @@ int run_both(const RunArguments& arguments) {
 void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  CLI::Option* out = command.add_option("--out", arguments->folder,
-                                        "folder for the results, replaced as a whole at the end; left out: out/SCENE");
+  CLI::Option* out = command.add_option(
+      "--out", arguments->folder,
+      "folder for the results, replaced as a whole at the end; left out: out/SCENE, if nothing is changed");
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
@@ -366,6 +367,13 @@ void add_run(CLI::App& command, int& exit_code) {
       "          genu run knee.toml --without \"ACL*\" --beside out/intact --out out/cut");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
   command.callback([arguments, out, &exit_code] {
+    if (out->count() == 0 && !arguments->changes.empty()) {
+      exit_code = refuse(Code::usage,
+                         "--without and --set need --out DIR: without it results go where those of the scene as "
+                         "written belong, " +
+                             usual_folder(arguments->scene));
+      return;
+    }
     if (out->count() == 0) {
       arguments->folder = usual_folder(arguments->scene);
       if (!arguments->quiet) print_error("results go to {}; another folder: --out DIR\n", arguments->folder);
