@@ -214,6 +214,24 @@ TEST(Laxity, TheStepsOfTheSceneNeedNotPrescribeFlexion) {
   }
 }
 
+TEST(Laxity, ACurveThatEndsBothWaysSaysBothAndHasNoLoop) {
+  const std::string text = test::with_first(two_springs(), "shape = \"plane\"\n",
+                                            "shape = \"plane\"\npatch = { x = [-3, 3], y = [-20, 20] }\n");
+  const test::TemporaryFolder folder;
+  LaxityResult result;
+  Diagnostics out;
+  ASSERT_EQ(run_laxity(folder.write("scene.toml", text), folder / "out", choice_of({kDrawer}), out, result),
+            kExitIncomplete)
+      << test::messages(out);
+  const ResultTable table = laxity_summary(result.scenes);
+  const std::string status = std::get<std::string>(table.at(0, table.column_index("status")));
+  EXPECT_TRUE(test::contains(status, "anterior ends at") && test::contains(status, "; posterior ends at")) << status;
+  EXPECT_TRUE(std::isnan(table.number(0, "loop")));
+  const std::string summary = test::read_file(folder / "out/summary.json");
+  EXPECT_TRUE(test::contains(summary, "\"asked\": 41")) << summary;
+  EXPECT_FALSE(test::contains(summary, "\"solved\": 41")) << summary;
+}
+
 TEST(Laxity, CompressionActsAtAllPoses) {
   LaxityChoice choice = choice_of({kDrawer});
   const LaxityResult light = tested(two_springs(), choice);

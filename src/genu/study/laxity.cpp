@@ -251,15 +251,17 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
   return sentences;
 }
 
-RunSummary summary_of(const LaxityResult& result, double seconds, int exit_code) {
+RunSummary summary_of(const LaxityResult& result, const LaxityChoice& choice, double seconds, int exit_code) {
   const LaxityOfScene& last = result.scenes.back();
   RunSummary summary = begin_summary(last.knee.prepared);
+  const std::size_t curves = result.scenes.size() * choice.flexions.size() * choice.tests.size();
+  summary.poses_asked = static_cast<int>(curves) * (1 + 4 * choice.increments);  // up, down, further down, back
   for (const LaxityOfScene& s : result.scenes)
     for (const LaxityAngle& angle : s.angles)
       for (const LaxityCurve& curve : angle.curves)
         for (const LaxityRow& row : curve.rows) {
           const PosePoint& point = row.record.point;
-          ++summary.poses_asked, ++summary.poses_solved;
+          ++summary.poses_solved;
           summary.poses_stable += point.stability.verdict == Stability::Verdict::stable ? 1 : 0;
           summary.iterations += point.report.iterations;
           summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
@@ -333,7 +335,7 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   result.text = laxity_text(result.scenes);
   const int code = complete ? kExitOk : kExitIncomplete;
   if (!folder) return code;
-  RunSummary summary = summary_of(result, timer.seconds(), code);
+  RunSummary summary = summary_of(result, choice, timer.seconds(), code);
   RunOptions options;
   options.cancelled = choice.cancelled;
   result.folder = folder_for(*folder, options, summary);

@@ -35,7 +35,8 @@ struct LaxityCurve {
 
   /// The first pose at a load; null where the curve ends before it.
   const LaxityRow* at(double load) const;
-  /// m or rad: largest difference between two poses at one load, forth and back.
+  /// m or rad: largest difference between two poses at one load, forth and back; NaN for a curve that
+  /// ends before it comes back.
   double loop() const;
 };
 
