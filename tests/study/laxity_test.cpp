@@ -232,6 +232,19 @@ TEST(Laxity, ACurveThatEndsBothWaysSaysBothAndHasNoLoop) {
   EXPECT_FALSE(test::contains(summary, "\"solved\": 41")) << summary;
 }
 
+TEST(Laxity, WhatARunWouldDoubtIsDoubted) {
+  const auto limited = [](const std::string& limit) { return two_springs() + "[plausible]\n" + limit + "\n"; };
+  const LaxityResult result = tested(limited("ligament_force = 100"), choice_of({kDrawer}), kExitDoubtful);
+  ASSERT_EQ(result.verdict.size(), 2u);
+  EXPECT_EQ(result.verdict[0], "All 1 curves are complete, with doubts.");
+  EXPECT_TRUE(test::contains(result.verdict[1], " at 0 deg, 50 N ")) << result.verdict[1];
+  EXPECT_TRUE(test::contains(result.verdict[1], "(limit 100 N)")) << result.verdict[1];
+  LaxityChoice pressed = choice_of({kDrawer});
+  pressed.compression = 1000;  // the contact bears it and the springs' pull
+  EXPECT_EQ(tested(limited("contact_force = 2"), pressed).verdict.size(), 1u);
+  tested(limited("contact_force = 0.5"), pressed, kExitDoubtful);
+}
+
 TEST(Laxity, CompressionActsAtAllPoses) {
   LaxityChoice choice = choice_of({kDrawer});
   const LaxityResult light = tested(two_springs(), choice);

@@ -88,7 +88,8 @@ void add_laxity(CLI::App& command, int& exit_code) {
   command.footer(
       "Without --anterior, --varus and --internal all three tests are made with the loads above; with one of them only "
       "those named."
-      "\nExit code 0: all curves complete; 3: a curve ends early, the verdict says at what load and why; 2: refused."
+      "\nExit code 0: all curves complete; 3: a curve ends early, the verdict says at what load and why; 4: "
+      "complete, with doubts, which the verdict says; 2: refused."
       "\nExample: genu laxity knee.toml --at 0,30,60,90 --anterior 134 --without \"ACL*\" --out out/laxity");
   advice().hint(
       "laxity",

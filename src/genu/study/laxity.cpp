@@ -13,6 +13,7 @@
 #include "genu/core/units.h"
 #include "genu/equilibrium/sensitivity.h"
 #include "genu/results/summary.h"
+#include "genu/study/laxity_doubts.h"
 #include "genu/study/laxity_table.h"
 #include "genu/study/run_scene.h"
 #include "genu/study/solve_path.h"
@@ -84,8 +85,12 @@ class Tester {
     }
     for (const PathEvent& event : solved.events)
       if (event.begins_branch()) angle.notes.push_back("the joint snapped on its way to this angle: " + event.what);
-    if (angle.solved && solved.records.back().point.stability.verdict == Stability::Verdict::unstable)
+    if (!angle.solved) return;
+    const Stability& stability = solved.records.back().point.stability;
+    if (stability.verdict == Stability::Verdict::unstable)
       angle.notes.emplace_back("the neutral pose is unstable");
+    else if (stability.complex_pair)
+      angle.notes.emplace_back("the neutral pose may begin to oscillate (flutter)");
   }
 
   /// `steps`: of the angle, before those of `own`.
@@ -224,12 +229,13 @@ std::string name_of(const SceneChanges& changes) {
   return name;
 }
 
-/// Sentences for everything that is missing; the first says how much there is.
+/// Sentences for everything that is missing or doubtful; the first says how much there is. `code`: kExitOk,
+/// kExitDoubtful or kExitIncomplete.
 std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, const std::vector<LaxityTest>& tests,
-                                    bool& complete) {
+                                    int& code) {
   std::vector<std::string> sentences = {""};
   std::size_t asked = 0, whole = 0;
-  for (const LaxityOfScene& s : scenes)
+  for (const LaxityOfScene& s : scenes) {
     for (const LaxityAngle& angle : s.angles) {
       const std::string place = fmt::format("{}{:g} deg", scenes.size() > 1 ? s.name + ", " : "",
                                             std::round(1e9 * to::kDegree * angle.flexion) / 1e9);
@@ -240,14 +246,19 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
         for (const std::string& ended : curve.ended) sentences.push_back(place + ", " + ended + ".");
       }
     }
+    for (const std::string& doubt : laxity_doubts(s))
+      sentences.push_back((scenes.size() > 1 ? s.name + ": " : "") + doubt + ".");
+  }
+  const bool doubtful = sentences.size() > 1;
   const auto bends_sideways = [](const LaxityTest& test) { return test.kind == LaxityTest::Kind::varus; };
   if (!scenes.front().knee.floating && std::any_of(tests.begin(), tests.end(), bends_sideways))
     sentences.emplace_back(
         "The varus moment acts about the tibia's anterior axis, not the floating axis: the joint's rotations are not "
         "flexion, adduction and rotation about the tibia's long axis, in this order.");
-  complete = whole == asked;
-  sentences.front() = complete ? fmt::format("All {} curves are complete.", asked)
-                               : fmt::format("{} of {} curves are complete.", whole, asked);
+  code = whole < asked ? kExitIncomplete : doubtful ? kExitDoubtful : kExitOk;
+  sentences.front() = whole < asked
+                          ? fmt::format("{} of {} curves are complete.", whole, asked)
+                          : fmt::format("All {} curves are complete{}.", asked, doubtful ? ", with doubts" : "");
   return sentences;
 }
 
@@ -267,7 +278,9 @@ RunSummary summary_of(const LaxityResult& result, const LaxityChoice& choice, do
           summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
         }
   summary.verdict = result.verdict;
-  summary.verdict_class = exit_code == kExitOk ? RunSummary::Class::solved : RunSummary::Class::not_solved;
+  summary.verdict_class = exit_code == kExitOk         ? RunSummary::Class::solved
+                          : exit_code == kExitDoubtful ? RunSummary::Class::doubtful
+                                                       : RunSummary::Class::not_solved;
   summary.exit_code = exit_code;
   summary.seconds.emplace_back("laxity", seconds);
   note_files(last.knee.prepared, summary);
@@ -301,11 +314,11 @@ int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostic
   auto tested = test_scene(prepared, "as written", choice, out);
   if (!tested) return kExitRefused;
   result.scenes.push_back(std::move(*tested));
-  bool complete = true;
+  int code = kExitOk;
   result.title = prepared.scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests, complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
-  return complete ? kExitOk : kExitIncomplete;
+  return code == kExitDoubtful ? kExitOk : code;
 }
 
 int run_laxity(const SceneSource& source, const std::optional<std::string>& folder, const LaxityChoice& choice,
@@ -329,11 +342,10 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   auto tested = test_scene(*prepared, name, choice, out);
   if (!tested) return kExitRefused;
   result.scenes.push_back(std::move(*tested));
-  bool complete = true;
+  int code = kExitOk;
   result.title = prepared->scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests, complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
-  const int code = complete ? kExitOk : kExitIncomplete;
   if (!folder) return code;
   RunSummary summary = summary_of(result, choice, timer.seconds(), code);
   RunOptions options;
