@@ -281,6 +281,14 @@ TEST(Laxity, AnotherAxisThanTheFloatingOneIsSaid) {
   EXPECT_EQ(tested(crooked(1), choice_of({kDrawer, kVarus})).verdict.size(), 1u) << "about the floating axis";
 }
 
+TEST(Laxity, WhatTheSceneHoldsAndTheTestFreesIsSaid) {
+  const std::string text =
+      test::with_first(crooked(1), "\"knee.flexion\" = [0, 10]", "\"knee.flexion\" = [0, 10], \"knee.rotation\" = 0");
+  const LaxityResult result = tested(text, choice_of({kDrawer}));
+  ASSERT_EQ(result.verdict.size(), 2u);
+  EXPECT_EQ(result.verdict[1], "Free in this test, prescribed in the scene's last step: knee.rotation.");
+}
+
 TEST(Laxity, WhatIsInterruptedReplacesNoWholeResult) {
   const test::TemporaryFolder folder;
   const std::string scene = folder.write("scene.toml", two_springs()), out = folder / "out";
@@ -313,6 +321,11 @@ TEST(Laxity, WhatCannotBeTestedIsRefused) {
   still.replace(still.find("[body.femur]\nfixed = true\n[body.tibia]\n"), 39,
                 "[body.femur]\n[body.tibia]\nfixed = true\n");
   EXPECT_FALSE(refused(still).empty());
+  const std::string hip = test::with_first(two_springs(), "[body.femur]\nfixed = true\n",
+                                           "[body.pelvis]\nfixed = true\n[body.femur]\n"),
+                    joint = "[joint.hip]\nparent = \"pelvis\"\nchild = \"femur\"\norigin = [0, 0, 400]\n";
+  EXPECT_TRUE(test::contains(refused(hip + joint + "type = \"revolute\"\naxis = [0, 1, 0]\nstiffness = 5\n"),
+                             "body.femur: can move"));
   const std::string adducted =
       test::with_first(two_springs(), "\"flexion y\", \"adduction x\"", "\"adduction x\", \"flexion y\"");
   EXPECT_TRUE(test::contains(refused(adducted), "not about the femur's flexion axis"));

@@ -250,6 +250,9 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
       sentences.push_back((scenes.size() > 1 ? s.name + ": " : "") + doubt + ".");
   }
   const bool doubtful = sentences.size() > 1;
+  std::string freed;
+  for (const std::string& name : scenes.front().knee.freed) freed += (freed.empty() ? "" : ", ") + name;
+  if (!freed.empty()) sentences.push_back("Free in this test, prescribed in the scene's last step: " + freed + ".");
   const auto bends_sideways = [](const LaxityTest& test) { return test.kind == LaxityTest::Kind::varus; };
   if (!scenes.front().knee.floating && std::any_of(tests.begin(), tests.end(), bends_sideways))
     sentences.emplace_back(

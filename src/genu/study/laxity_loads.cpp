@@ -1,5 +1,6 @@
 #include "genu/study/laxity_loads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -81,6 +82,23 @@ std::optional<double> flexion_sign(const JointDef& joint, const GroodSuntayDef& 
   return turned.dot(flexion) > 0 ? 1 : -1;
 }
 
+/// Whether nothing can move the body.
+bool is_held(const Scene& scene, int body) {
+  if (scene.bodies[at(body)].fixed) return true;
+  return std::any_of(scene.joints.begin(), scene.joints.end(), [&](const JointDef& joint) {
+    return joint.child == body && joint.type == JointDef::Type::fixed && is_held(scene, joint.parent);
+  });
+}
+
+/// Names of what the last step prescribes besides the first rotation of a joint.
+std::vector<std::string> freed_by_test(const Prepared& prepared, int joint) {
+  std::vector<std::string> names;
+  if (prepared.steps.empty()) return names;
+  for (const auto& p : prepared.steps.back().prescribed)
+    if (!(p.coordinate == QuantityRef(joint, 0))) names.push_back(quantity_name(prepared.scene, p.coordinate));
+  return names;
+}
+
 LoadDef on_tibia(const std::string& name, const GroodSuntayDef& axes) {
   LoadDef load;
   load.name = name;
@@ -103,6 +121,14 @@ std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnosti
                      "laxity needs a free joint whose tibia moves: fix the femur instead"));
     return std::nullopt;
   }
+  if (!is_held(scene, axes.femur.body)) {
+    const BodyDef& femur = scene.bodies[at(axes.femur.body)];
+    out.add(error_at({scene.file, femur.where}, Code::not_applicable, "body." + femur.name, {},
+                     "can move, and the loads of a laxity test would turn it as well: fix it, or hold it by joints of "
+                     "type \"fixed\""));
+    return std::nullopt;
+  }
+  made.freed = freed_by_test(prepared, made.joint);
   const auto sign_of_flexion = flexion_sign(joint, axes);
   if (!sign_of_flexion) {
     out.add(error_at({scene.file, joint.where}, Code::not_applicable, "joint." + joint.name, {},

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "genu/assemble/prepare.h"
 #include "genu/model/grood_suntay.h"
@@ -38,10 +39,11 @@ struct LaxityJoint {
   /// The varus moment acts about the floating axis; else about the tibia's own anterior axis, where the joint's
   /// rotations are not those of Grood and Suntay.
   bool floating = true;
+  std::vector<std::string> freed = {};  ///< coordinates that the scene's last step prescribes and the test does not
 };
 
 /// Adds the loads. Refused in `out`: a scene without `grood_suntay` or with two, motion over time, a fixed tibia, a
-/// joint whose first rotation is not about the femur's flexion axis.
+/// femur that can move, a joint whose first rotation is not about the femur's flexion axis.
 [[nodiscard]] std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnostics& out);
 
 }  // namespace genu
