@@ -13,6 +13,7 @@
 #include "genu/assemble/parameter_values.h"
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/text_places.h"
+#include "genu/core/counted.h"
 #include "genu/scene/reader.h"
 
 namespace genu {
@@ -37,12 +38,6 @@ std::optional<NewValue> parse_value(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v.value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(v.value)) return {};
   return v;
-}
-
-/// "12 ligaments", "1 contact", "2 bodies"
-std::string counted(std::size_t count, const std::string& what) {
-  if (count == 1) return "1 " + what;
-  return fmt::format("{} {}", count, what.ends_with('y') ? what.substr(0, what.size() - 1) + "ies" : what + "s");
 }
 
 class Changes {
@@ -249,15 +244,14 @@ void add_errors(const Diagnostics& from, Diagnostics& to) {
     if (d.severity == Diagnostic::Severity::error) to.add(d);
 }
 
-/// "Knee (without ACL*; MCL*.stiffness=x0.5)"
-std::string changed_title(const std::string& title, const SceneChanges& changes) {
+}  // namespace
+
+std::string words_of(const SceneChanges& changes) {
   std::string words;
   for (const std::string& name : changes.without) words += (words.empty() ? "without " : ", ") + name;
   for (const std::string& option : changes.set) words += (words.empty() ? "" : "; ") + option;
-  return title + (title.empty() ? "" : " ") + "(" + words + ")";
+  return words;
 }
-
-}  // namespace
 
 std::optional<Scene> read_changed_scene(const SceneSource& source, InputFiles& files, Diagnostics& out) {
   auto document = read_document(source.path, files, out);
@@ -278,7 +272,7 @@ std::optional<Scene> read_changed_scene(const SceneSource& source, InputFiles& f
   }
   scene->changed = changes.take();
   scene->changed.asked = source.changes;
-  scene->title = changed_title(scene->title, source.changes);
+  scene->title += (scene->title.empty() ? "(" : " (") + words_of(source.changes) + ")";
   return scene;
 }
 

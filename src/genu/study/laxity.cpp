@@ -221,14 +221,6 @@ std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::str
   return tested;
 }
 
-/// "without ACL*; MCL*.stiffness=x0.5"
-std::string name_of(const SceneChanges& changes) {
-  std::string name;
-  for (const std::string& pattern : changes.without) name += (name.empty() ? "without " : ", ") + pattern;
-  for (const std::string& option : changes.set) name += (name.empty() ? "" : "; ") + option;
-  return name;
-}
-
 /// Sentences for everything that is missing or doubtful; the first says how much there is. `code`: kExitOk,
 /// kExitDoubtful or kExitIncomplete.
 std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, const std::vector<LaxityTest>& tests,
@@ -341,7 +333,7 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
     if (!tested) return kExitRefused;
     result.scenes.push_back(std::move(*tested));
   }
-  const std::string name = source.changes.empty() ? "as written" : name_of(source.changes);
+  const std::string name = source.changes.empty() ? "as written" : words_of(source.changes);
   auto tested = test_scene(*prepared, name, choice, out);
   if (!tested) return kExitRefused;
   result.scenes.push_back(std::move(*tested));
