@@ -49,6 +49,9 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
   print(diagnostics, code == kFailed);
   if (code == kRefused) return code;
   if (!arguments.quiet) fmt::print("{}\n\n{}\n", printable(result.title), result.text);
+  if (!arguments.quiet)
+    for (const std::string& words : result.scenes.back().knee.prepared.scene.changed.words)
+      fmt::print("  {:<12}{}\n", "changed", printable(words));
   for (const std::string& sentence : result.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &result.verdict.front() ? "verdict" : "", printable(sentence));
   if (code != kFailed && arguments.folder && !arguments.quiet)
