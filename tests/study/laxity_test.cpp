@@ -240,8 +240,9 @@ TEST(Laxity, WhatARunWouldDoubtIsDoubted) {
   EXPECT_TRUE(test::contains(result.verdict[1], " at 0 deg, 50 N ")) << result.verdict[1];
   EXPECT_TRUE(test::contains(result.verdict[1], "(limit 20 N)")) << result.verdict[1];
   LaxityChoice pressed = choice_of({kDrawer});
-  pressed.compression = 1000;  // the contact bears it and the springs' pull
-  EXPECT_EQ(tested(limited("contact_force = 2"), pressed).verdict.size(), 1u);
+  pressed.compression = 200;  // the contact bears it and the springs' pull
+  const LaxityResult borne = tested(limited("contact_force = 2"), pressed);
+  EXPECT_EQ(borne.verdict.size(), 1u) << borne.verdict.back();
   tested(limited("contact_force = 0.5"), pressed, kExitDoubtful);
 }
 
