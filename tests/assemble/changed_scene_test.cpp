@@ -94,7 +94,42 @@ TEST_F(ChangedScene, NumbersFactorsAndDifferencesAreSet) {
   EXPECT_EQ(scene->loads[0].force.z(), -6);
   EXPECT_NEAR(scene->surfaces[0].radius, 19.5e-3, 1e-15);
   EXPECT_EQ(scene->changed.words.size(), 4u);
-  EXPECT_EQ(scene->changed.words[1], "sides.stiffness=x0.5 (2 numbers)");
+  EXPECT_EQ(scene->changed.words[1], "sides.stiffness=x0.5 (2 numbers of 2 ligaments)");
+}
+
+TEST_F(ChangedScene, APatternSaysWhatItChangesAndWhatItLeaves) {
+  const auto words = [&](const std::string& option) {
+    const auto scene = read({{}, {option}});
+    EXPECT_TRUE(scene) << test::messages(out_);
+    return scene ? scene->changed.words.at(0) : std::string();
+  };
+  EXPECT_EQ(words("front.stiffness=15000"), "front.stiffness 20000 -> 15000");
+  EXPECT_EQ(words("fron*.stiffness=15000"), "fron*.stiffness=15000 (front.stiffness 20000 -> 15000)");
+  EXPECT_EQ(words("*.from.x=+1"), "*.from.x=+1 (5 numbers of 5 ligaments)");
+  EXPECT_EQ(
+      words("push.*=x2"),
+      "push.*=x2 (3 numbers of 1 load); not given in the file, and left: load.push.moment[1], load.push.moment[2], "
+      "load.push.moment[3] and 3 more; not to be set: push.factor");
+}
+
+TEST_F(ChangedScene, TheKindMayStandInFrontOfEveryName) {
+  const auto scene = read({{},
+                           {"ligament.front.stiffness=15000", "load.push.force.z=-7", "surface.ball.radius=19.5",
+                            "ligament.sides.stiffness=x2"}});
+  ASSERT_TRUE(scene) << test::messages(out_);
+  EXPECT_EQ(scene->ligaments[0].number("stiffness"), 15000);
+  EXPECT_EQ(scene->ligaments[2].number("stiffness"), 40000);
+  EXPECT_EQ(scene->loads[0].force.z(), -7);
+  EXPECT_NEAR(scene->surfaces[0].radius, 19.5e-3, 1e-15);
+  EXPECT_TRUE(test::contains(refused({{}, {"surface.front.stiffness=1"}}), "is no number"));
+}
+
+TEST_F(ChangedScene, ThePointOfACableCannotBeSet) {
+  const std::string cable = scene_text() +
+                            "[load.muscle]\nfrom = { body = \"femur\", point = [0, 0, 40] }\nto = { body = "
+                            "\"tibia\", point = [0, 0, -40] }\nmagnitude = 10\n";
+  EXPECT_FALSE(read_changed_scene({folder_.write("cable.toml", cable), {{}, {"muscle.from.x=1"}}}, out_));
+  EXPECT_TRUE(test::contains(test::messages(out_), "cannot be set (muscle.from.x)")) << test::messages(out_);
 }
 
 TEST_F(ChangedScene, TheLastChangeOfANumberHolds) {
@@ -114,6 +149,18 @@ TEST_F(ChangedScene, TheWrittenTextIsTheChangedScene) {
   EXPECT_EQ(again->ligaments[0].number("stiffness"), 30000);
   EXPECT_EQ(again->loads[0].force.z(), -7);
   EXPECT_EQ(again->disabled.size(), 2u);
+}
+
+TEST_F(ChangedScene, WhatTwoNamesLeaveOutIsWrittenOnce) {
+  for (const SceneChanges& changes : {SceneChanges{{"side", "si*", "sides"}, {}}, SceneChanges{{"sides", "s*"}, {}}}) {
+    const auto scene = read(changes);
+    ASSERT_TRUE(scene) << test::messages(out_);
+    const std::string text = with_changes(scene_text(), *scene, out_);
+    const auto again = parse_scene(text, folder_ / "again.toml", out_);
+    ASSERT_TRUE(again) << test::messages(out_) << text;
+    EXPECT_EQ(again->ligaments.size(), 3u);
+    EXPECT_EQ(again->disabled.size(), 3u) << "side, far and the cartilage that the file leaves out";
+  }
 }
 
 TEST_F(ChangedScene, AnUnknownNameIsRefusedWithANearOne) {

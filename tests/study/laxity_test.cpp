@@ -199,6 +199,53 @@ TEST(Laxity, AChangedSceneStandsBesideTheWrittenOne) {
   EXPECT_TRUE(test::contains(result.text, "without ahead")) << result.text;
 }
 
+TEST(Laxity, TheStepsOfTheSceneNeedNotPrescribeFlexion) {
+  const LaxityChoice choice = choice_of({kDrawer});
+  const std::string loaded = test::with_first(two_springs(), "prescribe = { \"knee.flexion\" = [0, 10] }\n",
+                                              "load = { weight = [0.5, 1] }\n") +
+                             "[load.weight]\nbody = \"tibia\"\nforce = [0, 0, 40]\n";
+  const std::string driven = test::with_first(two_springs(), "increments = 5\n",
+                                              "drive = \"pull\"\nincrements = 5\n[[step]]\nincrements = 1\n") +
+                             "[load.pull]\nbody = \"tibia\"\nmoment = [0, 1, 0]\n";
+  for (const std::string& text : {loaded, driven}) {
+    const LaxityResult result = tested(text, choice);
+    EXPECT_EQ(result.scenes.at(0).angles.at(0).curves.at(0).rows.size(), 41u);
+    EXPECT_EQ(laxity_rows(result.scenes).rows(), 42u);
+  }
+}
+
+TEST(Laxity, ACurveThatEndsBothWaysSaysBothAndHasNoLoop) {
+  const std::string text = test::with_first(two_springs(), "shape = \"plane\"\n",
+                                            "shape = \"plane\"\npatch = { x = [-3, 3], y = [-20, 20] }\n");
+  const test::TemporaryFolder folder;
+  LaxityResult result;
+  Diagnostics out;
+  ASSERT_EQ(run_laxity(folder.write("scene.toml", text), folder / "out", choice_of({kDrawer}), out, result),
+            kExitIncomplete)
+      << test::messages(out);
+  const ResultTable table = laxity_summary(result.scenes);
+  const std::string status = std::get<std::string>(table.at(0, table.column_index("status")));
+  EXPECT_TRUE(test::contains(status, "anterior ends at") && test::contains(status, "; posterior ends at")) << status;
+  EXPECT_TRUE(std::isnan(table.number(0, "loop")));
+  const std::string summary = test::read_file(folder / "out/summary.json");
+  EXPECT_TRUE(test::contains(summary, "\"asked\": 41")) << summary;
+  EXPECT_FALSE(test::contains(summary, "\"solved\": 41")) << summary;
+}
+
+TEST(Laxity, WhatARunWouldDoubtIsDoubted) {
+  const auto limited = [](const std::string& limit) { return two_springs() + "[plausible]\n" + limit + "\n"; };
+  const LaxityResult result = tested(limited("ligament_force = 20"), choice_of({kDrawer}), kExitDoubtful);
+  ASSERT_EQ(result.verdict.size(), 2u);
+  EXPECT_EQ(result.verdict[0], "All 1 curves are complete, with doubts.");
+  EXPECT_TRUE(test::contains(result.verdict[1], " at 0 deg, 50 N ")) << result.verdict[1];
+  EXPECT_TRUE(test::contains(result.verdict[1], "(limit 20 N)")) << result.verdict[1];
+  LaxityChoice pressed = choice_of({kDrawer});
+  pressed.compression = 200;  // the contact bears it and the springs' pull
+  const LaxityResult borne = tested(limited("contact_force = 2"), pressed);
+  EXPECT_EQ(borne.verdict.size(), 1u) << borne.verdict.back();
+  tested(limited("contact_force = 0.5"), pressed, kExitDoubtful);
+}
+
 TEST(Laxity, CompressionActsAtAllPoses) {
   LaxityChoice choice = choice_of({kDrawer});
   const LaxityResult light = tested(two_springs(), choice);
@@ -210,6 +257,53 @@ TEST(Laxity, CompressionActsAtAllPoses) {
     return sum;
   };
   EXPECT_NEAR(force(pressed) - force(light), 200, 1e-6);
+}
+
+TEST(Laxity, TheAngleIsFlexionWhateverTheSignOfTheRotation) {
+  const LaxityChoice choice = choice_of({kDrawer, kVarus, kRotation}, {0, 10, 20});
+  std::string extended = test::with_first(crooked(1), "\"flexion y\"", "\"extension -y\"");
+  extended = test::with_first(extended, "\"knee.flexion\" = [0, 10]", "\"knee.extension\" = [0, -10]");
+  const LaxityResult flexed = tested(crooked(1), choice), turned = tested(extended, choice);
+  EXPECT_NEAR(turned.scenes.at(0).angles.at(1).neutral.motion.flexion, 10 * units::kDegree, 1e-12);
+  const ResultTable one = laxity_summary(flexed.scenes), other = laxity_summary(turned.scenes);
+  ASSERT_EQ(one.rows(), 9u);
+  for (std::size_t row = 0; row < one.rows(); ++row)
+    EXPECT_NEAR(other.number(row, "total"), one.number(row, "total"), 1e-7) << row;
+}
+
+TEST(Laxity, AnotherAxisThanTheFloatingOneIsSaid) {
+  const std::string said = "not the floating axis";
+  const std::string text =
+      test::with_first(crooked(1), "\"adduction x\", \"rotation -z\"", "\"rotation -z\", \"adduction x\"");
+  const LaxityResult other = tested(text, choice_of({kDrawer, kVarus}));
+  ASSERT_EQ(other.verdict.size(), 2u);
+  EXPECT_TRUE(test::contains(other.verdict[1], said)) << other.verdict[1];
+  EXPECT_EQ(tested(text, choice_of({kDrawer})).verdict.size(), 1u) << "no varus moment";
+  EXPECT_EQ(tested(crooked(1), choice_of({kDrawer, kVarus})).verdict.size(), 1u) << "about the floating axis";
+}
+
+TEST(Laxity, WhatTheSceneHoldsAndTheTestFreesIsSaid) {
+  const std::string text =
+      test::with_first(crooked(1), "\"knee.flexion\" = [0, 10]", "\"knee.flexion\" = [0, 10], \"knee.rotation\" = 0");
+  const LaxityResult result = tested(text, choice_of({kDrawer}));
+  ASSERT_EQ(result.verdict.size(), 2u);
+  EXPECT_EQ(result.verdict[1], "Free in this test, prescribed in the scene's last step: knee.rotation.");
+}
+
+TEST(Laxity, WhatIsInterruptedReplacesNoWholeResult) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write("scene.toml", two_springs()), out = folder / "out";
+  LaxityChoice choice = choice_of({kDrawer});
+  Diagnostics said;
+  LaxityResult whole, part;
+  ASSERT_EQ(run_laxity(scene, out, choice, said, whole), kExitOk) << test::messages(said);
+  const std::string rows = test::read_file(out + "/laxity.csv");
+  choice.cancelled = [] { return true; };
+  EXPECT_EQ(run_laxity(scene, out, choice, said, part), kExitIncomplete);
+  EXPECT_EQ(test::read_file(out + "/laxity.csv"), rows);
+  EXPECT_EQ(part.folder, out + ".interrupted");
+  EXPECT_TRUE(std::filesystem::exists(part.folder + "/laxity.csv"));
+  EXPECT_TRUE(test::contains(part.verdict.at(0), "Interrupted")) << part.verdict.at(0);
 }
 
 TEST(Laxity, WhatCannotBeTestedIsRefused) {
@@ -228,6 +322,14 @@ TEST(Laxity, WhatCannotBeTestedIsRefused) {
   still.replace(still.find("[body.femur]\nfixed = true\n[body.tibia]\n"), 39,
                 "[body.femur]\n[body.tibia]\nfixed = true\n");
   EXPECT_FALSE(refused(still).empty());
+  const std::string hip = test::with_first(two_springs(), "[body.femur]\nfixed = true\n",
+                                           "[body.pelvis]\nfixed = true\n[body.femur]\n"),
+                    joint = "[joint.hip]\nparent = \"pelvis\"\nchild = \"femur\"\norigin = [0, 0, 400]\n";
+  EXPECT_TRUE(test::contains(refused(hip + joint + "type = \"revolute\"\naxis = [0, 1, 0]\nstiffness = 5\n"),
+                             "body.femur: can move"));
+  const std::string adducted =
+      test::with_first(two_springs(), "\"flexion y\", \"adduction x\"", "\"adduction x\", \"flexion y\"");
+  EXPECT_TRUE(test::contains(refused(adducted), "not about the femur's flexion axis"));
 }
 
 TEST(Laxity, ACurveThatEndsStopsNoOther) {

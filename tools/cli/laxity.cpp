@@ -49,6 +49,9 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
   print(diagnostics, code == kFailed);
   if (code == kRefused) return code;
   if (!arguments.quiet) fmt::print("{}\n\n{}\n", printable(result.title), result.text);
+  if (!arguments.quiet)
+    for (const std::string& words : result.scenes.back().knee.prepared.scene.changed.words)
+      fmt::print("  {:<12}{}\n", "changed", printable(words));
   for (const std::string& sentence : result.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &result.verdict.front() ? "verdict" : "", printable(sentence));
   if (code != kFailed && arguments.folder && !arguments.quiet)
@@ -62,7 +65,7 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
 void add_laxity(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<LaxityArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML); the knee's joint has grood_suntay")->required();
-  command.add_option("--at", arguments->at, "flexion angles in deg: the joint's first rotation")
+  command.add_option("--at", arguments->at, "flexion angles in deg, positive where the knee bends")
       ->delimiter(',')
       ->check(number_within(-180, 180))
       ->capture_default_str();
@@ -88,7 +91,8 @@ void add_laxity(CLI::App& command, int& exit_code) {
   command.footer(
       "Without --anterior, --varus and --internal all three tests are made with the loads above; with one of them only "
       "those named."
-      "\nExit code 0: all curves complete; 3: a curve ends early, the verdict says at what load and why; 2: refused."
+      "\nExit code 0: all curves complete; 3: a curve ends early, the verdict says at what load and why; 4: "
+      "complete, with doubts, which the verdict says; 2: refused."
       "\nExample: genu laxity knee.toml --at 0,30,60,90 --anterior 134 --without \"ACL*\" --out out/laxity");
   advice().hint(
       "laxity",

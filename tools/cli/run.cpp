@@ -22,6 +22,7 @@
 #include "changes.h"
 #include "colour.h"
 #include "commands.h"
+#include "genu/core/cancelled.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/store/checkpoint.h"
@@ -262,26 +263,42 @@ int run_scene_file(const RunArguments& arguments) {
   return code;
 }
 
+/// Both without slashes at the end.
+bool same_folder(const std::string& one, const std::string& other) {
+  const auto place = [](const std::string& folder) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(folder), none);
+  };
+  return place(one) == place(other);
+}
+
+/// Of two runs: what is not solved weighs more than what is doubtful.
+int worse(int one, int other) { return one == kNotAllOk || other == kNotAllOk ? kNotAllOk : std::max(one, other); }
+
 /// With --beside: the scene as it is written, then as it is changed, then the page of both.
 int run_both(const RunArguments& arguments) {
   if (arguments.beside.empty() || beside_names_a_table(arguments.beside)) return run_scene_file(arguments);
+  if (!arguments.beside_columns.empty())
+    return refuse(Code::usage, "--columns is of a table beside the results, and --beside names a folder");
   if (arguments.no_report || (arguments.changes.empty()))
     return refuse(Code::usage, arguments.no_report
                                    ? "--beside compares the pages that --no-report leaves out"
                                    : "--beside names no table (.csv, .sto, .mot), and as a folder for the scene as it "
                                      "is written it needs --without or --set: nothing is changed");
-  if (std::filesystem::path(arguments.beside).lexically_normal() ==
-      std::filesystem::path(arguments.folder).lexically_normal())
-    return refuse(Code::usage, "--beside and --out are the same folder");
-  RunArguments written = arguments;
+  RunArguments changed = arguments;
+  changed.folder = beside(arguments.folder, "");
+  changed.beside = beside(arguments.beside, "");
+  if (same_folder(changed.beside, changed.folder)) return refuse(Code::usage, "--beside and --out are the same folder");
+  RunArguments written = changed;
   written.changes = {};
-  written.folder = arguments.beside;
+  written.folder = changed.beside;
+  if (!written.save_failure.empty()) written.save_failure += ".as-written";
   const int first = run_scene_file(written);
-  if (first == kRefused || first == kFailed) return first;
-  const int second = run_scene_file(arguments);
+  if (first == kRefused || first == kFailed || asked_to_stop(stop_on_interrupt())) return first;
+  const int second = run_scene_file(changed);
   if (second == kRefused || second == kFailed) return second;
-  const int compared = write_comparison(arguments);
-  return compared != kOk ? compared : std::max(first, second);
+  const int compared = write_comparison(changed);
+  return compared != kOk ? compared : worse(first, second);
 }
 
 }  // namespace
@@ -289,8 +306,9 @@ int run_both(const RunArguments& arguments) {
 void add_run(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML)")->required();
-  CLI::Option* out = command.add_option("--out", arguments->folder,
-                                        "folder for the results, replaced as a whole at the end; left out: out/SCENE");
+  CLI::Option* out = command.add_option(
+      "--out", arguments->folder,
+      "folder for the results, replaced as a whole at the end; left out: out/SCENE, if nothing is changed");
   constexpr int kMostStarts = 100'000;
   CLI::Option* starts =
       command
@@ -323,7 +341,8 @@ void add_run(CLI::App& command, int& exit_code) {
   command
       .add_option("--save-failure", arguments->save_failure,
                   "if a pose is not ok, write a file that repeats the failure with genu reproduce: the needed part "
-                  "of the meshes, no names of folders")
+                  "of the meshes, no names of folders; of the scene as its file says (--beside) into "
+                  "FILE.as-written")
       ->check(not_empty());
   command.add_flag("--no-report", arguments->no_report,
                    "leave out report.html, the page that shows the joint and its results in a browser");
@@ -348,6 +367,13 @@ void add_run(CLI::App& command, int& exit_code) {
       "          genu run knee.toml --without \"ACL*\" --beside out/intact --out out/cut");
   advice().hint("run", "the verdict above says where, why and what to change; the rows before that are valid");
   command.callback([arguments, out, &exit_code] {
+    if (out->count() == 0 && !arguments->changes.empty()) {
+      exit_code = refuse(Code::usage,
+                         "--without and --set need --out DIR: without it results go where those of the scene as "
+                         "written belong, " +
+                             usual_folder(arguments->scene));
+      return;
+    }
     if (out->count() == 0) {
       arguments->folder = usual_folder(arguments->scene);
       if (!arguments->quiet) print_error("results go to {}; another folder: --out DIR\n", arguments->folder);

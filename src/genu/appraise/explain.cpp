@@ -5,12 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/counted.h"
+
 namespace genu {
 namespace {
-
-std::string plural(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
   std::string out;
@@ -229,7 +227,7 @@ class Explanation {
       changes.push_back(f.from == f.to
                             ? fmt::format("load {} x {:g}", scene_.loads[at(f.load)].name, f.to)
                             : fmt::format("load {} x {:g} to {:g}", scene_.loads[at(f.load)].name, f.from, f.to));
-    out_ += fmt::format("\nstep {}: {}{}; {}\n", i + 1, plural(at(s.increments), "increment"), time_of(i),
+    out_ += fmt::format("\nstep {}: {}{}; {}\n", i + 1, counted(at(s.increments), "increment"), time_of(i),
                         changes.empty() ? "free equilibrium" : joined(changes));
     system(s);
   }

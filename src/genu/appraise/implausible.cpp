@@ -50,7 +50,8 @@ class Implausible {
       say("the force of {} reaches {:.0f} N", force, 1, "limit {:g} N", limits_.ligament_force);
   }
 
-  void contacts() {
+  /// `records`: of the rows; none of a motion.
+  void contacts(const std::vector<PoseRecord>& records) {
     Worst force, pressure;
     const auto see = [&](const std::string& contact) {
       const Column forces = column(contact + ".force_N");
@@ -62,7 +63,7 @@ class Implausible {
       for (std::size_t row = 0; row < table_.rows(); ++row)
         pressure.see(units::kMegapascal * number(row, layer.pair.name + ".max_pressure_MPa"), row, layer.pair.name);
     }
-    const double loads = largest_load();
+    const double loads = largest_load(records);
     if (loads > 0 && force.value > limits_.contact_force * loads)
       say("the force of contact {} reaches {:.3g} times all loads", force, 1 / loads, "limit {:g} times",
           limits_.contact_force, 1);
@@ -203,13 +204,17 @@ class Implausible {
 
   /// N: the sum of all loads and weights in the row where it is largest, moments over the length scale. What holds the
   /// prescribed coordinates counts as well.
-  double largest_load() const {
+  double largest_load(const std::vector<PoseRecord>& records) const {
     const JointModel& model = prepared_.model;
     double weights = 0, largest = 0;
     for (const Load& weight : model.weights) weights += weight.force.norm();
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       double sum = weights;
-      for (const Load& load : model.loads) sum += load_size(load) * share_of(load.name, row);
+      for (std::size_t k = 0; k < model.loads.size(); ++k) {
+        const bool known = row < records.size() && k < records[row].point.target.load_factors.size();
+        const double factor = known ? std::abs(records[row].point.target.load_factors[k]) : 1;
+        sum += load_size(model.loads[k]) * share_of(model.loads[k].name, row, factor);
+      }
       if (sum > 0) largest = std::max(largest, sum + reactions(row));
     }
     return largest;
@@ -221,12 +226,11 @@ class Implausible {
     return load.force.norm() + load.moment.norm() / length + std::abs(load.value) / (moment ? length : 1);
   }
 
-  double share_of(const std::string& load, std::size_t row) const {
-    double share = 1;
-    for (const char* part : {".factor", ".scale"})
-      if (const std::string column = load + part; table_.has_column(column))
-        if (const double x = number(row, column); std::isfinite(x)) share *= std::abs(x);
-    return share;
+  /// `factor`: where the table has no column of it, because no step changes it.
+  double share_of(const std::string& load, std::size_t row, double factor) const {
+    if (const double x = number(row, load + ".factor"); std::isfinite(x)) factor = std::abs(x);
+    if (const double x = number(row, load + ".scale"); std::isfinite(x)) factor *= std::abs(x);
+    return factor;
   }
 
   double reactions(std::size_t row) const {
@@ -253,11 +257,16 @@ class Implausible {
 
 std::vector<std::string> implausible(const Prepared& prepared, const std::vector<PoseRecord>& records,
                                      const ResultTable& poses) {
-  Implausible found(prepared, poses, [&](std::size_t row) {
+  return implausible(prepared, records, poses, [&](std::size_t row) {
     return place(prepared, records[row].point.step, records[row].point.target);
   });
+}
+
+std::vector<std::string> implausible(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                                     const ResultTable& poses, const std::function<std::string(std::size_t)>& where) {
+  Implausible found(prepared, poses, where);
   found.ligaments();
-  found.contacts();
+  found.contacts(records);
   found.drivers(records);
   found.rotations(records);
   found.travels(records);
@@ -268,7 +277,7 @@ std::vector<std::string> implausible(const Prepared& prepared, const ResultTable
   Implausible found(prepared, motion,
                     [&](std::size_t row) { return fmt::format("{:.4g} s", motion.number(row, "time_s")); });
   found.ligaments();
-  found.contacts();
+  found.contacts({});
   return found.take();
 }
 

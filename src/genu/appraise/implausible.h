@@ -2,6 +2,7 @@
 // set.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ namespace genu {
 /// `poses`: the pose_table() of `records`, row by row.
 std::vector<std::string> implausible(const Prepared& prepared, const std::vector<PoseRecord>& records,
                                      const ResultTable& poses);
+
+/// The same, with the words for a row.
+std::vector<std::string> implausible(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                                     const ResultTable& poses, const std::function<std::string(std::size_t)>& where);
 
 /// The same of a motion_table(): without contacts' and joints' ways, which have no start to compare with.
 std::vector<std::string> implausible(const Prepared& prepared, const ResultTable& motion);

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "genu/assemble/parameter_values.h"
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/text_places.h"
+#include "genu/core/counted.h"
 #include "genu/scene/reader.h"
 
 namespace genu {
@@ -35,11 +38,6 @@ std::optional<NewValue> parse_value(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v.value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(v.value)) return {};
   return v;
-}
-
-/// "12 ligaments", "1 contact"
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 class Changes {
@@ -77,19 +75,22 @@ class Changes {
       return;
     }
     const std::string pattern = option.substr(0, equals);
-    std::size_t count = 0;
+    const Named named = named_by(pattern);
     double before = 0, after = 0;
-    for (const Place& place : places_of(pattern)) {
+    for (const Place& place : named.places) {
       before = place.node->number;
       after = value->of(before);
       put(*place.node, after);
       applied_.edits.push_back({place.node->where, place.key, fmt::format("{}", after)});
-      ++count;
     }
-    if (count == 1)
-      applied_.words.push_back(fmt::format("{} {:g} -> {:g}", pattern, before, after));
-    else
-      applied_.words.push_back(fmt::format("{} ({})", option, counted(count, "number")));
+    if (named.places.empty()) return;
+    std::string words = fmt::format("{} {:g} -> {:g}", named.places[0].name, before, after);
+    if (named.places.size() > 1)
+      words = fmt::format("{} ({} of {})", option, counted(named.places.size(), "number"), objects_of(named.places));
+    else if (named.places[0].name != pattern)
+      words = fmt::format("{} ({})", option, words);
+    applied_.words.push_back(words + some_of("; not given in the file, and left: ", named.missing) +
+                             some_of("; not to be set: ", named.fixed));
   }
 
   AppliedChanges take() { return std::move(applied_); }
@@ -97,8 +98,36 @@ class Changes {
  private:
   struct Place {
     TomlNode* node;
-    std::string key;
+    std::string key;   ///< "ligament.AAC.stiffness"
+    std::string name;  ///< "AAC.stiffness"
   };
+
+  /// What a pattern names.
+  struct Named {
+    std::vector<Place> places;
+    std::vector<std::string> missing, fixed;  ///< names of numbers that the file does not give, or that have no key
+  };
+
+  /// "2 ligaments, 1 load"
+  static std::string objects_of(const std::vector<Place>& places) {
+    std::map<std::string, std::set<std::string>> objects;
+    for (const Place& place : places) {
+      const std::size_t group = place.key.find('.');
+      objects[place.key.substr(0, group)].insert(
+          place.key.substr(group + 1, place.key.find('.', group + 1) - group - 1));
+    }
+    std::string text;
+    for (const auto& [group, names] : objects) text += (text.empty() ? "" : ", ") + counted(names.size(), group);
+    return text;
+  }
+
+  /// "; left: a, b, c and 4 more"; empty for none.
+  static std::string some_of(const char* what, const std::vector<std::string>& names) {
+    constexpr std::size_t kShown = 3;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kShown, names.size()); ++k) text += (k == 0 ? what : ", ") + names[k];
+    return names.size() > kShown ? text + fmt::format(" and {} more", names.size() - kShown) : text;
+  }
 
   std::vector<TomlNode> none_;
 
@@ -109,11 +138,12 @@ class Changes {
   }
 
   void disable(const std::string& group, TomlNode& table) {
+    const TomlNode* written = table.member("enabled");
+    if (written != nullptr && written->kind == TomlNode::Kind::boolean && !written->boolean) return;  // as it is
     TomlNode off;
     off.kind = TomlNode::Kind::boolean;
     off.key = "enabled";
     off.key_where = off.where = table.key_where;
-    const TomlNode* written = table.member("enabled");
     const std::string key = group + "." + table.key + ".enabled";
     if (written != nullptr)
       applied_.edits.push_back({written->where, key, "false"});
@@ -128,46 +158,79 @@ class Changes {
     node.number = value;
   }
 
-  /// The numbers that a pattern names: those of parameters as the file gives them, and those of contacts.
-  std::vector<Place> places_of(const std::string& pattern) {
-    std::vector<Place> found;
-    std::vector<std::string> known;
-    std::string missing, fixed;
+  /// Whether a pattern names a number by its name, or with the kind of table in front.
+  bool names(const std::string& pattern, const char* group, const std::string& name) const {
+    return matches(scene_, pattern, name) || matches(scene_, pattern, std::string(group) + "." + name);
+  }
+
+  static const char* group_of(const Parameter& p) {
+    return p.of_ligament()  ? "ligament"
+           : p.of_surface() ? "surface"
+           : p.of_load()    ? "load"
+           : p.of_joint()   ? "joint"
+                            : "body";
+  }
+
+  void find_parameters(const std::string& pattern, Named& named, std::vector<std::string>& known) {
     for (const Parameter& p : parameters_of(scene_)) {
       known.push_back(p.name);
-      if (!matches(scene_, pattern, p.name)) continue;
+      if (!names(pattern, group_of(p), p.name)) continue;
       Scene& numbers = const_cast<Scene&>(scene_);  // looked up, not written
       if (parameter_number(numbers, p) == nullptr && p.kind != Parameter::Kind::term &&
           p.kind != Parameter::Kind::surface_number) {
-        fixed = p.name;
+        named.fixed.push_back(p.name);
         continue;
       }
       const ParameterPlace place = parameter_place(scene_, p, document_);
       if (place.node == nullptr)
-        missing = place.key;
-      else
-        found.push_back({const_cast<TomlNode*>(place.node), place.key});  // a node of document_, which is ours
+        named.missing.push_back(place.key);
+      else  // a node of document_, which is ours
+        named.places.push_back({const_cast<TomlNode*>(place.node), place.key, p.name});
     }
+  }
+
+  void find_numbers_of_contacts(const std::string& pattern, Named& named, std::vector<std::string>& known) {
     for (TomlNode& contact : members("contact"))
       for (TomlNode& number : contact.children) {
         if (number.kind != TomlNode::Kind::integer && number.kind != TomlNode::Kind::floating) continue;
         const std::string name = contact.key + "." + number.key;
         known.push_back(name);
-        if (matches(pattern, name) || matches(pattern, "contact." + name))
-          found.push_back({&number, "contact." + name});
+        if (names(pattern, "contact", name)) named.places.push_back({&number, "contact." + name, name});
       }
-    if (!found.empty()) return found;
-    if (!missing.empty())
-      refuse_option(out_, Code::missing_key, "--set", pattern,
-                    "is not given in the file (" + missing + "): write the value that holds without it there");
-    else if (!fixed.empty())
+  }
+
+  void find_points_of_cables(const std::string& pattern, Named& named) const {
+    for (const LoadDef& load : scene_.loads)
+      for (std::size_t k = 0; k < load.points.size(); ++k)
+        for (const char* axis : {"x", "y", "z"}) {
+          const std::string end = k == 0 ? "from" : k + 1 == load.points.size() ? "to" : fmt::format("via.{}", k);
+          const std::string name = load.name + "." + end + "." + axis;
+          if (names(pattern, "load", name)) named.fixed.push_back(name);
+        }
+  }
+
+  /// The numbers that a pattern names: those of parameters as the file gives them, and those of contacts. Without any
+  /// the reason is in `out_`.
+  Named named_by(const std::string& pattern) {
+    Named named;
+    std::vector<std::string> known;
+    find_parameters(pattern, named, known);
+    find_numbers_of_contacts(pattern, named, known);
+    find_points_of_cables(pattern, named);
+    if (!named.places.empty()) return named;
+    if (!named.missing.empty())
+      refuse_option(
+          out_, Code::missing_key, "--set", pattern,
+          "is not given in the file (" + named.missing.back() + "): write the value that holds without it there");
+    else if (!named.fixed.empty())
       refuse_option(out_, Code::not_applicable, "--set", pattern,
-                    "cannot be set: it is no number of a table; change it in the steps or surfaces of the scene");
+                    "cannot be set (" + named.fixed.front() +
+                        "): change it in the steps, surfaces or cables of the scene's file");
     else
       refuse_option(out_, Code::unknown_name, "--set", pattern,
                     "is no number of this scene" + did_you_mean(pattern, known) +
                         " (names as of genu sensitivity: AAC.stiffness, AAC.from.x, push.force.z)");
-    return found;
+    return named;
   }
 
   TomlNode& document_;
@@ -181,15 +244,14 @@ void add_errors(const Diagnostics& from, Diagnostics& to) {
     if (d.severity == Diagnostic::Severity::error) to.add(d);
 }
 
-/// "Knee (without ACL*; MCL*.stiffness=x0.5)"
-std::string changed_title(const std::string& title, const SceneChanges& changes) {
+}  // namespace
+
+std::string words_of(const SceneChanges& changes) {
   std::string words;
   for (const std::string& name : changes.without) words += (words.empty() ? "without " : ", ") + name;
   for (const std::string& option : changes.set) words += (words.empty() ? "" : "; ") + option;
-  return title + (title.empty() ? "" : " ") + "(" + words + ")";
+  return words;
 }
-
-}  // namespace
 
 std::optional<Scene> read_changed_scene(const SceneSource& source, InputFiles& files, Diagnostics& out) {
   auto document = read_document(source.path, files, out);
@@ -210,7 +272,7 @@ std::optional<Scene> read_changed_scene(const SceneSource& source, InputFiles& f
   }
   scene->changed = changes.take();
   scene->changed.asked = source.changes;
-  scene->title = changed_title(scene->title, source.changes);
+  scene->title += (scene->title.empty() ? "(" : " (") + words_of(source.changes) + ")";
   return scene;
 }
 

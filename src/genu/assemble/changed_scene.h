@@ -12,6 +12,9 @@
 
 namespace genu {
 
+/// "without ACL*; MCL*.stiffness=x0.5"
+std::string words_of(const SceneChanges& changes);
+
 /// Reads the scene file, changes the document as asked for, and reads the scene from that, so that a changed number
 /// obeys the rules of a written one. A table left out is as if it had `enabled = false`. Errors in `out`: those of the
 /// file, names that are none, values that are none, and numbers that the file does not give.

@@ -13,6 +13,7 @@
 #include "genu/core/units.h"
 #include "genu/equilibrium/sensitivity.h"
 #include "genu/results/summary.h"
+#include "genu/study/laxity_doubts.h"
 #include "genu/study/laxity_table.h"
 #include "genu/study/run_scene.h"
 #include "genu/study/solve_path.h"
@@ -42,10 +43,11 @@ class Tester {
     const Solved solved = solve(own, field);
     note_neutral(solved, angle);
     if (!angle.solved) return angle;
-    angle.neutral = row_of(own, solved.records.back(), -1);
+    angle.steps = own.steps;
+    angle.neutral = row_of(own, solved.records.back(), -1, 0);
     const State& state = solved.records.back().point.pose.state;
     for (std::size_t j = 0; j < own.model.joints.size(); ++j) own.model.joints[j].start = state.coordinates[j];
-    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, flexion));
+    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, angle));
     return angle;
   }
 
@@ -53,7 +55,8 @@ class Tester {
   StepPlan step(double flexion, int load, const Leg& leg) const {
     const Prepared& p = knee_.prepared;
     StepPlan plan;
-    plan.prescribed = {{QuantityRef(knee_.joint, 0), flexion, flexion}};
+    const double angle = knee_.flexion_sign * flexion;
+    plan.prescribed = {{QuantityRef(knee_.joint, 0), angle, angle}};
     plan.increments = leg.increments;
     const StepPlan* last = p.steps.empty() ? nullptr : &p.steps.back();
     plan.start_time = plan.end_time = last ? last->end_time : 0;
@@ -82,13 +85,19 @@ class Tester {
     }
     for (const PathEvent& event : solved.events)
       if (event.begins_branch()) angle.notes.push_back("the joint snapped on its way to this angle: " + event.what);
-    if (angle.solved && solved.records.back().point.stability.verdict == Stability::Verdict::unstable)
+    if (!angle.solved) return;
+    const Stability& stability = solved.records.back().point.stability;
+    if (stability.verdict == Stability::Verdict::unstable)
       angle.notes.emplace_back("the neutral pose is unstable");
+    else if (stability.complex_pair)
+      angle.notes.emplace_back("the neutral pose may begin to oscillate (flutter)");
   }
 
-  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load) const {
+  /// `steps`: of the angle, before those of `own`.
+  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load, std::size_t steps) const {
     LaxityRow row;
     row.record = record;
+    row.record.point.step += static_cast<int>(steps);
     const GroodSuntayDef& axes = *own.scene.joints[genu::at(knee_.joint)].grood_suntay;
     const auto& poses = record.point.pose.state.poses;
     if (const auto motion = grood_suntay(axes, poses[genu::at(axes.femur.body)], poses[genu::at(axes.tibia.body)]))
@@ -98,11 +107,13 @@ class Tester {
   }
 
   /// Poses of the legs in order, up to the first that is not solved or on another branch. `ended`: why there.
-  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, double flexion, const std::vector<Leg>& legs,
-                                 std::string& ended) const {
+  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, LaxityAngle& angle,
+                                 const std::vector<Leg>& legs, std::string& ended) const {
     const int load = knee_.loads[static_cast<std::size_t>(test.kind)];
     own.steps.clear();
-    for (const Leg& leg : legs) own.steps.push_back(step(flexion, load, leg));
+    for (const Leg& leg : legs) own.steps.push_back(step(angle.flexion, load, leg));
+    const std::size_t before = angle.steps.size();
+    angle.steps.insert(angle.steps.end(), own.steps.begin(), own.steps.end());
     own.model.meter = std::make_shared<EffectMeter>();
     ContactField field = contact_field(own);
     const Solved solved = solve(own, field);
@@ -113,7 +124,7 @@ class Tester {
     std::vector<LaxityRow> rows;
     for (const PoseRecord& record : solved.records) {
       if (!record.point.solved() || record.point.branch != solved.records.front().point.branch) break;
-      rows.push_back(row_of(own, record, load));
+      rows.push_back(row_of(own, record, load, before));
       if (!sensitivity.factor(rows.back().record.point)) continue;
       sensitivity.differentiate(factor);
       if (const auto rate = sensitivity.clinical(knee_.joint)) rows.back().compliance = test.displacement(*rate);
@@ -152,18 +163,18 @@ class Tester {
     return fmt::format("{} ends at {:.4g} {}{}: {}", test.direction(at >= 0), at, test.load_unit(), pose, why);
   }
 
-  LaxityCurve curve(Prepared& own, const LaxityTest& test, double flexion) const {
+  LaxityCurve curve(Prepared& own, const LaxityTest& test, LaxityAngle& angle) const {
     LaxityCurve made;
     made.test = test;
     const int n = choice_.increments;
     const double full = test.load;
     std::string ended;
-    made.rows = rows_of(own, test, flexion, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
+    made.rows = rows_of(own, test, angle, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
     // A path that ended before it came back to zero has not seen the other direction.
     if (ended.empty() || made.rows.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n)) return made;
     ended.clear();
-    const auto back = rows_of(own, test, flexion, {{0, -full, n}, {-full, 0, n}}, ended);
+    const auto back = rows_of(own, test, angle, {{0, -full, n}, {-full, 0, n}}, ended);
     if (!ended.empty()) made.ended.push_back(ended);
     made.rows.insert(made.rows.end(), back.begin() + (back.empty() ? 0 : 1), back.end());
     return made;
@@ -184,6 +195,19 @@ std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoic
 
 namespace {
 
+/// The steps that were solved take the place of the scene's own.
+void take_steps(LaxityOfScene& tested) {
+  std::vector<StepPlan> all;
+  for (LaxityAngle& angle : tested.angles) {
+    const int before = static_cast<int>(all.size());
+    angle.neutral.record.point.step += before;
+    for (LaxityCurve& curve : angle.curves)
+      for (LaxityRow& row : curve.rows) row.record.point.step += before;
+    all.insert(all.end(), angle.steps.begin(), angle.steps.end());
+  }
+  tested.knee.prepared.steps = std::move(all);
+}
+
 std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::string& name, const LaxityChoice& choice,
                                         Diagnostics& out) {
   ContactField field(prepared.model);
@@ -193,53 +217,65 @@ std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::str
   share_search(knee->prepared);
   LaxityOfScene tested{name, std::move(*knee), {}};
   tested.angles = solve_laxity(tested.knee, choice);
+  take_steps(tested);
   return tested;
 }
 
-/// "without ACL*; MCL*.stiffness=x0.5"
-std::string name_of(const SceneChanges& changes) {
-  std::string name;
-  for (const std::string& pattern : changes.without) name += (name.empty() ? "without " : ", ") + pattern;
-  for (const std::string& option : changes.set) name += (name.empty() ? "" : "; ") + option;
-  return name;
-}
-
-/// Sentences for everything that is missing; the first says how much there is.
-std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, std::size_t tests, bool& complete) {
+/// Sentences for everything that is missing or doubtful; the first says how much there is. `code`: kExitOk,
+/// kExitDoubtful or kExitIncomplete.
+std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, const std::vector<LaxityTest>& tests,
+                                    int& code) {
   std::vector<std::string> sentences = {""};
   std::size_t asked = 0, whole = 0;
-  for (const LaxityOfScene& s : scenes)
+  for (const LaxityOfScene& s : scenes) {
     for (const LaxityAngle& angle : s.angles) {
       const std::string place = fmt::format("{}{:g} deg", scenes.size() > 1 ? s.name + ", " : "",
                                             std::round(1e9 * to::kDegree * angle.flexion) / 1e9);
-      asked += tests;
+      asked += tests.size();
       for (const std::string& note : angle.notes) sentences.push_back(place + ": " + note + ".");
       for (const LaxityCurve& curve : angle.curves) {
         whole += curve.ended.empty() ? 1 : 0;
         for (const std::string& ended : curve.ended) sentences.push_back(place + ", " + ended + ".");
       }
     }
-  complete = whole == asked;
-  sentences.front() = complete ? fmt::format("All {} curves are complete.", asked)
-                               : fmt::format("{} of {} curves are complete.", whole, asked);
+    for (const std::string& doubt : laxity_doubts(s))
+      sentences.push_back((scenes.size() > 1 ? s.name + ": " : "") + doubt + ".");
+  }
+  const bool doubtful = sentences.size() > 1;
+  std::string freed;
+  for (const std::string& name : scenes.front().knee.freed) freed += (freed.empty() ? "" : ", ") + name;
+  if (!freed.empty()) sentences.push_back("Free in this test, prescribed in the scene's last step: " + freed + ".");
+  const auto bends_sideways = [](const LaxityTest& test) { return test.kind == LaxityTest::Kind::varus; };
+  if (!scenes.front().knee.floating && std::any_of(tests.begin(), tests.end(), bends_sideways))
+    sentences.emplace_back(
+        "The varus moment acts about the tibia's anterior axis, not the floating axis: the joint's rotations are not "
+        "flexion, adduction and rotation about the tibia's long axis, in this order.");
+  code = whole < asked ? kExitIncomplete : doubtful ? kExitDoubtful : kExitOk;
+  sentences.front() = whole < asked
+                          ? fmt::format("{} of {} curves are complete.", whole, asked)
+                          : fmt::format("All {} curves are complete{}.", asked, doubtful ? ", with doubts" : "");
   return sentences;
 }
 
-RunSummary summary_of(const LaxityResult& result, double seconds, int exit_code) {
+RunSummary summary_of(const LaxityResult& result, const LaxityChoice& choice, double seconds, int exit_code) {
   const LaxityOfScene& last = result.scenes.back();
   RunSummary summary = begin_summary(last.knee.prepared);
+  const std::size_t curves = result.scenes.size() * choice.flexions.size() * choice.tests.size();
+  summary.poses_asked = static_cast<int>(curves) * (1 + 4 * choice.increments);  // up, down, further down, back
   for (const LaxityOfScene& s : result.scenes)
     for (const LaxityAngle& angle : s.angles)
       for (const LaxityCurve& curve : angle.curves)
         for (const LaxityRow& row : curve.rows) {
           const PosePoint& point = row.record.point;
-          ++summary.poses_asked, ++summary.poses_solved;
+          ++summary.poses_solved;
           summary.poses_stable += point.stability.verdict == Stability::Verdict::stable ? 1 : 0;
           summary.iterations += point.report.iterations;
           summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
         }
   summary.verdict = result.verdict;
-  summary.verdict_class = exit_code == kExitOk ? RunSummary::Class::solved : RunSummary::Class::not_solved;
+  summary.verdict_class = exit_code == kExitOk         ? RunSummary::Class::solved
+                          : exit_code == kExitDoubtful ? RunSummary::Class::doubtful
+                                                       : RunSummary::Class::not_solved;
   summary.exit_code = exit_code;
   summary.seconds.emplace_back("laxity", seconds);
   note_files(last.knee.prepared, summary);
@@ -273,11 +309,11 @@ int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostic
   auto tested = test_scene(prepared, "as written", choice, out);
   if (!tested) return kExitRefused;
   result.scenes.push_back(std::move(*tested));
-  bool complete = true;
+  int code = kExitOk;
   result.title = prepared.scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
-  return complete ? kExitOk : kExitIncomplete;
+  return code == kExitDoubtful ? kExitOk : code;
 }
 
 int run_laxity(const SceneSource& source, const std::optional<std::string>& folder, const LaxityChoice& choice,
@@ -297,18 +333,21 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
     if (!tested) return kExitRefused;
     result.scenes.push_back(std::move(*tested));
   }
-  const std::string name = source.changes.empty() ? "as written" : name_of(source.changes);
+  const std::string name = source.changes.empty() ? "as written" : words_of(source.changes);
   auto tested = test_scene(*prepared, name, choice, out);
   if (!tested) return kExitRefused;
   result.scenes.push_back(std::move(*tested));
-  bool complete = true;
+  int code = kExitOk;
   result.title = prepared->scene.title;
-  result.verdict = verdict_of(result.scenes, choice.tests.size(), complete);
+  result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
-  const int code = complete ? kExitOk : kExitIncomplete;
   if (!folder) return code;
-  result.folder = *folder;
-  const std::string error = write_laxity(*folder, result, choice, summary_of(result, timer.seconds(), code));
+  RunSummary summary = summary_of(result, choice, timer.seconds(), code);
+  RunOptions options;
+  options.cancelled = choice.cancelled;
+  result.folder = folder_for(*folder, options, summary);
+  result.verdict = summary.verdict;
+  const std::string error = write_laxity(result.folder, result, choice, summary);
   if (error.empty()) return code;
   out.error(Code::cannot_write, {}, error);
   return kExitFailed;

@@ -1,5 +1,6 @@
 #include "genu/study/laxity_loads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -72,6 +73,32 @@ bool turns_as_clinicians(const JointDef& joint, const GroodSuntayDef& axes, doub
   return true;
 }
 
+/// Of flexion about the joint's first rotation; empty where that turns about another axis than the femur's flexion
+/// axis.
+std::optional<double> flexion_sign(const JointDef& joint, const GroodSuntayDef& axes) {
+  const Vec3 flexion = axes.femur.proximal.cross(axes.femur.anterior);
+  const Vec3& turned = joint.rotations[0].axis;
+  if (joint.parent != axes.femur.body || turned.cross(flexion).norm() > kFlexionTilt) return std::nullopt;
+  return turned.dot(flexion) > 0 ? 1 : -1;
+}
+
+/// Whether nothing can move the body.
+bool is_held(const Scene& scene, int body) {
+  if (scene.bodies[at(body)].fixed) return true;
+  return std::any_of(scene.joints.begin(), scene.joints.end(), [&](const JointDef& joint) {
+    return joint.child == body && joint.type == JointDef::Type::fixed && is_held(scene, joint.parent);
+  });
+}
+
+/// Names of what the last step prescribes besides the first rotation of a joint.
+std::vector<std::string> freed_by_test(const Prepared& prepared, int joint) {
+  std::vector<std::string> names;
+  if (prepared.steps.empty()) return names;
+  for (const auto& p : prepared.steps.back().prescribed)
+    if (!(p.coordinate == QuantityRef(joint, 0))) names.push_back(quantity_name(prepared.scene, p.coordinate));
+  return names;
+}
+
 LoadDef on_tibia(const std::string& name, const GroodSuntayDef& axes) {
   LoadDef load;
   load.name = name;
@@ -84,7 +111,7 @@ LoadDef on_tibia(const std::string& name, const GroodSuntayDef& axes) {
 }  // namespace
 
 std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnostics& out) {
-  LaxityJoint made{prepared, clinical_joint(prepared.source, out), {}, -1, true};
+  LaxityJoint made{prepared, clinical_joint(prepared.source, out), {}, -1, 1, true};
   if (made.joint < 0 || refuse_motion(prepared, "laxity", out)) return std::nullopt;
   Scene& scene = made.prepared.source;
   const JointDef& joint = scene.joints[static_cast<std::size_t>(made.joint)];
@@ -94,6 +121,23 @@ std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnosti
                      "laxity needs a free joint whose tibia moves: fix the femur instead"));
     return std::nullopt;
   }
+  if (!is_held(scene, axes.femur.body)) {
+    const BodyDef& femur = scene.bodies[at(axes.femur.body)];
+    out.add(error_at({scene.file, femur.where}, Code::not_applicable, "body." + femur.name, {},
+                     "can move, and the loads of a laxity test would turn it as well: fix it, or hold it by joints of "
+                     "type \"fixed\""));
+    return std::nullopt;
+  }
+  made.freed = freed_by_test(prepared, made.joint);
+  const auto sign_of_flexion = flexion_sign(joint, axes);
+  if (!sign_of_flexion) {
+    out.add(error_at({scene.file, joint.where}, Code::not_applicable, "joint." + joint.name, {},
+                     "laxity prescribes flexion, and the first rotation of this joint, " + joint.rotations[0].name +
+                         ", is not about the femur's flexion axis (grood_suntay: anterior x proximal): let the femur "
+                         "be the parent and name flexion first"));
+    return std::nullopt;
+  }
+  made.flexion_sign = *sign_of_flexion;
   if (!scene.steps.empty())
     for (const StepDef::Prescribed& p : scene.steps.back().prescribe)
       if (!p.drivers.empty()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "genu/assemble/prepare.h"
 #include "genu/model/grood_suntay.h"
@@ -34,12 +35,15 @@ struct LaxityJoint {
   int joint = -1;
   std::array<int, kLaxityTests> loads{};  ///< indices, by kind
   int compression = -1;                   ///< 1 N that pushes the tibia against the femur along the tibia's long axis
+  double flexion_sign = 1;                ///< of flexion about the joint's first rotation
   /// The varus moment acts about the floating axis; else about the tibia's own anterior axis, where the joint's
   /// rotations are not those of Grood and Suntay.
   bool floating = true;
+  std::vector<std::string> freed = {};  ///< coordinates that the scene's last step prescribes and the test does not
 };
 
-/// Adds the loads. Refused in `out`: a scene without `grood_suntay` or with two, motion over time, a fixed tibia.
+/// Adds the loads. Refused in `out`: a scene without `grood_suntay` or with two, motion over time, a fixed tibia, a
+/// femur that can move, a joint whose first rotation is not about the femur's flexion axis.
 [[nodiscard]] std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnostics& out);
 
 }  // namespace genu

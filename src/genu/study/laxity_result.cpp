@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "genu/study/tolerances.h"
 
@@ -14,9 +15,13 @@ const LaxityRow* LaxityCurve::at(double load) const {
 }
 
 double LaxityCurve::loop() const {
-  double most = 0;
-  for (const LaxityRow& row : rows)
-    most = std::max(most, std::abs(test.displacement(row.motion) - test.displacement(at(row.load)->motion)));
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (const LaxityRow& row : rows) {
+    const LaxityRow* forth = at(row.load);
+    if (forth == &row) continue;
+    const double apart = std::abs(test.displacement(row.motion) - test.displacement(forth->motion));
+    most = std::isnan(most) ? apart : std::max(most, apart);
+  }
   return most;
 }
 

@@ -11,7 +11,7 @@
 namespace genu {
 
 struct LaxityChoice {
-  std::vector<double> flexions;   ///< rad, of the joint's first rotation
+  std::vector<double> flexions;   ///< rad, positive where the knee bends, of the joint's first rotation
   std::vector<LaxityTest> tests;  ///< at most one of each kind
   double compression = 0;         ///< N, in all poses
   int increments = 10;            ///< from 0 to the full load
@@ -35,7 +35,8 @@ struct LaxityCurve {
 
   /// The first pose at a load; null where the curve ends before it.
   const LaxityRow* at(double load) const;
-  /// m or rad: largest difference between two poses at one load, forth and back.
+  /// m or rad: largest difference between two poses at one load, forth and back; NaN for a curve that
+  /// ends before it comes back.
   double loop() const;
 };
 
@@ -45,11 +46,12 @@ struct LaxityAngle {
   bool solved = false;             ///< the neutral pose
   std::vector<std::string> notes;  ///< why not, or what happened on the way to it
   std::vector<LaxityCurve> curves;
+  std::vector<StepPlan> steps;  ///< that were solved: those of the neutral pose, then of each curve
 };
 
 struct LaxityOfScene {
   std::string name;  ///< "as written", "without ACL*"
-  LaxityJoint knee;
+  LaxityJoint knee;  ///< its steps are those of the test, angle by angle; each pose has the number of its own
   std::vector<LaxityAngle> angles;
 };
 

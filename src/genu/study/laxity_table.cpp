@@ -259,6 +259,15 @@ std::string forces(const std::vector<LaxityOfScene>& scenes, const std::vector<L
   return "forces of ligaments in N\n" + text_of(table, skip, 1);
 }
 
+/// "ok", or why a curve ends, each way.
+std::string status_of(const LaxityAngle& angle, const LaxityCurve* curve) {
+  if (curve == nullptr && angle.notes.empty()) return "no neutral pose";
+  const std::vector<std::string>& sentences = curve != nullptr ? curve->ended : angle.notes;
+  std::string status;
+  for (const std::string& sentence : sentences) status += (status.empty() ? "" : "; ") + sentence;
+  return status.empty() ? "ok" : status;
+}
+
 }  // namespace
 
 ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
@@ -310,10 +319,7 @@ ResultTable laxity_summary(const std::vector<LaxityOfScene>& scenes) {
         table.set("test", std::string(test.name()));
         table.set("load", test.load);
         table.set("unit", fmt::format("{} {}", test.load_unit(), test.unit()));
-        std::string status = "ok";
-        if (curve == nullptr) status = angle.notes.empty() ? "no neutral pose" : angle.notes.front();
-        if (curve && !curve->ended.empty()) status = curve->ended.front();
-        table.set("status", status);
+        table.set("status", status_of(angle, curve));
         if (curve == nullptr) continue;
         const LaxityRow *up = curve->at(test.load), *down = curve->at(-test.load);
         const double a = displacement(*curve, up), b = displacement(*curve, down);

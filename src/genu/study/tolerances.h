@@ -195,6 +195,10 @@ inline constexpr std::size_t kMaxSensitivityRows = 5000000;
 /// knee with axes written to few digits gets its varus moment about the tibia's anterior axis.
 inline constexpr double kSameAxis = 1e-6;
 
+/// [1] Sine of the angle between a joint's first rotation and the femur's flexion axis, up to which laxity takes it for
+/// flexion: 6 deg. Fails first: if too small, a knee with measured anatomical axes is refused.
+inline constexpr double kFlexionTilt = 0.1;
+
 /// [of the full load] Difference of two loads that are the same. Fails first: if too large, neighbouring rows are one.
 inline constexpr double kSameLoad = 1e-9;
 
