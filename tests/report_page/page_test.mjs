@@ -359,7 +359,7 @@ async function layout(browser) {
 /** Measured values are rings where the file has them; the file's name is text, whatever it holds. */
 async function beside(browser) {
   const measured = written("<img src=x onerror=alert(1)>.csv", "angle,turn,tilt\n0,0.1,\n0.5,nan,-1\n1,-3,-2\n");
-  const result = solve("beside", join(root, "meshes/dortmans1984/scene.toml"), 0, ["--beside", measured, "--columns", "knee.flexion=angle[rad], knee.rotation=turn, knee.adduction=tilt"]);
+  const result = solve("beside", join(root, "meshes/dortmans1984/scene.toml"), 0, ["--beside", measured, "--columns", "knee.flexion=angle[rad], knee.rotation=turn[deg], knee.adduction=tilt[deg]"]);
   const page = await browser.open(result.page, kLaptop);
   const drawn = await page.evaluate(`(() => { const p = genu.plots.panels[0], g = genu.plots.graphOf(p); return { title: p.raw.title, points: g.points.map((q) => [...q.x].map((x, k) => [x, Number.isFinite(q.y[k]) ? q.y[k] : null])) }; })()`);
   assert.equal(drawn.title, "Rotations [deg]", "what was measured comes first");
