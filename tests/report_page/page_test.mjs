@@ -377,6 +377,24 @@ async function beside(browser) {
   await page.close();
 }
 
+/** Two ligaments with the same forces: what was measured of one is drawn over that one. */
+async function besideAnEqualCurve(browser) {
+  const text = readFileSync(join(root, "meshes/dortmans1984/scene.toml"), "utf8"), at = text.indexOf("[[step]]");
+  const equal = ["left", "right"].map((name) => `[ligament.${name}]\nfrom = { body = "femur", point = [0, 0, 5] }\nto = { body = "tibia", point = [0, 0, -40] }\nlaw = "spring"\nstiffness = 2\nslack_length = 40\n`).join("");
+  const measured = written("right.csv", "knee.flexion_deg,right.force_N,left.force_N\n0,7,\n30,8,6\n");
+  const result = solve("equal", written("equal.toml", text.slice(0, at) + equal + text.slice(at)), 0, ["--beside", measured]);
+  assert.equal(result.cell(30, "left.force_N"), result.cell(30, "right.force_N"));
+  const page = await browser.open(result.page, kLaptop);
+  const placed = await page.evaluate("genu.plots.beside.map((b) => [b.column, b.panel.title, b.panel.series[b.series].name])");
+  assert.deepEqual(placed.sort(), [["left.force_N", "Ligament force [N]", "left"], ["right.force_N", "Ligament force [N]", "right"]]);
+  // Over one of two equal columns the other stays.
+  await page.evaluate("genu.runs[0].columns.get('knee.x_mm').numbers.set(genu.runs[0].numbers('knee.rotation_deg')); genu.axis.choose('knee.x_mm')");
+  assert.equal(await page.evaluate("genu.plots.panels.find((p) => p.raw.title === 'Rotations [deg]').chips.some((c) => c.hidden)"), false, "an equal curve is hidden");
+  assert.equal(await page.evaluate("genu.plots.panels.find((p) => p.raw.title === 'Translations [mm]').chips.filter((c) => c.hidden).length"), 1, "the axis is drawn over itself");
+  await quiet(page);
+  await page.close();
+}
+
 /** 2000 ligaments in 401 poses: less than 20 MB, and the page says what it leaves out. 10 000 poses. */
 async function large(browser) {
   const text = readFileSync(join(root, "meshes/dortmans1984/scene.toml"), "utf8"), at = text.indexOf("[[step]]");
@@ -495,7 +513,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, besideAnEqualCurve, large, words, failedRows, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

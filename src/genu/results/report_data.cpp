@@ -271,6 +271,7 @@ ordered_json chart_json(const Chart& chart) {
     for (const ChartSeries& s : panel.series) {
       ordered_json one = {{"name", s.name}, {"y", packed_floats(s.y)}};
       if (!s.bar.empty()) one["bar"] = packed_floats(s.bar);
+      if (!s.column.empty()) one["column"] = s.column;
       series.push_back(std::move(one));
     }
     j["panels"].push_back({{"title", panel.title}, {"from_zero", panel.from_zero}, {"series", series}});
