@@ -198,7 +198,7 @@ class Curves {
     std::vector<ChartSeries> groups;
     for (const LigamentGroup& g : ligament_groups(scene_)) {
       const std::string first = scene_.ligaments[g.members.front()].name + ".force_N";
-      groups.push_back({g.name, column(poses_, first), {}, g.members.size() == 1 ? first : std::string()});
+      groups.push_back({g.name, column(poses_, first), {}, force_column(scene_, g)});
       for (std::size_t i = 1; i < g.members.size(); ++i) {
         const std::vector<double> force = column(poses_, scene_.ligaments[g.members[i]].name + ".force_N");
         for (std::size_t k = 0; k < force.size(); ++k) groups.back().y[k] += force[k];
