@@ -446,6 +446,30 @@ async function failedRows(browser) {
   await page.close();
 }
 
+/** A page with every second row: rows are called by their numbers in results.csv, and a map says of which pose it is. */
+async function thinned(browser) {
+  const edited = (name, change) => {
+    const html = readFileSync(join(folder, name, "report.html"), "utf8"), data = /(id="genu-data">)([\s\S]*?)(<\/script>)/, all = JSON.parse(data.exec(html)[2]);
+    change(all.runs[0]);
+    return written(`${name}-thinned.html`, html.replace(data, (_, begin, __, end) => begin + JSON.stringify(all).replaceAll("<", "\\u003c") + end));
+  };
+  let rows = 0;
+  const far = await browser.open(edited("far", (run) => { rows = run.rows; run.every = 2; run.rows_in_full = 2 * rows; }), kLaptop);
+  const told = await far.evaluate(`[...document.querySelectorAll(".details details")].find((d) => d.firstChild.textContent.startsWith("Not solved")).textContent`);
+  assert.match(told, new RegExp(`^Not solved: 1 of the ${rows} rows of this page.*why${2 * rows}no equilibrium`));
+  await quiet(far);
+  await far.close();
+
+  const page = await browser.open(edited("layer", (run) => { for (const map of run.pressures) map.every = 2; }), kLaptop);
+  for (const [row, words] of [[2, ""], [3, "(of pose 3)"]]) {
+    await page.evaluate(`genu.player.set(${row})`);
+    await page.settle();
+    assert.equal(await page.evaluate('(() => { const e = document.querySelector(".view .legends .other"); return e.hidden ? "" : e.textContent; })()'), words, "which pose a map is of");
+  }
+  await quiet(page);
+  await page.close();
+}
+
 /** The first pose has no equilibrium, and there is no other. */
 async function oneRow(browser) {
   const text = readFileSync(join(root, "meshes/dortmans1984/scene.toml"), "utf8").replace("[[step]]", '[load.lift]\nbody = "femur"\nmoment = [0, 1e6, 0]\n\n[[step]]');
@@ -513,7 +537,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, besideAnEqualCurve, large, words, failedRows, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

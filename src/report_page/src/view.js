@@ -166,6 +166,7 @@ export class View {
     this.ligaments.show(shown);
     this.contacts.show(row);
     this.maps.show(row);
+    this.maps.tellOther(row);
     this.gaps.show(row);
     if (this.gapLegend) this.gapLegend.hidden = !this.gaps.on;
     this.paint();
