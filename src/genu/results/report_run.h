@@ -57,7 +57,6 @@ struct ReportPressure {
     double pressure = 0;  ///< Pa
   };
   std::vector<std::vector<Sample>> rows;  ///< a site at most once in each
-  std::size_t rows_in_full = 0;           ///< of results.csv, where rows are left out
   std::size_t every = 1;                  ///< rows from one that has samples to the next: those between were left out
 };
 
