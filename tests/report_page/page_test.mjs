@@ -356,6 +356,22 @@ async function layout(browser) {
   }
 }
 
+/** A roll that only guides a ligament is faint, hides nothing, and has its own tick. */
+async function wrapped(browser) {
+  const result = solve("wrapped", join(root, "tests/report_page/scenes/wrapped.toml"));
+  const page = await browser.open(result.page, kLaptop);
+  assert.deepEqual(await page.evaluate("genu.runs[0].raw.meshes.map((m) => m.kind)"), ["surface", "surface", "wrapped"]);
+  const look = "(() => { const { mesh } = genu.view.bodies[0].wrapped[0]; return [mesh.visible, mesh.material.opacity, mesh.material.depthWrite]; })()";
+  assert.deepEqual(await page.evaluate(look), [true, 0.15, false]);
+  const seen = (await page.evaluate(kLit)).hash;
+  await page.evaluate(`[...document.querySelectorAll(".show .item")].find((i) => i.textContent === "surfaces that paths wrap round").querySelector("input").click()`);
+  await page.settle();
+  assert.equal((await page.evaluate(look))[0], false);
+  assert.notEqual((await page.evaluate(kLit)).hash, seen, "the roll was not drawn");
+  await quiet(page);
+  await page.close();
+}
+
 /** Measured values are rings where the file has them; the file's name is text, whatever it holds. */
 async function beside(browser) {
   const measured = written("<img src=x onerror=alert(1)>.csv", "angle,turn,tilt\n0,0.1,\n0.5,nan,-1\n1,-3,-2\n");
@@ -537,7 +553,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, wrapped, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

@@ -56,12 +56,13 @@ std::string points_text(const std::vector<Vec3>& points, double factor) {
 }
 
 ordered_json mesh_json(const ReportMesh& mesh) {
+  constexpr const char* kKinds[] = {"surface", "bone", "wrapped"};
   std::vector<Vec3> mm;
   for (const Vec3& v : mesh.vertices) mm.push_back(to::kMillimetre * v);
   const PackedPoints points = packed_points(mm);
   ordered_json j = {{"name", mesh.name},
                     {"body", mesh.body},
-                    {"kind", mesh.kind == ReportMesh::Kind::bone ? "bone" : "surface"},
+                    {"kind", kKinds[static_cast<int>(mesh.kind)]},
                     {"triangles", mesh.triangles.size()},
                     {"triangles_in_full", mesh.triangles_in_full},
                     {"low", vector_json(points.low)},
