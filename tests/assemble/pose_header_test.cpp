@@ -56,6 +56,13 @@ TEST(PoseHeader, WordsThatSayTheOpposite) {
   EXPECT_FALSE(read_header("inDegrees=yes\nAngles are in degrees.\n").header.angles.against);
 }
 
+TEST(PoseHeader, UnitsThatNobodySays) {
+  EXPECT_STREQ(unsaid_unit({}, true).name, "rad");
+  EXPECT_STREQ(unsaid_unit(read_header("inDegrees=yes\n").header.angles, true).name, "deg");
+  EXPECT_STREQ(unsaid_unit(read_header("inDegrees=no\n").header.angles, true).name, "rad");
+  EXPECT_STREQ(unsaid_unit(read_header("inDegrees=yes\n").header.angles, false).name, "m");
+}
+
 TEST(PoseHeader, BadEntries) {
   EXPECT_EQ(read_header("inDegrees=maybe\n").said, "p.mot:1:11: inDegrees = maybe: must be yes or no\n");
   EXPECT_EQ(read_header("datarows many\n").said, "p.mot:1:10: datarows = many: must be a whole number >= 0\n");

@@ -356,10 +356,26 @@ async function layout(browser) {
   }
 }
 
+/** A roll that only guides a ligament is faint, hides nothing, and has its own tick. */
+async function wrapped(browser) {
+  const result = solve("wrapped", join(root, "tests/report_page/scenes/wrapped.toml"));
+  const page = await browser.open(result.page, kLaptop);
+  assert.deepEqual(await page.evaluate("genu.runs[0].raw.meshes.map((m) => m.kind)"), ["surface", "surface", "wrapped"]);
+  const look = "(() => { const { mesh } = genu.view.bodies[0].wrapped[0]; return [mesh.visible, mesh.material.opacity, mesh.material.depthWrite]; })()";
+  assert.deepEqual(await page.evaluate(look), [true, 0.15, false]);
+  const seen = (await page.evaluate(kLit)).hash;
+  await page.evaluate(`[...document.querySelectorAll(".show .item")].find((i) => i.textContent === "surfaces that paths wrap round").querySelector("input").click()`);
+  await page.settle();
+  assert.equal((await page.evaluate(look))[0], false);
+  assert.notEqual((await page.evaluate(kLit)).hash, seen, "the roll was not drawn");
+  await quiet(page);
+  await page.close();
+}
+
 /** Measured values are rings where the file has them; the file's name is text, whatever it holds. */
 async function beside(browser) {
   const measured = written("<img src=x onerror=alert(1)>.csv", "angle,turn,tilt\n0,0.1,\n0.5,nan,-1\n1,-3,-2\n");
-  const result = solve("beside", join(root, "meshes/dortmans1984/scene.toml"), 0, ["--beside", measured, "--columns", "knee.flexion=angle[rad], knee.rotation=turn, knee.adduction=tilt"]);
+  const result = solve("beside", join(root, "meshes/dortmans1984/scene.toml"), 0, ["--beside", measured, "--columns", "knee.flexion=angle[rad], knee.rotation=turn[deg], knee.adduction=tilt[deg]"]);
   const page = await browser.open(result.page, kLaptop);
   const drawn = await page.evaluate(`(() => { const p = genu.plots.panels[0], g = genu.plots.graphOf(p); return { title: p.raw.title, points: g.points.map((q) => [...q.x].map((x, k) => [x, Number.isFinite(q.y[k]) ? q.y[k] : null])) }; })()`);
   assert.equal(drawn.title, "Rotations [deg]", "what was measured comes first");
@@ -373,6 +389,24 @@ async function beside(browser) {
   assert.ok((await page.evaluate("document.querySelector('.measured').textContent")).startsWith("<img src=x"));
   await page.evaluate('genu.axis.choose("row")');
   assert.equal(await page.evaluate("genu.plots.graphOf(genu.plots.panels[0]).points.length"), 0, "a file without rows is drawn over them");
+  await quiet(page);
+  await page.close();
+}
+
+/** Two ligaments with the same forces: what was measured of one is drawn over that one. */
+async function besideAnEqualCurve(browser) {
+  const text = readFileSync(join(root, "meshes/dortmans1984/scene.toml"), "utf8"), at = text.indexOf("[[step]]");
+  const equal = ["left", "right"].map((name) => `[ligament.${name}]\nfrom = { body = "femur", point = [0, 0, 5] }\nto = { body = "tibia", point = [0, 0, -40] }\nlaw = "spring"\nstiffness = 2\nslack_length = 40\n`).join("");
+  const measured = written("right.csv", "knee.flexion_deg,right.force_N,left.force_N\n0,7,\n30,8,6\n");
+  const result = solve("equal", written("equal.toml", text.slice(0, at) + equal + text.slice(at)), 0, ["--beside", measured]);
+  assert.equal(result.cell(30, "left.force_N"), result.cell(30, "right.force_N"));
+  const page = await browser.open(result.page, kLaptop);
+  const placed = await page.evaluate("genu.plots.beside.map((b) => [b.column, b.panel.title, b.panel.series[b.series].name])");
+  assert.deepEqual(placed.sort(), [["left.force_N", "Ligament force [N]", "left"], ["right.force_N", "Ligament force [N]", "right"]]);
+  // Over one of two equal columns the other stays.
+  await page.evaluate("genu.runs[0].columns.get('knee.x_mm').numbers.set(genu.runs[0].numbers('knee.rotation_deg')); genu.axis.choose('knee.x_mm')");
+  assert.equal(await page.evaluate("genu.plots.panels.find((p) => p.raw.title === 'Rotations [deg]').chips.some((c) => c.hidden)"), false, "an equal curve is hidden");
+  assert.equal(await page.evaluate("genu.plots.panels.find((p) => p.raw.title === 'Translations [mm]').chips.filter((c) => c.hidden).length"), 1, "the axis is drawn over itself");
   await quiet(page);
   await page.close();
 }
@@ -424,6 +458,30 @@ async function failedRows(browser) {
   assert.ok((await page.evaluate('document.querySelector(".verdict").textContent')).includes("Not all of it is solved."));
   assert.ok((await page.evaluate('document.querySelector(".details").textContent')).includes("Not solved: "));
   assert.ok((await page.evaluate(kLit)).share > 0.05);
+  await quiet(page);
+  await page.close();
+}
+
+/** A page with every second row: rows are called by their numbers in results.csv, and a map says of which pose it is. */
+async function thinned(browser) {
+  const edited = (name, change) => {
+    const html = readFileSync(join(folder, name, "report.html"), "utf8"), data = /(id="genu-data">)([\s\S]*?)(<\/script>)/, all = JSON.parse(data.exec(html)[2]);
+    change(all.runs[0]);
+    return written(`${name}-thinned.html`, html.replace(data, (_, begin, __, end) => begin + JSON.stringify(all).replaceAll("<", "\\u003c") + end));
+  };
+  let rows = 0;
+  const far = await browser.open(edited("far", (run) => { rows = run.rows; run.every = 2; run.rows_in_full = 2 * rows; }), kLaptop);
+  const told = await far.evaluate(`[...document.querySelectorAll(".details details")].find((d) => d.firstChild.textContent.startsWith("Not solved")).textContent`);
+  assert.match(told, new RegExp(`^Not solved: 1 of the ${rows} rows of this page.*why${2 * rows}no equilibrium`));
+  await quiet(far);
+  await far.close();
+
+  const page = await browser.open(edited("layer", (run) => { for (const map of run.pressures) map.every = 2; }), kLaptop);
+  for (const [row, words] of [[2, ""], [3, "(of pose 3)"]]) {
+    await page.evaluate(`genu.player.set(${row})`);
+    await page.settle();
+    assert.equal(await page.evaluate('(() => { const e = document.querySelector(".view .legends .other"); return e.hidden ? "" : e.textContent; })()'), words, "which pose a map is of");
+  }
   await quiet(page);
   await page.close();
 }
@@ -495,7 +553,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, settling, controls, layout, beside, large, words, failedRows, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, wrapped, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

@@ -90,6 +90,10 @@ TEST(Curves, FibresOfALigamentAreAddedUpAndTheStrongestComeFirst) {
   EXPECT_EQ(ligaments[1].name, "ACL");
   EXPECT_DOUBLE_EQ(ligaments[1].y[0], 15);
   EXPECT_EQ(ligaments[2].name, "7");
+  // Sums are no column of results.csv.
+  EXPECT_EQ(ligaments[0].column, "PCL.force_N");
+  EXPECT_EQ(ligaments[1].column, "");
+  EXPECT_EQ(panel(chart, "Rotations [deg]").series[0].column, "knee.adduction_deg");
 }
 
 TEST(Curves, TwoEndsOfAWindowAreOneBand) {

@@ -32,6 +32,15 @@ TEST(ReportData, HoldsWhatThePageShows) {
   EXPECT_EQ(run["table"][1]["numbers"], packed_floats({2, std::nan("")}));
 }
 
+TEST(ReportData, CurvesNameTheirColumns) {
+  const test::ReportCase c;
+  ReportRun r = c.run();
+  r.chart.panels = {{"Translations [mm]", {{"x", {2, 3}, {}, "knee.x_mm"}, {"sum", {2, 3}}}}};
+  const Json series = Json::parse(report_data({r}))["runs"][0]["chart"]["panels"][0]["series"];
+  EXPECT_EQ(series[0]["column"], "knee.x_mm");
+  EXPECT_FALSE(series[1].contains("column"));
+}
+
 TEST(ReportData, PosesAreToldFromNearTheJointAndMissingOnesAreNone) {
   const test::ReportCase c;
   const Json run = Json::parse(report_data({c.run()}))["runs"][0];

@@ -68,15 +68,18 @@ TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {
   ASSERT_NE(clinical, nullptr);
   EXPECT_EQ(clinical->series[0].name, "flexion");
   EXPECT_EQ(clinical->series[0].y[0], 30);
+  EXPECT_EQ(clinical->series[0].column, "knee.gs.flexion_deg");
   const ChartPanel* area = panel_titled(chart, "Contact area [mm2]");
   ASSERT_NE(area, nullptr);
   ASSERT_EQ(area->series.size(), 2u);
   EXPECT_EQ(area->series[0].name, "medial");
+  EXPECT_EQ(area->series[0].column, "cartilage.medial.area_mm2");
   EXPECT_TRUE(std::isnan(area->series[0].y[0]));
   EXPECT_EQ(area->series[1].y[0], 120);
   const ChartPanel* force = panel_titled(chart, "Joint force [N]");
   ASSERT_NE(force, nullptr);
   EXPECT_DOUBLE_EQ(force->series[0].y[0], 13);
+  EXPECT_EQ(force->series[0].column, "");
   EXPECT_EQ(panel_titled(chart, "Largest contact pressure [MPa]"), nullptr);
 }
 

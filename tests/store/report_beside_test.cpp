@@ -36,12 +36,12 @@ struct Read {
 };
 
 TEST(ReportBeside, NamesOfResultsWithAndWithoutTheirUnits) {
-  const Read r("measured.csv", "knee.flexion_deg,knee.adduction,other\n0,1,7\n10,2.5,7\n");
+  const Read r("measured.csv", "knee.flexion_deg,ACL.force,other\n0,1,7\n10,2.5,7\n");
   ASSERT_TRUE(r.table) << test::messages(r.said);
   EXPECT_EQ(r.table->name, "measured.csv");
   EXPECT_EQ(r.table->columns.size(), 2u);
   EXPECT_EQ(r.of("knee.flexion_deg"), (std::vector<double>{0, 10}));
-  EXPECT_EQ(r.of("knee.adduction_deg"), (std::vector<double>{1, 2.5}));
+  EXPECT_EQ(r.of("ACL.force_N"), (std::vector<double>{1, 2.5}));
   EXPECT_TRUE(r.said.items().empty()) << test::messages(r.said);
 }
 
@@ -52,6 +52,34 @@ TEST(ReportBeside, ColumnsAndUnitsOfTheUser) {
   EXPECT_NEAR(r.of("knee.flexion_deg")[0], 180, 1e-9);
   EXPECT_NEAR(r.of("knee.x_mm")[0], 15, 1e-12);
   EXPECT_EQ(r.of("ACL.force_N")[0], 20);
+}
+
+/// As genu evaluate reads it: an angle in rad, a length in m. Forces have no such habit.
+TEST(ReportBeside, ValuesWithoutAUnit) {
+  const Read r("m.csv", "turn,knee.x,pull,flex_deg\n0.5,0.01,20,30\n",
+               "knee.adduction=turn, ACL.force=pull, knee.flexion=flex_deg");
+  ASSERT_TRUE(r.table) << test::messages(r.said);
+  EXPECT_NEAR(r.of("knee.adduction_deg")[0], 0.5 * 180 / M_PI, 1e-12);
+  EXPECT_NEAR(r.of("knee.x_mm")[0], 10, 1e-12);
+  EXPECT_EQ(r.of("ACL.force_N")[0], 20);
+  EXPECT_EQ(r.of("knee.flexion_deg")[0], 30);
+  const std::string said = test::messages(r.said);
+  EXPECT_TRUE(test::contains(said,
+                             "m.csv:1:1: turn: is read in rad, because it has no unit: say --columns "
+                             "\"knee.adduction=turn[rad]\""))
+      << said;
+  EXPECT_TRUE(test::contains(said, "m.csv:1:6: knee.x: is read in m")) << said;
+  EXPECT_EQ(r.said.items().size(), 2u) << said;
+}
+
+TEST(ReportBeside, UnitsOfForces) {
+  const Read r("m.csv", "knee.flexion_deg,pull,ACL.force [kN]\n0,2,3\n", "ACL.force=pull[kN]");
+  ASSERT_TRUE(r.table) << test::messages(r.said);
+  EXPECT_NEAR(r.of("ACL.force_N")[0], 2000, 1e-9);
+  EXPECT_NEAR(Read("m.csv", "knee.flexion_deg,ACL.force [kN]\n0,3\n").of("ACL.force_N")[0], 3000, 1e-9);
+  Read("m.csv", "knee.flexion_deg,pull\n0,2\n", "ACL.force=pull[potatoes]")
+      .refused("m.csv:1:18: pull = \"potatoes\": is no unit of ACL.force_N: N, kN");
+  Read("m.csv", "knee.flexion_deg,ACL.force [mm]\n0,2\n").refused("is no unit of ACL.force_N: N, kN");
 }
 
 TEST(ReportBeside, FilesOfOpenSimAreInTheirOwnUnits) {

@@ -101,7 +101,7 @@ TEST(Cli, MeasuredCurvesStandBesideTheComputed) {
   const std::string scene = folder.write("ball.toml", kBall), out = " --out " + (folder / "out");
   const std::string good = folder.write("m.csv", "angle,turn\n0,1\n0.1,nan\n"),
                     bad = folder.write("b.csv", "angle,turn\n0,x\n");
-  const std::string columns = " --columns 'knee.flexion=angle[rad], knee.adduction=turn'";
+  const std::string columns = " --columns 'knee.flexion=angle[rad], knee.adduction=turn[deg]'";
   const Outcome run = genu("run " + scene + out + " --beside " + good + columns);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.err, "1 cells hold no number and are left out of the report")) << run.err;

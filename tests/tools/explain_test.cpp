@@ -1,4 +1,5 @@
 // genu explain TOPIC: whatever a scene can hold and a run can write has an entry; what is mistyped gets a suggestion.
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -96,6 +97,25 @@ TEST(CliExplain, WhatIsMistypedOrNoFile) {
   EXPECT_TRUE(contains(genu("explain none.toml").err, "no such file"));
   EXPECT_TRUE(contains(genu("explain ligaments").out, "transition_strain"));
   EXPECT_FALSE(contains(genu("explain ligaments").out, "](#"));
+}
+
+TEST(CliExplain, CommandsWithTheirPages) {
+  for (const char* command : {"laxity", "judge", "calibrate", "evaluate", "sensitivity"}) {
+    const Outcome o = genu(std::string("explain ") + command);
+    EXPECT_EQ(o.exit_code, 0) << o.err;
+    EXPECT_TRUE(contains(o.out, std::string(command) + " is a command: ")) << o.out;
+    EXPECT_GT(std::count(o.out.begin(), o.out.end(), '\n'), 20) << command << " has a page in docs/";
+  }
+}
+
+TEST(CliExplain, ChangesNeedAScene) {
+  for (const char* asked :
+       {"explain ligaments --without ACL", "explain laxity --set AAC.stiffness=1", "explain --set a=1"}) {
+    const Outcome o = genu(asked);
+    EXPECT_EQ(o.exit_code, 2) << asked;
+    EXPECT_EQ(o.out, "") << asked;
+    EXPECT_TRUE(contains(o.err, "--without and --set change a scene, and")) << o.err;
+  }
 }
 
 TEST(CliExplain, SearchesAllPagesInFullText) {

@@ -36,11 +36,20 @@ int explain_scene(const SceneSource& source) {
   return scene ? kExitOk : kExitRefused;
 }
 
+/// What a command does, and the page of its name where there is one.
+void explain_command(const CommandFacts& command, const Topics& topics) {
+  fmt::print("{} is a command: {}\n\n`genu {} --help` says what it takes.\n", command.name, command.description,
+             command.name);
+  const bool page = std::any_of(topics.sections.begin(), topics.sections.end(),
+                                [&](const Topic& t) { return t.level == 1 && t.name == command.name; });
+  if (page) fmt::print("\n{}", explain_topic(topics, command.name));
+}
+
 int explain_word(const CLI::App& app, const std::string& word) {
   const Topics topics = topics_of(help_pages());
   for (const CommandFacts& c : command_table(app))
     if (c.name == word) {
-      fmt::print("{} is a command: {}\n\n`genu {} --help` says what it takes.\n", word, c.description, word);
+      explain_command(c, topics);
       return kOk;
     }
   if (word.empty()) {
@@ -79,7 +88,13 @@ void add_explain(CLI::App& command, int& exit_code) {
   command.footer(
       "Examples: genu explain knee.toml\n          genu explain ligaments\n          genu explain over_edge");
   command.callback([&command, word, changes, &exit_code] {
-    exit_code = means_a_file(*word) ? explain_scene({*word, *changes}) : explain_word(*command.get_parent(), *word);
+    if (means_a_file(*word))
+      exit_code = explain_scene({*word, *changes});
+    else if (!changes->without.empty() || !changes->set.empty())
+      exit_code = refuse(Code::usage, fmt::format("--without and --set change a scene, and {} is no scene file",
+                                                  word->empty() ? "nothing" : with_quotes(printable(*word))));
+    else
+      exit_code = explain_word(*command.get_parent(), *word);
   });
 }
 

@@ -224,7 +224,7 @@ std::string line_with(const Topic& topic, const std::string& word) {
   return topic.title;
 }
 
-/// "laxity", and of a column of results the part after its object: ACL.force_N is also force_N.
+/// In small letters.
 std::vector<std::string> searched_words(const std::string& text) {
   std::istringstream parts(small(text));
   std::vector<std::string> words;

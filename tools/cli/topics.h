@@ -35,7 +35,8 @@ Topics topics_of(const std::vector<HelpPage>& pages);
 std::string explain_topic(const Topics& topics, const std::string& word);
 
 /// Sections whose text has all words of `text`, in any case, as "page: title" with a line that has the first: those
-/// with the most of them first, at most `most`. Empty where there is none.
+/// with the most of them first, at most `most`. Of a column of results that none has, the part after its object is
+/// searched: force_N of ACL.force_N. Empty where there is none.
 std::string sections_with(const Topics& topics, const std::string& text, std::size_t most = 8);
 
 /// Every word that explain_topic() knows, but for columns with objects' names in them.

@@ -54,10 +54,9 @@ class Matcher {
   }
 
   void read_units(const std::string& text) {
-    if (file_.angles.degrees) {
-      angle_ = column_unit(*file_.angles.degrees ? "deg" : "rad");
-      angle_why_ = file_.angles.why;
-    }
+    angle_ = &unsaid_unit(file_.angles, true);
+    length_ = &unsaid_unit(file_.angles, false);
+    if (file_.angles.degrees) angle_why_ = file_.angles.why;
     if (trimmed(text).empty()) return;
     for (const std::string& part : split(text, ',')) {
       const ColumnUnit* unit = column_unit(std::string(trimmed(part)));
@@ -260,8 +259,8 @@ class Matcher {
   ColumnNames names_;
   std::vector<CoordinateRef> wanted_;
   std::map<std::pair<int, int>, std::pair<std::size_t, const ColumnUnit*>> explicit_;
-  const ColumnUnit *angle_ = column_unit("rad"), *length_ = column_unit("m");
-  static constexpr const char* kAssumed = "SI";  // why a unit is taken that nobody says
+  const ColumnUnit *angle_ = nullptr, *length_ = nullptr;  // of columns that do not say their own
+  static constexpr const char* kAssumed = "SI";            // why a unit is taken that nobody says
   std::string angle_why_ = kAssumed, length_why_ = kAssumed;
   bool unit_of_file_used_ = false;
   std::vector<std::string> missing_;

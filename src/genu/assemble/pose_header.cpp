@@ -82,6 +82,11 @@ class HeaderReader {
 
 }  // namespace
 
+const ColumnUnit& unsaid_unit(const AngleUnit& angles, bool angle) {
+  if (!angle) return *column_unit("m");
+  return *column_unit(angles.degrees.value_or(false) ? "deg" : "rad");
+}
+
 PoseHeader read_pose_header(const std::vector<TextLine>& lines, LongErrors& errors) {
   HeaderReader reader(errors);
   for (const TextLine& line : lines) reader.read(line);

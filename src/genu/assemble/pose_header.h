@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "genu/assemble/column_units.h"
 #include "genu/assemble/long_errors.h"
 #include "genu/assemble/table_text.h"
 
@@ -21,6 +22,9 @@ struct AngleUnit {
   std::optional<std::string> against;  ///< words in the same file that say the opposite
   int line = 0;
 };
+
+/// The unit of angles or of lengths that nobody gives one: as the header says, else rad; m.
+const ColumnUnit& unsaid_unit(const AngleUnit& angles, bool angle);
 
 struct PoseHeader {
   /// A number of rows or columns that the header gives.

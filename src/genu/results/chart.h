@@ -12,6 +12,7 @@ struct ChartSeries {
   std::string name;
   std::vector<double> y;         ///< one for each x of the chart; NaN interrupts the line
   std::vector<double> bar = {};  ///< how far y may be off, one for each x, drawn as a band; empty: not known
+  std::string column = {};       ///< of results.csv, whose numbers y are; empty: of none
 };
 
 struct ChartPanel {

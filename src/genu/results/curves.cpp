@@ -140,7 +140,7 @@ class Curves {
   }
 
   ChartSeries series(const std::string& name, const std::string& of) const {
-    ChartSeries out{name, column(poses_, of)};
+    ChartSeries out{name, column(poses_, of), {}, of};
     if (bars_ != nullptr && bars_->has_column(of)) out.bar = column(*bars_, of);
     return out;
   }
@@ -197,7 +197,8 @@ class Curves {
   std::vector<ChartSeries> ligament_forces() const {
     std::vector<ChartSeries> groups;
     for (const LigamentGroup& g : ligament_groups(scene_)) {
-      groups.push_back({g.name, column(poses_, scene_.ligaments[g.members.front()].name + ".force_N")});
+      const std::string first = scene_.ligaments[g.members.front()].name + ".force_N";
+      groups.push_back({g.name, column(poses_, first), {}, force_column(scene_, g)});
       for (std::size_t i = 1; i < g.members.size(); ++i) {
         const std::vector<double> force = column(poses_, scene_.ligaments[g.members[i]].name + ".force_N");
         for (std::size_t k = 0; k < force.size(); ++k) groups.back().y[k] += force[k];
@@ -217,7 +218,7 @@ class Curves {
   std::vector<ChartSeries> load_factors() const {
     std::vector<ChartSeries> out;
     for (const LoadDef& l : scene_.loads)
-      if (poses_.has_column(l.name + ".factor")) out.push_back({l.name, column(poses_, l.name + ".factor")});
+      if (poses_.has_column(l.name + ".factor")) out.push_back(series(l.name, l.name + ".factor"));
     return out;
   }
 

@@ -56,12 +56,13 @@ std::string points_text(const std::vector<Vec3>& points, double factor) {
 }
 
 ordered_json mesh_json(const ReportMesh& mesh) {
+  constexpr const char* kKinds[] = {"surface", "bone", "wrapped"};
   std::vector<Vec3> mm;
   for (const Vec3& v : mesh.vertices) mm.push_back(to::kMillimetre * v);
   const PackedPoints points = packed_points(mm);
   ordered_json j = {{"name", mesh.name},
                     {"body", mesh.body},
-                    {"kind", mesh.kind == ReportMesh::Kind::bone ? "bone" : "surface"},
+                    {"kind", kKinds[static_cast<int>(mesh.kind)]},
                     {"triangles", mesh.triangles.size()},
                     {"triangles_in_full", mesh.triangles_in_full},
                     {"low", vector_json(points.low)},
@@ -271,6 +272,7 @@ ordered_json chart_json(const Chart& chart) {
     for (const ChartSeries& s : panel.series) {
       ordered_json one = {{"name", s.name}, {"y", packed_floats(s.y)}};
       if (!s.bar.empty()) one["bar"] = packed_floats(s.bar);
+      if (!s.column.empty()) one["column"] = s.column;
       series.push_back(std::move(one));
     }
     j["panels"].push_back({{"title", panel.title}, {"from_zero", panel.from_zero}, {"series", series}});

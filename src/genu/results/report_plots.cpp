@@ -31,6 +31,8 @@ class ReportPlots {
     return values;
   }
 
+  ChartSeries series(const std::string& name, const std::string& of) const { return {name, column(of), {}, of}; }
+
   /// After the panel of the title `after`, or where the forces and moments of the whole end.
   void insert(const std::string& after, const char* title, std::vector<ChartSeries> series, bool from_zero) {
     if (series.empty()) return;
@@ -47,7 +49,7 @@ class ReportPlots {
     for (const JointDef& joint : scene_.joints)
       for (std::size_t i = from; joint.grood_suntay && i < to; ++i) {
         const std::string name = clinical_column(joint.name, i), word = without_unit(kClinical[i]);
-        if (poses_.has_column(name)) out.push_back({knees > 1 ? joint.name + " " + word : word, column(name)});
+        if (poses_.has_column(name)) out.push_back(series(knees > 1 ? joint.name + " " + word : word, name));
       }
     return out;
   }
@@ -57,7 +59,7 @@ class ReportPlots {
     for (const LayerDef& layer : scene_.layers) {
       const bool several = scene_.layers.size() > 1;
       const auto add = [&](const std::string& of, const std::string& name) {
-        if (poses_.has_column(of + "." + quantity)) out.push_back({name, column(of + "." + quantity)});
+        if (poses_.has_column(of + "." + quantity)) out.push_back(series(name, of + "." + quantity));
       };
       for (const RegionDef& region : layer.pair.regions) {
         const std::string full = layer.pair.name + "." + region.name;

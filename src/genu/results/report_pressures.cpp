@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "genu/model/layer_report.h"
+#include "genu/results/casting_sides.h"
 #include "genu/results/tolerances.h"
 
 namespace genu {
@@ -90,36 +90,26 @@ bool shown_whole(const PlacedScene& scene, const std::vector<ReportMesh>& meshes
 std::vector<ReportPressure> report_pressures(const PlacedScene& scene, const JointModel& model,
                                              const std::vector<const State*>& states,
                                              const std::vector<ReportMesh>& meshes, std::size_t most) {
+  const std::vector<CastingSide> sides = casting_sides(scene, model);
   std::vector<SideMap> maps;
-  std::size_t samples = 0;
-  for (std::size_t k = 0; k < model.layers.size(); ++k) {
-    const JointModel::Layer& layer = model.layers[k];
-    const ContactDef& pair = scene.layers[k].pair;
-    const auto& sides = layer.layer->sides();
-    ElasticLayer::Memory memory;
-    std::vector<SideMap> own;
-    for (const ElasticLayer::Side& side : sides) {
-      const int surface = side.a ? pair.surface_a : pair.surface_b;
-      ReportPressure map;
-      map.contact = pair.name;
-      map.surface = scene.surfaces[at(surface)].name;
-      map.body = side.a ? layer.body_a : layer.body_b;
-      if (shown_whole(scene, meshes, surface)) map.mesh = surface;
-      own.emplace_back(std::move(map));
-    }
-    for (const State* state : states)
-      for (std::size_t i = 0; i < own.size(); ++i) {
-        own[i].begin_row();
-        if (state == nullptr) continue;
-        const auto add = [&](const LayerPoint& point) { own[i].add(point); };
-        layer.layer->visit(state->poses[at(layer.body_a)], state->poses[at(layer.body_b)], i, memory, add,
-                           state->layer_level(k));
-      }
-    for (SideMap& map : own) {
-      samples += map.samples();
-      maps.push_back(std::move(map));
-    }
+  for (const CastingSide& side : sides) {
+    ReportPressure map;
+    map.contact = scene.layers[side.layer].pair.name;
+    map.surface = scene.surfaces[at(side.surface)].name;
+    map.body = side.body;
+    if (shown_whole(scene, meshes, side.surface)) map.mesh = side.surface;
+    maps.emplace_back(std::move(map));
   }
+  std::vector<ElasticLayer::Memory> memories;
+  for (const State* state : states)
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      maps[i].begin_row();
+      if (state != nullptr)
+        visit_side(model, sides[i], state->poses, memories, state->layer_level(sides[i].layer),
+                   [&](const LayerPoint& point) { maps[i].add(point); });
+    }
+  std::size_t samples = 0;
+  for (const SideMap& map : maps) samples += map.samples();
   std::vector<ReportPressure> out;
   for (SideMap& map : maps) {
     if (samples > most) map.thin((samples + most - 1) / most);

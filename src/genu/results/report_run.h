@@ -15,7 +15,7 @@ namespace genu {
 
 /// Triangles to be looked at, in the frame of their body's pose. They are never computed with.
 struct ReportMesh {
-  enum class Kind { surface, bone };
+  enum class Kind { surface, bone, wrapped };  ///< wrapped: it guides paths alone and must not hide bones
   std::string name;
   int body = 0;  ///< index into JointModel::bodies
   Kind kind = Kind::surface;
@@ -33,9 +33,10 @@ struct ReportContact {
   std::vector<Vec3> force;  ///< N, on the second body
 };
 
-/// The course of a ligament that wraps round surfaces, in each row: points on bodies, in the frames of their poses.
+/// The course of a ligament or cable that wraps round surfaces, in each row: points on bodies, in the frames of their
+/// poses.
 struct ReportPath {
-  int ligament = -1;  ///< index into JointModel::ligaments
+  int ligament = -1;  ///< index into JointModel::ligaments; -1 for a cable
   struct Point {
     int body = 0;
     Vec3 p = Vec3::Zero();  ///< m
@@ -57,7 +58,6 @@ struct ReportPressure {
     double pressure = 0;  ///< Pa
   };
   std::vector<std::vector<Sample>> rows;  ///< a site at most once in each
-  std::size_t rows_in_full = 0;           ///< of results.csv, where rows are left out
   std::size_t every = 1;                  ///< rows from one that has samples to the next: those between were left out
 };
 
@@ -84,7 +84,8 @@ struct ReportRun {
   std::vector<std::vector<Pose>> body_poses;  ///< of each row the poses of all bodies; empty where there is none
   std::vector<ReportMesh> meshes;
   std::vector<ReportContact> contacts;
-  std::vector<ReportPath> wrapped;
+  std::vector<ReportPath> wrapped;  ///< of ligaments
+  std::vector<ReportPath> cables;   ///< not drawn: they tell where surfaces are touched
   std::vector<ReportPressure> pressures;
   std::vector<ReportBeside> beside;
   std::vector<std::string> coordinates;        ///< columns of `poses` that may be the axis of curves

@@ -6,24 +6,17 @@
 
 namespace genu {
 
-/// Calls visit(layer, side, surface) for each side whose casting surface is a mesh.
-template <typename Visit>
-void PressureFinder::for_sides(Visit visit) const {
-  for (std::size_t k = 0; k < model_.layers.size(); ++k) {
-    const auto& sides = model_.layers[k].layer->sides();
-    const ContactDef& pair = scene_.layers[k].pair;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      const int surface = sides[i].a ? pair.surface_a : pair.surface_b;
-      if (scene_.surfaces[genu::at(surface)].shape == SurfaceDef::Shape::mesh) visit(k, i, surface);
-    }
-  }
+PressureFinder::PressureFinder(const PlacedScene& scene, const JointModel& model)
+    : model_(model), sides_(casting_sides(scene, model)) {
+  std::erase_if(sides_, [&](const CastingSide& side) {
+    return scene.surfaces[genu::at(side.surface)].shape != SurfaceDef::Shape::mesh;
+  });
 }
 
 std::vector<int> PressureFinder::surfaces() const {
   std::vector<int> found;
-  for_sides([&](std::size_t, std::size_t, int surface) {
-    if (std::find(found.begin(), found.end(), surface) == found.end()) found.push_back(surface);
-  });
+  for (const CastingSide& side : sides_)
+    if (std::find(found.begin(), found.end(), side.surface) == found.end()) found.push_back(side.surface);
   return found;
 }
 
@@ -32,11 +25,9 @@ std::vector<TrianglePressures> PressureFinder::at(const State& state, const Targ
   for (const int surface : surfaces()) out.push_back({surface, {}, {}});
   if (out.empty()) return out;
   const Unbalanced found = unbalanced(model_, state, target, memory_);
-  layers_.resize(model_.layers.size());
-  for_sides([&](std::size_t k, std::size_t side, int surface) {
+  for (const CastingSide& side : sides_) {
     TrianglePressures& here =
-        *std::find_if(out.begin(), out.end(), [&](const TrianglePressures& t) { return t.surface == surface; });
-    const JointModel::Layer& layer = model_.layers[k];
+        *std::find_if(out.begin(), out.end(), [&](const TrianglePressures& t) { return t.surface == side.surface; });
     const auto note = [&](const LayerPoint& point) {
       const std::size_t cell = genu::at(point.cell);
       if (cell >= here.pressure.size()) {
@@ -46,10 +37,9 @@ std::vector<TrianglePressures> PressureFinder::at(const State& state, const Targ
       here.pressure[cell] = std::max(here.pressure[cell], point.pressure);
       here.depth[cell] = std::max(here.depth[cell], point.depth);
     };
-    const int level = k < found.layer_levels.size() ? found.layer_levels[k] : 0;
-    layer.layer->visit(state.poses[genu::at(layer.body_a)], state.poses[genu::at(layer.body_b)], side, layers_[k], note,
-                       level);
-  });
+    const int level = side.layer < found.layer_levels.size() ? found.layer_levels[side.layer] : 0;
+    visit_side(model_, side, state.poses, layers_, level, note);
+  }
   return out;
 }
 

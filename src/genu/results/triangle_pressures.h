@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "genu/model/layer_report.h"
 #include "genu/model/linearization.h"
-#include "genu/scene/scene.h"
+#include "genu/results/casting_sides.h"
 
 namespace genu {
 
@@ -15,10 +14,10 @@ struct TrianglePressures {
   std::vector<double> pressure, depth;  ///< Pa, m: the largest at any point of the triangle
 };
 
-/// Remembers what makes the next pose faster. `scene` and `model` must outlive it.
+/// Remembers what makes the next pose faster. `model` must outlive it.
 class PressureFinder {
  public:
-  PressureFinder(const PlacedScene& scene, const JointModel& model) : scene_(scene), model_(model) {}
+  PressureFinder(const PlacedScene& scene, const JointModel& model);
 
   /// Surfaces that are meshes and cast, as scene and model have them: the same at every pose.
   std::vector<int> surfaces() const;
@@ -27,11 +26,8 @@ class PressureFinder {
   std::vector<TrianglePressures> at(const State& state, const Target& target);
 
  private:
-  template <typename Visit>
-  void for_sides(Visit visit) const;
-
-  const PlacedScene& scene_;
   const JointModel& model_;
+  std::vector<CastingSide> sides_;  // those that are meshes
   Linearization memory_;
   std::vector<ElasticLayer::Memory> layers_;
 };

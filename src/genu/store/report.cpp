@@ -16,6 +16,7 @@
 #include "genu/results/report_pressures.h"
 #include "genu/store/report_meshes.h"
 #include "genu/store/report_rows.h"
+#include "genu/store/report_wraps.h"
 
 namespace genu {
 namespace {
@@ -106,21 +107,25 @@ std::vector<ReportContact> contacts_of(const Prepared& p, const Solution& soluti
   return out;
 }
 
-std::vector<ReportPath> wrapped_paths(const JointModel& model, const std::vector<const State*>& states) {
+/// The course in each row; nothing where the path wraps round no surface.
+void add_course(const JointModel& model, const LigamentPath& path, int ligament,
+                const std::vector<const State*>& states, std::vector<ReportPath>& out) {
   constexpr double kSpacing = 1e-3;  // m: as fine as a page shows
-  std::vector<ReportPath> out;
-  for (std::size_t l = 0; l < model.ligaments.size(); ++l) {
-    const LigamentPath& path = model.ligaments[l].path;
-    if (path.obstacles().empty()) continue;
-    ReportPath& drawn = out.emplace_back();
-    drawn.ligament = static_cast<int>(l);
-    for (const State* state : states) {
-      auto& row = drawn.rows.emplace_back();
-      if (state == nullptr || state->wraps.size() != model.reference_wraps.size()) continue;
-      path.for_each_place(state->wraps, kSpacing, [&](int body, const Vec3& p) { row.push_back({body, p}); });
-    }
+  if (path.obstacles().empty()) return;
+  ReportPath& drawn = out.emplace_back();
+  drawn.ligament = ligament;
+  for (const State* state : states) {
+    auto& row = drawn.rows.emplace_back();
+    if (state == nullptr || state->wraps.size() != model.reference_wraps.size()) continue;
+    path.for_each_place(state->wraps, kSpacing, [&](int body, const Vec3& p) { row.push_back({body, p}); });
   }
-  return out;
+}
+
+void add_paths(const JointModel& model, const std::vector<const State*>& states, ReportRun& run) {
+  for (std::size_t l = 0; l < model.ligaments.size(); ++l)
+    add_course(model, model.ligaments[l].path, static_cast<int>(l), states, run.wrapped);
+  for (const Load& load : model.loads)
+    if (load.kind == Load::Kind::cable) add_course(model, load.path, -1, states, run.cables);
 }
 
 /// Columns that may be the axis of curves: time, coordinates, combinations, Grood and Suntay's.
@@ -181,9 +186,10 @@ ReportRun report_run(const Prepared& p, const Solution& solution, std::vector<Re
   run.beside = std::move(beside);
   std::vector<const State*> states = states_of(solution);
   for (const State* state : states) run.body_poses.push_back(state != nullptr ? state->poses : std::vector<Pose>());
-  run.wrapped = wrapped_paths(p.model, states);
+  add_paths(p.model, states, run);
   run.contacts = contacts_of(p, solution, states);
   run.meshes = report_meshes(p, run);
+  cut_wrapped(p, run);
   if (const std::vector<std::size_t> rows = thin_rows(run); !rows.empty()) {
     std::vector<const State*> kept;
     for (const std::size_t row : rows) kept.push_back(states[row]);

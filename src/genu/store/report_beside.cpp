@@ -16,6 +16,7 @@
 #include "genu/results/columns.h"
 #include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
+#include "genu/store/beside_units.h"
 
 namespace genu {
 namespace {
@@ -140,21 +141,24 @@ class BesideReader {
       chosen_.emplace(column, Chosen{cell, factor(column, cell, unit)});
   }
 
-  /// From `unit`, or what the file is known to be in where it names none, to the unit at the end of `column`.
-  double factor(const std::string& column, std::size_t cell, const std::string& unit) {
-    const std::size_t line = column.rfind('_');
-    const ColumnUnit* to = line == std::string::npos ? nullptr : column_unit(column.substr(line + 1));
-    if (to == nullptr) return 1;
-    std::string from = unit;
-    if (from.empty() && names_[cell] == column) return 1;
-    if (from.empty() && to->angle && file_.angles.degrees) from = *file_.angles.degrees ? "deg" : "rad";
-    if (from.empty() && storage_) from = to->angle ? "rad" : "m";
-    if (from.empty()) return 1;
-    const ColumnUnit* known = column_unit(from);
-    if (known != nullptr && known->angle == to->angle) return known->si / to->si;
-    out_.add(error_at({file_.path, {file_.names.line, file_.names.cells[cell].column}}, Code::wrong_form, names_[cell],
-                      with_quotes(from),
-                      fmt::format("is no unit of {}: {}", column, to->angle ? "deg or rad" : "mm, cm or m")));
+  /// From `unit`, else that of the file's own name, else the one that values without a unit have.
+  double factor(const std::string& column, std::size_t cell, std::string unit) {
+    const FilePlace place{file_.path, {file_.names.line, file_.names.cells[cell].column}};
+    if (unit.empty() && names_[cell] != column) unit = unit_in_name(names_[cell], column);
+    if (unit.empty()) {
+      if (names_[cell] == column) return 1;
+      unit = unit_unsaid(column, file_.angles);
+      const double factor = unit_factor(column, unit).value_or(1);
+      if (factor != 1 && !storage_)
+        out_.add(warning_at(place, Code::missing_key, names_[cell], {},
+                            fmt::format("is read in {}, because it has no unit: say --columns \"{}={}[{}]\", or the "
+                                        "unit that it is in",
+                                        unit, without_unit(column), names_[cell], unit)));
+      return factor;
+    }
+    if (const auto known = unit_factor(column, unit)) return *known;
+    out_.add(error_at(place, Code::wrong_form, names_[cell], with_quotes(unit),
+                      fmt::format("is no unit of {}: {}", column, units_of(column))));
     return 1;
   }
 

@@ -48,6 +48,9 @@ function tiedPoints(run, body) {
   return points;
 }
 
+/** Surfaces that guide ligaments and nothing else would hide the bones in them. */
+export const kWrappedKey = "wrapped", kWrapped = 0.15;
+
 export class Bodies {
   /** `ghost`: 0 for the run itself, else which one of those it is compared with. */
   constructor(run, ghost = 0) {
@@ -58,12 +61,16 @@ export class Bodies {
     this.groups.forEach((g) => { g.matrixAutoUpdate = false; this.world.add(g); });
     this.outline = [];
     this.geometries = [];
+    this.wrapped = [];  // { body, mesh } of surfaces that only guide paths
     for (const raw of run.raw.meshes) {
-      const geometry = geometryOf(raw), mesh = new Mesh(geometry, this.materials[raw.body]);
+      const geometry = geometryOf(raw);
+      this.geometries.push(geometry);
+      if (raw.kind === "wrapped" && ghost > 0) continue;
+      const mesh = new Mesh(geometry, raw.kind === "wrapped" ? this.faint(raw.body) : this.materials[raw.body]);
       mesh.userData.name = raw.name;
       mesh.userData.body = raw.body;
-      this.geometries.push(geometry);
       this.groups[raw.body].add(mesh);
+      if (raw.kind === "wrapped") this.wrapped.push({ body: raw.body, mesh });
       this.outline.push({ body: raw.body, points: farPoints(geometry.attributes.position) });
     }
     this.bare = run.bodies.map((_, i) => !run.raw.meshes.some((m) => m.body === i));
@@ -73,13 +80,26 @@ export class Bodies {
   colourOf(i) { return `#${this.materials[i].color.getHexString()}`; }
 
   /** Meshes a ray may meet. */
-  targets() { return this.groups.filter((g, i) => g.visible && this.materials[i].opacity > 0.02).flatMap((g) => g.children.filter((c) => c.userData.name !== undefined)); }
+  targets() { return this.groups.filter((g, i) => g.visible && this.materials[i].opacity > 0.02).flatMap((g) => g.children.filter((c) => c.visible && c.userData.name !== undefined)); }
 
   material(body, i, ghost) {
     const moving = this.run.bodies.slice(0, i).filter((b) => !b.fixed).length + 1;
     return new MeshStandardMaterial({
       color: ghost > 0 ? kGhosts[(ghost - 1) % kGhosts.length] : kBodies[body.fixed ? 0 : 1 + ((moving - 1) % (kBodies.length - 1))],
       roughness: 0.72, metalness: 0, side: DoubleSide, transparent: ghost > 0, opacity: ghost > 0 ? 0.28 : 1, depthWrite: ghost === 0 });
+  }
+
+  faint(body) {
+    const material = this.materials[body].clone();
+    return Object.assign(material, { transparent: true, opacity: kWrapped, depthWrite: false });
+  }
+
+  /** `opacity` of all surfaces that only guide paths, as far as their bodies are shown. */
+  setWrapped(opacity) {
+    for (const { mesh } of this.wrapped) {
+      mesh.visible = opacity > 0;
+      mesh.material.opacity = opacity;
+    }
   }
 
   /** Bodies without a surface: needs the size of the whole to know how thick a stick is. */

@@ -1,4 +1,5 @@
 // Below the picture: where to look from, what to show, what to save.
+import { kWrappedKey } from "./bodies.js";
 import { h } from "./dom.js";
 import { saveMenu } from "./save.js";
 
@@ -25,7 +26,8 @@ export function controls(view, run, shown, plots, player) {
   const tick = (text, checked, set) => { const box = h("input", { type: "checkbox", checked, onchange: () => { set(box.checked); view.paint(); } }); return h("label.tick", {}, box, text); };
   const swatch = (colour) => h("i.blob", { "aria-hidden": "true", style: { background: colour } });
   const menu = h("div.menu.wide", {}, hold,
-    list("Bodies", shown, run.bodies.map((b, i) => [`body ${b.name}`, b.name, swatch(view.bodies[0].colourOf(i))])),
+    list("Bodies", shown, [...run.bodies.map((b, i) => [`body ${b.name}`, b.name, swatch(view.bodies[0].colourOf(i))]),
+      ...(view.bodies[0].wrapped.length > 0 ? [[kWrappedKey, "surfaces that paths wrap round"]] : [])]),
     list("Contacts", shown, run.contacts.map((c) => [`contact ${c.name}`, c.name])),
     list("Ligaments", shown, run.bundles().map(([name]) => [`ligament ${name}`, name])),
     h("fieldset", {}, h("legend", {}, "Marks"),

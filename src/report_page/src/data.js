@@ -60,7 +60,7 @@ export class Run {
       ...raw.chart,
       x: floats(raw.chart.x),
       panels: raw.chart.panels.map((p) => ({
-        ...p, series: p.series.map((s) => ({ name: s.name, y: floats(s.y), bar: s.bar ? floats(s.bar) : null })) })),
+        ...p, series: p.series.map((s) => ({ name: s.name, column: s.column ?? "", y: floats(s.y), bar: s.bar ? floats(s.bar) : null })) })),
     };
     this.breaks = new Set(this.chart.breaks);
   }

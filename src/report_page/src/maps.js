@@ -115,7 +115,19 @@ export class Maps {
     for (const d of this.drawn) if (d.mesh.visible) d.show(row, this.most);
   }
 
-  legend() { return this.any ? pressureLegend(this.most) : null; }
+  legend() {
+    if (!this.any) return null;
+    this.other = h("span.other", { hidden: true }, "");
+    return [pressureLegend(this.most), this.other];
+  }
+
+  /** Says of which pose the maps are, where they are not of the one that is shown. */
+  tellOther(row) {
+    if (!this.any) return;
+    const kept = this.drawn[0].map.keptRow(row);  // all maps of a run are thinned alike
+    this.other.hidden = kept === row || !this.visible;
+    this.other.textContent = kept === row ? "" : `(of pose ${this.run.numberOf(kept)})`;
+  }
 }
 
 export const pressureLegend = (most) => h("span.scale", {}, h("span", {}, "pressure 0"), h("i.bar", { style: { background: pressureGradient() }, "aria-hidden": "true" }), h("span", {}, `${short(most, 3)} MPa`));

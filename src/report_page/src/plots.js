@@ -28,8 +28,6 @@ class Colours {
   }
 }
 
-const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k] || (Number.isNaN(v) && Number.isNaN(b[k])));
-
 /** Measured columns as points of the panels: [{ panel, series (index), table, column }]; those of no panel get one of their own. */
 function besideOf(run, panels) {
   const out = [];
@@ -40,11 +38,11 @@ function besideOf(run, panels) {
       if (!numbers) continue;
       let place = null;
       for (const panel of panels) {
-        const series = panel.series.findIndex((s) => alike(s.y, numbers));
+        const series = panel.series.findIndex((s) => s.column === column);
         if (series >= 0) { place = { panel, series }; break; }
       }
       if (!place) {
-        const { name, unit } = quantity(column, run), panel = { title: capital(name) + (unit ? ` [${unit}]` : ""), from_zero: false, series: [{ name, y: numbers, bar: null }] };
+        const { name, unit } = quantity(column, run), panel = { title: capital(name) + (unit ? ` [${unit}]` : ""), from_zero: false, series: [{ name, column, y: numbers, bar: null }] };
         panels.push(panel);
         place = { panel, series: 0 };
       }
@@ -113,8 +111,8 @@ export class Plots {
     raw.series.forEach((s, i) => {
       if (this.isHidden(panel, i)) return;
       runs.forEach((run, r) => {
-        const twin = r === 0 ? s : twinSeries(run, raw, s.name), x = axis.values(run);
-        if (!twin || (apart && r === 0) || alike(twin.y, x)) return;
+        const twin = r === 0 ? s : twinSeries(run, raw, s.name);
+        if (!twin || (apart && r === 0) || twin.column === axis.column) return;
         const y = apart ? differenceOf(runs[0], s.y, run, twin.y, axis) : twin.y, over = apart ? runs[0] : run;
         curves.push({ x: axis.values(over), y, bar: apart || runs.length > 1 ? null : s.bar, breaks: over.breaks, first: axis.settling(over), colour: ink(styles[i].variable), dash: runs.length === 1 ? styles[i].dash : kRuns[r % kRuns.length], width: r === 0 ? 1.8 : 1.5 });
       });
@@ -175,7 +173,7 @@ export class Plots {
     Object.assign(panel.now.parentElement.style, { left: `${left}px`, width: `${right - left}px`, top: `${top}px`, height: `${bottom - top}px` });
     panel.chips.forEach((chip, i) => {
       chip.setAttribute("aria-pressed", String(!this.isHidden(panel, i)));
-      chip.hidden = alike(panel.raw.series[i].y, this.axis.values(this.run));  // the axis itself
+      chip.hidden = panel.raw.series[i].column === this.axis.column;  // the axis itself
     });
     this.place(panel);
   }

@@ -2,7 +2,7 @@
 import { AmbientLight, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Matrix4 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { h } from "./dom.js";
-import { Bodies } from "./bodies.js";
+import { Bodies, kWrapped, kWrappedKey } from "./bodies.js";
 import { Ligaments } from "./ligaments.js";
 import { Contacts } from "./contacts.js";
 import { Maps } from "./maps.js";
@@ -115,6 +115,7 @@ export class View {
 
   /** What presses from above is seen through, so that the contacts under it are seen. */
   seeThrough() {
+    this.shown.opacity.set(kWrappedKey, kWrapped);
     const carries = new Set([...this.run.contacts.map((c) => c.body_b)]);
     for (const c of this.run.contacts) if (!carries.has(c.body_a)) this.shown.opacity.set(`body ${this.run.bodies[c.body_a].name}`, this.run.pressures.length > 0 ? 0.35 : 0.5);
   }
@@ -156,6 +157,7 @@ export class View {
     if (this.held >= 0) this.stage.matrix.copy(matrixOf(this.run, shown, this.held)).invert().premultiply(matrixOf(this.run, this.run.shown(0), this.held));
     this.stage.matrixWorldNeedsUpdate = true;
     this.run.bodies.forEach((b, i) => this.bodies[0].setOpacity(i, this.shown.alpha(`body ${b.name}`)));
+    this.bodies[0].setWrapped(this.shown.alpha(kWrappedKey));
     this.bodies[0].show(shown);
     this.runs.slice(1).forEach((r, i) => {
       const there = r.shown(this.axis.twin(row, r));
@@ -166,6 +168,7 @@ export class View {
     this.ligaments.show(shown);
     this.contacts.show(row);
     this.maps.show(row);
+    this.maps.tellOther(row);
     this.gaps.show(row);
     if (this.gapLegend) this.gapLegend.hidden = !this.gaps.on;
     this.paint();

@@ -126,8 +126,8 @@ function unsolved(run, player) {
   for (let k = 0; k < run.rows; ++k) if (run.status(k) !== "ok") bad.push(k);
   if (bad.length === 0) return null;
   const kMost = 100;
-  return fold(`Not solved: ${bad.length} of ${run.rows}`, true, table(["row", "why", ""], bad.slice(0, kMost).map((k) =>
-    [String(k + 1), run.status(k).replaceAll("_", " "), h("button", { type: "button", onclick: () => player.set(k) }, "show")])),
+  return fold(`Not solved: ${bad.length} of ${run.every > 1 ? `the ${run.rows} rows of this page` : run.rows}`, true, table(["row", "why", ""], bad.slice(0, kMost).map((k) =>
+    [String(run.numberOf(k)), run.status(k).replaceAll("_", " "), h("button", { type: "button", onclick: () => player.set(k) }, "show")])),
   bad.length > kMost ? h("p.small", {}, `and ${bad.length - kMost} more`) : null);
 }
 
