@@ -14,14 +14,6 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-std::string kind_of_object(const Parameter& p) {
-  if (p.of_ligament()) return "ligament";
-  if (p.of_surface()) return "surface";
-  if (p.of_load()) return "load";
-  if (p.of_joint()) return "joint";
-  return "body";
-}
-
 /// What a table of numbers says of an object as a whole.
 template <class Def>
 std::string fault_of(const Def& def) {
@@ -41,6 +33,8 @@ std::string fault_of_object(const SceneTables& scene, const Parameter& p) {
       return fault_of(scene.bodies[at(p.object)]);
     case Kind::joint_number:
       return fault_of(scene.joints[at(p.object)]);
+    case Kind::bushing_number:
+      return fault_of(scene.bushings[at(p.object)]);
     default:
       return {};
   }
@@ -153,18 +147,21 @@ void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what
   for (const ContactDef& c : scene.contacts) known.push_back(c.name);
   for (const LayerDef& l : scene.layers) known.push_back(l.pair.name);
   for (const BundleDef& b : scene.bundles) known.push_back(b.name);
+  for (const BushingDef& b : scene.bushings) known.push_back(b.name);
   const std::size_t ligaments = take_out_ligaments(scene, pattern), loads = take_out_loads(scene, pattern),
-                    pairs = take_out_contacts(scene, pattern);
+                    pairs = take_out_contacts(scene, pattern),
+                    bushings = take_out(scene.bushings, kept(scene, scene.bushings, pattern, "bushing"));
   const auto add = [&](std::size_t n, const char* word) {
     if (n > 0) what += (what.empty() ? "" : ", ") + counted(n, word);
   };
   add(ligaments, "ligament");
+  add(bushings, "bushing");
   add(pairs, "contact");
   add(loads, "load");
   contacts = pairs > 0;
   if (what.empty())
     refuse(Code::unknown_name, "without", with_quotes(pattern),
-           "is no ligament, bundle, contact or load of this scene" + did_you_mean(pattern, known));
+           "is no ligament, bundle, bushing, contact or load of this scene" + did_you_mean(pattern, known));
 }
 
 SceneNumbers::SceneNumbers(const SceneTables& scene) {
@@ -176,7 +173,7 @@ SceneNumbers::SceneNumbers(const SceneTables& scene) {
     number.name = p.name;
     number.unit = p.unit;
     number.si = p.si;
-    number.object = kind_of_object(p);
+    number.object = p.group();
     number.moves_surfaces = p.of_surface() || (p.of_joint() && is_vector(scene, p));
     number.moves_points = is_point(scene, p);
     number.place = [p](SceneTables& s) { return parameter_number(s, p); };

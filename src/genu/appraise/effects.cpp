@@ -92,6 +92,7 @@ std::vector<RunSummary::Effect> effects_of(const Prepared& p) {
   list.add(Effect::contact_search, "search for contacts", m.pairs.size());
   list.add(Effect::layers, "cartilage layers", m.layers.size(), layer_note(p));
   list.add(Effect::ligaments, "ligaments", m.ligaments.size());
+  list.add(Effect::bushings, "bushings", m.bushings.size());
   list.add(Effect::damping, "dampers", moves ? damper_count(m) : 0);
   list.add(Effect::loads, "loads", m.loads.size());
   list.add(Effect::weights, "weights", m.weights.size());

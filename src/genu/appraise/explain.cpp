@@ -171,6 +171,7 @@ class Explanation {
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("cartilage layer", layers.size(), "pairs: " + joined(layers) + "; no unknowns");
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
+    effect("bushings", scene_.bushings.size(), "springs between frames of two bodies; no unknowns");
     effect("loads", scene_.loads.size(), joined(loads) + "; no unknowns");
     effect("gravity", heavy.size(), "weights: " + joined(heavy) + "; no unknowns");
     if (scene_.dynamics) effect("dynamics", 1, "inertia and dampers; motion over time in the place of steps");

@@ -19,7 +19,7 @@
 namespace genu {
 namespace {
 
-constexpr std::array kGroups = {"ligament", "contact", "load"};
+constexpr std::array kGroups = {"ligament", "bushing", "contact", "load"};
 
 /// "x0.5", "+2" or "1000".
 struct NewValue {
@@ -62,7 +62,7 @@ class Changes {
     }
     if (found.empty())
       refuse_option(out_, Code::unknown_name, "--without", pattern,
-                    "is no ligament, bundle, contact or load of this scene" + did_you_mean(pattern, known));
+                    "is no ligament, bundle, bushing, contact or load of this scene" + did_you_mean(pattern, known));
     applied_.words.push_back("without " + pattern + " (" + found + ")");
   }
 
@@ -163,18 +163,10 @@ class Changes {
     return matches(scene_, pattern, name) || matches(scene_, pattern, std::string(group) + "." + name);
   }
 
-  static const char* group_of(const Parameter& p) {
-    return p.of_ligament()  ? "ligament"
-           : p.of_surface() ? "surface"
-           : p.of_load()    ? "load"
-           : p.of_joint()   ? "joint"
-                            : "body";
-  }
-
   void find_parameters(const std::string& pattern, Named& named, std::vector<std::string>& known) {
     for (const Parameter& p : parameters_of(scene_)) {
       known.push_back(p.name);
-      if (!names(pattern, group_of(p), p.name)) continue;
+      if (!names(pattern, p.group(), p.name)) continue;
       Scene& numbers = const_cast<Scene&>(scene_);  // looked up, not written
       if (parameter_number(numbers, p) == nullptr && p.kind != Parameter::Kind::term &&
           p.kind != Parameter::Kind::surface_number) {

@@ -27,6 +27,7 @@ Path object_path(const SceneTables& scene, const Parameter& p) {
   if (p.of_ligament()) return {{"ligament"}, {scene.ligaments[at(p.object)].name}};
   if (p.of_surface()) return {{"surface"}, {scene.surfaces[at(p.object)].name}};
   if (p.of_load()) return {{"load"}, {scene.loads[at(p.object)].name}};
+  if (p.of_bushing()) return {{"bushing"}, {scene.bushings[at(p.object)].name}};
   if (p.of_joint()) return {{"joint"}, {scene.joints[at(p.object)].name}};
   return {{"body"}, {scene.bodies[at(p.object)].name}};
 }

@@ -21,9 +21,6 @@ Pose pose_in_parent(const JointDef& joint, const std::array<double, 6>& q) {
   return X;
 }
 
-/// Weights of the central difference of order 8: f' = sum w_k (f(x + k h) - f(x - k h)) / h.
-constexpr std::array kDifferenceWeights = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-
 }  // namespace
 
 std::string column_of(const Scene& scene, const QuantityRef& q) {

@@ -11,6 +11,9 @@
 
 namespace genu::judge {
 
+/// Central differences of order 8 at 1 to 4 steps, over the step.
+inline constexpr std::array kDifferenceWeights = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+
 using Coordinates = std::vector<std::array<double, 6>>;  ///< of each joint: rad, then m
 
 /// "knee.flexion_deg", "knee.x_mm": the column of a coordinate or of a combination.

@@ -33,6 +33,7 @@ void judge_static(const Subject& subject, const StartSides& sides, const Row& ro
   check_row(pose);
   check_prescribed(pose);
   check_ligaments(pose, nullptr, forces);
+  check_bushings(pose, nullptr, forces);
   add_loads(pose, forces);
   check_contacts(pose, forces);
   if (surfaces) check_gaps(pose);

@@ -232,6 +232,7 @@ void MotionRows::judge(std::size_t k, bool surfaces, Findings& out) const {
   out.expect("times", "s", std::abs(here.time - asked), 1e-9 * dynamics.output_interval + 1e-12 * asked, "");
   check_rates(k, pose, out);
   check_ligaments(pose, &motions, forces);
+  check_bushings(pose, &motions, forces);
   add_loads(pose, forces);
   for (int j = 0; j < static_cast<int>(subject_.scene.joints.size()); ++j) {
     const JointDef& joint = subject_.scene.joints[at(j)];

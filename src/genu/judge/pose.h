@@ -64,6 +64,8 @@ void check_row(const PoseCase& pose);
 void check_prescribed(const PoseCase& pose);
 /// Lengths, strains and tensions; adds the tensions of the table.
 void check_ligaments(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces);
+/// Displacements and forces of bushings; adds them, in motion with their dampers.
+void check_bushings(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces);
 /// Scales and factors; adds the loads and weights.
 void add_loads(const PoseCase& pose, PoseForces& forces);
 /// Contact points of rigid pairs: on both surfaces, at one place, in compression; adds their forces.

@@ -66,6 +66,10 @@ std::vector<std::string> required_columns(const Scene& scene) {
     }
   for (const LigamentDef& l : scene.ligaments)
     for (const char* end : {".length_mm", ".strain", ".force_N"}) names.push_back(l.name + end);
+  for (const BushingDef& b : scene.bushings)
+    for (const char axis : {'x', 'y', 'z'})
+      for (const char* quantity : {".{}_mm", ".turn_{}_deg", ".force_{}_N", ".moment_{}_Nm"})
+        names.push_back(b.name + fmt::format(fmt::runtime(quantity), axis));
   for (const LigamentDef& l : scene.ligaments) add_touches(scene, l.name, l.wraps, names);
   for (const LoadDef& l : scene.loads) {
     if (l.kind == LoadDef::Kind::cable) names.push_back(l.name + ".length_mm");

@@ -20,6 +20,8 @@ double size_of(const Scene& scene, const std::vector<Side>& sides) {
   }
   for (const LigamentDef& l : scene.ligaments)
     for (const auto& end : {l.from, l.to}) points[end.body].push_back(end.point);
+  for (const BushingDef& b : scene.bushings)
+    for (const auto& frame : {b.from, b.to}) points[frame.body].push_back(frame.placement.p);
   double size = 0.005;
   for (const auto& [body, all] : points) {
     Vec3 mean = Vec3::Zero();
@@ -76,6 +78,13 @@ void scale_forces(Subject& subject) {
     subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness);
     subject.least_force += kStrainRounding * stiffness;
     subject.springs += per_length ? number : number / subject.laws[i].slack_length();
+  }
+  for (const BushingDef& b : s.bushings) {
+    const double along = b.matrix ? b.matrix->diagonal().head<3>().maxCoeff() : b.stiffness.maxCoeff();
+    const double about = b.matrix ? b.matrix->diagonal().tail<3>().maxCoeff() : b.rotation_stiffness.maxCoeff();
+    const double stiffness = std::max(along, about / (subject.size * subject.size));
+    subject.force_scale = std::max(subject.force_scale, 0.01 * stiffness * subject.size);
+    subject.springs += stiffness;
   }
   for (const LoadDef& load : s.loads)
     subject.force_scale = std::max(subject.force_scale, largest_force(load, subject.size));

@@ -47,6 +47,10 @@ JointModel::Scales choose_scales(const JointModel& model, const JointModel* befo
       add(points.back());
       for (std::size_t k = 1; k + 1 < points.size(); ++k) add(points[k]);
     }
+    for (const Bushing& b : model.bushings) {
+      if (at(b.body_a) == body) ends.push_back(b.frame_a.p);
+      if (at(b.body_b) == body) ends.push_back(b.frame_b.p);
+    }
     for (const auto* loads : {&model.loads, &model.weights})
       for (const Load& l : *loads) add_points(l, static_cast<int>(body), ends);
     for (const auto& held : model.held) {
@@ -91,6 +95,7 @@ JointModel::Scales choose_scales(const JointModel& model, const JointModel* befo
   }
   for (const auto& spring : model.joint_springs)
     force = std::max(force, kTypicalStrain * std::max(spring.stiffness, spring.stop) / scales.length);
+  for (const Bushing& b : model.bushings) force = std::max(force, kTypicalStrain * b.largest_force(scales.length));
   scales.force = force > 0 ? force : 1.0;
   return scales;
 }
@@ -241,6 +246,7 @@ std::optional<JointModel> build_model(const PlacedScene& scene,
     }
     model.ligaments.push_back({def.name, *path, *law, def.damping});
   }
+  for (const BushingDef& def : scene.bushings) model.bushings.push_back(make_bushing(def));
   good = make_loads(scene, surfaces, model, out) && good;
   for (const ContactDef& contact : scene.contacts) {
     const SurfaceDef& a = scene.surfaces[at(contact.surface_a)];

@@ -35,7 +35,9 @@ std::size_t damper_count(const JointModel& model) {
       std::count_if(model.ligaments.begin(), model.ligaments.end(), [](const auto& l) { return l.damping != 0; });
   const auto layers =
       std::count_if(model.layers.begin(), model.layers.end(), [](const auto& l) { return l.damping != 0; });
-  return model.joint_dampers.size() + static_cast<std::size_t>(ligaments + layers);
+  const auto bushings =
+      std::count_if(model.bushings.begin(), model.bushings.end(), [](const auto& b) { return !b.damping.isZero(0); });
+  return model.joint_dampers.size() + static_cast<std::size_t>(ligaments + layers + bushings);
 }
 
 double add_damping(const JointModel& model, const State& state, const std::vector<DamperMode>& modes, const VecX& twist,
@@ -55,7 +57,7 @@ double add_damping(const JointModel& model, const State& state, const std::vecto
     power += damper.damping * rate * rate;
     add_to_pair(model, damper.joint, Vec12(-damper.damping * rate * gradient.transpose()), wrench);
   }
-  return power;
+  return power + add_bushing_dampers(model, state, twist, wrench);
 }
 
 }  // namespace genu

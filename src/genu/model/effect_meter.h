@@ -17,6 +17,7 @@ enum class Effect {
   prescribed,     ///< prescribed coordinates, or driven ones in motion
   held,           ///< coordinates held by joints
   joint_springs,  ///< stiffness and limits of joints
+  bushings,
   ligaments,
   loads,
   weights,
@@ -26,7 +27,7 @@ enum class Effect {
   inertia,         ///< of moving bodies, in motion
   damping,         ///< of joints and ligaments, in motion
 };
-inline constexpr std::size_t kEffects = 11;
+inline constexpr std::size_t kEffects = 12;
 
 class EffectMeter {
  public:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/model/bushing.h"
 #include "genu/model/effect_meter.h"
 #include "genu/model/inertia.h"
 #include "genu/model/joint_coordinates.h"
@@ -96,6 +97,7 @@ struct JointModel {
   std::vector<Inertia> inertias;  ///< of each moving body
   std::vector<CombinationDef> combinations;
   std::vector<Ligament> ligaments;
+  std::vector<Bushing> bushings;
   std::vector<Load> loads;
   std::vector<Load> weights;  ///< of moving bodies with mass, in a scene with gravity; not scaled by steps
   std::vector<Pair> pairs;    ///< rigid contacts; the index is that of Scene::contacts

@@ -245,6 +245,8 @@ void add_forces(const JointModel& model, const State& state, const Target& targe
   effect(Effect::loads, model.loads.size(), [&] { add_loads(model, state, target, twist, out); });
   effect(Effect::weights, model.weights.size(), [&] { add_weights(model, state, target, out); });
   effect(Effect::joint_springs, model.joint_springs.size(), [&] { add_joint_springs(model, state, out); });
+  effect(Effect::bushings, model.bushings.size(),
+         [&] { add_bushings(model, state, out.wrench, out.derivatives ? &out.stiffness : nullptr); });
   effect(Effect::layers, model.layers.size(), [&] { add_layers(model, state, twist, out); });
 }
 

@@ -78,6 +78,13 @@ void add_spring_rate(const PlacedScene& scene, const JointModel& model, const St
   add_wrench(model, joint.parent, joint.child, rate * point.gradient(0).transpose(), out);
 }
 
+void add_bushing_rate(const JointModel& model, const State& state, const Parameter& parameter, VecX& out) {
+  const Bushing& b = model.bushings[at(parameter.object)];
+  const BushingPoint point(b, state.poses[at(b.body_a)], state.poses[at(b.body_b)]);
+  const int i = 3 * parameter.number + parameter.component;  // its rows are those of the six directions
+  if (i < 6) add_wrench(model, b.body_a, b.body_b, point.wrench(-point.displacement()[i] * Vec6::Unit(i)), out);
+}
+
 void add_contact_rates(const PlacedScene& scene, const JointModel& model, const State& state,
                        const Parameter& parameter, Linearization& out) {
   for (std::size_t c = 0; c < state.contacts.size(); ++c) {
@@ -135,6 +142,8 @@ void residual_rate(const PlacedScene& scene, const JointModel& model, const Stat
     add_weight_rate(scene, model, state, parameter, out.wrench);
   } else if (parameter.of_joint()) {
     add_spring_rate(scene, model, state, parameter, out.wrench);
+  } else if (parameter.of_bushing()) {
+    add_bushing_rate(model, state, parameter, out.wrench);
   } else if (!parameter.of_ligament()) {
     for (std::size_t m = 0; m < target.prescribed.size(); ++m)
       if (target.prescribed[m].coordinate == parameter.quantity) out.constraint[static_cast<Eigen::Index>(m)] = -1;

@@ -28,6 +28,7 @@ class Parameters {
     for_each(scene_.loads, [&](const LoadDef& l) { add_load(l); });
     for_each(scene_.bodies, [&](const BodyDef& b) { add_numbers(b, Kind::body_number); });
     for_each(scene_.joints, [&](const JointDef& j) { add_numbers(j, Kind::joint_number); });
+    for_each(scene_.bushings, [&](const BushingDef& b) { add_numbers(b, Kind::bushing_number); });
     add_prescribed();
     tell_apart();
     return std::move(out_);
@@ -172,13 +173,7 @@ class Parameters {
     for (const Parameter& p : out_) ++count[p.name];
     for (Parameter& p : out_) {
       if (count[p.name] == 1) continue;
-      const char* kind = p.of_ligament()              ? "ligament."
-                         : p.of_surface()             ? "surface."
-                         : p.of_load()                ? "load."
-                         : p.of_joint()               ? "joint."
-                         : p.kind == Kind::prescribed ? ""
-                                                      : "body.";
-      p.name = kind + p.name;
+      if (*p.group() != 0) p.name = std::string(p.group()) + "." + p.name;
     }
   }
 
@@ -199,6 +194,8 @@ auto with_table(SceneType& scene, const Parameter& p, const F& f, None none) {
       return f(scene.bodies[at(p.object)]);
     case Kind::joint_number:
       return f(scene.joints[at(p.object)]);
+    case Kind::bushing_number:
+      return f(scene.bushings[at(p.object)]);
     default:
       return none;
   }
@@ -226,6 +223,16 @@ double* ligament_number(LigamentDef& l, const Parameter& p) {
 }
 
 }  // namespace
+
+const char* Parameter::group() const {
+  return of_ligament()  ? "ligament"
+         : of_surface() ? "surface"
+         : of_load()    ? "load"
+         : of_body()    ? "body"
+         : of_joint()   ? "joint"
+         : of_bushing() ? "bushing"
+                        : "";
+}
 
 std::vector<Parameter> parameters_of(const SceneTables& scene) { return Parameters(scene).list(); }
 

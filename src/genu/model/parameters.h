@@ -11,8 +11,8 @@ namespace genu {
 
 /// One number, named by its keys in the scene: "AAC.stiffness", "AAC.from.x", "AAC.via.1.x" (first via point),
 /// "condyle.radii.z", "plateau.terms.2.0" (x^2 y^0), "femur_cartilage.offset", "push.force.z", "knee.flexion" (the
-/// prescribed value). Where two names are equal, the prefix "ligament.", "surface.", "load.", "body." or "joint."
-/// distinguishes them.
+/// prescribed value). Where two names are equal, the prefix "ligament.", "surface.", "load.", "body.", "joint." or
+/// "bushing." distinguishes them.
 struct Parameter {
   enum class Kind {
     // of a ligament
@@ -32,14 +32,15 @@ struct Parameter {
     load_number,   ///< a row of the table of its kind (scene/load_def.h)
     factor,        ///< the step's factor
     body_number,   ///< a row of scene/body_def.h
-    joint_number,  ///< a row of the table of its type (scene/joint_def.h)
+    joint_number,    ///< a row of the table of its type (scene/joint_def.h)
+    bushing_number,  ///< a row of scene/bushing_def.h
     // of the steps
     prescribed
   };
 
   std::string name;
   Kind kind = Kind::law_number;
-  int object = -1;       ///< index of the ligament, surface, load, body or joint
+  int object = -1;       ///< index of the ligament, surface, load, body, joint or bushing
   int number = 0;        ///< row of the table
   int component = 0;     ///< 0 x, 1 y, 2 z; index of the term
   QuantityRef quantity;  ///< prescribed
@@ -57,9 +58,12 @@ struct Parameter {
   bool of_load() const { return kind == Kind::load_number || kind == Kind::factor; }
   bool of_body() const { return kind == Kind::body_number; }
   bool of_joint() const { return kind == Kind::joint_number; }
+  bool of_bushing() const { return kind == Kind::bushing_number; }
+  /// The group of tables that has its object: "ligament"; empty for a prescribed value.
+  const char* group() const;
 };
 
-/// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, prescribed values. Numbers that the
+/// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, bushings, prescribed values. Numbers that the
 /// scene does not give are omitted, such as a slack length where a reference strain is given.
 std::vector<Parameter> parameters_of(const SceneTables& scene);
 

@@ -41,6 +41,7 @@ double stored_energy(const JointModel& model, const State& state) {
   double energy = 0;
   for (const auto& l : model.ligaments) energy += l.law.evaluate(l.path.length(state.poses, state.wraps)).energy;
   for (const JointSpring& spring : model.joint_springs) energy += spring.energy(state.coordinates[at(spring.joint)][0]);
+  for (const Bushing& b : model.bushings) energy += energy_of(b, state.poses[at(b.body_a)], state.poses[at(b.body_b)]);
   return energy;
 }
 

@@ -27,6 +27,12 @@ inline constexpr double kMinLengthShare = 0.01;
 /// called small.
 inline constexpr double kTypicalStrain = 0.01;
 
+// bushing
+
+/// [rad] Rotation below which series take the place of closed forms. Fails first: if too small, cancellation in the
+/// slope of the logarithm; if too large, the series' remainder.
+inline constexpr double kLogSeriesAngle = 0.2;
+
 // closed_contact
 
 /// [1] Most Newton steps that close a contact's points. Fails first: if too small, conforming contacts are refused.

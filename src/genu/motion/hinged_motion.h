@@ -12,10 +12,10 @@ namespace genu {
 
 class HingedMotion {
  public:
-  /// Whether the model has this form: a tree of hinges without contacts, layers and prescribed coordinates.
+  /// Whether the model has this form: a tree of hinges without contacts, layers, bushings and prescribed coordinates.
   static bool fits(const JointModel& model) {
     return HingeTree::describes(model) && model.drives.empty() && model.pairs.empty() && model.layers.empty() &&
-           model.reference_wraps.empty() && std::none_of(model.loads.begin(), model.loads.end(), [](const Load& load) {
+           model.bushings.empty() && model.reference_wraps.empty() && std::none_of(model.loads.begin(), model.loads.end(), [](const Load& load) {
              return load.kind == Load::Kind::cable;
            });
   }

@@ -8,6 +8,7 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/motion/motion_rates.h"
 #include "genu/results/bundle_columns.h"
+#include "genu/results/bushing_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/wrap_columns.h"
@@ -64,6 +65,7 @@ class MotionTable {
       for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
         table_.add_column(l.name + "." + quantity);
     add_bundle_columns(scene_, table_);
+    add_bushing_columns(model_, table_);
     add_wrap_columns(model_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
@@ -86,6 +88,7 @@ class MotionTable {
     contacts_.set(table_, point.state, {}, point.pair_gap, {}, true, &point.twist);
     set_ligaments(point);
     set_bundle_columns(scene_, table_);
+    set_bushing_columns(model_, point.state, table_);
     set_wrap_columns(model_, point.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale_in_motion(model_, l, point.state, point.time, point.twist));

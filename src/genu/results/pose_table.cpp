@@ -7,6 +7,7 @@
 #include "genu/model/grood_suntay.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/results/bundle_columns.h"
+#include "genu/results/bushing_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/moment_arm_columns.h"
@@ -61,6 +62,7 @@ class PoseTable {
       for (const char* quantity : {"strain", "force_N"}) table_.add_column(l.name + "." + quantity);
     }
     add_bundle_columns(scene_, table_);
+    add_bushing_columns(model_, table_);
     add_wrap_columns(model_, table_);
     add_moment_arm_columns(scene_, model_, table_);
     for (const Load& l : model_.loads)
@@ -101,6 +103,7 @@ class PoseTable {
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
     set_ligaments(point);
     set_bundle_columns(scene_, table_);
+    set_bushing_columns(model_, point.pose.state, table_);
     set_wrap_columns(model_, point.pose.state, table_);
     set_moment_arm_columns(scene_, model_, point.pose.state, table_);
     for (const Load& l : model_.loads)

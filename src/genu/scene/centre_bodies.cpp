@@ -25,6 +25,8 @@ void for_points(PlacedScene& scene, Visit visit) {
   of_tables(scene.joints);
   of_tables(scene.bodies);
   for (auto& l : scene.ligaments) LigamentDef::for_each_end(l, [&](auto& end) { visit(end.body, end.point); });
+  for (auto& b : scene.bushings)
+    for (auto* frame : {&b.from, &b.to}) visit(frame->body, frame->placement.p);
   for (auto& l : scene.loads)
     for (PathEnd& end : l.points) visit(end.body, end.point);
   for (auto& j : scene.joints) {
@@ -57,6 +59,8 @@ std::vector<std::vector<Vec3>> telling_points(const SceneTables& scene, const st
   }
   for (const LigamentDef& l : scene.ligaments)
     LigamentDef::for_each_end(l, [&](const auto& end) { points[at(end.body)].push_back(end.point); });
+  for (const BushingDef& b : scene.bushings)
+    for (const auto* frame : {&b.from, &b.to}) points[at(frame->body)].push_back(frame->placement.p);
   for (const LoadDef& l : scene.loads) add_points(l, points);
   for (const LoadDef& l : scene.loads)
     for (const PathEnd& end : l.points) points[at(end.body)].push_back(end.point);

@@ -226,6 +226,9 @@ void check_columns(ReadContext& context) {
   for (const BundleDef& bundle : scene.bundles)
     for (const char* quantity : {".strain", ".force_N"})
       columns.add("bundle." + bundle.name, bundle.where, bundle.name + quantity);
+  for (const BushingDef& bushing : scene.bushings)
+    for (const char* quantity : {".x_mm", ".force_x_N"})
+      columns.add("bushing." + bushing.name, bushing.where, bushing.name + quantity);
   for (const LoadDef& load : scene.loads)
     if (load.kind == LoadDef::Kind::cable) columns.add("load." + load.name, load.where, load.name + ".length_mm");
 }
@@ -250,6 +253,7 @@ void check_scene(ReadContext& context) {
   check_thickness_used(context);
   check_columns(context);
   if (!check_tree(context)) return;
+  place_bushings(context.scene);
   check_lengths(context);
   check_directions(context);
 }

@@ -14,6 +14,7 @@ void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
 void read_ligaments(ReadContext& context, Section& root);
 void read_bundles(ReadContext& context, Section& root);  ///< after the ligaments
+void read_bushings(ReadContext& context, Section& root);
 void read_loads(ReadContext& context, Section& root);
 void read_steps(ReadContext& context, Section& root);
 /// `drive` of a step whose `prescribe` and `load` are known: one load, a list, or a table of either by coordinate.
@@ -119,6 +120,9 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
 /// hundred times that of the bundle's name, sizes of metres or microns.
 void warn_unlikely(ReadContext& context, Section& section, const LigamentDef& ligament);
 void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& surface);
+
+/// The frames of bushings that are given on one body alone: where they coincide at the reference. The tree must be sound.
+void place_bushings(Scene& scene);
 
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
 std::vector<Pose> reference_poses(const SceneTables& scene);

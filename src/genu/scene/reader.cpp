@@ -139,6 +139,7 @@ std::optional<Scene> scene_of(const TomlNode& document, const std::string& path,
   read_contacts(context, root);
   read_ligaments(context, root);
   read_bundles(context, root);
+  read_bushings(context, root);
   read_loads(context, root);
   read_steps(context, root);
   read_solver(context, root);

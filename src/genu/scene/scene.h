@@ -10,6 +10,7 @@
 #include "genu/core/types.h"
 #include "genu/scene/body_def.h"
 #include "genu/scene/bundle_def.h"
+#include "genu/scene/bushing_def.h"
 #include "genu/scene/joint_def.h"
 #include "genu/scene/load_def.h"
 #include "genu/scene/path_def.h"
@@ -195,6 +196,7 @@ struct SceneTables {
   std::vector<LayerDef> layers;
   std::vector<LigamentDef> ligaments;
   std::vector<BundleDef> bundles;
+  std::vector<BushingDef> bushings;
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
   SolverDef solver;

@@ -27,6 +27,12 @@ inline constexpr double kMinSceneSize = 0.01;
 /// ligament has a direction of round-off.
 inline constexpr double kCoincidentDistance = 1e-9;
 
+// read_bushings
+
+/// [1] Difference of two entries of a stiffness matrix, over the larger, and of its least eigenvalue below 0 over the
+/// largest, that is rounding of the file. Fails first: if too small, matrices with six digits are refused.
+inline constexpr double kSymmetric = 1e-6;
+
 // read_contacts
 
 /// [1] Finest relative tolerance of a layer. Fails first: if too small, refinement never ends.

@@ -60,6 +60,7 @@ const char* kind_of_object(const Parameter& p) {
   if (p.of_surface()) return "surfaces";
   if (p.of_load()) return "loads";
   if (p.of_joint()) return "joints";
+  if (p.of_bushing()) return "bushings";
   return p.kind == Parameter::Kind::prescribed ? "" : "bodies";
 }
 
