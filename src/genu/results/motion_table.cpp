@@ -9,6 +9,7 @@
 #include "genu/motion/motion_rates.h"
 #include "genu/results/bundle_columns.h"
 #include "genu/results/bushing_columns.h"
+#include "genu/results/compartment_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/wrap_columns.h"
@@ -61,6 +62,7 @@ class MotionTable {
     for (const auto& drive : model_.drives)
       if (drive.quantity.combination >= 0) table_.add_column(reaction_column(scene_, drive.quantity));
     contacts_.add_columns(table_);
+    add_compartment_columns(scene_, table_);
     for (const auto& l : model_.ligaments)
       for (const char* quantity : {"length_mm", "strain", "velocity_mm_s", "force_N"})
         table_.add_column(l.name + "." + quantity);
@@ -86,6 +88,7 @@ class MotionTable {
     table_.set("status", std::string("ok"));
     set_joints(point);
     contacts_.set(table_, point.state, {}, point.pair_gap, {}, true, &point.twist);
+    set_compartment_columns(scene_, table_);
     set_ligaments(point);
     set_bundle_columns(scene_, table_);
     set_bushing_columns(model_, point.state, table_);

@@ -8,6 +8,7 @@
 #include "genu/model/ligament_pieces.h"
 #include "genu/results/bundle_columns.h"
 #include "genu/results/bushing_columns.h"
+#include "genu/results/compartment_columns.h"
 #include "genu/results/columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/moment_arm_columns.h"
@@ -57,6 +58,7 @@ class PoseTable {
       add_reaction(steps, quantity);
     }
     contacts_.add_columns(table_);
+    add_compartment_columns(scene_, table_);
     for (const auto& l : model_.ligaments) {
       ligaments_.push_back(table_.add_column(l.name + ".length_mm"));
       for (const char* quantity : {"strain", "force_N"}) table_.add_column(l.name + "." + quantity);
@@ -101,6 +103,7 @@ class PoseTable {
     set_coordinates(record);
     set_factors(point.target, point.pose.state);
     contacts_.set(table_, point.pose.state, point.pose.open, record.pair_gap, record.layers, !record.given);
+    set_compartment_columns(scene_, table_);
     set_ligaments(point);
     set_bundle_columns(scene_, table_);
     set_bushing_columns(model_, point.pose.state, table_);

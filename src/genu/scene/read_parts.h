@@ -12,6 +12,7 @@ void read_combinations(ReadContext& context, Section& root);
 void read_moment_arms(ReadContext& context, Section& root);
 void read_surfaces(ReadContext& context, Section& root);
 void read_contacts(ReadContext& context, Section& root);
+void read_compartments(ReadContext& context, Section& root);  ///< after the contacts
 void read_ligaments(ReadContext& context, Section& root);
 void read_bundles(ReadContext& context, Section& root);  ///< after the ligaments
 void read_bushings(ReadContext& context, Section& root);

@@ -137,6 +137,7 @@ std::optional<Scene> scene_of(const TomlNode& document, const std::string& path,
   read_moment_arms(context, root);
   read_surfaces(context, root);
   read_contacts(context, root);
+  read_compartments(context, root);
   read_ligaments(context, root);
   read_bundles(context, root);
   read_bushings(context, root);

@@ -11,6 +11,7 @@
 #include "genu/scene/body_def.h"
 #include "genu/scene/bundle_def.h"
 #include "genu/scene/bushing_def.h"
+#include "genu/scene/compartment_def.h"
 #include "genu/scene/joint_def.h"
 #include "genu/scene/load_def.h"
 #include "genu/scene/path_def.h"
@@ -197,6 +198,7 @@ struct SceneTables {
   std::vector<LigamentDef> ligaments;
   std::vector<BundleDef> bundles;
   std::vector<BushingDef> bushings;
+  std::vector<CompartmentDef> compartments;
   std::vector<LoadDef> loads;
   std::vector<StepDef> steps;  ///< empty where there is dynamics
   SolverDef solver;

@@ -1,0 +1,34 @@
+// Compartments of a scene: names of contacts and their regions.
+#include "scene/scene_text.h"
+
+namespace genu::scene_test {
+namespace {
+
+const std::string kLoad = "[load.push]";
+
+TEST(ReadCompartments, NameContactsAndRegions) {
+  const auto c =
+      good(edited(kLoad, "[compartment.inside]\ndirect = [\"medial.inner\"]\nmeniscal = [\"medial\"]\n" + kLoad))
+          .compartments.at(0);
+  EXPECT_EQ(c.name, "inside");
+  EXPECT_EQ(c.direct, std::vector<std::string>{"medial.inner"});
+  EXPECT_EQ(c.meniscal, std::vector<std::string>{"medial"});
+}
+
+TEST(ReadCompartments, Errors) {
+  expect_refused(kLoad, "[compartment.inside]\nmeniscal = [@\"medial.iner\"]\n" + kLoad,
+                 "compartment.inside.meniscal[0]", "\"medial.iner\"", "did you mean \"medial.inner\"?");
+  expect_refused(kLoad, "[compartment.@inside]\ndirect = [\"medial\"]\n" + kLoad, "compartment.inside.meniscal", "",
+                 "is missing");
+  expect_refused(kLoad, "[compartment.@medial]\nmeniscal = [\"medial\"]\n" + kLoad, "compartment.medial", "",
+                 "its result column medial.force_N is also one of contact.medial");
+}
+
+TEST(ReadCompartments, AContactThatIsLeftOutIsNone) {
+  std::string text = edited(kLoad, "[compartment.inside]\nmeniscal = [\"medial.inner\", \"medial\"]\n" + kLoad);
+  text = edited("model = \"rigid\"\n", "model = \"rigid\"\nenabled = false\n", text);
+  EXPECT_TRUE(good(text).compartments.at(0).meniscal.empty());
+}
+
+}  // namespace
+}  // namespace genu::scene_test
