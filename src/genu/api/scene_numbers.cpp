@@ -7,6 +7,7 @@
 
 #include "genu/api/inside.h"
 #include "genu/core/units.h"
+#include "genu/scene/leave_out_bodies.h"
 #include "genu/scene/words.h"
 
 namespace genu::api {
@@ -133,6 +134,19 @@ std::size_t take_out_contacts(genu::Scene& scene, const std::string& pattern) {
   return layers + take_out(scene.contacts, kept(scene, scene.contacts, pattern, "contact"));
 }
 
+/// Bodies with all that is on them; a pattern means some only where it begins with "body.".
+std::size_t take_out_bodies(genu::Scene& scene, const std::string& pattern) {
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (const std::string& name = scene.bodies[b].name;
+        pattern == name || (pattern.starts_with("body.") && matches(pattern, "body." + name)))
+      bodies.push_back(static_cast<int>(b));
+  if (const std::string why = cannot_leave_out(scene, bodies); !bodies.empty() && !why.empty())
+    refuse(Code::conflict, "without", with_quotes(pattern), why);
+  leave_out_bodies(scene, bodies);
+  return bodies.size();
+}
+
 }  // namespace
 
 bool means_object(const SceneTables& scene, const std::string& pattern, const std::string& kind,
@@ -154,14 +168,16 @@ void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what
   const auto add = [&](std::size_t n, const char* word) {
     if (n > 0) what += (what.empty() ? "" : ", ") + counted(n, word);
   };
+  const std::size_t bodies = take_out_bodies(scene, pattern);
+  add(bodies, "body");
   add(ligaments, "ligament");
   add(bushings, "bushing");
   add(pairs, "contact");
   add(loads, "load");
-  contacts = pairs > 0;
+  contacts = pairs > 0 || bodies > 0;
   if (what.empty())
     refuse(Code::unknown_name, "without", with_quotes(pattern),
-           "is no ligament, bundle, bushing, contact or load of this scene" + did_you_mean(pattern, known));
+           "is no ligament, bundle, bushing, contact, load or body of this scene" + did_you_mean(pattern, known));
 }
 
 SceneNumbers::SceneNumbers(const SceneTables& scene) {

@@ -15,11 +15,12 @@
 #include "genu/assemble/text_places.h"
 #include "genu/core/counted.h"
 #include "genu/scene/reader.h"
+#include "genu/scene/words.h"
 
 namespace genu {
 namespace {
 
-constexpr std::array kGroups = {"ligament", "bushing", "contact", "load"};
+constexpr std::array kGroups = {"ligament", "bushing", "contact", "load", "body"};
 
 /// "x0.5", "+2" or "1000".
 struct NewValue {
@@ -53,16 +54,16 @@ class Changes {
       std::size_t count = 0;
       for (TomlNode& table : members(group)) {
         known.push_back(table.key);
-        if (!matches(scene_, pattern, table.key) && !matches(scene_, pattern, std::string(group) + "." + table.key))
-          continue;
+        if (!means(pattern, group, table.key)) continue;
         disable(group, table);
         ++count;
       }
       if (count > 0) found += (found.empty() ? "" : ", ") + counted(count, group);
     }
     if (found.empty())
-      refuse_option(out_, Code::unknown_name, "--without", pattern,
-                    "is no ligament, bundle, bushing, contact or load of this scene" + did_you_mean(pattern, known));
+      refuse_option(
+          out_, Code::unknown_name, "--without", pattern,
+          "is no ligament, bundle, bushing, contact, load or body of this scene" + did_you_mean(pattern, known));
     applied_.words.push_back("without " + pattern + " (" + found + ")");
   }
 
@@ -135,6 +136,13 @@ class Changes {
     for (TomlNode& child : document_.children)
       if (child.key == group) return child.children;
     return none_;
+  }
+
+  /// A body goes with all that is on it, so that a pattern means bodies only where it says so: "body.meniscus*".
+  bool means(const std::string& pattern, const std::string& group, const std::string& name) const {
+    const std::string full = group + "." + name;
+    if (group == "body") return pattern == name || (pattern.starts_with("body.") && matches(pattern, full));
+    return matches(scene_, pattern, name) || matches(scene_, pattern, full);
   }
 
   void disable(const std::string& group, TomlNode& table) {

@@ -9,8 +9,8 @@
 #include "genu/motion/motion_rates.h"
 #include "genu/results/bundle_columns.h"
 #include "genu/results/bushing_columns.h"
-#include "genu/results/compartment_columns.h"
 #include "genu/results/columns.h"
+#include "genu/results/compartment_columns.h"
 #include "genu/results/contact_columns.h"
 #include "genu/results/wrap_columns.h"
 

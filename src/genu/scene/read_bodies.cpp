@@ -75,6 +75,7 @@ void read_bodies(ReadContext& context, Section& root) {
       if (const Item inertia = section.find("inertia"))
         refuse_key(context, inertia, "has an effect only in a scene with [dynamics]");
     }
+    read_enabled(context, section, "body");
     section.finish();
     context.scene.bodies.push_back(body);
   }

@@ -25,7 +25,7 @@ void read_plausible(ReadContext& context, Section& root);
 void read_dynamics(ReadContext& context, Section& root);  ///< and what motion over time asks of all that was read
 
 /// `enabled` of a table GROUP.NAME. Where it is false the table is noted in Scene::disabled, and must be left out of
-/// the scene after it has been read.
+/// the scene after it has been read (a body: by the reader, with all that is on it).
 bool read_enabled(ReadContext& context, Section& section, const char* group);
 
 /// Whether the scene has a table GROUP.NAME with `enabled = false`.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/units.h"
+#include "genu/scene/leave_out_bodies.h"
 #include "genu/scene/read_parts.h"
 #include "genu/scene/tolerances.h"
 #include "genu/scene/toml_document.h"
@@ -107,6 +108,18 @@ void name_bodies(const TomlNode& document, Scene& scene) {
   }
 }
 
+/// Bodies with `enabled = false` are read and checked with the rest, which may name them, and then left out with it.
+void leave_out_disabled_bodies(ReadContext& context) {
+  Scene& scene = context.scene;
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (is_disabled(scene, "body", scene.bodies[b].name)) bodies.push_back(static_cast<int>(b));
+  if (const std::string why = cannot_leave_out(scene, bodies); !bodies.empty() && !why.empty())
+    return context.error(scene.bodies[at(bodies.front())].where, Code::conflict,
+                         "body." + scene.bodies[at(bodies.front())].name + ".enabled", "false", why);
+  leave_out_bodies(scene, bodies);
+}
+
 std::optional<Scene> finished(Scene scene, Diagnostics& found, Diagnostics& out) {
   found.sort();
   const bool refused = found.has_errors();  // then warnings wait: they may follow from an error
@@ -148,6 +161,7 @@ std::optional<Scene> scene_of(const TomlNode& document, const std::string& path,
   read_dynamics(context, root);
   root.finish();
   check_scene(context);
+  if (!found.has_errors()) leave_out_disabled_bodies(context);
   return finished(std::move(scene), found, out);
 }
 
