@@ -25,7 +25,7 @@ BushingPoint point_of(const Bushing& b, const State& state) {
 LogSeries log_series(double angle) {
   const double a2 = angle * angle;
   if (angle < kLogSeriesAngle)
-    return {1.0 / 12 + a2 * (1.0 / 720 + a2 * (1.0 / 30240 + a2 / 1209600)),
+    return {1.0 / 12 + a2 * (1.0 / 720 + a2 * (1.0 / 30240 + a2 * (1.0 / 1209600 + a2 / 47900160))),
             1.0 / 360 + a2 * (1.0 / 7560 + a2 * (1.0 / 201600 + a2 / 5987520))};
   const double half = angle / 2, cot = 1 / std::tan(half), sine = std::sin(half);
   const double c = (1 - half * cot) / a2;
