@@ -23,6 +23,12 @@ inline constexpr int kMaxGeodesicSteps = 500;
 /// [1] Least tangential part of a direction. Fails first: if too small, directions of round-off.
 inline constexpr double kLeastTangent = 1e-8;
 
+// arc_change
+
+/// [rad] Turn of the arc that one rule of five points integrates. Fails first: if too large, derivatives by the numbers
+/// of a wrapped surface lose digits.
+inline constexpr double kChangeTurn = 0.3;
+
 // taut_string
 
 /// [1] Steps of Newton's method for a string. Fails first: if too small, strings from far starts fail.
