@@ -80,9 +80,9 @@ bool solvers_own(const std::string& column) {
 }
 
 TEST(Evaluate, AsksForTheFactorOfADrivingLoad) {
-  const std::string drive = test::replaced(soft_ball(), "[[step]]",
-                                           "[load.turn]\non = \"knee.flexion\"\nvalue = 1\n[[step]]\n"
-                                           "drive = { \"knee.flexion\" = \"turn\" }\n");
+  std::string drive = soft_ball();
+  drive.replace(drive.find("[[step]]"), 8,
+                "[load.turn]\non = \"knee.flexion\"\nvalue = 1\n[[step]]\ndrive = { \"knee.flexion\" = \"turn\" }\n");
   const test::TemporaryFolder folder;
   Diagnostics out;
   Solution solved;

@@ -31,7 +31,7 @@ to = { body = "crank", point = [35, 6, -2] }
 wrap = [{ surface = "egg", side = [0, 1, 0] }]
 magnitude = 20
 [[step]]
-prescribe = { "hinge.angle" = [-20, -120] }
+prescribe = { "hinge.angle" = [-20, -40] }
 increments = 4
 )"),
           {1, 3}, {{"all"}, {"cord.*", "rod.*", "egg.radii.?", "egg.origin.?", "cable.*", "hinge.angle"}});

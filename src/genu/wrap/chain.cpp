@@ -75,7 +75,7 @@ class Chain {
       const double relaxation = 4 * round < 3 * rounds ? kChainRelaxation : 1;
       double most = 0;
       for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) most = std::max(most, move(i, relaxation));
-      if (most <= kChainSettled * (nodes_.back() - nodes_.front()).norm()) return;
+      if (most <= kChainStill * (nodes_.back() - nodes_.front()).norm()) return;
     }
   }
 
