@@ -222,39 +222,5 @@ TEST(WrappedPath, ABeltPressesOnItsPulley) {
   }
 }
 
-/// The rates of the pull by a moved end and a moved obstacle, against differences.
-TEST(WrappedPath, RatesOfEndsAndObstacles) {
-  const LigamentPath path = wrapped_path(second_obstacles()[0]);
-  const std::vector<Pose> poses = some_poses();
-  Wraps wraps(3);
-  ASSERT_TRUE(path.find_touches(poses, wraps));
-  const Vec3 way(0.3, -0.5, 0.8);
-  const auto pull = [&](double step) {
-    LigamentPath other = path;
-    other.set_point(0, path.points()[0].p + step * poses[0].R.transpose() * way);
-    VecX out = VecX::Zero(12);
-    other.add_tension(poses, 1, out, followed(other, poses, wraps));
-    return out;
-  };
-  const auto across = [&](double h) { return VecX((pull(h) - pull(-h)) / (2 * h)); };
-  const VecX difference = (4 * across(kStep) - across(2 * kStep)) / 3;
-  LigamentPath::Change change;
-  change.points = {way, Vec3::Zero(), Vec3::Zero()};
-  change.obstacles.assign(3, Vec3::Zero());
-  VecX touches = VecX::Zero(12);
-  path.add_touch_rate(poses, wraps, change, 1, touches);
-  // At fixed touching points only the first line turns.
-  const auto fixed = [&](double step) {
-    LigamentPath other = path;
-    other.set_point(0, path.points()[0].p + step * poses[0].R.transpose() * way);
-    VecX out = VecX::Zero(12);
-    other.add_tension(poses, 1, out, wraps);
-    return out;
-  };
-  const VecX direct = (fixed(kStep) - fixed(-kStep)) / (2 * kStep);
-  EXPECT_GT(touches.norm(), 0.1);
-  EXPECT_LT((direct + touches - difference).cwiseAbs().maxCoeff(), 5e-8);
-}
-
 }  // namespace
 }  // namespace genu

@@ -53,7 +53,8 @@ struct Bench {
 
   /// On [a; b], in the bodies 0 and 1.
   LigamentRate rate(const LigamentDef& def, const LigamentLaw& law, const Parameter& p) const {
-    const JointModel::Ligament between{def.name, LigamentPath({{0, def.from.point, 0}, {1, def.to.point, 1}}), law};
+    JointModel::Ligament between{def.name, LigamentPath({{0, def.from.point, 0}, {1, def.to.point, 1}}), law};
+    between.path.move_with({0, 1});
     const std::vector<Pose> reference{reference_A, reference_B}, poses{X_WA, X_WB};
     const Wraps none;
     return ligament_rate({def, between, reference, poses, none, none, 2}, p, {});
@@ -97,9 +98,10 @@ TEST(LigamentRates, AreWhatAnEditedLigamentShows) {
       for (const Parameter& p : parameters_of(b.scene)) {
         if (!p.of_ligament()) continue;
         const LigamentRate rate = b.rate(def, *ligament, p);
-        const Shown exact = p.change * (Shown() << (rate.lines.empty() ? Vec12(Vec12::Zero()) : rate.lines[0].wrench),
-                                        rate.length, rate.strain, rate.force)
-                                           .finished();
+        const Shown exact =
+            p.change * (Shown() << (rate.wrench.size() == 0 ? Vec12(Vec12::Zero()) : Vec12(rate.wrench)), rate.length,
+                        rate.strain, rate.force)
+                           .finished();
         const Shown truth = derivative(
             [&](double share) {
               LigamentDef edited = def;
@@ -131,7 +133,7 @@ TEST(LigamentRates, OfASpringWithoutLength) {
   end.kind = Parameter::Kind::to_point;
   end.component = 1;
   const LigamentRate rate = b.rate(def, *ligament, end);
-  EXPECT_NEAR((rate.lines[0].wrench.head<3>() - 3000 * Vec3::UnitY()).norm(), 0, 1e-9);
+  EXPECT_NEAR((rate.wrench.head<3>() - 3000 * Vec3::UnitY()).norm(), 0, 1e-9);
   EXPECT_FALSE(std::isfinite(rate.length));
 }
 

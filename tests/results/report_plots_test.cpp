@@ -83,5 +83,50 @@ TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {
   EXPECT_EQ(panel_titled(chart, "Largest contact pressure [MPa]"), nullptr);
 }
 
+TEST(ReportPlots, ShowThePatellaInPanelsOfItsOwn) {
+  PlacedScene scene;
+  scene.bodies.resize(3);
+  JointDef pf;
+  pf.name = "pf";
+  pf.grood_suntay = GroodSuntayDef{};
+  pf.grood_suntay->patella = true;
+  pf.grood_suntay->femur.body = 0;
+  pf.grood_suntay->tibia.body = 2;
+  scene.joints.push_back(pf);
+  LoadDef muscle;
+  muscle.name = "rectus";
+  muscle.kind = LoadDef::Kind::toward;
+  muscle.body = 2;
+  muscle.toward_body = 0;
+  scene.loads.push_back(muscle);
+  LigamentDef tendon;
+  tendon.name = "PT";
+  tendon.from.body = 2;
+  tendon.to.body = 1;
+  scene.ligaments.push_back(tendon);
+  ResultTable poses;
+  for (const char* column : {"pf.gs.lateral_tilt_deg", "pf.gs.lateral_shift_mm", "pf.quadriceps.force_N",
+                             "pf.patellar_tendon.force_N", "pf.tendon_to_quadriceps"})
+    poses.add_column(column);
+  poses.add_row();
+  poses.set("pf.gs.lateral_tilt_deg", 7.0);
+  poses.set("pf.tendon_to_quadriceps", 0.9);
+  Chart chart;
+  add_report_plots(scene, poses, chart);
+  EXPECT_EQ(panel_titled(chart, "Grood and Suntay: rotations [deg]"), nullptr);
+  const ChartPanel* tilt = panel_titled(chart, "Patella: rotations [deg]");
+  ASSERT_NE(tilt, nullptr);
+  EXPECT_EQ(tilt->series[0].name, "lateral_tilt");
+  EXPECT_EQ(tilt->series[0].y[0], 7);
+  ASSERT_NE(panel_titled(chart, "Patella: translations [mm]"), nullptr);
+  const ChartPanel* forces = panel_titled(chart, "Extensor mechanism [N]");
+  ASSERT_NE(forces, nullptr);
+  ASSERT_EQ(forces->series.size(), 2u);
+  EXPECT_EQ(forces->series[1].name, "patellar tendon");
+  const ChartPanel* ratio = panel_titled(chart, "Force of the patellar tendon per force of the quadriceps");
+  ASSERT_NE(ratio, nullptr);
+  EXPECT_EQ(ratio->series[0].y[0], 0.9);
+}
+
 }  // namespace
 }  // namespace genu

@@ -33,7 +33,7 @@ TEST(CentreBodies, LeavesOrdinaryScenesAlone) {
 TEST(CentreBodies, EveryPointOfAFarBodyMovesWithItsOrigin) {
   const Vec3 by(1000, -200, 30);
   Scene before = shifted(by);
-  before.joints[0].grood_suntay = GroodSuntayDef{true, {1, Vec3::UnitZ(), Vec3::UnitY(), by}, {0}};
+  before.joints[0].grood_suntay = GroodSuntayDef{true, false, {1, Vec3::UnitZ(), Vec3::UnitY(), by}, {0}};
   before.bodies[1].centre_of_mass = by;
   before.ligaments[0].via = {{1, by + Vec3(0.01, 0, 0)}, {0, Vec3(0, 0.02, 0)}};
   const PlacedScene scene = placed(before);

@@ -28,6 +28,13 @@ TEST(ReadGroodSuntay, AxesAreUnitAndPerpendicular) {
   EXPECT_EQ(def.tibia.origin, Vec3::Zero());
 }
 
+TEST(ReadGroodSuntay, APatellaMayStandForTheTibia) {
+  const Scene scene = good(edited(", tibia = { body", ", patella = { body", kScene));
+  ASSERT_TRUE(scene.joints[0].grood_suntay.has_value());
+  EXPECT_TRUE(scene.joints[0].grood_suntay->patella);
+  EXPECT_FALSE(good(kScene).joints[0].grood_suntay->patella);
+}
+
 TEST(ReadGroodSuntay, AJointWithoutItHasNone) { EXPECT_FALSE(good(kGoodScene).joints[0].grood_suntay.has_value()); }
 
 TEST(ReadGroodSuntay, RefusesWhatIsNoKnee) {

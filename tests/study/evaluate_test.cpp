@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +77,28 @@ void expect_same(const Twice& t, const std::function<bool(const std::string&)>& 
 
 bool solvers_own(const std::string& column) {
   return column.rfind("stability", 0) == 0 || column == "newton.iterations" || column == "residual";
+}
+
+TEST(Evaluate, AsksForTheFactorOfADrivingLoad) {
+  std::string drive = soft_ball();
+  drive.replace(drive.find("[[step]]"), 8,
+                "[load.turn]\non = \"knee.flexion\"\nvalue = 1\n[[step]]\ndrive = { \"knee.flexion\" = \"turn\" }\n");
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  Solution solved;
+  ASSERT_EQ(test::judged_run(drive, folder / "run", {}, out, &solved), kExitOk) << messages(out);
+  ASSERT_TRUE(solved.poses.has_column("turn.factor"));
+  EXPECT_EQ(evaluate_scene(drive, folder / "run/results.csv", folder / "again", {}, out, nullptr), kExitOk)
+      << messages(out);
+  // The same table under another name: the factor is missing.
+  std::string table = read_file(folder / "run/results.csv");
+  table.replace(table.find("turn.factor"), 11, "turn_factor");
+  std::ofstream(folder / "poses.csv") << table;
+  Diagnostics refused;
+  EXPECT_EQ(evaluate_scene(drive, folder / "poses.csv", folder / "no", {}, refused, nullptr), kExitRefused);
+  EXPECT_NE(messages(refused).find("the load drives knee.flexion, so its factor is an unknown of every pose"),
+            std::string::npos)
+      << messages(refused);
 }
 
 TEST(Evaluate, PressureMapsOfARunAndOfItsPoses) {

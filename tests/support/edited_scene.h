@@ -10,6 +10,7 @@
 #include "genu/assemble/build_surface.h"
 #include "genu/equilibrium/active_set.h"
 #include "genu/model/build_model.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/model/parameters.h"
 #include "genu/results/pose_table.h"
 #include "support/moved_surface.h"
@@ -71,6 +72,7 @@ inline std::map<std::string, double> solved_again(PlacedScene scene,
     const auto& pair = model->pairs[static_cast<std::size_t>(c.pair)];
     EXPECT_TRUE(pair.a->project(c.geometry.a.p, c.geometry.a) && pair.b->project(c.geometry.b.p, c.geometry.b));
   }
+  settle_wraps(*model, point.pose.state);  // round the edited surfaces
   NewtonOptions options;
   options.residual_tolerance = 1e-15;  // as far as rounding lets it fall
   Newton newton(*model);

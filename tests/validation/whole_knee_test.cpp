@@ -153,6 +153,61 @@ TEST(WholeKnee, TheQuadricepsOfASquatLeavesNoMoment) {
   }
 }
 
+/// At 20 deg of flexion a force pushes the patella sideways, up to 200 N.
+std::string pushed_sideways() {
+  const std::string text = scene_text("lenhart2015_whole/scene");
+  return text.substr(0, text.find("[[step]]")) +
+         "[load.push]\nbody = \"patella\"\nforce = [0, 0, 200]\n"
+         "[[step]]\nprescribe = { \"knee.flexion\" = [0, 20] }\nload = { push = 0 }\nincrements = 4\n"
+         "[[step]]\nprescribe = { \"knee.flexion\" = 20 }\nload = { push = [0, 1] }\nincrements = 20\n";
+}
+
+std::string sentences(const Solution& s) {
+  std::string out;
+  for (const std::string& sentence : s.summary.verdict) out += sentence + "\n";
+  return out;
+}
+
+TEST(WholeKnee, WithoutItsMedialLigamentThePatellaSubluxates) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-patella-cart_shift.stl");
+  const Solution intact = solution_of(pushed_sideways());
+  EXPECT_EQ(intact.summary.poses_solved, intact.summary.poses_asked);
+  EXPECT_EQ(sentences(intact).find("subluxates"), std::string::npos);
+  std::string cut = pushed_sideways();
+  for (std::size_t at = 0; (at = cut.find("[ligament.mPFL", at)) != std::string::npos;) {
+    const std::size_t end = cut.find("\n\n", at);
+    cut.erase(at, end - at);
+  }
+  const Solution without = solution_of(cut);
+  EXPECT_LT(without.summary.poses_solved, without.summary.poses_asked);
+  EXPECT_NE(sentences(without).find("The patella subluxates at load push x 0.2"), std::string::npos)
+      << sentences(without);
+  EXPECT_NE(sentences(without).find("it leaves its groove laterally"), std::string::npos) << sentences(without);
+}
+
+TEST(WholeKnee, APatellaThatStartsBesideTheFemurIsNamed) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-patella-cart_shift.stl");
+  const std::string text =
+      replaced(replaced(scene_text("lenhart2015_whole/scene"), "increments = 90", "increments = 1"),
+               "x = 53.1, y = 8.57, z = 4.93", "x = 30, y = -5, z = 60");
+  const Solution s = solution_of(text);
+  EXPECT_EQ(s.summary.poses_solved, 0);
+  EXPECT_NE(sentences(s).find("The patella starts on the wrong side"), std::string::npos) << sentences(s);
+}
+
+/// In extension the patella of S002 lies above the femur's cartilage.
+TEST(WholeKnee, AContactAboveTheEdgeIsNoOverlap) {
+  GENU_NEEDS_DATA("ssm/S002_Patella_Cartilage.ply");
+  const std::string text = replaced(replaced(scene_text("clouthier2019/S002-rigid"), "[10, 90]", "[0, 90]"),
+                                    "increments = 80", "increments = 90");
+  for (const char* start : {"flexion = 10, x = 55, y = 12, z = 3", "flexion = 0, x = 53, y = 5, z = 4"}) {
+    const Solution s =
+        solution_of(replaced(text, "flexion = 30, rotation = 5, tilt = -18, x = 49, y = 8, z = 3", start));
+    ASSERT_FALSE(s.records.empty());
+    EXPECT_STREQ(to_string(s.records.back().point.report.status), "over_edge") << start << "\n" << sentences(s);
+  }
+}
+
 /// Rows that are solved, of all.
 std::pair<std::size_t, std::size_t> solved_rows(const std::string& text) {
   const ResultTable t = solution_of(text).poses;

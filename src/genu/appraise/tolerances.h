@@ -65,6 +65,19 @@ inline constexpr std::size_t kMaxDoubtRows = 200;
 /// [1] Share of peak pressure or load that is reported. Fails first: if too small, warnings about nothing.
 inline constexpr double kReportedShare = 0.01;
 
+// patella
+
+/// [1] Share of a patella's way that goes sideways where it leaves its groove. Fails first: if too small, a snap along
+/// the groove is called a subluxation.
+inline constexpr double kSidewaysShare = 0.5;
+
+/// [m] Edge of the triangles that show how far contact surfaces reach. Fails first: if too large, a small closed form
+/// has no width.
+inline constexpr double kSideEdge = 1e-3;
+
+/// [m] How far unbounded contact surfaces are followed. Fails first: if too small, the middle of a wide one is wrong.
+inline constexpr double kSideReach = 0.1;
+
 // layer_verdict
 
 /// [1] Triangles in contact below which a sum jumps visibly from pose to pose. Fails first: if too large, coarse but

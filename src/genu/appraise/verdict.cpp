@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/appraise/no_potential.h"
+#include "genu/appraise/patella.h"
 #include "genu/appraise/place.h"
 #include "genu/appraise/shorter_sides.h"
 #include "genu/appraise/tolerances.h"
@@ -224,6 +226,15 @@ void say_flaws(const Prepared& prepared, const PosePoint* last, std::vector<std:
   }
 }
 
+void say_flutter(const Prepared& prepared, const PathEvent& event, std::vector<std::string>& out) {
+  const std::vector<std::string> causes = without_potential(prepared.scene);
+  out.push_back(fmt::format(
+      "From {} on, an oscillation can grow (flutter): the stiffness is not symmetric. {}: {}. Whether the oscillation "
+      "grows depends on mass and damping, which a quasi-static run does not include.",
+      place(prepared, event.step, event.target), causes.size() == 1 ? "The cause" : "Causes may be",
+      causes.empty() ? "a reaction or a driving load" : joined_with_and(causes)));
+}
+
 /// The end of the sentence "... 2 of 3 stable".
 std::string of_the_others(const std::vector<PoseRecord>& records, const RunSummary& summary) {
   if (summary.poses_stable == summary.poses_solved) return ".";
@@ -303,12 +314,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     if (e.kind == PathEvent::Kind::jump)
       out.push_back(fmt::format("At {} the force of a ligament drops and the joint jumps: {}.",
                                 place(prepared, e.step, e.target), e.what));
-    if (e.kind == PathEvent::Kind::flutter)
-      out.push_back(fmt::format(
-          "From {} on, loads without a potential (follower loads, loads scaled by a coordinate) can drive an "
-          "oscillation (flutter). Whether it grows depends on mass and damping, which a quasi-static run "
-          "does not include.",
-          place(prepared, e.step, e.target)));
+    if (e.kind == PathEvent::Kind::flutter) say_flutter(prepared, e, out);
     const bool listed = &e != &events.front() && (&e - 1)->kind == PathEvent::Kind::limit_point && (&e - 1)->t == e.t;
     if (e.kind == PathEvent::Kind::stability_changed && !listed)
       changes.add(fmt::format("The equilibrium becomes {} at {}.", e.what, place(prepared, e.step, e.target)), out);
@@ -317,6 +323,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
           fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
   }
   changes.end(out);
+  for (const std::string& sentence : patella_sentences(prepared, records, events)) out.push_back(sentence);
   say_reaction_turns(prepared, events, out);
   say_steps(prepared, out);
   say_locations(prepared, records, summary.locations, out);

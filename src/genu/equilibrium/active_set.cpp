@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "genu/equilibrium/edge_at_start.h"
 #include "genu/equilibrium/force_guess.h"
 #include "genu/equilibrium/held_drivers.h"
 #include "genu/equilibrium/piece_changes.h"
@@ -367,20 +368,17 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
     report.status = PoseStatus::overlap;
     report.why = kBehind;
   }
-  // A contact at a flaw is no reason to stop here: the joint may come to rest at another place. A foundation too soft
-  // for the forces lets a body pass through a thin surface, so stiffer ones follow. From far away Newton's method may
-  // wander where descent converges. Long descent steps may leap over a rim that a body would slide into, so short ones
-  // come last.
+  // A contact at a flaw is no reason to stop: the joint may come to rest elsewhere. On a foundation too soft for the
+  // forces a body passes through a thin surface, so stiffer ones follow. Where Newton's method wanders, descent
+  // converges. Its long steps may leap over a rim that a body would slide into, so short ones come last.
   PoseReport seeded;
   for (const SeedWay& way : {SeedWay{}, SeedWay{.stiffer = 30}, SeedWay{.stiffer = 1000}, SeedWay{.downhill = true},
                              SeedWay{.downhill = true, .stride = Stride::careful}}) {
     trial = pose;
     PoseReport tried = settle_from_seed(trial, target, way);
     tried.iterations += seeded.iterations;
-    if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state)) {
-      tried.status = PoseStatus::overlap;
-      tried.why = kBehind;
-    }
+    if (tried.status == PoseStatus::ok && passes_through(pose.state, trial.state))
+      tried.status = PoseStatus::overlap, tried.why = kBehind;
     const bool vague = tried.status == PoseStatus::no_equilibrium;
     if (way.downhill && (vague || (tried.status != PoseStatus::ok && seeded.status != PoseStatus::no_equilibrium)))
       seeded.iterations = tried.iterations;  // where descent fails, the report of Newton's method says more
@@ -392,8 +390,11 @@ PoseReport ActiveSetSolver::settle_cold(Balanced& pose, const Target& target) {
   }
   seeded.iterations += report.iterations;
   // Of two failures, keep the one that names a cause.
-  const bool vague = seeded.status == PoseStatus::no_equilibrium;
-  return vague && report.status != PoseStatus::no_equilibrium ? report : seeded;
+  if (seeded.status == PoseStatus::no_equilibrium && report.status != PoseStatus::no_equilibrium) seeded = report;
+  const bool deep = seeded.status == PoseStatus::overlap && seeded.why != kBehind;
+  if (const std::string edge = deep ? contact_past_edge(*model_, *field_, pose.state) : ""; !edge.empty())
+    seeded.status = PoseStatus::over_edge, seeded.why = edge;
+  return seeded;
 }
 
 }  // namespace genu

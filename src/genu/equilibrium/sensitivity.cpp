@@ -1,8 +1,10 @@
 #include "genu/equilibrium/sensitivity.h"
 
+#include <cmath>
 #include <limits>
 
 #include "genu/model/ligament_rates.h"
+#include "genu/model/load_rates.h"
 
 namespace genu {
 namespace {
@@ -144,6 +146,18 @@ double Sensitivity::load_scale(int load) const {
   const Load& l = model_->loads[at(load)];
   if (!l.scale || !l.scale->coordinate()) return 0;
   return genu::load_scale(l, state(), point_->target.time).slope * coordinate(*l.scale->coordinate());
+}
+
+double Sensitivity::tension(int load) const {
+  const Load& l = model_->loads[at(load)];
+  const Target& target = point_->target;
+  const double scale = genu::load_scale(l, state(), target.time).factor;
+  const double factor = load_factor(target, state(), at(load)), factor_rate = driving_factor(load);
+  double rate = l.value * load_scale(load) * factor;
+  if (std::isfinite(factor_rate)) rate += l.value * scale * factor_rate;
+  if (!parameter_.of_load() || parameter_.object != load) return rate;
+  if (parameter_.kind == Parameter::Kind::factor) return rate + l.value * scale;
+  return rate + load_change(*scene_, parameter_).value * scale * factor;
 }
 
 }  // namespace genu

@@ -47,6 +47,8 @@ class Sensitivity {
   ContactMotion closed(std::size_t index) const;
   ContactMotion open(std::size_t index) const;
   double load_scale(int load) const;
+  /// N: of the tension of a cable, or of the size of a force toward a point.
+  double tension(int load) const;
   /// Of the factor of a load that drives a coordinate; NaN where it drives none.
   double driving_factor(int load) const;
 

@@ -326,26 +326,29 @@ void LigamentPath::linearize(const std::vector<Pose>& poses, const LawValue& ten
 }
 
 void LigamentPath::add_touch_rate(const std::vector<Pose>& poses, const Wraps& wraps, const Change& change,
-                                  double factor, VecX& wrench) const {
+                                  double tension, VecX& wrench) const {
   for_each_span([&](std::size_t first, std::size_t) {
     const Span span = span_at(poses, wraps, first);
     Variation v(*this, poses, span);
     if (v.count == 0) return;
-    // d(dL/dz): of each leg, how its direction turns across the moves of its tips.
+    // d(dL/dz): of each leg, how its direction turns across the moves of its tips; of each arc, how its end turns.
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * kMostArcs, 1> rate =
         Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * kMostArcs, 1>::Zero(static_cast<Eigen::Index>(2 * v.count));
     v.for_each_leg(*this, span, [&](const Variation::End& x, const Variation::End& y) {
-      const auto velocity = [&](const Variation::End& end, std::size_t point) -> Vec3 {
-        return end.arc < 0 ? change.points[point] : change.obstacles[v.obstacle[at(end.arc)]];
+      const auto velocity = [&](const Variation::End& end, std::size_t point) -> const Vec3& {
+        if (end.arc < 0) return change.points[point];
+        const ArcChange& arc = change.arcs[v.obstacle[at(end.arc)]];
+        return end.at_end ? arc.end : arc.begin;
       };
       const Vec3 moved = velocity(y, span.point + 1) - velocity(x, span.point);
       const double length = (y.place - x.place).norm();
       for (const Variation::End* tip : {&x, &y})
         if (tip->arc >= 0)
           rate.segment<2>(2 * tip->arc) += (tip == &y ? 1 : -1) / length * tip->b.dot(moved) * v.move(*tip);
+      if (x.arc >= 0) rate.segment<2>(2 * x.arc) += change.arcs[v.obstacle[at(x.arc)]].turn * v.move(x);
     });
     const auto P = v.pull_by_moves.topRows(static_cast<Eigen::Index>(6 * v.bodies));
-    const VecX added = -factor * (P * v.hessian.H.partialPivLu().solve(rate).eval());
+    const VecX added = -tension * (P * v.hessian.H.partialPivLu().solve(rate).eval());
     for (std::size_t i = 0; i < v.bodies; ++i)
       wrench.segment<6>(6 * v.moving[i]) += added.segment<6>(static_cast<Eigen::Index>(6 * i));
   });

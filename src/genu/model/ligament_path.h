@@ -19,6 +19,7 @@
 #include "genu/core/pose.h"
 #include "genu/core/types.h"
 #include "genu/model/ligament.h"
+#include "genu/wrap/arc_change.h"
 #include "genu/wrap/chain.h"
 
 namespace genu {
@@ -153,12 +154,14 @@ class LigamentPath {
   void linearize(const std::vector<Pose>& poses, const LawValue& tension, VecX& gradient, VecX& wrench, MatX* stiffness,
                  const Wraps& wraps = {}) const;
 
-  /// A change of the path at fixed poses: rates of its points, and of its obstacles as wholes (m, world axes).
+  /// A change of the path at fixed poses: rates of its points and arcs (world axes), per unit of a parameter.
   struct Change {
-    std::vector<Vec3> points, obstacles;
+    std::vector<Vec3> points;     ///< m
+    std::vector<ArcChange> arcs;  ///< of every obstacle
   };
-  /// What the touching points add to the rate of the pull P of unit tension, 6 for each moving body: (dP/dz) dz.
-  void add_touch_rate(const std::vector<Pose>& poses, const Wraps& wraps, const Change& change, double factor,
+  /// What the touching points add to the rate of the pull P of unit tension, 6 for each moving body, times `tension`:
+  /// (dP/dz) dz. path_change.h has the rest.
+  void add_touch_rate(const std::vector<Pose>& poses, const Wraps& wraps, const Change& change, double tension,
                       VecX& wrench) const;
 
  private:

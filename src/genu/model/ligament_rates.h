@@ -17,12 +17,7 @@ namespace genu {
 
 /// Per SI unit of a parameter. Where the ligament is slack all but length and strain is 0.
 struct LigamentRate {
-  struct Line {
-    int body_a, body_b;
-    Vec12 wrench;  ///< on [a; b] as in TwoBodyWrench
-  };
-  std::vector<Line> lines;  ///< from end to end, touching points fixed to their bodies
-  VecX touches;             ///< 6 for each moving body: the wrench of the touching points' moves; empty without any
+  VecX wrench;  ///< 6 for each moving body; empty where it is 0
   double length = 0, strain = 0, force = 0;
 };
 
@@ -38,9 +33,8 @@ struct LigamentAt {
 /// Whether a parameter is one of the ligament's own, or of a surface that it wraps round.
 bool concerns(const LigamentDef& def, int ligament, const Parameter& parameter);
 
-/// The derivative of a ligament per SI unit of a parameter that concerns it. NaN for a surface's number that is no
-/// origin: they bend the geodesics. `surfaces`: of the scene. NaN also where the slack length has no derivative
-/// (a reference force of 0 in a law that is flat there).
+/// The derivative of a ligament per SI unit of a parameter that concerns it. `surfaces`: of the scene. NaN where the
+/// slack length has no derivative (a reference force of 0 in a law that is flat there).
 LigamentRate ligament_rate(const LigamentAt& at, const Parameter& parameter, const std::vector<SurfaceDef>& surfaces);
 
 }  // namespace genu

@@ -1,10 +1,8 @@
 #include "genu/model/parameter_rates.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "genu/model/ligament_rates.h"
 #include "genu/model/load_rates.h"
+#include "genu/model/path_change.h"
 #include "genu/model/surface_rates.h"
 
 namespace genu {
@@ -99,11 +97,18 @@ void add_contact_rates(const PlacedScene& scene, const JointModel& model, const 
   }
 }
 
-/// A cable's derivative by the numbers of its surfaces is not computed.
-bool wrapped_by_cable(const PlacedScene& scene, int surface) {
-  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const LoadDef& load) {
-    return std::any_of(load.wraps.begin(), load.wraps.end(), [&](const WrapDef& w) { return w.surface == surface; });
-  });
+/// Of the cables that touch the surface.
+void add_cable_rates(const PlacedScene& scene, const JointModel& model, const State& state, const Target& target,
+                     const Parameter& parameter, VecX& out) {
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const Load& load = model.loads[i];
+    if (load.kind != Load::Kind::cable) continue;
+    const std::vector<WrapDef>& wraps = scene.loads[i].wraps;
+    if (!touches(wraps, load.path, state.wraps, parameter.object)) continue;
+    const auto change = change_by_surface(wraps, load.path, state.poses, state.wraps, parameter, scene.surfaces);
+    const double tension = load.value * load_scale(load, state, target.time).factor * load_factor(target, state, i);
+    add_pull_rate(load.path, state.poses, state.wraps, change, tension, out);
+  }
 }
 
 }  // namespace
@@ -130,12 +135,11 @@ void residual_rate(const PlacedScene& scene, const JointModel& model, const Stat
     const LigamentRate rate = ligament_rate({scene.ligaments[l], model.ligaments[l], model.reference_poses, state.poses,
                                              model.reference_wraps, state.wraps, model.moving_count},
                                             parameter, scene.surfaces);
-    for (const auto& line : rate.lines) add_wrench(model, line.body_a, line.body_b, line.wrench, out.wrench);
-    if (rate.touches.size() > 0) out.wrench += rate.touches;
+    if (rate.wrench.size() > 0) out.wrench += rate.wrench;
   }
   if (parameter.of_surface()) {
     add_contact_rates(scene, model, state, parameter, out);
-    if (wrapped_by_cable(scene, parameter.object)) out.wrench.setConstant(std::numeric_limits<double>::quiet_NaN());
+    add_cable_rates(scene, model, state, target, parameter, out.wrench);
   } else if (parameter.of_load()) {
     add_load_rate(scene, model, state, target, parameter, out.wrench);
   } else if (parameter.of_body()) {

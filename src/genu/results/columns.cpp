@@ -18,7 +18,22 @@ std::string reaction_column(const SceneTables& scene, const QuantityRef& c) {
   return quantity_name(scene, c) + ".reaction" + (c.is_rotation() ? "_Nm" : "_N");
 }
 
-std::string clinical_column(const std::string& joint, std::size_t i) { return joint + ".gs." + kClinical[i]; }
+const char* clinical_name(const JointDef& joint, std::size_t i) {
+  constexpr std::array kTibia = {"flexion_deg", "adduction_deg", "external_rotation_deg",
+                                 "lateral_mm",  "anterior_mm",   "distraction_mm"};
+  constexpr std::array kPatella = {"flexion_deg",      "medial_rotation_deg", "lateral_tilt_deg",
+                                   "lateral_shift_mm", "anterior_mm",         "proximal_mm"};
+  return joint.grood_suntay && joint.grood_suntay->patella ? kPatella[i] : kTibia[i];
+}
+
+std::string clinical_column(const JointDef& joint, std::size_t i) {
+  return joint.name + ".gs." + clinical_name(joint, i);
+}
+
+std::array<double, kClinicalColumns> clinical_numbers(const JointDef& joint, const KneeMotion& m) {
+  const bool patella = joint.grood_suntay && joint.grood_suntay->patella;
+  return {m.flexion, m.adduction, m.external_rotation, m.lateral, m.anterior, patella ? -m.distraction : m.distraction};
+}
 
 std::string held_column(const std::string& joint, std::size_t i) {
   return fmt::format("{}.reaction.{}_{}", joint, i < 3 ? "force" : "moment", kAxisNames[i % 3]) +

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "genu/core/units.h"
+#include "genu/model/grood_suntay.h"
 #include "genu/model/layer_report.h"
 #include "genu/scene/scene.h"
 
@@ -27,10 +29,16 @@ std::string held_column(const std::string& joint, std::size_t i);
 /// "tibia.residual_force_x_N", i from 0 to 5: force, then moment
 std::string residual_column(const std::string& body, std::size_t i);
 
-/// "knee.gs.flexion_deg": angles first, then lengths, as KneeMotion has them
-inline constexpr std::array kClinical = {"flexion_deg", "adduction_deg", "external_rotation_deg",
-                                         "lateral_mm",  "anterior_mm",   "distraction_mm"};
-std::string clinical_column(const std::string& joint, std::size_t i);
+/// Of a joint with `grood_suntay`, angles first: of a tibia as KneeMotion has them, of a patella in the words for it.
+inline constexpr std::size_t kClinicalColumns = 6;
+/// "flexion_deg"; i from 0 to 5
+const char* clinical_name(const JointDef& joint, std::size_t i);
+/// "knee.gs.flexion_deg"
+std::string clinical_column(const JointDef& joint, std::size_t i);
+/// The six numbers (rad, m) of a motion, or of its rate.
+std::array<double, kClinicalColumns> clinical_numbers(const JointDef& joint, const KneeMotion& motion);
+/// The unit of number i in its column.
+constexpr double clinical_unit(std::size_t i) { return i < 3 ? to::kDegree : to::kMillimetre; }
 
 /// "femur_medial.x_mm" of a contact point's place in the body of the pair's first or second surface
 std::string point_column(const SceneTables& scene, std::size_t pair, bool second, std::size_t axis);

@@ -54,8 +54,8 @@ class MotionTable {
       if (joint.damping > 0) table_.add_column(joint.name + ".damper_Nm");
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
-      for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
-        table_.add_column(clinical_column(joint.name, i));
+      for (std::size_t i = 0; joint.grood_suntay && i < kClinicalColumns; ++i)
+        table_.add_column(clinical_column(joint, i));
     }
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k)
       table_.add_column(coordinate_column(scene_, combination(k)));
@@ -141,10 +141,9 @@ class MotionTable {
     const GroodSuntayDef& def = *joint.grood_suntay;
     const auto m = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
     if (!m) return;
-    const double values[] = {to::kDegree * m->flexion,           to::kDegree * m->adduction,
-                             to::kDegree * m->external_rotation, to::kMillimetre * m->lateral,
-                             to::kMillimetre * m->anterior,      to::kMillimetre * m->distraction};
-    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
+    const auto numbers = clinical_numbers(joint, *m);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      table_.set(clinical_column(joint, i), clinical_unit(i) * numbers[i]);
   }
 
   void set_ligaments(const MotionPoint& point) {

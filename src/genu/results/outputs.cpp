@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "genu/core/units.h"
+#include "genu/model/ligament_pieces.h"
 #include "genu/results/columns.h"
+#include "genu/results/extensor_columns.h"
 
 namespace genu {
 namespace {
@@ -86,6 +88,7 @@ class Outputs {
     for (int l = 0; l < static_cast<int>(model_.ligaments.size()); ++l) add_ligament(l);
     for (const BundleDef& bundle : scene_.bundles)
       if (!bundle.members.empty()) add_bundle(bundle);
+    for (const ExtensorMechanism& one : extensor_mechanisms(scene_)) add_extensor(one);
     for (int l = 0; l < static_cast<int>(model_.loads.size()); ++l)
       if (model_.loads[at(l)].scale)
         add(model_.loads[at(l)].name + ".scale", "1", 1,
@@ -127,14 +130,11 @@ class Outputs {
     for (int i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
       add(held_column(joint.name, at(i)), i < 3 ? "N" : "Nm", 1,
           [j, i](const PosePoint&, const Sensitivity& s) { return s.held_reaction(j)[i]; });
-    for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
-      add(clinical_column(joint.name, i), i < 3 ? "deg" : "mm", i < 3 ? to::kDegree : to::kMillimetre,
-          [j, i](const PosePoint&, const Sensitivity& s) {
+    for (std::size_t i = 0; joint.grood_suntay && i < kClinicalColumns; ++i)
+      add(clinical_column(joint, i), i < 3 ? "deg" : "mm", clinical_unit(i),
+          [&joint, j, i](const PosePoint&, const Sensitivity& s) {
             const auto m = s.clinical(j);
-            if (!m) return kNone;
-            const double rates[] = {m->flexion, m->adduction, m->external_rotation,
-                                    m->lateral, m->anterior,  m->distraction};
-            return rates[i];
+            return m ? clinical_numbers(joint, *m)[i] : kNone;
           });
   }
 
@@ -212,6 +212,27 @@ class Outputs {
     add(bundle.name + ".strain", "1", 1,
         [sum, share](const auto&, const auto& s) { return share * sum(s, &LigamentMotion::strain); });
     add(bundle.name + ".force_N", "N", 1, [sum](const auto&, const auto& s) { return sum(s, &LigamentMotion::force); });
+  }
+
+  void add_extensor(const ExtensorMechanism& one) {
+    const auto muscle = [one](const Sensitivity& s) {
+      double sum = 0;
+      for (const std::size_t l : one.quadriceps) sum += s.tension(static_cast<int>(l));
+      return sum;
+    };
+    const auto tendon = [one](const Sensitivity& s) {
+      double sum = 0;
+      for (const std::size_t l : one.tendon) sum += s.ligament(static_cast<int>(l)).force;
+      return sum;
+    };
+    add(one.quadriceps_column(), "N", 1, [muscle](const auto&, const auto& s) { return muscle(s); });
+    add(one.tendon_column(), "N", 1, [tendon](const auto&, const auto& s) { return tendon(s); });
+    add(one.ratio_column(), "1", 1, [model = &model_, one, muscle, tendon](const auto& point, const auto& s) {
+      double force = 0, pull = 0;
+      for (const std::size_t l : one.quadriceps) force += load_tension(*model, point.target, point.pose.state, l);
+      for (const std::size_t l : one.tendon) pull += show_ligament(*model, point.pose.state, static_cast<int>(l)).force;
+      return (tendon(s) - pull / force * muscle(s)) / force;
+    });
   }
 
   const PlacedScene& scene_;

@@ -11,6 +11,7 @@
 #include "genu/results/columns.h"
 #include "genu/results/compartment_columns.h"
 #include "genu/results/contact_columns.h"
+#include "genu/results/extensor_columns.h"
 #include "genu/results/moment_arm_columns.h"
 #include "genu/results/wrap_columns.h"
 
@@ -49,8 +50,8 @@ class PoseTable {
       for (int i = 0; i < 6; ++i) add_reaction(steps, {j, i});
       for (std::size_t i = 0; joint.type != JointDef::Type::free && i < 6; ++i)
         table_.add_column(held_column(joint.name, i));
-      for (std::size_t i = 0; joint.grood_suntay && i < kClinical.size(); ++i)
-        table_.add_column(clinical_column(joint.name, i));
+      for (std::size_t i = 0; joint.grood_suntay && i < kClinicalColumns; ++i)
+        table_.add_column(clinical_column(joint, i));
     }
     for (int k = 0; k < static_cast<int>(scene_.combinations.size()); ++k) {
       const QuantityRef quantity{scene_.combinations[at(k)].terms.front().coordinate, k};
@@ -67,6 +68,7 @@ class PoseTable {
     add_bushing_columns(model_, table_);
     add_wrap_columns(model_, table_);
     add_moment_arm_columns(scene_, model_, table_);
+    add_extensor_columns(scene_, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.add_column(l.name + ".scale");
     for (std::size_t i = 0; i < model_.loads.size(); ++i)
@@ -109,6 +111,7 @@ class PoseTable {
     set_bushing_columns(model_, point.pose.state, table_);
     set_wrap_columns(model_, point.pose.state, table_);
     set_moment_arm_columns(scene_, model_, point.pose.state, table_);
+    set_extensor_columns(scene_, model_, point.target, point.pose.state, table_);
     for (const Load& l : model_.loads)
       if (l.scale) table_.set(l.name + ".scale", load_scale(l, point.pose.state, point.target.time).factor);
     if (record.given) return set_residual(*record.given);
@@ -160,10 +163,9 @@ class PoseTable {
     const GroodSuntayDef& def = *joint.grood_suntay;
     const auto motion = grood_suntay(def, state.poses[at(def.femur.body)], state.poses[at(def.tibia.body)]);
     if (!motion) return;
-    const double values[] = {to::kDegree * motion->flexion,           to::kDegree * motion->adduction,
-                             to::kDegree * motion->external_rotation, to::kMillimetre * motion->lateral,
-                             to::kMillimetre * motion->anterior,      to::kMillimetre * motion->distraction};
-    for (std::size_t i = 0; i < kClinical.size(); ++i) table_.set(clinical_column(joint.name, i), values[i]);
+    const auto numbers = clinical_numbers(joint, *motion);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      table_.set(clinical_column(joint, i), clinical_unit(i) * numbers[i]);
   }
 
   void set_held(int joint, const PosePoint& point) {

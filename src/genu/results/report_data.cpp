@@ -137,7 +137,7 @@ ordered_json joints_json(const ReportRun& run) {
                         {"child", joint.child},
                         {"origin", place_json(own_origin(*run.model, joint.child))},
                         {"axis", vector_json(joint.rotations[0].axis)}};
-    if (joint.grood_suntay) {
+    if (joint.grood_suntay && !joint.grood_suntay->patella) {
       const GroodSuntayDef& def = *joint.grood_suntay;
       one["right"] = def.right;
       for (const auto& [name, bone] : {std::pair("femur", &def.femur), std::pair("tibia", &def.tibia)})

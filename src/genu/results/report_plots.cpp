@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "genu/results/columns.h"
+#include "genu/results/extensor_columns.h"
 #include "genu/results/ligament_groups.h"
 
 namespace genu {
@@ -16,8 +17,13 @@ class ReportPlots {
       : scene_(scene), poses_(poses), chart_(chart) {}
 
   void add() {
-    insert("Translations [mm]", "Grood and Suntay: rotations [deg]", clinical(0, 3), false);
-    insert("Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]", clinical(3, 6), false);
+    insert("Translations [mm]", "Grood and Suntay: rotations [deg]", clinical(0, 3, false), false);
+    insert("Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]", clinical(3, 6, false), false);
+    const bool knee = !clinical(3, 6, false).empty();
+    insert(knee ? "Grood and Suntay: translations [mm]" : "Translations [mm]", "Patella: rotations [deg]",
+           clinical(0, 3, true), false);
+    insert("Patella: rotations [deg]", "Patella: translations [mm]", clinical(3, 6, true), false);
+    add_extensors();
     insert("Contact force [N]", "Contact area [mm2]", layers("area_mm2"), true);
     insert("Contact area [mm2]", "Largest contact pressure [MPa]", layers("max_pressure_MPa"), true);
     insert("Ligament force [N]", "Ligament strain, mean of fibres [%]", strains(), false);
@@ -42,16 +48,38 @@ class ReportPlots {
     chart_.panels.insert(place, {title, std::move(series), from_zero, false});
   }
 
-  std::vector<ChartSeries> clinical(std::size_t from, std::size_t to) const {
+  /// Of tibias, or of patellas.
+  std::vector<ChartSeries> clinical(std::size_t from, std::size_t to, bool patella) const {
     std::vector<ChartSeries> out;
-    std::size_t knees = 0;
-    for (const JointDef& joint : scene_.joints) knees += joint.grood_suntay ? 1 : 0;
+    const auto meant = [&](const JointDef& joint) {
+      return joint.grood_suntay && joint.grood_suntay->patella == patella;
+    };
+    const auto knees = std::count_if(scene_.joints.begin(), scene_.joints.end(), meant);
     for (const JointDef& joint : scene_.joints)
-      for (std::size_t i = from; joint.grood_suntay && i < to; ++i) {
-        const std::string name = clinical_column(joint.name, i), word = without_unit(kClinical[i]);
+      for (std::size_t i = from; meant(joint) && i < to; ++i) {
+        const std::string name = clinical_column(joint, i), word = without_unit(clinical_name(joint, i));
         if (poses_.has_column(name)) out.push_back(series(knees > 1 ? joint.name + " " + word : word, name));
       }
     return out;
+  }
+
+  /// What quadriceps, patellar tendon and patellofemoral contact carry, and the share of the tendon.
+  void add_extensors() {
+    std::vector<ChartSeries> forces, ratios;
+    const std::vector<ExtensorMechanism> all = extensor_mechanisms(scene_);
+    for (const ExtensorMechanism& one : all) {
+      const std::string of = all.size() > 1 ? one.joint + " " : "";
+      const auto add = [&](std::vector<ChartSeries>& to, const std::string& name, const std::string& column) {
+        if (poses_.has_column(column)) to.push_back(series(of + name, column));
+      };
+      add(forces, "quadriceps", one.quadriceps_column());
+      add(forces, "patellar tendon", one.tendon_column());
+      for (const std::string& contact : one.contacts) add(forces, contact + " contact", contact + ".force_N");
+      add(ratios, "patellar tendon / quadriceps", one.ratio_column());
+    }
+    insert("Contact force [N]", "Extensor mechanism [N]", std::move(forces), true);
+    insert("Extensor mechanism [N]", "Force of the patellar tendon per force of the quadriceps", std::move(ratios),
+           true);
   }
 
   std::vector<ChartSeries> layers(const std::string& quantity) const {

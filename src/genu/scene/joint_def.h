@@ -12,8 +12,8 @@
 
 namespace genu {
 
-/// The anatomical axes of a knee for the description of Grood and Suntay (model/grood_suntay.h). Unit vectors, anterior
-/// perpendicular to proximal.
+/// The anatomical axes of a knee, or of femur and patella, for the description of Grood and Suntay
+/// (model/grood_suntay.h). Unit vectors, anterior perpendicular to proximal.
 struct GroodSuntayDef {
   struct Bone {
     int body = -1;
@@ -21,7 +21,8 @@ struct GroodSuntayDef {
     Vec3 anterior = Vec3::UnitY();
     Vec3 origin = Vec3::Zero();  ///< m
   };
-  bool right = true;  ///< a right knee
+  bool right = true;     ///< a right knee
+  bool patella = false;  ///< `tibia` is the patella
   Bone femur, tibia;
 };
 

@@ -56,7 +56,8 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint) 
   GroodSuntayDef def;
   const auto side = read_choice(context, section.require("side"), {"right", "left"});
   def.right = side.value_or(0) == 0;
-  const Item tibia = section.require("tibia");
+  def.patella = section.has("patella");
+  const Item tibia = def.patella ? section.find("patella") : section.require("tibia");
   const bool femur_good = read_bone_axes(context, section.require("femur"), joint, def.femur);
   const bool tibia_good = read_bone_axes(context, tibia, joint, def.tibia);
   section.finish();

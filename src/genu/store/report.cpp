@@ -140,7 +140,7 @@ std::vector<std::string> axes_of(const PlacedScene& scene, const ResultTable& po
     out.push_back(quantity_name(scene, q) + "_mm");
   }
   for (const JointDef& joint : scene.joints)
-    for (std::size_t i = 0; i < kClinical.size(); ++i) out.push_back(clinical_column(joint.name, i));
+    for (std::size_t i = 0; i < kClinicalColumns; ++i) out.push_back(clinical_column(joint, i));
   std::erase_if(out, [&](const std::string& name) { return !poses.has_column(name); });
   return out;
 }

@@ -72,7 +72,7 @@ void warn_about(const Prepared& prepared, const JointDef& joint, Diagnostics& ou
 
 void warn_about_anatomy(const Prepared& prepared, Diagnostics& out) {
   for (const JointDef& joint : prepared.scene.joints)
-    if (joint.grood_suntay) warn_about(prepared, joint, out);
+    if (joint.grood_suntay && !joint.grood_suntay->patella) warn_about(prepared, joint, out);
 }
 
 }  // namespace genu

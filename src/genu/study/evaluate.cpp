@@ -175,6 +175,26 @@ RunSummary::GivenPoses facts_of(const SceneTables& scene, const PoseFile& file, 
   return facts;
 }
 
+/// A load that drives a coordinate has no factor of its own: the table has to have one.
+bool has_driving_factors(const SceneTables& scene, const PoseFile& file, const PoseColumns& columns, Diagnostics& out) {
+  std::vector<int> asked;
+  for (const StepDef& step : scene.steps)
+    for (const StepDef::Prescribed& p : step.prescribe)
+      for (const int load : p.drivers) {
+        const auto given = [&](const PoseColumns::Factor& f) { return f.load == load; };
+        if (std::any_of(columns.factors.begin(), columns.factors.end(), given)) continue;
+        if (std::find(asked.begin(), asked.end(), load) != asked.end()) continue;
+        asked.push_back(load);
+        out.add(error_at({file.path, {file.names.line, 1}}, Code::missing_key, scene.loads[at(load)].name + ".factor",
+                         {},
+                         "is no column: the load drives " + quantity_name(scene, p.coordinate) +
+                             ", so its factor is an unknown of every pose; add the column, as results.csv of a run has "
+                             "it, or leave the load out with --without " +
+                             scene.loads[at(load)].name));
+      }
+  return asked.empty();
+}
+
 /// The chart of a run without the panels that nobody can fill, over time where nothing better is known.
 std::string picture(const Prepared& prepared, const Evaluation& evaluation) {
   Chart chart = curves(prepared.scene, prepared.steps, evaluation.poses, {});
@@ -240,7 +260,7 @@ Evaluation evaluate(const Prepared& prepared, ContactField& field, const GivenPo
 std::optional<Evaluation> evaluate_file(const Prepared& prepared, PoseFile file, const EvaluateOptions& options,
                                         Diagnostics& out) {
   const auto columns = match_columns(prepared.scene, file, options.columns, out);
-  if (!columns) return std::nullopt;
+  if (!columns || !has_driving_factors(prepared.scene, file, *columns, out)) return std::nullopt;
   const auto given = read_given_poses(prepared.scene, file, *columns, out);
   if (!given) return std::nullopt;
   const auto facts = facts_of(prepared.scene, file, *columns);

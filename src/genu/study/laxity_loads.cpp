@@ -43,7 +43,7 @@ int clinical_joint(const Scene& scene, Diagnostics& out) {
   int found = -1;
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const JointDef& joint = scene.joints[j];
-    if (!joint.grood_suntay) continue;
+    if (!joint.grood_suntay || joint.grood_suntay->patella) continue;
     if (found >= 0) {
       out.add(error_at({scene.file, joint.where}, Code::conflict, "joint." + joint.name, {},
                        "is the second joint with grood_suntay: laxity is of one knee"));

@@ -23,6 +23,12 @@ inline constexpr int kMaxGeodesicSteps = 500;
 /// [1] Least tangential part of a direction. Fails first: if too small, directions of round-off.
 inline constexpr double kLeastTangent = 1e-8;
 
+// arc_change
+
+/// [rad] Turn of the arc that one rule of five points integrates. Fails first: if too large, derivatives by the numbers
+/// of a wrapped surface lose digits.
+inline constexpr double kChangeTurn = 0.3;
+
 // taut_string
 
 /// [1] Steps of Newton's method for a string. Fails first: if too small, strings from far starts fail.
@@ -68,6 +74,10 @@ inline constexpr int kChainDoublings = 2;
 
 /// [1] Rounds in which a chain is shortened, for each node. Fails first: if too small, the chain is not yet short.
 inline constexpr int kChainRounds = 8;
+
+/// [chord] Largest move of a node in a round that ends the rounds. Fails first: if too large, a chain that slips off a
+/// thin obstacle is stopped on its way.
+inline constexpr double kChainStill = 1e-6;
 
 /// [1] Over-relaxation while a chain is shortened. Fails first: if too large, it does not settle.
 inline constexpr double kChainRelaxation = 1.6;

@@ -1,0 +1,16 @@
+// What happens to a patella, in words: that it leaves its groove, or lies on the wrong side of the femur. Of joints
+// whose `grood_suntay` names a patella.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/assemble/prepare.h"
+#include "genu/results/pose_table.h"
+
+namespace genu {
+
+std::vector<std::string> patella_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records,
+                                           const std::vector<PathEvent>& events);
+
+}  // namespace genu
