@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "genu/osim/export_scene.h"
+#include "genu/osim/export_request.h"
 #include "genu/osim/xml_writer.h"
 
 namespace genu::osim {
