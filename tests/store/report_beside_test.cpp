@@ -65,10 +65,10 @@ TEST(ReportBeside, ValuesWithoutAUnit) {
   EXPECT_EQ(r.of("knee.flexion_deg")[0], 30);
   const std::string said = test::messages(r.said);
   EXPECT_TRUE(test::contains(said,
-                             "m.csv:1:1: turn: is read in rad, because it has no unit: say --columns "
+                             "m.csv:1:1: warning: turn: is read in rad, because it has no unit: say --columns "
                              "\"knee.adduction=turn[rad]\""))
       << said;
-  EXPECT_TRUE(test::contains(said, "m.csv:1:6: knee.x: is read in m")) << said;
+  EXPECT_TRUE(test::contains(said, "m.csv:1:6: warning: knee.x: is read in m")) << said;
   EXPECT_EQ(r.said.items().size(), 2u) << said;
 }
 
