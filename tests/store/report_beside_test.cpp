@@ -109,7 +109,7 @@ TEST(ReportBeside, WhatIsRefused) {
   Read("m.csv", good, "knee.x=b").refused("is no column of ");
   Read("m.csv", good, "knee.x").refused("must be COLUMN=NAME");
   Read("m.csv", good, "knee.x=a, knee.x_mm=a").refused("is given twice");
-  Read("m.csv", good, "knee.x=a[deg]").refused("is no unit of knee.x_mm: mm, cm or m");
+  Read("m.csv", good, "knee.x=a[deg]").refused("is no unit of knee.x_mm: mm, cm, m");
   Read("m.csv", "").refused("m.csv");
 }
 

@@ -57,7 +57,7 @@ class ContactExporter {
   std::string mesh(const LayerDef& l, int surface) {
     const SurfaceDef& s = draft_.scene.surfaces[at(surface)];
     const bool first = written_.insert(surface).second;
-    const std::string name = first ? s.name : s.name + "_" + l.pair.name;
+    std::string name = first ? s.name : s.name + "_" + l.pair.name;
     meshes_.open("Smith2018ContactMesh", name);
     meshes_.text("socket_frame", draft_.body_path(s.body));
     meshes_.vector("location", Vec3::Zero());
