@@ -90,7 +90,7 @@ TEST_F(Verdict, EventsAreTold) {
             {Kind::over_edge, 1, 0.5, target, "medial.1"},
             {Kind::limit_point, 1, 0.6, target, "unstable", {{0, 0.1, 0, 0, 0, 2e-3}}},
             {Kind::bifurcation, 1, 0.6, target, "unstable"},
-            {Kind::reaction_turns, 1, 0.7, target, "largest 0.57 Nm"},
+            {Kind::reaction_turns, 1, 0.7, target, "largest 0.570123456 Nm"},
             {Kind::reaction_turns, 1, 0.8, later, "smallest -0.2 Nm"},
             {Kind::closed, 1, 0.9, target, ""}};
   expect_said("from knee.flexion = 41.2 deg to knee.flexion = 42.97 deg");
@@ -104,7 +104,7 @@ TEST_F(Verdict, EventsAreTold) {
   expect_said("the path turns back and is unstable from here on");
   expect_said("knee.z 2 mm)");
   expect_said("Bifurcation at knee.flexion = 41.2 deg: ");
-  expect_said("is largest 0.57 Nm at knee.flexion = 41.2 deg");
+  expect_said("is largest 0.5701 Nm at knee.flexion = 41.2 deg");
   expect_said("See events.csv for 1 more.");
   expect_said("The path is closed");
 }

@@ -38,6 +38,14 @@ class Scripts(unittest.TestCase):
         self.assertAlmostEqual(float(predicted) / float(found), 1, delta=0.05)
 
 
+    def test_speed(self):
+        script = SOURCE / "docs" / "python" / "speed.py"
+        done = subprocess.run([sys.executable, script, "3"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        least, middle = re.fullmatch(r"3 runs: (\S+) ms at least, (\S+) ms in the middle\n", done.stdout).groups()
+        self.assertLessEqual(float(least), float(middle))
+
+
 class Page(unittest.TestCase):
     def test_code_runs_as_it_stands(self):
         code = "\n".join(blocks("python"))

@@ -268,7 +268,7 @@ class Poses(unittest.TestCase):
     def test_need_the_factor_of_a_load_that_drives(self):
         text = BONE.read_text()
         driven = genu.parse(text + "\n[load.lift]\nbody = \"bone\"\nforce = [0, 0, 1]\n\n[[step]]\n"
-                            'prescribe = { "joint.z" = [-1, -2] }\ndrive = "lift"\nincrements = 2\n', "driven.toml")
+                            'prescribe = { "joint.z" = [-60, -61] }\ndrive = "lift"\nincrements = 2\n', "driven.toml")
         found = driven.run()
         self.assertEqual(found.verdict, "solved")
         q = found.q[-1]

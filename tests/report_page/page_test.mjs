@@ -534,7 +534,7 @@ async function compared(browser) {
   assert.ok(largest > 0.1);
   near(Math.abs(+cells[2].replace("−", "-")), largest, 1e-3 * largest + 1e-4, "the largest difference");
   near(+cells[3], one.cell(at, "knee.flexion_deg"), 0.01, "where it is");
-  assert.match(await page.evaluate('document.querySelector(".verdict table").textContent'), /[+−][\d.]+ (mm|deg) at [\d.]+ deg/, "the table at the top says what differs most");
+  assert.match(await page.evaluate('document.querySelector(".verdict table").textContent'), /(anterior|lateral|distraction) [+−][\d.e-]+ mm at [\d.]+ deg, (adduction|external rotation) [+−][\d.]+ deg at [\d.]+ deg/, "the table at the top says what differs most");
   // Curves of differences in the place of the curves, and the axis without a difference of its own.
   const apart = await page.evaluate(`(() => { const box = document.querySelector(".plotbar input"); box.click(); const p = genu.plots.panels.find((p) => p.raw.series.some((s) => s.name === "adduction")); const g = genu.plots.graphOf(p);
     const all = g.curves.map((c) => Math.max(...Array.from(c.y, Math.abs).filter(Number.isFinite))); box.click(); return all; })()`);

@@ -14,7 +14,10 @@ TEST(Words, SuggestsTheNearest) {
   const std::vector<std::string> known = {"stiffness", "slack_length", "law"};
   EXPECT_EQ(did_you_mean("stifness", known), "; did you mean \"stiffness\"?");
   EXPECT_EQ(did_you_mean("STIFFNESS", known), "; did you mean \"stiffness\"?");
-  EXPECT_EQ(did_you_mean("lwa", {"law", "lw"}), "; did you mean \"lw\"?");
+  EXPECT_EQ(did_you_mean("lwa", {"law", "lw"}), "; did you mean \"law\"?")
+      << "the first: two letters swapped, or one too many";
+  EXPECT_EQ(did_you_mean("rnu", {"explain", "new", "run"}), "; did you mean \"run\"?");
+  EXPECT_EQ(did_you_mean("Chcek", {"check", "checkpoint"}), "; did you mean \"check\"?");
   EXPECT_EQ(did_you_mean("mass", known), "");
   EXPECT_EQ(did_you_mean("", known), "");
   EXPECT_EQ(did_you_mean("q", {"x", "y"}), "") << "a wholly different word is no suggestion";

@@ -65,10 +65,10 @@ TEST(ReportBeside, ValuesWithoutAUnit) {
   EXPECT_EQ(r.of("knee.flexion_deg")[0], 30);
   const std::string said = test::messages(r.said);
   EXPECT_TRUE(test::contains(said,
-                             "m.csv:1:1: turn: is read in rad, because it has no unit: say --columns "
+                             "m.csv:1:1: warning: turn: is read in rad, because it has no unit: say --columns "
                              "\"knee.adduction=turn[rad]\""))
       << said;
-  EXPECT_TRUE(test::contains(said, "m.csv:1:6: knee.x: is read in m")) << said;
+  EXPECT_TRUE(test::contains(said, "m.csv:1:6: warning: knee.x: is read in m")) << said;
   EXPECT_EQ(r.said.items().size(), 2u) << said;
 }
 
@@ -109,7 +109,7 @@ TEST(ReportBeside, WhatIsRefused) {
   Read("m.csv", good, "knee.x=b").refused("is no column of ");
   Read("m.csv", good, "knee.x").refused("must be COLUMN=NAME");
   Read("m.csv", good, "knee.x=a, knee.x_mm=a").refused("is given twice");
-  Read("m.csv", good, "knee.x=a[deg]").refused("is no unit of knee.x_mm: mm, cm or m");
+  Read("m.csv", good, "knee.x=a[deg]").refused("is no unit of knee.x_mm: mm, cm, m");
   Read("m.csv", "").refused("m.csv");
 }
 

@@ -119,6 +119,8 @@ TEST(ReportWraps, WhatIsInContactOrAllThereIsOfABodyIsASurface) {
   std::string text = ball_and_band(
       "[surface.pad]\nbody = \"ball\"\nshape = \"sphere\"\nradius = 1\norigin = [0, 0, 60]\n"
       "[contact.d]\nsurfaces = [\"pad\", \"roll\"]\nmodel = \"rigid\"\n");
+  const std::string turned = ", \"j.c\" = 0";  // two contacts leave room for three prescribed coordinates
+  text.erase(text.find(turned), turned.size());
   Diagnostics out;
   const test::TemporaryFolder folder;
   const auto p = prepare(folder.write("scene.toml", text), out);

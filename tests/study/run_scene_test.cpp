@@ -65,7 +65,8 @@ TEST(RunScene, ColumnsAreThoseOfTheSceneReference) {
   EXPECT_EQ(
       columns.find(
           "step increment time_s status knee.flexion_deg knee.adduction_deg knee.rotation_deg knee.x_mm knee.y_mm "
-          "knee.z_mm knee.flexion.reaction_Nm knee.x.reaction_N " +
+          "knee.z_mm knee.flexion.reaction_Nm knee.x.reaction_N knee.gs.flexion_deg knee.gs.adduction_deg "
+          "knee.gs.external_rotation_deg knee.gs.lateral_mm knee.gs.anterior_mm knee.gs.distraction_mm " +
           medial + "lateral.force_N "),
       0u)
       << columns;

@@ -12,7 +12,7 @@ namespace genu::api {
 
 struct Results::Inside {
   std::shared_ptr<Ready> ready;
-  Solution solution;  ///< of given poses its summary alone
+  std::shared_ptr<Solution> solution = std::make_shared<Solution>();  ///< of given poses its summary alone
   bool given = false;
   Table poses, events;
   std::optional<Table> error_bars;
@@ -35,13 +35,17 @@ std::string sentence_of(const std::vector<std::string>& changes) {
 Results results_of(std::shared_ptr<Ready> ready, Solution solution, std::vector<std::string> changes) {
   auto inside = std::make_shared<Results::Inside>();
   inside->ready = std::move(ready);
-  inside->poses = table_of(solution.poses);
-  inside->events = table_of(solution.event_rows);
-  if (solution.error_bars) inside->error_bars = table_of(solution.error_bars->bars);
-  inside->verdict = to_string(solution.summary.verdict_class);
+  inside->solution = std::make_shared<Solution>(std::move(solution));
+  const Solution& kept = *inside->solution;
+  const auto table = [&](const ResultTable& of_it) {
+    return table_of(std::shared_ptr<const ResultTable>(inside->solution, &of_it));
+  };
+  inside->poses = table(kept.poses);
+  inside->events = table(kept.event_rows);
+  if (kept.error_bars) inside->error_bars = table(kept.error_bars->bars);
+  inside->verdict = to_string(kept.summary.verdict_class);
   inside->changes = std::move(changes);
-  inside->solution = std::move(solution);
-  inside->solution.summary.changed.words = inside->changes;
+  inside->solution->summary.changed.words = inside->changes;
   return Results(std::move(inside));
 }
 
@@ -54,8 +58,8 @@ Results results_of(std::shared_ptr<Ready> ready, std::vector<PoseRecord> records
   inside->verdict = "evaluated";
   inside->changes = std::move(changes);
   inside->records = std::move(records);
-  inside->solution.summary = std::move(summary);
-  inside->solution.summary.changed.words = inside->changes;
+  inside->solution->summary = std::move(summary);
+  inside->solution->summary.changed.words = inside->changes;
   return Results(std::move(inside));
 }
 
@@ -63,13 +67,13 @@ const Table& Results::poses() const { return inside_->poses; }
 const Table& Results::events() const { return inside_->events; }
 const std::optional<Table>& Results::error_bars() const { return inside_->error_bars; }
 const std::string& Results::verdict() const { return inside_->verdict; }
-const std::vector<std::string>& Results::sentences() const { return inside_->solution.summary.verdict; }
-bool Results::partial() const { return inside_->solution.summary.partial; }
-int Results::asked() const { return inside_->solution.summary.poses_asked; }
-int Results::solved() const { return inside_->solution.summary.poses_solved; }
-const std::string& Results::title() const { return inside_->solution.summary.title; }
+const std::vector<std::string>& Results::sentences() const { return inside_->solution->summary.verdict; }
+bool Results::partial() const { return inside_->solution->summary.partial; }
+int Results::asked() const { return inside_->solution->summary.poses_asked; }
+int Results::solved() const { return inside_->solution->summary.poses_solved; }
+const std::string& Results::title() const { return inside_->solution->summary.title; }
 const std::vector<std::string>& Results::changes() const { return inside_->changes; }
-std::string Results::summary_json() const { return to_json(inside_->solution.summary); }
+std::string Results::summary_json() const { return to_json(inside_->solution->summary); }
 
 std::vector<double> Results::coordinates() const {
   const auto free = free_coordinates(inside_->ready->prepared.model);
@@ -79,15 +83,15 @@ std::vector<double> Results::coordinates() const {
       values.push_back(state.coordinates.empty() ? std::numeric_limits<double>::quiet_NaN()
                                                  : state.coordinates[at(c.joint)][at(c.index)]);
   };
-  for (const PoseRecord& r : inside_->given ? inside_->records : inside_->solution.records)
+  for (const PoseRecord& r : inside_->given ? inside_->records : inside_->solution->records)
     add(r.point.pose.state.poses.empty() ? State() : r.point.pose.state);
-  for (const MotionPoint& point : inside_->solution.motion) add(point.state);
+  for (const MotionPoint& point : inside_->solution->motion) add(point.state);
   return values;
 }
 
 void Results::report(const std::string& file) const {
   if (inside_->given) refuse(Code::not_applicable, "report", {}, "shows poses that were solved, and these were given");
-  const Solution& solution = inside_->solution;
+  const Solution& solution = *inside_->solution;
   const std::string page = use(*inside_->ready, [&](const Prepared& prepared) {
     ReportRun run = report_run(prepared, solution);
     RunSummary summary = solution.summary;

@@ -12,9 +12,10 @@
 namespace genu::api {
 
 struct Table::Inside {
-  explicit Inside(ResultTable cells) : table(std::move(cells)) {}
+  explicit Inside(std::shared_ptr<const ResultTable> cells) : held(std::move(cells)), table(*held) {}
 
-  ResultTable table;
+  std::shared_ptr<const ResultTable> held;
+  const ResultTable& table;
   mutable std::once_flag made;
   mutable std::vector<double> block;  // column after column
   mutable std::vector<bool> worded;
@@ -36,9 +37,12 @@ struct Table::Inside {
   }
 };
 
-Table table_of(ResultTable table) { return Table(std::make_shared<const Table::Inside>(std::move(table))); }
+Table table_of(std::shared_ptr<const ResultTable> table) {
+  return Table(std::make_shared<const Table::Inside>(std::move(table)));
+}
+Table table_of(ResultTable table) { return table_of(std::make_shared<const ResultTable>(std::move(table))); }
 
-Table::Table() : Table(std::make_shared<const Inside>(ResultTable())) {}
+Table::Table() : Table(std::make_shared<const Inside>(std::make_shared<const ResultTable>())) {}
 
 std::size_t Table::rows() const { return inside_->table.rows(); }
 const std::vector<std::string>& Table::columns() const { return inside_->table.columns(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -43,6 +44,16 @@ std::string new_branch(const Prepared& prepared, const std::vector<PathEvent>& e
                      next->what, in_brackets(free_coordinates(prepared, *next)));
 }
 
+/// "largest 6.68862099 Nm" of a table as "largest 6.689 Nm": a sentence has four digits.
+std::string with_short_number(const std::string& words) {
+  const std::size_t begin = words.find(' '), end = words.rfind(' ');
+  if (begin == end) return words;
+  const std::string number = words.substr(begin + 1, end - begin - 1);
+  char* rest = nullptr;
+  const double value = std::strtod(number.c_str(), &rest);
+  return *rest != '\0' ? words : fmt::format("{} {:.4g}{}", words.substr(0, begin), value, words.substr(end));
+}
+
 /// At a peak of the reaction the joint would snap through under a dead load of that size: the first peak, and the
 /// number of the others.
 void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& events, std::vector<std::string>& out) {
@@ -54,7 +65,7 @@ void say_reaction_turns(const Prepared& prepared, const std::vector<PathEvent>& 
       fmt::format("The reaction of the prescribed coordinate is {} at {}. Under a dead load of that size the joint "
                   "would snap through "
                   "(limit point); here the coordinate is prescribed, so it does not.{}",
-                  first->what, place(prepared, first->step, first->target),
+                  with_short_number(first->what), place(prepared, first->step, first->target),
                   more == 0 ? "" : fmt::format(" See events.csv for {} more.", more)));
 }
 

@@ -75,11 +75,15 @@ bool Proximity::is_of(const Surface& a, const Surface& b, const Options& options
 
 void Proximity::forget() {
   // Every search begins at the root: where that has not been looked at, nothing has.
-  const auto fresh = [](const Group& root) { return std::isnan(root.clearance) && root.measured == Pose{}; };
-  if (!groups_.empty() && fresh(groups_.front())) return;
-  for (Group& group : groups_) group.clearance = std::numeric_limits<double>::quiet_NaN(), group.measured = Pose{};
-  std::fill(memory_.begin(), memory_.end(), Memory{});
-  std::fill(gap_.begin(), gap_.end(), kInfinity);
+  if (!groups_.empty() && touched_.empty()) return;
+  for (const int g : touched_) {
+    Group& group = groups_[at(g)];
+    group.clearance = std::numeric_limits<double>::quiet_NaN();
+    group.measured = Pose{};
+    for (int k = group.first; group.children < 0 && k < group.last; ++k) memory_[at(order_[at(k)])] = Memory{};
+  }
+  touched_.clear();
+  for (const int i : measured_) gap_[at(i)] = kInfinity;
   measured_.clear();
   swallowed_->forget();
   rim_of_sampled_.forget();
@@ -99,8 +103,10 @@ void Proximity::visit_near(const Pose& X_qs, double window, Visit visit) {
   if (groups_.empty()) return;
   open_.assign(1, 0);
   while (!open_.empty()) {
-    Group& group = groups_[at(open_.back())];
+    const int index = open_.back();
+    Group& group = groups_[at(index)];
     open_.pop_back();
+    if (std::isnan(group.clearance)) touched_.push_back(index);
     if (clear(group, X_qs, window)) continue;
     if (group.children >= 0) {
       open_.push_back(group.children + 1);

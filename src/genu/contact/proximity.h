@@ -127,6 +127,7 @@ class Proximity {
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;
+  std::vector<int> touched_;       // groups with a memory of their own or of their samples
   std::vector<Memory> memory_;     // of each sample
   std::vector<double> gap_;        // of each sample at the last measurement; infinity where clear
   std::vector<int> measured_;      // the samples that have one

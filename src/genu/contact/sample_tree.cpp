@@ -1,7 +1,6 @@
 #include "genu/contact/sample_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -28,10 +27,6 @@ SampleNode sphere_round(const std::vector<Vec3>& points, const std::vector<int>&
 }
 
 }  // namespace
-
-double SampleNode::motion(const Pose& from, const Pose& to) const {
-  return (to * centre - from * centre).norm() + (to.R - from.R).norm() / std::sqrt(2.0) * radius;
-}
 
 SampleTree build_sample_tree(const std::vector<Vec3>& points) {
   SampleTree tree;

@@ -16,7 +16,7 @@ std::string with_quotes(std::string_view word);
 /// "a", "b", "c"
 std::string quoted_list(const std::vector<std::string>& words);
 
-/// `; did you mean "flexion"?` where one of `known` is near to `word` (Levenshtein distance, ignoring case, of at most
+/// `; did you mean "flexion"?` where one of `known` is near to `word` (edit distance, a swap is one, any case, at most
 /// a third of the word and never more than 3), else empty. The first of equally near ones.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 

@@ -17,11 +17,14 @@ export function head(runs, axis) {
 
 const signed = (v, digits = 3) => (v > 0 ? "+" : "−") + short(Math.abs(v), digits);
 
-/** "x +6.10 mm at 25.0 deg, rotation −3.20 deg at 40.0 deg": what differs most of where the bones are, and of forces. */
+/** Panels that say what differs most, the first of each that both runs have: clinical words before those of coordinates. */
+const kTold = [[/^Grood and Suntay: translations/, /Translations/], [/^Grood and Suntay: rotations/, /Rotations/], [/^Contact force/], [/^Ligament force/]];
+
+/** "anterior +6.10 mm at 25.0 deg, rotation −3.20 deg at 40.0 deg": what differs most of where the bones are, and of forces. */
 function mostlyApart(run, other, axis) {
   const all = differences(run, other, axis), { unit } = axis.words(), said = [];
-  for (const kind of [/Translations|translations/, /Rotations|rotations/, /^Contact force/, /^Ligament force/]) {
-    const most = all.filter((d) => kind.test(d.panel)).sort((a, b) => Math.abs(b.largest) - Math.abs(a.largest))[0];
+  for (const kinds of kTold) {
+    const most = kinds.map((kind) => all.filter((d) => kind.test(d.panel))).find((found) => found.length > 0)?.sort((a, b) => Math.abs(b.largest) - Math.abs(a.largest))[0];
     if (most && Math.abs(most.largest) > 1e-6) said.push(`${plain(most.name)} ${signed(most.largest)} ${most.unit} at ${short(most.at, 3)}${unit ? ` ${unit}` : ""}`);
   }
   return said.join(", ") || (all.length > 0 ? "the same curves" : "no curve in common over this axis");
