@@ -149,6 +149,8 @@ int run_sample(const SweepArguments& arguments, const Sweep& sweep) {
   const int code = run_scene(source_of_sample(sweep, *in, sample), arguments.folder, options, out, &found);
   print(out, code != kRefused);
   if (code == kRefused) return code;
+  if (code == kNotAllOk)
+    advice().next("the verdict above says where the sample ends and why; its rows before are valid");
   for (const std::string& sentence : found.summary.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
   fmt::print("  {:<12}{}\n", "written", found.folder);
