@@ -81,6 +81,13 @@ TEST(RunShard, RefusesAChangedStudyAndOtherShards) {
   EXPECT_TRUE(test::contains(refused(scene, folder / ".", {}), "holds other things than a sweep"));
 }
 
+TEST(RunShard, StartsBesideAnotherThatMakesTheFolder) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "o");
+  folder.write("o/.sweep.json.host-17", "{");  // half written by another process
+  EXPECT_EQ(test::ran(test::ready_sweep(study_of(folder)), folder / "o").runs, 46u);
+}
+
 TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {
   const test::TemporaryFolder folder;
   const Sweep s = test::ready_sweep(study_of(folder));

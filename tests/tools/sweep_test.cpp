@@ -81,6 +81,8 @@ TEST(CliSweep, SubmitsAnArrayThatABatchSystemCanRun) {
                                   (folder / "o") + " --slurm --time 0:10:00 --cores 1");
   EXPECT_EQ(submitted.exit_code, 0) << submitted.out << submitted.err;
   EXPECT_EQ(genu("sweep merge " + (folder / "o")).exit_code, 0);
+  EXPECT_EQ(genu("sweep " + study + " --out " + (folder / "whole")).exit_code, 0);
+  EXPECT_EQ(read_file(folder / "o/samples.csv"), read_file(folder / "whole/samples.csv"));
   EXPECT_TRUE(contains(genu("sweep submit " + (folder / "o")).out, "Nothing is missing"));
   for (const char* file : {"sweep.condor", "sweep.parallel"})
     EXPECT_TRUE(std::filesystem::exists(folder / "o/" + file));

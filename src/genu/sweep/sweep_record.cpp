@@ -81,6 +81,18 @@ std::string temporary_name(const std::string& path) {
   return (p.parent_path() / fmt::format(".{}.{}-{}", p.filename().string(), host, ::getpid())).string();
 }
 
+/// Whether a folder holds files of others. Another shard may be writing the record at this moment.
+bool holds_others(const std::string& folder) {
+  std::error_code code;
+  bool others = false;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kSweepRecord) return false;
+    others = others || !name.starts_with(std::string(".") + kSweepRecord);
+  }
+  return others || code;
+}
+
 }  // namespace
 
 std::string write_durably(const std::string& path, const std::string& content) {
@@ -141,11 +153,11 @@ std::optional<SweepRecord> read_record(const std::string& folder, Diagnostics& o
 bool claim_folder(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
   std::error_code code;
   const fs::path path = fs::path(folder) / kSweepRecord;
+  if (!fs::exists(path, code) && fs::exists(folder, code) && holds_others(folder)) {
+    out.error(Code::no_output_folder, folder, "holds other things than a sweep: choose another folder");
+    return false;
+  }
   if (!fs::exists(path, code)) {
-    if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code))) {
-      out.error(Code::no_output_folder, folder, "holds other things than a sweep: choose another folder");
-      return false;
-    }
     fs::create_directories(folder, code);
     const std::string error = write_durably(path.string(), to_json(record));
     if (error.empty()) return true;
