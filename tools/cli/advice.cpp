@@ -52,6 +52,8 @@ std::string advice_on_place(const Diagnostic& problem, const std::string& comman
   if (problem.line > 0 && table)
     return "correct the table there, or let genu write it again: a first line of names, then a row of numbers for each "
            "pose";
+  if (problem.line > 0 && command == "sweep")
+    return "correct that line; `genu explain sweep` lists the keys of a study and what each takes";
   if (problem.line > 0) return "correct that line; `genu explain whole-scene` shows a scene with its sections";
   return advice_on_command(command, kRefused);
 }

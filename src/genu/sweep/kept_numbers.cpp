@@ -1,0 +1,176 @@
+#include "genu/sweep/kept_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "genu/results/columns.h"
+#include "genu/results/motion_table.h"
+#include "genu/results/pose_table.h"
+#include "genu/scene/words.h"
+#include "genu/sweep/statistics.h"
+#include "genu/sweep/tolerances.h"
+
+namespace genu {
+namespace {
+
+using RowKind = KeepDef::Row::Kind;
+
+/// Flush the round-off of a prescribed value: it is a round number.
+double round_value(double x) { return std::round(1e9 * x) / 1e9; }
+
+MainCoordinate time_of(const Prepared& p) {
+  MainCoordinate main;
+  main.column = "time_s";
+  main.high = p.scene.dynamics->duration;
+  const double interval = p.scene.dynamics->output_interval;
+  for (int k = 0; interval > 0 && k * interval <= main.high * (1 + kSameRow); ++k)
+    main.rows.push_back(round_value(k * interval));
+  return main;
+}
+
+/// The numbers of the solved rows; NaN in others.
+std::vector<double> column_of(const ResultTable& table, const std::string& name) {
+  std::vector<double> out;
+  if (!table.has_column(name)) return out;
+  const std::size_t column = table.column_index(name);
+  const std::size_t status = table.has_column("status") ? table.column_index("status") : table.columns().size();
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double* number = std::get_if<double>(&table.at(row, column));
+    const bool solved = status == table.columns().size() || table.at(row, status) == Cell(std::string("ok"));
+    out.push_back(solved && number != nullptr ? *number : kNoNumber);
+  }
+  return out;
+}
+
+double extreme(const std::vector<double>& y, bool largest) {
+  double best = kNoNumber;
+  for (const double v : y)
+    if (std::isfinite(v) && (!std::isfinite(best) || (largest ? v > best : v < best))) best = v;
+  return best;
+}
+
+/// y at the first rows between which x passes `value`.
+double at_value(const std::vector<double>& x, const std::vector<double>& y, double value, double same) {
+  for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k) {
+    if (std::abs(x[k] - value) <= same) return y[k];
+    if (k == 0 || !((x[k - 1] < value) == (value < x[k])) || !std::isfinite(x[k - 1])) continue;
+    const double t = (value - x[k - 1]) / (x[k] - x[k - 1]);
+    return y[k - 1] + t * (y[k] - y[k - 1]);
+  }
+  return kNoNumber;
+}
+
+const char* word(RowKind kind) { return kind == RowKind::last ? "last" : kind == RowKind::max ? "max" : "min"; }
+
+void add(std::vector<KeptNumber>& kept, const std::string& column, RowKind row, double value) {
+  const std::string name = column + "@" + (row == RowKind::value ? fmt::format("{}", value) : word(row));
+  const auto same = [&](const KeptNumber& k) { return k.name == name; };
+  if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back({name, column, row, value});
+}
+
+/// Refuses values that the main coordinate of a scene does not reach.
+void check_row(const SweepDef& sweep, const KeepDef::Row& row, const Prepared& scene, const MainCoordinate& main,
+               Diagnostics& out) {
+  if (row.kind != RowKind::value && row.kind != RowKind::all) return;
+  const double beyond = kSameRow * (main.high - main.low);
+  const auto refuse = [&](Code code, const std::string& found, const std::string& rule) {
+    out.add(error_at({sweep.file, row.where}, code, "keep.at", found, rule));
+  };
+  if (main.column.empty())
+    refuse(Code::not_applicable, {},
+           R"(has no main coordinate to refer to: no step of the scene changes one. Use "last", "max" or "min")");
+  else if (row.kind == RowKind::value && !(row.value >= main.low - beyond && row.value <= main.high + beyond))
+    refuse(Code::out_of_range, fmt::format("{}", row.value),
+           fmt::format("{} of {} goes from {:g} to {:g}", main.column, scene.source.file, main.low, main.high));
+}
+
+}  // namespace
+
+MainCoordinate main_coordinate(const Prepared& p) {
+  if (p.scene.dynamics) return time_of(p);
+  MainCoordinate main;
+  for (const StepPlan& step : p.steps)
+    for (const StepPlan::Prescribed& c : step.prescribed) {
+      const double from = round_value(shown_value(c.coordinate, c.from)),
+                   to = round_value(shown_value(c.coordinate, c.to));
+      const bool first = main.column.empty();
+      if (first ? from == to : coordinate_column(p.scene, c.coordinate) != main.column) continue;
+      if (first) {
+        main.column = coordinate_column(p.scene, c.coordinate);
+        main.quantity = c.coordinate;
+        main.low = main.high = from;
+        for (int k = 0; k <= step.increments; ++k)
+          main.rows.push_back(round_value(from + (to - from) * k / step.increments));
+      }
+      main.low = std::min({main.low, from, to});
+      main.high = std::max({main.high, from, to});
+    }
+  return main;
+}
+
+std::vector<std::string> known_columns(const Prepared& p) {
+  std::vector<std::string> columns =
+      (p.scene.dynamics ? motion_table(p.scene, p.model, {}) : pose_table(p.scene, p.model, p.steps, {})).columns();
+  std::erase_if(columns, [](const std::string& c) {
+    return c == "step" || c == "increment" || c == "status" || c == "stability";  // words and counts
+  });
+  return columns;
+}
+
+std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const Prepared*>& scenes, Diagnostics& out) {
+  std::vector<std::vector<std::string>> columns;
+  std::vector<MainCoordinate> mains;
+  for (const Prepared* scene : scenes) {
+    columns.push_back(known_columns(*scene));
+    mains.push_back(main_coordinate(*scene));
+  }
+  std::vector<KeptNumber> kept;
+  for (const KeepDef& keep : sweep.keep) {
+    for (const KeepDef::Row& row : keep.rows)
+      for (std::size_t s = 0; s < scenes.size(); ++s) check_row(sweep, row, *scenes[s], mains[s], out);
+    for (const KeepDef::Column& wanted : keep.columns) {
+      bool found = false;
+      for (const std::vector<std::string>& list : columns)
+        for (const std::string& column : list) {
+          if (!matches(wanted.pattern, column) && !matches(wanted.pattern, without_unit(column))) continue;
+          found = true;
+          for (const KeepDef::Row& row : keep.rows)
+            if (row.kind == RowKind::all)
+              for (const double value : mains.front().rows) add(kept, column, RowKind::value, value);
+            else
+              add(kept, column, row.kind, row.value);
+        }
+      if (!found)
+        out.add(error_at({sweep.file, wanted.where}, Code::unknown_column, "keep.columns", with_quotes(wanted.pattern),
+                         "is no column of results.csv" + did_you_mean(wanted.pattern, columns.front())));
+    }
+  }
+  return kept;
+}
+
+std::vector<double> kept_values(const std::vector<KeptNumber>& kept, const MainCoordinate& main,
+                                const ResultTable& table) {
+  const std::vector<double> x = column_of(table, main.column);
+  const double same = kSameRow * (main.high - main.low);
+  std::vector<double> out, y;
+  std::string column;
+  for (const KeptNumber& k : kept) {
+    if (k.column != column) y = column_of(table, k.column), column = k.column;
+    switch (k.row) {
+      case RowKind::last:
+        out.push_back(y.empty() ? kNoNumber : y.back());
+        break;
+      case RowKind::max:
+      case RowKind::min:
+        out.push_back(extreme(y, k.row == RowKind::max));
+        break;
+      default:
+        out.push_back(at_value(x, y, k.value, same));
+    }
+  }
+  return out;
+}
+
+}  // namespace genu

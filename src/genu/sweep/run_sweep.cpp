@@ -1,0 +1,124 @@
+#include "genu/sweep/run_sweep.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "genu/assemble/solution.h"
+#include "genu/core/timer.h"
+#include "genu/sweep/finished_rows.h"
+#include "genu/sweep/sweep_record.h"
+
+namespace genu {
+namespace {
+
+/// Solves what is missing of `rows`, in any order.
+class Runs {
+ public:
+  Runs(const Sweep& sweep, const SweepRecord& record, const SweepOptions& options, FinishedRows& finished,
+       std::vector<std::string>& rows)
+      : sweep_(sweep),
+        record_(record),
+        options_(options),
+        finished_(finished),
+        rows_(rows),
+        first_(options.shard.first(sweep.runs())) {}
+
+  void run() {
+    std::vector<std::size_t> left;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      if (rows_[k].empty()) left.push_back(k);
+    asked_ = static_cast<int>(left.size());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, left.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t k = range.begin(); k < range.end(); ++k)  // its own inner loops alone while it waits
+            tbb::this_task_arena::isolate([&] { solve(left[k]); });
+        },
+        tbb::simple_partitioner());
+  }
+
+ private:
+  void solve(std::size_t k) {
+    if (asked_to_stop(options_.cancelled)) return;
+    const std::uint64_t run = first_ + k;
+    const auto result = solve_sample(sweep_, sweep_.case_of(run), sweep_.sample_of(run), options_.cancelled);
+    if (!result) return;
+    rows_[k] = row_line(record_, run, *result);
+    finished_.add(run, rows_[k]);
+    const std::lock_guard<std::mutex> one_at_a_time(telling_);
+    ++done_;
+    if (options_.progress) options_.progress(done_, asked_);
+  }
+
+  const Sweep& sweep_;
+  const SweepRecord& record_;
+  const SweepOptions& options_;
+  FinishedRows& finished_;
+  std::vector<std::string>& rows_;
+  std::uint64_t first_;
+  std::mutex telling_;
+  int done_ = 0, asked_ = 0;
+};
+
+void count_classes(const std::vector<std::string>& rows, SweepOutcome& outcome) {
+  constexpr std::size_t kClass = 3;
+  for (const std::string& row : rows)
+    if (!row.empty()) ++outcome.classes[split_row(row)[kClass]];
+}
+
+}  // namespace
+
+int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions& options, Diagnostics& out,
+              SweepOutcome& outcome) {
+  const SweepRecord record = record_of(sweep, options.shard.count);
+  if (!claim_folder(folder, record, out)) return kExitRefused;
+  const std::uint64_t first = options.shard.first(sweep.runs());
+  outcome.runs = options.shard.last(sweep.runs()) - first;
+  const std::string path = shard_path(folder, options.shard);
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) {
+    const auto rows = read_shard(folder, record, options.shard, out);
+    if (!rows) return kExitRefused;
+    outcome.earlier = rows->size();
+    count_classes(*rows, outcome);
+    return kExitOk;
+  }
+  FinishedRows finished(path + ".part",
+                        fmt::format("{} {}/{}", record.hash, options.shard.number, options.shard.count));
+  std::vector<std::string> rows(outcome.runs);
+  for (const auto& [run, row] : finished.earlier())
+    if (run >= first && run - first < rows.size()) rows[run - first] = row, ++outcome.earlier;
+  const Timer timer;
+  {
+    std::optional<tbb::global_control> at_most;
+    if (options.threads > 0)
+      at_most.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+    Runs(sweep, record, options, finished, rows).run();
+  }
+  outcome.seconds = timer.seconds();
+  count_classes(rows, outcome);
+  if (!finished.problem().empty())
+    out.warning(Code::cannot_write, {}, finished.problem() + ": finished samples are not kept on the way");
+  if (std::any_of(rows.begin(), rows.end(), [](const std::string& row) { return row.empty(); })) {
+    outcome.interrupted = true;
+    return kExitIncomplete;
+  }
+  const std::string error = write_durably(path, shard_text(record, options.shard, rows));
+  if (!error.empty()) {
+    finished.flush();
+    out.error(Code::cannot_write, {}, error);
+    return kExitFailed;
+  }
+  finished.remove();
+  return kExitOk;
+}
+
+}  // namespace genu

@@ -1,0 +1,129 @@
+#include "genu/sweep/shard_file.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "genu/core/file_checksum.h"
+#include "genu/core/file_text.h"
+
+namespace genu {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEnd = "# end ";
+
+std::string as_cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
+
+/// As CSV (RFC 4180): quoted where it has to be, on one line.
+std::string as_cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return out.find_first_of(",\"") == std::string::npos ? out : '"' + out + '"';
+}
+
+std::string head_line(const SweepRecord& record, ShardId id) {
+  return fmt::format("# genu sweep {} shard {} of {}", record.hash, id.number, id.count);
+}
+
+}  // namespace
+
+std::string shard_path(const std::string& folder, ShardId id) {
+  const std::size_t digits = std::to_string(id.count).size();
+  return (fs::path(folder) / fmt::format("shard-{:0{}}-of-{}.csv", id.number, digits, id.count)).string();
+}
+
+std::string column_line(const SweepRecord& record) {
+  std::string line = "sample,scene,what_if,class,jumps,jump_at";
+  for (const std::string& factor : record.factors) line += "," + as_cell(factor);
+  for (const auto& kept : record.kept) line += "," + as_cell(kept.name);
+  return line + ",reason";
+}
+
+std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result) {
+  const auto& in = record.cases[run / record.samples];
+  std::string line = fmt::format("{},{},{},{},{},{}", run % record.samples, as_cell(in.scene), as_cell(in.what_if),
+                                 result.verdict, result.jumps, as_cell(result.jump_at));
+  for (const double draw : result.draws) line += "," + as_cell(draw);
+  for (const double kept : result.kept) line += "," + as_cell(kept);
+  return line + "," + as_cell(result.reason);
+}
+
+std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows) {
+  std::string text = head_line(record, id) + "\n" + column_line(record) + "\n";
+  for (const std::string& row : rows) text += row + "\n";
+  return text + fmt::format("{}{} {}\n", kEnd, rows.size(), checksum(text).xxh128);
+}
+
+std::optional<std::vector<std::string>> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                                                   Diagnostics& out) {
+  const std::string path = shard_path(folder, id);
+  const auto text = text_of_file(path, out);
+  if (!text) return std::nullopt;
+  const auto refuse = [&](Code code, const char* why) {
+    out.error(code, path, fmt::format("{}; remove it and run --shard {}/{} again", why, id.number, id.count));
+    return std::nullopt;
+  };
+  const std::string head = head_line(record, id) + "\n" + column_line(record) + "\n";
+  const std::size_t end = text->rfind(kEnd);
+  const std::uint64_t rows = id.last(record.runs()) - id.first(record.runs());
+  if (end == std::string::npos || text->back() != '\n') return refuse(Code::broken_file, "is cut short");
+  if (!text->starts_with(head)) return refuse(Code::other_scene, "belongs to another study, or the study has changed");
+  const std::string expected =
+      fmt::format("{}{} {}\n", kEnd, rows, checksum(std::string_view(*text).substr(0, end)).xxh128);
+  if (text->substr(end) != expected) return refuse(Code::results_changed, "has changed since it was written");
+  std::vector<std::string> lines;
+  for (std::size_t at = head.size(); at < end;) {
+    const std::size_t stop = text->find('\n', at);
+    lines.push_back(text->substr(at, stop - at));
+    at = stop + 1;
+  }
+  if (lines.size() != rows) return refuse(Code::broken_file, "has another number of rows than runs");
+  return lines;
+}
+
+std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
+  std::vector<std::uint64_t> missing;
+  std::error_code ignored;
+  for (std::uint64_t k = 1; k <= record.shards; ++k) {
+    const ShardId id{k, record.shards};
+    Diagnostics broken;
+    if (fs::exists(shard_path(folder, id), ignored) && read_shard(folder, record, id, broken)) continue;
+    missing.push_back(k);
+    for (const Diagnostic& d : broken.items()) out.warning(d.code, d.file, d.rule);
+  }
+  return missing;
+}
+
+std::string as_array_list(const std::vector<std::uint64_t>& numbers) {
+  std::string list;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    list += (list.empty() ? "" : ",") + std::to_string(numbers[k]);
+    if (last > k) list += (last > k + 1 ? "-" : ",") + std::to_string(numbers[last]);
+    k = last + 1;
+  }
+  return list;
+}
+
+std::vector<std::string> split_row(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
+      cells.back() += line[++k];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+}  // namespace genu

@@ -1,0 +1,50 @@
+// The results of a shard as one file that is whole or not there: a head, column names, a row for each run, and an end
+// with the checksum of all before it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "genu/core/diagnostics.h"
+#include "genu/sweep/solve_sample.h"
+#include "genu/sweep/sweep_record.h"
+
+namespace genu {
+
+struct ShardId {
+  std::uint64_t number = 1, count = 1;  ///< number from 1
+
+  std::uint64_t first(std::uint64_t runs) const { return part(runs, number - 1); }
+  std::uint64_t last(std::uint64_t runs) const { return part(runs, number); }  ///< one behind the last
+
+ private:
+  std::uint64_t part(std::uint64_t runs, std::uint64_t k) const { return runs / count * k + runs % count * k / count; }
+};
+
+/// "DIR/shard-003-of-040.csv"
+std::string shard_path(const std::string& folder, ShardId id);
+
+/// "sample,scene,what_if,class,jumps,jump_at,...,reason"
+std::string column_line(const SweepRecord& record);
+/// The row of a run, without the end of the line.
+std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result);
+
+std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows);
+
+/// The rows of a shard. Empty, with an error in `out` that names the file, where it is cut short, changed or of another
+/// study.
+[[nodiscard]] std::optional<std::vector<std::string>> read_shard(const std::string& folder, const SweepRecord& record,
+                                                                 ShardId id, Diagnostics& out);
+
+/// Shards that are not there or not whole; of the latter a warning in `out`.
+std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out);
+
+/// "3,17-19"
+std::string as_array_list(const std::vector<std::uint64_t>& numbers);
+
+/// The cells of a line of CSV.
+std::vector<std::string> split_row(const std::string& line);
+
+}  // namespace genu

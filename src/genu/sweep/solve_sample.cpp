@@ -1,0 +1,124 @@
+#include "genu/sweep/solve_sample.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "genu/appraise/appraise.h"
+#include "genu/appraise/implausible.h"
+#include "genu/appraise/jumps.h"
+#include "genu/assemble/changed_scene.h"
+#include "genu/assemble/with_numbers.h"
+#include "genu/results/columns.h"
+#include "genu/study/run_motion.h"
+#include "genu/study/solve_path.h"
+#include "genu/sweep/statistics.h"
+
+namespace genu {
+namespace {
+
+/// The first error of many, as the reason of a row.
+std::string first_error(const Diagnostics& found) {
+  for (const Diagnostic& d : found.items())
+    if (d.severity == Diagnostic::Severity::error) return (d.key.empty() ? d.file : d.key) + " " + d.rule;
+  return "cannot be prepared";
+}
+
+std::optional<Prepared> scene_with(const Sweep& sweep, const SweepCase& in, std::uint64_t sample,
+                                   const std::vector<double>& draws, Diagnostics& found) {
+  if (in.factors.prepares_anew()) {
+    auto scene = read_changed_scene(source_of_sample(sweep, in, sample), in.prepared.meshes->files(), found);
+    return scene ? prepare(std::move(*scene), in.prepared.meshes, found) : std::nullopt;
+  }
+  std::vector<NewNumber> numbers;
+  for (std::size_t f = 0; f < draws.size(); ++f)
+    for (const VariedNumber& number : in.factors.numbers[f])
+      numbers.emplace_back(*number.parameter,
+                           number.unit * number_at(number, sweep.def.vary[sweep.factors[f].vary].how, draws[f]));
+  return with_numbers(in.prepared, numbers, found);
+}
+
+/// Why a path ended before its end.
+std::string why_not_solved(const SweepCase& in, const Solved& solved) {
+  for (const PoseRecord& record : solved.records) {
+    if (record.point.solved()) continue;
+    const PoseReport& report = record.point.report;
+    std::string where;
+    for (const auto& p : record.point.target.prescribed)
+      if (coordinate_column(in.prepared.scene, p.coordinate) == in.main.column)
+        where = fmt::format(" at {} = {:.6g}", in.main.column, shown_value(p.coordinate, p.value));
+    return (report.why.empty() ? to_string(report.status) : report.why) + where;
+  }
+  return fmt::format("the path ended after {} of {} poses", solved.records.size(), solved.asked);
+}
+
+void count_jumps(const SweepCase& in, const std::vector<PathEvent>& events, SampleResult& result) {
+  for (const PathEvent& event : events) {
+    if (!event.begins_branch() || result.jumps++ > 0) continue;
+    for (const auto& p : event.target.prescribed)
+      if (coordinate_column(in.prepared.scene, p.coordinate) == in.main.column)
+        result.jump_at = shown_value(p.coordinate, p.value);
+  }
+}
+
+void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions& options, const Sweep& sweep,
+                 SampleResult& result) {
+  ContactField field = contact_field(prepared);
+  Diagnostics found;
+  if ((in.factors.prepares_anew() || in.factors.moves_start()) && !check_start(prepared, field, found)) {
+    result.verdict = "refused";
+    result.reason = first_error(found);
+    return;
+  }
+  const Solved solved = solve_path(prepared, field, options);
+  const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
+  result.kept = kept_values(sweep.kept, in.main, table);
+  count_jumps(in, solved.events, result);
+  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
+  for (std::string& sentence : implausible(prepared, solved.records, table)) doubts.push_back(std::move(sentence));
+  RunSummary summary;
+  summary.exit_code = solved.complete() ? kExitOk : kExitIncomplete;
+  classify(doubts, !prepared.facing.empty(), summary);
+  result.verdict = to_string(summary.verdict_class);
+  if (!solved.complete())
+    result.reason = why_not_solved(in, solved);
+  else if (summary.verdict_class != RunSummary::Class::solved)
+    result.reason = doubts.empty() ? prepared.facing.front() : doubts.front();
+}
+
+void solve_dynamics(const Prepared& prepared, const SweepCase& in, const RunOptions& options, const Sweep& sweep,
+                    SampleResult& result) {
+  const Solution found = solve_motion(prepared, options);
+  result.kept = kept_values(sweep.kept, in.main, found.poses);
+  result.verdict = to_string(found.summary.verdict_class);
+  if (found.summary.verdict_class != RunSummary::Class::solved && !found.summary.verdict.empty())
+    result.reason = found.summary.verdict.front();
+}
+
+}  // namespace
+
+std::optional<SampleResult> solve_sample(const Sweep& sweep, const SweepCase& in, std::uint64_t sample,
+                                         const Cancelled& cancelled) {
+  SampleResult result;
+  result.draws = sweep.design.draws(sample);
+  result.jump_at = kNoNumber;
+  result.kept.assign(sweep.kept.size(), kNoNumber);
+  Diagnostics found;
+  const auto prepared = scene_with(sweep, in, sample, result.draws, found);
+  if (!prepared) {
+    result.verdict = "refused";
+    result.reason = first_error(found);
+    return result;
+  }
+  RunOptions options;
+  options.cancelled = options.path.newton.cancelled = cancelled;
+  if (prepared->scene.dynamics)
+    solve_dynamics(*prepared, in, options, sweep, result);
+  else
+    solve_steps(*prepared, in, options, sweep, result);
+  if (asked_to_stop(cancelled)) return std::nullopt;
+  return result;
+}
+
+}  // namespace genu

@@ -1,0 +1,238 @@
+#include "genu/sweep/summary_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "genu/sweep/statistics.h"
+#include "genu/sweep/sweep_def.h"
+#include "genu/sweep/tolerances.h"
+
+namespace genu {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Percentile {
+  const char* name;
+  double q;
+};
+constexpr std::array kPercentiles = {Percentile{"p5", 0.05}, Percentile{"p25", 0.25}, Percentile{"p50", 0.5},
+                                     Percentile{"p75", 0.75}, Percentile{"p95", 0.95}};
+
+ResultTable table_with(std::initializer_list<const char*> columns) {
+  ResultTable table;
+  for (const char* column : columns) table.add_column(column);
+  return table;
+}
+
+void set_case(ResultTable& table, const SweepTable& sweep, std::size_t c) {
+  table.add_row();
+  table.set("scene", sweep.record.cases[c].scene);
+  table.set("what_if", sweep.record.cases[c].what_if);
+}
+
+std::vector<double> sorted_of(const std::vector<double>& values) {
+  std::vector<double> sorted = finite_of(values);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+void set_statistics(ResultTable& table, const std::vector<double>& values) {
+  const Moments m = moments(values);
+  const std::vector<double> sorted = sorted_of(values);
+  table.set("n", static_cast<long>(m.count));
+  table.set("mean", m.mean);
+  table.set("mean_low", m.mean_95.low);
+  table.set("mean_high", m.mean_95.high);
+  table.set("sd", m.sd);
+  if (!sorted.empty()) table.set("min", sorted.front());
+  if (!sorted.empty()) table.set("max", sorted.back());
+  for (const auto& [name, q] : kPercentiles) {
+    const Interval interval = quantile_interval(sorted, q);
+    table.set(name, quantile(sorted, q));
+    table.set(std::string(name) + "_low", interval.low);
+    table.set(std::string(name) + "_high", interval.high);
+  }
+}
+
+std::uint64_t count_class(const SweepTable::Case& in, const char* name) {
+  return static_cast<std::uint64_t>(std::count(in.classes.begin(), in.classes.end(), name));
+}
+
+std::uint64_t count_jumped(const SweepTable::Case& in) {
+  return static_cast<std::uint64_t>(std::count_if(in.jumps.begin(), in.jumps.end(), [](double j) { return j > 0; }));
+}
+
+ordered_json rows_of(const ResultTable& table) {
+  ordered_json rows = ordered_json::array();
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    ordered_json row;
+    for (std::size_t c = 0; c < table.columns().size(); ++c) {
+      const Cell& cell = table.at(r, c);
+      if (const auto* number = std::get_if<double>(&cell)) row[table.columns()[c]] = *number;
+      if (const auto* count = std::get_if<long>(&cell)) row[table.columns()[c]] = *count;
+      if (const auto* word = std::get_if<std::string>(&cell)) row[table.columns()[c]] = *word;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<double> difference(const SweepTable& sweep, std::size_t c, std::size_t k) {
+  std::vector<double> out = sweep.cases[c].kept[k];
+  const std::vector<double>& from = sweep.cases[sweep.as_it_is(c)].kept[k];
+  for (std::size_t s = 0; s < out.size(); ++s) out[s] -= from[s];
+  return out;
+}
+
+ResultTable statistics_table(const SweepTable& sweep) {
+  ResultTable table =
+      table_with({"scene", "what_if", "number", "n", "mean", "mean_low", "mean_high", "sd", "min", "max"});
+  for (const auto& [name, q] : kPercentiles)
+    for (const char* end : {"", "_low", "_high"}) table.add_column(std::string(name) + end);
+  const auto add = [&](std::size_t c, std::size_t k, const std::string& what_if, const std::vector<double>& values) {
+    set_case(table, sweep, c);
+    table.set("what_if", what_if);
+    table.set("number", sweep.record.kept[k].name);
+    set_statistics(table, values);
+  };
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c)
+    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
+      add(c, k, sweep.record.cases[c].what_if, sweep.cases[c].kept[k]);
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c)
+    for (std::size_t k = 0; sweep.as_it_is(c) != c && k < sweep.record.kept.size(); ++k)
+      add(c, k, sweep.record.cases[c].what_if + " - " + kAsItIs, difference(sweep, c, k));
+  return table;
+}
+
+ResultTable event_probabilities(const SweepTable& sweep) {
+  ResultTable table = table_with({"scene", "what_if", "event", "count", "n", "probability", "low", "high"});
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
+    const SweepTable::Case& in = sweep.cases[c];
+    const std::uint64_t n = sweep.record.samples;
+    const auto add = [&](const char* event, std::uint64_t count) {
+      const Interval interval = probability_interval(count, n);
+      set_case(table, sweep, c);
+      table.set("event", std::string(event));
+      table.set("count", static_cast<long>(count));
+      table.set("n", static_cast<long>(n));
+      table.set("probability", static_cast<double>(count) / static_cast<double>(n));
+      table.set("low", interval.low);
+      table.set("high", interval.high);
+    };
+    add("jumped", count_jumped(in));
+    for (const char* name : {"doubtful", "not_solved", "refused"}) add(name, count_class(in, name));
+  }
+  return table;
+}
+
+ResultTable rank_table(const SweepTable& sweep) {
+  ResultTable table = table_with({"scene", "what_if", "number", "factor", "n", "rank_correlation", "low", "high"});
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c)
+    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
+      for (std::size_t f = 0; f < sweep.record.factors.size(); ++f) {
+        const std::vector<double>& values = sweep.cases[c].kept[k];
+        const std::size_t n = finite_of(values).size();
+        const double rank = rank_correlation(sweep.draws[f], values);
+        const Interval interval = rank_correlation_interval(rank, n);
+        set_case(table, sweep, c);
+        table.set("number", sweep.record.kept[k].name);
+        table.set("factor", sweep.record.factors[f]);
+        table.set("n", static_cast<long>(n));
+        table.set("rank_correlation", rank);
+        table.set("low", interval.low);
+        table.set("high", interval.high);
+      }
+  return table;
+}
+
+ResultTable index_table(const SweepTable& sweep) {
+  ResultTable table =
+      table_with({"scene", "what_if", "number", "factor", "blocks", "first", "first_error", "total", "total_error"});
+  if (sweep.record.block < 2) return table;
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c)
+    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k) {
+      const std::vector<SobolIndex> indices = sobol_indices(sweep.cases[c].kept[k], sweep.record.factors.size());
+      for (std::size_t f = 0; f < indices.size(); ++f) {
+        set_case(table, sweep, c);
+        table.set("number", sweep.record.kept[k].name);
+        table.set("factor", sweep.record.factors[f]);
+        table.set("blocks", static_cast<long>(indices[f].blocks));
+        table.set("first", indices[f].first);
+        table.set("first_error", indices[f].first_error);
+        table.set("total", indices[f].total);
+        table.set("total_error", indices[f].total_error);
+      }
+    }
+  return table;
+}
+
+ResultTable convergence_table(const SweepTable& sweep) {
+  ResultTable table = table_with({"scene", "what_if", "number", "samples", "n", "mean", "sd", "p5", "p50", "p95"});
+  if (!sweep.record.random) return table;
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c)
+    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k) {
+      const std::vector<double>& all = sweep.cases[c].kept[k];
+      for (std::size_t n = std::min(kLeastConvergence, all.size());; n = std::min(2 * n, all.size())) {
+        const std::vector<double> some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+        const Moments m = moments(some);
+        const std::vector<double> sorted = sorted_of(some);
+        set_case(table, sweep, c);
+        table.set("number", sweep.record.kept[k].name);
+        table.set("samples", static_cast<long>(n));
+        table.set("n", static_cast<long>(m.count));
+        table.set("mean", m.mean);
+        table.set("sd", m.sd);
+        table.set("p5", quantile(sorted, 0.05));
+        table.set("p50", quantile(sorted, 0.5));
+        table.set("p95", quantile(sorted, 0.95));
+        if (n == all.size()) break;
+      }
+    }
+  return table;
+}
+
+std::string summary_json(const SweepTable& sweep) {
+  const SweepRecord& r = sweep.record;
+  ordered_json j = {{"study", r.study},   {"title", r.title}, {"version", r.version}, {"hash", r.hash},
+                    {"design", r.design}, {"seed", r.seed},   {"samples", r.samples}, {"factors", r.factors}};
+  j["cases"] = ordered_json::array();
+  for (std::size_t c = 0; c < r.cases.size(); ++c)
+    j["cases"].push_back({{"scene", r.cases[c].scene},
+                          {"what_if", r.cases[c].what_if},
+                          {"solved", count_class(sweep.cases[c], "solved")},
+                          {"doubtful", count_class(sweep.cases[c], "doubtful")},
+                          {"not_solved", count_class(sweep.cases[c], "not_solved")},
+                          {"refused", count_class(sweep.cases[c], "refused")},
+                          {"jumped", count_jumped(sweep.cases[c])}});
+  j["events"] = rows_of(event_probabilities(sweep));
+  j["statistics"] = rows_of(statistics_table(sweep));
+  if (r.block > 1) j["sobol_indices"] = rows_of(index_table(sweep));
+  return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_text(const SweepTable& sweep) {
+  constexpr std::size_t kRowsShown = 12;
+  std::string text;
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
+    const SweepTable::Case& in = sweep.cases[c];
+    text +=
+        fmt::format("{}: {} samples, {} solved, {} doubtful, {} not solved, {} refused; {} jumped\n",
+                    sweep.case_name(c), sweep.record.samples, count_class(in, "solved"), count_class(in, "doubtful"),
+                    count_class(in, "not_solved"), count_class(in, "refused"), count_jumped(in));
+  }
+  const ResultTable table = statistics_table(sweep);
+  std::vector<std::string> columns = {"number", "n", "mean", "sd", "p5", "p50", "p95"};
+  if (sweep.cases.size() > 1) columns.insert(columns.begin(), {"scene", "what_if"});
+  text += "\n" + to_text(table, columns, 3, kRowsShown);
+  if (table.rows() > kRowsShown)
+    text += fmt::format("  {} of {} rows; all are in statistics.csv\n", kRowsShown, table.rows());
+  return text;
+}
+
+}  // namespace genu

@@ -1,0 +1,92 @@
+// A study of many samples as its file says (docs/sweep.md): what varies, how it is sampled, what is kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "genu/core/source_location.h"
+#include "genu/core/types.h"
+#include "genu/scene/scene_changes.h"
+#include "genu/sweep/distribution.h"
+
+namespace genu {
+
+enum class DesignKind { monte_carlo, latin_hypercube, sobol, factorial, one_at_a_time, points };
+
+/// An entry of [vary].
+struct VaryDef {
+  enum class How {
+    absolute,  ///< the draw is the number, in the file's unit
+    relative,  ///< it multiplies the scene's number
+    added      ///< it is added to the scene's number
+  };
+  std::string name;                   ///< as written: "MCL*.stiffness:together"
+  std::vector<std::string> patterns;  ///< "MCL*.stiffness"
+  bool together = false;              ///< one draw for all numbers that it names
+  How how = How::absolute;
+  Distribution distribution;
+  SourceLocation where;
+};
+
+/// Correlations of the normal scores of some factors.
+struct CorrelationDef {
+  std::vector<std::string> factors;  ///< names of factors (sweep_factors.h)
+  std::vector<SourceLocation> places;
+  MatX matrix;
+  SourceLocation where;
+};
+
+/// The scene with something changed; each sample is solved in every one of them.
+struct WhatIfDef {
+  std::string name;
+  SceneChanges changes;
+  SourceLocation where;
+};
+
+/// Columns of results.csv at rows.
+struct KeepDef {
+  struct Column {
+    std::string pattern;
+    SourceLocation where;
+  };
+  struct Row {
+    enum class Kind { value, all, last, max, min } kind = Kind::value;
+    double value = 0;  ///< of the main coordinate, in its column's unit
+    SourceLocation where;
+  };
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+};
+
+struct SceneFileDef {
+  std::string path;
+  SourceLocation where;
+};
+
+struct SweepDef {
+  std::string file, title;
+  std::vector<SceneFileDef> scenes;
+  DesignKind design = DesignKind::monte_carlo;
+  std::uint64_t samples = 1;  ///< of designs that do not count their own; the blocks of `indices`
+  std::uint64_t seed = 1;
+  bool indices = false;               ///< Saltelli's scheme: Sobol indices of every factor
+  std::vector<double> probabilities;  ///< levels of distributions in a factorial or one-at-a-time design
+  std::string points;                 ///< CSV file of the design `points`
+  SourceLocation points_where;
+  std::vector<VaryDef> vary;
+  std::optional<CorrelationDef> correlation;
+  std::vector<WhatIfDef> what_ifs;  ///< the first: the scene as it is
+  std::vector<KeepDef> keep;
+};
+
+inline constexpr const char* kAsItIs = "as_is";
+
+/// "latin_hypercube"
+const char* to_string(DesignKind design);
+
+/// A random sample of the factors' distributions, of which means and percentiles are estimates.
+inline bool is_random(DesignKind design) { return design <= DesignKind::sobol; }
+
+}  // namespace genu

@@ -1,0 +1,182 @@
+#include "genu/sweep/sweep_record.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "genu/core/file_text.h"
+
+namespace genu {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr int kRecordFormat = 1;
+
+std::string to_json(const SweepRecord& r) {
+  ordered_json j = {{"genu_sweep", kRecordFormat},
+                    {"version", r.version},
+                    {"study", r.study},
+                    {"title", r.title},
+                    {"hash", r.hash},
+                    {"design", r.design},
+                    {"random", r.random},
+                    {"seed", r.seed},
+                    {"samples", r.samples},
+                    {"block", r.block},
+                    {"shards", r.shards},
+                    {"main", r.main}};
+  j["cases"] = ordered_json::array();
+  for (const auto& c : r.cases) j["cases"].push_back({{"scene", c.scene}, {"what_if", c.what_if}});
+  j["factors"] = r.factors;
+  j["kept"] = ordered_json::array();
+  for (const auto& k : r.kept) {
+    j["kept"].push_back({{"name", k.name}, {"column", k.column}});
+    if (k.at_value) j["kept"].back()["value"] = k.value;
+  }
+  return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+SweepRecord from_json(const ordered_json& j) {
+  SweepRecord r;
+  r.version = j.at("version"), r.study = j.at("study"), r.title = j.at("title"), r.hash = j.at("hash");
+  r.design = j.at("design"), r.random = j.at("random"), r.main = j.at("main");
+  r.seed = j.at("seed"), r.samples = j.at("samples"), r.block = j.at("block"), r.shards = j.at("shards");
+  for (const auto& c : j.at("cases")) r.cases.push_back({c.at("scene"), c.at("what_if")});
+  for (const auto& f : j.at("factors")) r.factors.push_back(f);
+  for (const auto& k : j.at("kept"))
+    r.kept.push_back({k.at("name"), k.at("column"), k.contains("value"), k.value("value", 0.0)});
+  return r;
+}
+
+/// Writes all of it and waits until the disk has it.
+int write_and_sync(const std::string& path, const std::string& content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int error = 0;
+  for (std::size_t done = 0; done < content.size() && error == 0;) {
+    const ssize_t n = ::write(file, content.data() + done, content.size() - done);
+    if (n >= 0)
+      done += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      error = errno;
+  }
+  if (error == 0 && ::fsync(file) != 0) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+/// A name that no other process of this machine or another has.
+std::string temporary_name(const std::string& path) {
+  char host[256] = "host";
+  ::gethostname(host, sizeof host - 1);
+  const fs::path p(path);
+  return (p.parent_path() / fmt::format(".{}.{}-{}", p.filename().string(), host, ::getpid())).string();
+}
+
+/// Whether a folder holds files of others. Another shard may be writing the record at this moment.
+bool holds_others(const std::string& folder) {
+  std::error_code code;
+  bool others = false;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kSweepRecord) return false;
+    others = others || !name.starts_with(std::string(".") + kSweepRecord);
+  }
+  return others || code;
+}
+
+}  // namespace
+
+std::string write_durably(const std::string& path, const std::string& content) {
+  const std::string temporary = temporary_name(path);
+  int error = write_and_sync(temporary, content);
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    return path + ": cannot be written: " + std::strerror(error);
+  }
+  const std::string folder = fs::path(path).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    ::fsync(descriptor);  // the new name
+    ::close(descriptor);
+  }
+  return {};
+}
+
+SweepRecord record_of(const Sweep& sweep, std::uint64_t shards) {
+  SweepRecord r;
+  r.version = GENU_VERSION;
+  r.study = fs::absolute(sweep.def.file).lexically_normal().string();
+  r.title = sweep.def.title;
+  r.hash = sweep.hash;
+  r.design = to_string(sweep.def.design);
+  r.random = is_random(sweep.def.design);
+  r.seed = sweep.def.seed;
+  r.samples = sweep.design.samples();
+  r.block = sweep.design.block();
+  r.shards = shards;
+  for (const SweepCase& in : sweep.cases) r.cases.push_back({in.scene, in.what_if});
+  for (const Factor& factor : sweep.factors) r.factors.push_back(factor.name);
+  for (const KeptNumber& k : sweep.kept)
+    r.kept.push_back({k.name, k.column, k.row == KeepDef::Row::Kind::value, k.value});
+  r.main = sweep.cases.front().main.column;
+  return r;
+}
+
+std::optional<SweepRecord> read_record(const std::string& folder, Diagnostics& out) {
+  const std::string path = (fs::path(folder) / kSweepRecord).string();
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    out.error(Code::no_results, folder, "holds no sweep: no sweep.json is there");
+    return std::nullopt;
+  }
+  const auto text = text_of_file(path, out);
+  if (!text) return std::nullopt;
+  const auto json = ordered_json::parse(*text, nullptr, false);
+  try {
+    if (!json.is_discarded() && json.at("genu_sweep") == kRecordFormat) return from_json(json);
+  } catch (const ordered_json::exception&) {  // the same as a text that is no JSON
+  }
+  out.error(Code::broken_file, path, "is damaged, or of another version of genu");
+  return std::nullopt;
+}
+
+bool claim_folder(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
+  std::error_code code;
+  const fs::path path = fs::path(folder) / kSweepRecord;
+  if (!fs::exists(path, code) && fs::exists(folder, code) && holds_others(folder)) {
+    out.error(Code::no_output_folder, folder, "holds other things than a sweep: choose another folder");
+    return false;
+  }
+  if (!fs::exists(path, code)) {
+    fs::create_directories(folder, code);
+    const std::string error = write_durably(path.string(), to_json(record));
+    if (error.empty()) return true;
+    out.error(Code::cannot_write, {}, error);
+    return false;
+  }
+  const auto there = read_record(folder, out);
+  if (!there) return false;
+  if (there->hash != record.hash) {
+    out.error(
+        Code::other_scene, folder,
+        "belongs to another study, or the study, a scene, a mesh or genu has changed since: choose another folder");
+    return false;
+  }
+  if (there->shards == record.shards) return true;
+  out.error(Code::conflict, folder,
+            fmt::format("is divided into {}: use --shard K/{}, or choose another folder",
+                        there->shards == 1 ? "one shard" : fmt::format("{} shards", there->shards), there->shards));
+  return false;
+}
+
+}  // namespace genu

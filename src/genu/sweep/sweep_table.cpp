@@ -1,0 +1,93 @@
+#include "genu/sweep/sweep_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "genu/core/counted.h"
+#include "genu/sweep/shard_file.h"
+#include "genu/sweep/statistics.h"
+#include "genu/sweep/sweep_def.h"
+
+namespace genu {
+namespace {
+
+double number_of(const std::string& cell) {
+  double value = kNoNumber;
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
+}
+
+void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string>& cells) {
+  SweepTable::Case& in = table.cases[run / table.record.samples];
+  std::size_t c = 3;  // behind sample, scene and what-if
+  in.classes.push_back(cells[c++]);
+  in.jumps.push_back(number_of(cells[c++]));
+  in.jump_at.push_back(number_of(cells[c++]));
+  const bool first_case = run < table.record.samples;
+  for (std::vector<double>& draws : table.draws) {
+    if (first_case) draws.push_back(number_of(cells[c]));
+    ++c;
+  }
+  for (std::vector<double>& kept : in.kept) kept.push_back(number_of(cells[c++]));
+  in.reasons.push_back(cells[c]);
+}
+
+}  // namespace
+
+std::string SweepTable::case_name(std::size_t c) const {
+  const auto& in = record.cases[c];
+  const bool scenes = std::any_of(record.cases.begin(), record.cases.end(),
+                                  [&](const auto& other) { return other.scene != record.cases.front().scene; });
+  const bool what_ifs =
+      std::any_of(record.cases.begin(), record.cases.end(), [](const auto& other) { return other.what_if != kAsItIs; });
+  if (!what_ifs) return in.scene;
+  return scenes ? in.scene + ", " + in.what_if : in.what_if;
+}
+
+std::size_t SweepTable::as_it_is(std::size_t c) const {
+  for (std::size_t k = 0; k < record.cases.size(); ++k)
+    if (record.cases[k].scene == record.cases[c].scene && record.cases[k].what_if == kAsItIs) return k;
+  return c;
+}
+
+std::optional<SweepTable> read_sweep_table(const std::string& folder, std::string& csv, Diagnostics& out) {
+  const auto record = read_record(folder, out);
+  if (!record) return std::nullopt;
+  std::error_code ignored;
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t k = 1; k <= record->shards; ++k)
+    if (!std::filesystem::exists(shard_path(folder, {k, record->shards}), ignored)) missing.push_back(k);
+  if (!missing.empty()) {
+    out.error(Code::no_results, folder,
+              fmt::format("lacks {} of {} shards: {}", missing.size(), record->shards, as_array_list(missing)));
+    return std::nullopt;
+  }
+  SweepTable table;
+  table.record = *record;
+  table.draws.resize(record->factors.size());
+  table.cases.resize(record->cases.size());
+  for (SweepTable::Case& in : table.cases) in.kept.resize(record->kept.size());
+  csv = column_line(*record) + "\n";
+  const std::size_t width = split_row(column_line(*record)).size();
+  std::uint64_t run = 0;
+  for (std::uint64_t k = 1; k <= record->shards; ++k) {
+    const auto rows = read_shard(folder, *record, {k, record->shards}, out);
+    for (std::size_t r = 0; rows && r < rows->size(); ++r) {
+      const std::vector<std::string> cells = split_row((*rows)[r]);
+      if (cells.size() != width || number_of(cells[0]) != static_cast<double>(run % record->samples)) {
+        out.error(Code::broken_file, shard_path(folder, {k, record->shards}),
+                  fmt::format("has a row {} that is none of this sweep", r + 1));
+        return std::nullopt;
+      }
+      add_row(table, run++, cells);
+      csv += (*rows)[r] + "\n";
+    }
+  }
+  if (out.has_errors()) return std::nullopt;
+  return table;
+}
+
+}  // namespace genu

@@ -1,0 +1,33 @@
+// All rows of a sweep, put together from its shards.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "genu/core/diagnostics.h"
+#include "genu/sweep/sweep_record.h"
+
+namespace genu {
+
+struct SweepTable {
+  SweepRecord record;
+  std::vector<std::vector<double>> draws;  ///< [factor][sample]
+  struct Case {
+    std::vector<std::string> classes, reasons;  ///< [sample]
+    std::vector<double> jumps, jump_at;         ///< [sample]
+    std::vector<std::vector<double>> kept;      ///< [kept number][sample]
+  };
+  std::vector<Case> cases;
+
+  /// "mean" or, of several cases, "mean, acl_cut"; of several scenes with the scene in front.
+  std::string case_name(std::size_t c) const;
+  /// The case of the same scene as it is.
+  std::size_t as_it_is(std::size_t c) const;
+};
+
+/// Reads all shards of a folder. `csv` gets samples.csv: their rows in order below the column names. Empty, with the
+/// reasons in `out`, where shards are missing, cut short, or of another study.
+[[nodiscard]] std::optional<SweepTable> read_sweep_table(const std::string& folder, std::string& csv, Diagnostics& out);
+
+}  // namespace genu

@@ -1,0 +1,66 @@
+#include "genu/sweep/kept_numbers.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/text.h"
+#include "sweep/ball.h"
+
+namespace genu {
+namespace {
+
+using Kind = KeepDef::Row::Kind;
+
+ResultTable small_table() {
+  ResultTable table;
+  for (const char* name : {"status", "x", "y"}) table.add_column(name);
+  const double rows[4][2] = {{0, 1}, {10, 3}, {20, -5}, {30, 100}};
+  for (const auto& row : rows) {
+    table.add_row();
+    table.set("status", std::string(row[0] == 30 ? "no_equilibrium" : "ok"));
+    table.set("x", row[0]);
+    table.set("y", row[1]);
+  }
+  return table;
+}
+
+TEST(KeptValues, AreThoseOfSolvedRows) {
+  MainCoordinate main;
+  main.column = "x";
+  main.high = 30;
+  const std::vector<KeptNumber> kept = {{"y@10", "y", Kind::value, 10}, {"y@5", "y", Kind::value, 5},
+                                        {"y@max", "y", Kind::max, 0},   {"y@min", "y", Kind::min, 0},
+                                        {"y@last", "y", Kind::last, 0}, {"y@25", "y", Kind::value, 25},
+                                        {"z@10", "z", Kind::value, 10}};
+  const std::vector<double> values = kept_values(kept, main, small_table());
+  EXPECT_EQ(values[0], 3);
+  EXPECT_EQ(values[1], 2);
+  EXPECT_EQ(values[2], 3);
+  EXPECT_EQ(values[3], -5);
+  for (std::size_t k = 4; k < 7; ++k) EXPECT_TRUE(std::isnan(values[k])) << kept[k].name;
+}
+
+TEST(MainCoordinate, IsTheFirstThatChanges) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::ball_study(folder, "samples = 4\n", test::kBallVary));
+  EXPECT_EQ(s.cases[0].main.column, "j.rz_deg");
+  EXPECT_EQ(s.cases[0].main.rows, (std::vector<double>{0, 5, 10}));
+  ASSERT_EQ(s.kept.size(), 3u);
+  EXPECT_EQ(s.kept[1].name, "j.z_mm@7.5");
+  EXPECT_EQ(s.kept[2].name, "j.z_mm@last");
+}
+
+TEST(FindKept, RefusesColumnsAndRowsThatAreNotThere) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 4\n", test::kBallVary);
+  folder.write("study.toml", test::read_file(study) + "[[keep]]\ncolumns = [\"j.zz\"]\nat = [11, \"all\"]\n");
+  Diagnostics out;
+  EXPECT_FALSE(prepare_sweep(study, out));
+  const std::string said = test::messages(out);
+  EXPECT_TRUE(test::contains(said, ":11:12: keep.columns = \"j.zz\": is no column of results.csv")) << said;
+  EXPECT_TRUE(test::contains(said, ":12:7: keep.at = 11: j.rz_deg of")) << said;
+}
+
+}  // namespace
+}  // namespace genu

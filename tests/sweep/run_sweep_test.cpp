@@ -1,0 +1,140 @@
+#include "genu/sweep/run_sweep.h"
+
+#include <atomic>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/text.h"
+#include "sweep/ball.h"
+
+namespace genu {
+namespace {
+
+const std::vector<std::string> kMerged = {"samples.csv",     "statistics.csv", "events.csv", "ranks.csv",
+                                          "convergence.csv", "summary.json",   "report.html"};
+
+std::string study_of(const test::TemporaryFolder& folder, const std::string& head = "samples = 23\n") {
+  return test::ball_study(folder, head, test::kBallVary + "[what_if.heavy]\nset = \"pull.force.y=1\"\n");
+}
+
+std::string refused(const Sweep& sweep, const std::string& folder, ShardId shard = {}) {
+  SweepOptions options;
+  options.shard = shard;
+  Diagnostics out;
+  SweepOutcome outcome;
+  EXPECT_EQ(run_shard(sweep, folder, options, out, outcome), kExitRefused);
+  return test::messages(out);
+}
+
+TEST(RunShard, GivesTheSameBytesForAnyThreadsAndShards) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  EXPECT_EQ(test::ran(s, folder / "one", {}, 1).runs, 46u);
+  test::merge(folder / "one");
+  for (const std::uint64_t count : {1u, 7u, 64u}) {
+    const std::string other = folder / ("n" + std::to_string(count));
+    for (std::uint64_t k = count; k > 0; --k) test::ran(s, other, {k, count}, 2);
+    test::merge(other);
+    for (const std::string& file : kMerged)
+      EXPECT_EQ(test::read_file(folder / ("one/" + file)), test::read_file(other + "/" + file)) << file << count;
+  }
+}
+
+TEST(RunShard, ContinuesWithWhatIsFinished) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  test::ran(s, folder / "whole");
+  std::atomic<int> done = 0;
+  SweepOptions options;
+  options.threads = 1;
+  options.progress = [&](int n, int) { done = n; };
+  options.cancelled = [&] { return done >= 10; };
+  Diagnostics out;
+  SweepOutcome stopped;
+  EXPECT_EQ(run_shard(s, folder / "part", options, out, stopped), kExitIncomplete);
+  EXPECT_TRUE(stopped.interrupted);
+  EXPECT_FALSE(std::filesystem::exists(folder / "part/shard-1-of-1.csv"));
+  // A kill in the middle of a write leaves half a line.
+  const std::string kept = test::read_file(folder / "part/shard-1-of-1.csv.part");
+  folder.write("part/shard-1-of-1.csv.part", kept.substr(0, kept.size() - 20));
+  const SweepOutcome rest = test::ran(s, folder / "part");
+  EXPECT_EQ(rest.earlier, 9u);
+  EXPECT_EQ(test::read_file(folder / "part/shard-1-of-1.csv"), test::read_file(folder / "whole/shard-1-of-1.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "part/shard-1-of-1.csv.part"));
+  EXPECT_EQ(test::ran(s, folder / "part").earlier, 46u);  // it is there: nothing is computed
+}
+
+TEST(RunShard, RefusesAChangedStudyAndOtherShards) {
+  const test::TemporaryFolder folder;
+  test::ran(test::ready_sweep(study_of(folder)), folder / "o", {1, 2});
+  EXPECT_TRUE(
+      test::contains(refused(test::ready_sweep(study_of(folder)), folder / "o", {1, 3}), "is divided into 2 shards"));
+  const Sweep other = test::ready_sweep(study_of(folder, "samples = 24\n"));
+  EXPECT_TRUE(test::contains(refused(other, folder / "o", {2, 2}), "belongs to another study"));
+  const Sweep scene = test::ready_sweep(study_of(folder));
+  folder.write("ball.toml", test::kBallOnSpring + "# changed\n");
+  const Sweep changed = test::ready_sweep(folder / "study.toml");
+  EXPECT_NE(scene.hash, changed.hash);
+  EXPECT_TRUE(test::contains(refused(changed, folder / "o", {2, 2}), "has changed since"));
+  folder.write("mine.txt", "");
+  EXPECT_TRUE(test::contains(refused(scene, folder / ".", {}), "holds other things than a sweep"));
+}
+
+TEST(RunShard, StartsBesideAnotherThatMakesTheFolder) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "o");
+  folder.write("o/.sweep.json.host-17", "{");  // half written by another process
+  EXPECT_EQ(test::ran(test::ready_sweep(study_of(folder)), folder / "o").runs, 46u);
+}
+
+TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  for (const std::uint64_t k : {1u, 2u, 6u}) test::ran(s, folder / "o", {k, 9});
+  Diagnostics out;
+  const auto record = read_record(folder / "o", out);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(as_array_list(missing_shards(folder / "o", *record, out)), "3-5,7-9");
+  EXPECT_TRUE(out.items().empty());
+  const std::string path = shard_path(folder / "o", {2, 9}), whole = test::read_file(path);
+  folder.write("o/shard-2-of-9.csv", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(as_array_list(missing_shards(folder / "o", *record, out)), "2-5,7-9");
+  EXPECT_TRUE(test::contains(test::messages(out), "shard-2-of-9.csv: warning: is cut short")) << test::messages(out);
+  Diagnostics merging;
+  std::string text;
+  EXPECT_EQ(merge_sweep(folder / "o", merging, text), kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(merging), "lacks 6 of 9 shards: 3-5,7-9")) << test::messages(merging);
+  EXPECT_TRUE(test::contains(refused(s, folder / "o", {2, 9}), "is cut short; remove it"));
+}
+
+TEST(MergeSweep, RefusesAShardThatWasChanged) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  test::ran(s, folder / "o");
+  const std::string path = shard_path(folder / "o", {});
+  folder.write("o/shard-1-of-1.csv", test::with_first(test::read_file(path), "solved", "sOlved"));
+  Diagnostics out;
+  std::string text;
+  EXPECT_EQ(merge_sweep(folder / "o", out, text), kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(out), "shard-1-of-1.csv: has changed since it was written"));
+}
+
+TEST(PrepareSweep, NamesEveryBrokenSceneOfACohort) {
+  const test::TemporaryFolder folder;
+  test::ball_study(folder, "", "");
+  folder.write("a.toml", test::with_first(test::kBallOnSpring, "stiffness = 1000", "stiffness = -1"));
+  folder.write("b.toml", test::with_first(test::kBallOnSpring, "body = \"ball\"\nforce", "body = \"bal\"\nforce"));
+  const std::string study = folder.write("cohort.toml",
+                                         "format = 1\nscenes = [\"a.toml\", \"ball.toml\", \"b.toml\"]\n"
+                                         "samples = 2\n" +
+                                             test::kBallVary + "[[keep]]\ncolumns = \"j.z\"\nat = \"last\"\n");
+  Diagnostics out;
+  EXPECT_FALSE(prepare_sweep(study, out));
+  const std::string said = test::messages(out);
+  EXPECT_TRUE(test::contains(said, "a.toml:18:")) << said;
+  EXPECT_TRUE(test::contains(said, "b.toml:21:")) << said;
+}
+
+}  // namespace
+}  // namespace genu

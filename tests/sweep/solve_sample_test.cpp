@@ -1,0 +1,103 @@
+#include "genu/sweep/solve_sample.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "genu/sweep/statistics.h"
+#include "support/text.h"
+#include "sweep/ball.h"
+
+namespace genu {
+namespace {
+
+TEST(SolveSample, FollowsTheClosedForm) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::ball_study(folder, "samples = 50\n", test::kBallVary));
+  for (std::uint64_t i = 0; i < s.design.samples(); ++i) {
+    const auto r = solve_sample(s, s.cases[0], i, {});
+    ASSERT_TRUE(r);
+    EXPECT_EQ(r->verdict, "solved") << r->reason;
+    EXPECT_EQ(r->draws, s.design.draws(i));
+    const double z = 10 * (1 + r->draws[1] / (1000 * r->draws[0]));
+    for (const double kept : r->kept) EXPECT_NEAR(kept, z, 1e-10);
+  }
+}
+
+TEST(SolveSample, MeanAndVarianceAreThoseOfTheClosedForm) {
+  // 1 / K of a lognormal K is lognormal; F is uniform and independent of it.
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::ball_study(folder, "samples = 4000\n", test::kBallVary));
+  std::vector<double> z;
+  for (std::uint64_t i = 0; i < s.design.samples(); ++i) z.push_back(solve_sample(s, s.cases[0], i, {})->kept[0]);
+  const Distribution k = lognormal(1000, 200);
+  const double k1 = std::exp(-k.mean + k.sd * k.sd / 2), k2 = std::exp(-2 * k.mean + 2 * k.sd * k.sd);
+  const double f1 = 50, f2 = f1 * f1 + 20.0 * 20 / 12;
+  const double mean = 10 * (1 + f1 * k1), variance = 100 * (f2 * k2 - f1 * f1 * k1 * k1);
+  const Moments m = moments(z);
+  const double n = static_cast<double>(z.size());
+  double fourth = 0;
+  for (const double v : z) fourth += std::pow(v - m.mean, 4) / n;
+  EXPECT_NEAR(m.mean, mean, 4 * std::sqrt(variance / n));
+  EXPECT_NEAR(m.sd * m.sd, variance, 4 * std::sqrt((fourth - variance * variance) / n));
+}
+
+TEST(SolveSample, EqualsANormalRunOfItsScene) {
+  const test::TemporaryFolder folder;
+  const std::string study = folder.write("study.toml", "format = 1\nscene = \"" + test::dortmans_file() + R"("
+samples = 6
+[vary]
+"*C.stiffness" = { lognormal = 1, sd = 0.2, relative = true }
+"*C.reference_strain" = { normal = 0, sd = 0.005, add = true }
+"LC.from.x" = { normal = 40, sd = 0.3 }
+"femur_*.minor_radius:together" = { uniform = [4.9, 5.1] }
+[[keep]]
+columns = ["knee.adduction", "knee.flexion.reaction", "*.force"]
+at = [0, 33, 70]
+)");
+  const Sweep all = test::ready_sweep(study);
+  EXPECT_TRUE(all.cases[0].factors.prepares_anew());
+  std::string text = test::read_file(study);
+  folder.write("light.toml",
+               test::with_first(text, "\"femur_*.minor_radius:together\" = { uniform = [4.9, 5.1] }\n", ""));
+  const Sweep light = test::ready_sweep(folder / "light.toml");
+  EXPECT_FALSE(light.cases[0].factors.prepares_anew());
+  for (const Sweep* s : {&all, &light})
+    for (std::uint64_t i = 0; i < 6; ++i) {
+      const auto sample = solve_sample(*s, s->cases[0], i, {});
+      ASSERT_TRUE(sample);
+      EXPECT_EQ(sample->verdict, "solved") << sample->reason;
+      Diagnostics out;
+      const auto prepared = prepare(source_of_sample(*s, s->cases[0], i), out);
+      ASSERT_TRUE(prepared) << test::messages(out);
+      ContactField field(prepared->model);
+      const Solution solution = solve(*prepared, field, {});
+      EXPECT_EQ(sample->kept, kept_values(s->kept, s->cases[0].main, solution.poses));  // the same bits
+    }
+}
+
+TEST(SolveSample, TellsWhyASampleHasNoAnswer) {
+  // Pulled by 5000 N the spring is six times as long: implausible. Without a force nothing holds the ball.
+  const test::TemporaryFolder folder;
+  folder.write("points.csv", "pull.force.z\n50\n5000\n0\n");
+  const Sweep s = test::ready_sweep(
+      test::ball_study(folder, "design = \"points\"\npoints = \"points.csv\"\n", "[vary]\n\"pull.force.z\" = {}\n"));
+  EXPECT_EQ(solve_sample(s, s.cases[0], 0, {})->verdict, "solved");
+  const auto doubtful = solve_sample(s, s.cases[0], 1, {});
+  EXPECT_EQ(doubtful->verdict, "doubtful");
+  EXPECT_TRUE(test::contains(doubtful->reason, "strain of spring")) << doubtful->reason;
+  EXPECT_NEAR(doubtful->kept[0], 60, 1e-9);
+  const auto failed = solve_sample(s, s.cases[0], 2, {});
+  EXPECT_EQ(failed->verdict, "not_solved");
+  EXPECT_TRUE(test::contains(failed->reason, "the equilibrium is not unique at j.rz_deg = 0")) << failed->reason;
+  EXPECT_TRUE(std::isnan(failed->kept[0]));
+}
+
+TEST(SolveSample, CanBeCalledOff) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::ball_study(folder, "samples = 4\n", test::kBallVary));
+  EXPECT_FALSE(solve_sample(s, s.cases[0], 0, [] { return true; }));
+}
+
+}  // namespace
+}  // namespace genu

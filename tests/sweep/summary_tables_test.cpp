@@ -1,0 +1,91 @@
+#include "genu/sweep/summary_tables.h"
+
+#include <gtest/gtest.h>
+
+#include "genu/sweep/pictures.h"
+#include "genu/sweep/statistics.h"
+#include "genu/sweep/sweep_page.h"
+#include "support/text.h"
+#include "sweep/ball.h"
+
+namespace genu {
+namespace {
+
+SweepTable table_of(const Sweep& s, const std::string& folder) {
+  test::ran(s, folder);
+  Diagnostics out;
+  std::string csv;
+  auto table = read_sweep_table(folder, csv, out);
+  EXPECT_TRUE(table) << test::messages(out);
+  return table ? *table : SweepTable{};
+}
+
+class BallTables : public ::testing::Test {
+ protected:
+  const test::TemporaryFolder folder_;
+  const Sweep sweep_ =
+      test::ready_sweep(test::ball_study(folder_, "samples = 200\n", test::kBallVary + R"([what_if.stiff]
+set = "spring.slack_length=5"
+)"));
+  const SweepTable table_ = table_of(sweep_, folder_ / "o");
+};
+
+TEST_F(BallTables, DifferencesAreThoseOfTheSameSample) {
+  // z = L0 (1 + F / K): half the slack length halves z, sample by sample.
+  const std::vector<double> d = difference(table_, 1, 0);
+  for (std::size_t s = 0; s < d.size(); ++s) EXPECT_NEAR(d[s], -table_.cases[0].kept[0][s] / 2, 1e-9);
+  const ResultTable statistics = statistics_table(table_);
+  ASSERT_EQ(statistics.rows(), 9u);
+  EXPECT_EQ(std::get<std::string>(statistics.at(6, 1)), "stiff - as_is");
+  EXPECT_NEAR(statistics.number(6, "mean"), -statistics.number(0, "mean") / 2, 1e-9);
+}
+
+TEST_F(BallTables, StiffnessAndForceExplainTheRanks) {
+  const ResultTable ranks = rank_table(table_);
+  EXPECT_LT(ranks.number(0, "rank_correlation"), -0.7);
+  EXPECT_GT(ranks.number(1, "rank_correlation"), 0.3);
+}
+
+TEST_F(BallTables, ConvergenceEndsWithAllSamples) {
+  const ResultTable c = convergence_table(table_);
+  EXPECT_EQ(c.number(0, "samples"), 16);
+  EXPECT_EQ(c.number(4, "samples"), 200);
+  EXPECT_EQ(c.number(4, "mean"), statistics_table(table_).number(0, "mean"));
+}
+
+TEST_F(BallTables, ThePageNeedsNoNetwork) {
+  const std::string page = sweep_page(table_);
+  EXPECT_FALSE(test::contains(page, "src="));
+  EXPECT_FALSE(test::contains(page, "href="));
+  EXPECT_TRUE(test::contains(page, "Rank correlations with j.z_mm@0"));
+  EXPECT_TRUE(test::contains(page, "Samples by j.z_mm@last"));
+  EXPECT_TRUE(test::contains(page, "Samples that jumped"));
+  EXPECT_FALSE(test::contains(page, "nan"));
+}
+
+TEST(Pictures, BandsNeedThreeValues) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 40\n", test::kBallVary);
+  folder.write("study.toml", test::with_first(test::read_file(study), "[0, 7.5, \"last\"]", "\"all\""));
+  const SweepTable t = table_of(test::ready_sweep(study), folder / "o");
+  ASSERT_EQ(columns_with_bands(t), std::vector<std::string>{"j.z_mm"});
+  EXPECT_EQ(test::occurrences(bands_picture(t, "ball", "j.z_mm"), "fill-opacity:0."), 2);
+  EXPECT_EQ(pictured_numbers(t).size(), 1u);
+}
+
+TEST(IndexTable, IsOfSaltellisScheme) {
+  // z - L0 is a product of independent factors: first indices and the interaction follow from their variations.
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(
+      test::ball_study(folder, "samples = 1024\nindices = true\ndesign = \"sobol\"\n", test::kBallVary));
+  const ResultTable t = index_table(table_of(s, folder / "o"));
+  ASSERT_EQ(t.rows(), 6u);
+  const double force = 20.0 * 20 / 12 / (50.0 * 50), compliance = 0.2 * 0.2;  // squared coefficients of variation
+  const double all = (1 + force) * (1 + compliance) - 1;
+  EXPECT_NEAR(t.number(0, "first"), compliance / all, 0.03);
+  EXPECT_NEAR(t.number(1, "first"), force / all, 0.03);
+  EXPECT_NEAR(t.number(0, "total"), compliance * (1 + force) / all, 0.03);
+}
+
+}  // namespace
+}  // namespace genu

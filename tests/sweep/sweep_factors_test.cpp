@@ -1,0 +1,87 @@
+#include "genu/sweep/sweep_factors.h"
+
+#include <gtest/gtest.h>
+
+#include "support/text.h"
+#include "sweep/ball.h"
+
+namespace genu {
+namespace {
+
+/// What is refused of a study of the ball with these tables.
+std::string factor_refusals(const std::string& tables, const std::string& head = "samples = 4\n") {
+  const test::TemporaryFolder folder;
+  Diagnostics out;
+  EXPECT_FALSE(prepare_sweep(test::ball_study(folder, head, tables), out));
+  return test::messages(out);
+}
+
+TEST(FindFactors, MakesOneOfEachNumberAndOneOfATogether) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::ball_study(folder, "samples = 4\n", R"([vary]
+"spring.from.*" = { normal = 0, sd = 1 }
+"spring.stiffness+pull.force.z:together" = { uniform = [0.9, 1.1], relative = true }
+)"));
+  ASSERT_EQ(s.factors.size(), 4u);
+  EXPECT_EQ(s.factors[0].name, "spring.from.x");
+  EXPECT_EQ(s.factors[3].name, "spring.stiffness+pull.force.z:together");
+  ASSERT_EQ(s.cases[0].factors.numbers[3].size(), 2u);
+  const VariedNumber& stiffness = s.cases[0].factors.numbers[3][0];
+  EXPECT_EQ(stiffness.base, 1000);
+  EXPECT_EQ(number_at(stiffness, VaryDef::How::relative, 1.5), 1500);
+  EXPECT_EQ(number_at(stiffness, VaryDef::How::added, 1.5), 1001.5);
+  EXPECT_EQ(set_option(stiffness, VaryDef::How::absolute, 7.25), "spring.stiffness=7.25");
+}
+
+TEST(FindFactors, RefusesWhatNamesNothing) {
+  const std::string said =
+      factor_refusals("[vary]\n\"sprin.stiffness\" = { normal = 0, sd = 1 }\n\"j.rz\" = { normal = 0, sd = 1 }\n");
+  EXPECT_TRUE(
+      test::contains(said, "study.toml:5:1: vary.sprin.stiffness = \"sprin.stiffness\": is no number of this scene"))
+      << said;
+  EXPECT_TRUE(test::contains(said, "did you mean \"spring.stiffness\"?")) << said;
+  EXPECT_TRUE(test::contains(said, ":6:1: vary.j.rz = \"j.rz\": j.rz is no number of the file's tables")) << said;
+}
+
+TEST(FindFactors, RefusesNumbersThatTwoEntriesMove) {
+  const std::string said = factor_refusals(
+      "[vary]\n\"spring.stiffness\" = { values = [1] }\n\"*.stiffness:together\" = { values = [1], relative = true "
+      "}\n");
+  EXPECT_TRUE(test::contains(said, "moves spring.stiffness, which \"spring.stiffness\" moves already")) << said;
+}
+
+TEST(FindFactors, RefusesDistributionsThatCanReachImpossibleNumbers) {
+  for (const char* entry : {"{ normal = 1000, sd = 200 }", "{ normal = 1, sd = 0.2, relative = true }",
+                            "{ uniform = [-1, 1] }", "{ normal = 0, sd = 200, add = true }", "{ values = [1, 0] }"}) {
+    const std::string said = factor_refusals(std::string("[vary]\n\"spring.stiffness\" = ") + entry + "\n");
+    EXPECT_TRUE(test::contains(said, "and it must be > 0: use lognormal")) << said;
+  }
+  const test::TemporaryFolder folder;
+  test::ready_sweep(test::ball_study(folder, "samples = 4\n", R"([vary]
+"spring.stiffness" = { normal = 1000, sd = 200, truncated = [1, 2000] }
+)"));
+}
+
+TEST(FactorsOfWhatIf, AreThoseThatAreStillThere) {
+  const test::TemporaryFolder folder;
+  const std::string two =
+      test::kBallOnSpring +
+      "[ligament.other]\nfrom = { body = \"ground\", point = [1, 0, 0] }\nto = { "
+      "body = \"ball\", point = [1, 0, 0] }\nlaw = \"linear\"\nstiffness = 500\nslack_length = 10\n";
+  const std::string study = test::ball_study(folder, "samples = 4\n", R"([vary]
+"*.stiffness" = { lognormal = 1, sd = 0.2, relative = true }
+[what_if.cut]
+without = "other"
+[what_if.stiff]
+set = "other.stiffness=900"
+)");
+  folder.write("ball.toml", two);
+  const Sweep s = test::ready_sweep(study);
+  ASSERT_EQ(s.cases.size(), 3u);
+  EXPECT_EQ(s.cases[0].factors.numbers[1].size(), 1u);
+  EXPECT_TRUE(s.cases[1].factors.numbers[1].empty());
+  EXPECT_EQ(s.cases[2].factors.numbers[1][0].base, 900);
+}
+
+}  // namespace
+}  // namespace genu
