@@ -11,7 +11,7 @@ const std::string kBushing =
     "[bushing.pad]\nfrom = { body = \"tibia\", origin = [1, 2, 3], z_axis = [1, 0, 0] }\nto = { body = \"femur\" }\n"
     "stiffness = [10, 20, 30]\nrotation_stiffness = [1, 2, 3]\n";
 
-BushingDef read(const std::string& text) { return good(edited(kLoad, text + kLoad)).bushings.at(0); }
+BushingDef bushing_of(const std::string& text) { return good(edited(kLoad, text + kLoad)).bushings.at(0); }
 
 void expect_bushing_refused(const std::string& before, const std::string& after, const std::string& key,
                             const std::string& found, const std::string& rule) {
@@ -21,7 +21,7 @@ void expect_bushing_refused(const std::string& before, const std::string& after,
 }
 
 TEST(ReadBushings, Values) {
-  const BushingDef b = read(kBushing);
+  const BushingDef b = bushing_of(kBushing);
   EXPECT_EQ(b.name, "pad");
   EXPECT_EQ(b.from.body, 0);
   EXPECT_EQ(b.to.body, 1);
@@ -41,8 +41,8 @@ TEST(ReadBushings, AFrameWithoutAPlaceCoincidesAtTheReferencePose) {
   EXPECT_LT((first.R - second.R).norm(), 1e-15);
   std::string text = kBushing;
   text.replace(text.find("\"femur\" }"), 9, "\"femur\", origin = [0, 0, 5] }");
-  EXPECT_FALSE(read(text).coincide);
-  EXPECT_TRUE(read(text).to.placement.p.isApprox(Vec3(0, 0, 5e-3), 1e-15));
+  EXPECT_FALSE(bushing_of(text).coincide);
+  EXPECT_TRUE(bushing_of(text).to.placement.p.isApprox(Vec3(0, 0, 5e-3), 1e-15));
 }
 
 TEST(ReadBushings, AMatrixIsInNewtonsMetresAndRadians) {
@@ -50,7 +50,7 @@ TEST(ReadBushings, AMatrixIsInNewtonsMetresAndRadians) {
   text +=
       "matrix = [[1000, 5, 0, 0, 0, 2], [5, 1000, 0, 0, 0, 0], [0, 0, 1000, 0, 0, 0], [0, 0, 0, 3, 0, 0],\n"
       "  [0, 0, 0, 0, 3, 0], [2, 0, 0, 0, 0, 3]]\n";
-  const BushingDef b = read(text);
+  const BushingDef b = bushing_of(text);
   ASSERT_TRUE(b.matrix.has_value());
   EXPECT_EQ((*b.matrix)(0, 5), 2);
   EXPECT_EQ((*b.matrix)(1, 0), 5);

@@ -29,9 +29,9 @@ struct Parameter {
     term,            ///< component: its index
     offset,          ///< the whole surface moved along its outward normal; no key of a scene
     // of a load
-    load_number,   ///< a row of the table of its kind (scene/load_def.h)
-    factor,        ///< the step's factor
-    body_number,   ///< a row of scene/body_def.h
+    load_number,     ///< a row of the table of its kind (scene/load_def.h)
+    factor,          ///< the step's factor
+    body_number,     ///< a row of scene/body_def.h
     joint_number,    ///< a row of the table of its type (scene/joint_def.h)
     bushing_number,  ///< a row of scene/bushing_def.h
     // of the steps
@@ -63,8 +63,8 @@ struct Parameter {
   const char* group() const;
 };
 
-/// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, bushings, prescribed values. Numbers that the
-/// scene does not give are omitted, such as a slack length where a reference strain is given.
+/// All parameters of a scene in order: ligaments, surfaces, loads, weights, joints, bushings, prescribed values.
+/// Numbers that the scene does not give are omitted, such as a slack length where a reference strain is given.
 std::vector<Parameter> parameters_of(const SceneTables& scene);
 
 /// The number (SI) in the scene; null where it is none: an offset, a load's factor in steps, a prescribed value.

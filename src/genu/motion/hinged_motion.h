@@ -15,9 +15,9 @@ class HingedMotion {
   /// Whether the model has this form: a tree of hinges without contacts, layers, bushings and prescribed coordinates.
   static bool fits(const JointModel& model) {
     return HingeTree::describes(model) && model.drives.empty() && model.pairs.empty() && model.layers.empty() &&
-           model.bushings.empty() && model.reference_wraps.empty() && std::none_of(model.loads.begin(), model.loads.end(), [](const Load& load) {
-             return load.kind == Load::Kind::cable;
-           });
+           model.bushings.empty() && model.reference_wraps.empty() &&
+           std::none_of(model.loads.begin(), model.loads.end(),
+                        [](const Load& load) { return load.kind == Load::Kind::cable; });
   }
 
   explicit HingedMotion(const JointModel& model);

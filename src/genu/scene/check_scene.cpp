@@ -229,8 +229,7 @@ void check_columns(ReadContext& context) {
   for (const BushingDef& bushing : scene.bushings)
     for (const char* quantity : {".x_mm", ".force_x_N"})
       columns.add("bushing." + bushing.name, bushing.where, bushing.name + quantity);
-  for (const CompartmentDef& c : scene.compartments)
-    columns.add("compartment." + c.name, c.where, c.name + ".force_N");
+  for (const CompartmentDef& c : scene.compartments) columns.add("compartment." + c.name, c.where, c.name + ".force_N");
   for (const LoadDef& load : scene.loads)
     if (load.kind == LoadDef::Kind::cable) columns.add("load." + load.name, load.where, load.name + ".length_mm");
 }

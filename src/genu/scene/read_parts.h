@@ -122,7 +122,8 @@ void read_grood_suntay(ReadContext& context, const Item& item, JointDef& joint);
 void warn_unlikely(ReadContext& context, Section& section, const LigamentDef& ligament);
 void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& surface);
 
-/// The frames of bushings that are given on one body alone: where they coincide at the reference. The tree must be sound.
+/// The frames of bushings that are given on one body alone: where they coincide at the reference. The tree must be
+/// sound.
 void place_bushings(Scene& scene);
 
 /// Poses X_world_body of all bodies at the joints' reference. The tree must be sound.
