@@ -80,10 +80,11 @@ bool solvers_own(const std::string& column) {
 }
 
 TEST(Evaluate, AsksForTheFactorOfADrivingLoad) {
-  std::string drive = soft_ball();
-  drive.replace(drive.find("[[step]]"), 8,
-                "[load.turn]\non = \"knee.flexion\"\nvalue = 1\n[[step]]\ndrive = { \"knee.flexion\" = \"turn\" }\n");
+  std::string text = soft_ball();
+  for (std::size_t at = 0; (at = text.find("[[step]]\n", at)) != std::string::npos; at += 9)
+    text.insert(at + 9, "drive = { \"knee.flexion\" = \"turn\" }\n");
   const test::TemporaryFolder folder;
+  const std::string drive = folder.write("ball.toml", text + "[load.turn]\non = \"knee.flexion\"\nvalue = 1\n");
   Diagnostics out;
   Solution solved;
   ASSERT_EQ(test::judged_run(drive, folder / "run", {}, out, &solved), kExitOk) << messages(out);

@@ -73,9 +73,7 @@ class Chain {
     const int rounds = kChainRounds * static_cast<int>(nodes_.size());
     for (int round = 0; round < rounds; ++round) {
       const double relaxation = 4 * round < 3 * rounds ? kChainRelaxation : 1;
-      double most = 0;
-      for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) most = std::max(most, move(i, relaxation));
-      if (most <= kChainStill * (nodes_.back() - nodes_.front()).norm()) return;
+      for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) move(i, relaxation);
     }
   }
 
@@ -120,8 +118,7 @@ class Chain {
     return touch;
   }
 
-  /// m: how far it goes.
-  double move(std::size_t i, double relaxation) {
+  void move(std::size_t i, double relaxation) {
     const Vec3 old = nodes_[i];
     Vec3 x = old + relaxation * (0.5 * (nodes_[i - 1] + nodes_[i + 1]) - old);
     on_[i] = -1;
@@ -137,7 +134,6 @@ class Chain {
       on_[i] = static_cast<int>(o);
     }
     nodes_[i] = x;
-    return (x - old).norm();
   }
 
   std::span<const Obstacle> obstacles_;

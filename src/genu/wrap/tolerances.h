@@ -75,10 +75,6 @@ inline constexpr int kChainDoublings = 2;
 /// [1] Rounds in which a chain is shortened, for each node. Fails first: if too small, the chain is not yet short.
 inline constexpr int kChainRounds = 8;
 
-/// [chord] Largest move of a node in a round that ends the rounds. Fails first: if too large, a chain that slips off a
-/// thin obstacle is stopped on its way.
-inline constexpr double kChainStill = 1e-6;
-
 /// [1] Over-relaxation while a chain is shortened. Fails first: if too large, it does not settle.
 inline constexpr double kChainRelaxation = 1.6;
 
