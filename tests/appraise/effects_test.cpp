@@ -19,7 +19,7 @@ namespace {
 
 constexpr Effect kEvery[] = {Effect::prescribed, Effect::held,    Effect::joint_springs,  Effect::ligaments,
                              Effect::loads,      Effect::weights, Effect::rigid_contacts, Effect::contact_search,
-                             Effect::layers,     Effect::inertia, Effect::damping};
+                             Effect::layers,     Effect::inertia, Effect::damping,        Effect::bushings};
 static_assert(std::size(kEvery) == kEffects);
 
 struct Counted {

@@ -6,18 +6,18 @@
 namespace genu::scene_test {
 namespace {
 
-const std::string kLoad = "[load.push]";
+const std::string kPlace = "[load.push]";
 const std::string kBushing =
     "[bushing.pad]\nfrom = { body = \"tibia\", origin = [1, 2, 3], z_axis = [1, 0, 0] }\nto = { body = \"femur\" }\n"
     "stiffness = [10, 20, 30]\nrotation_stiffness = [1, 2, 3]\n";
 
-BushingDef bushing_of(const std::string& text) { return good(edited(kLoad, text + kLoad)).bushings.at(0); }
+BushingDef bushing_of(const std::string& text) { return good(edited(kPlace, text + kPlace)).bushings.at(0); }
 
 void expect_bushing_refused(const std::string& before, const std::string& after, const std::string& key,
                             const std::string& found, const std::string& rule) {
   std::string text = kBushing;
   text.replace(text.find(before), before.size(), after);
-  expect_refused(kLoad, text + kLoad, "bushing.pad" + key, found, rule);
+  expect_refused(kPlace, text + kPlace, "bushing.pad" + key, found, rule);
 }
 
 TEST(ReadBushings, Values) {
@@ -32,7 +32,7 @@ TEST(ReadBushings, Values) {
 }
 
 TEST(ReadBushings, AFrameWithoutAPlaceCoincidesAtTheReferencePose) {
-  const Scene scene = good(edited(kLoad, kBushing + kLoad));
+  const Scene scene = good(edited(kPlace, kBushing + kPlace));
   const BushingDef& b = scene.bushings.at(0);
   EXPECT_TRUE(b.coincide);
   const std::vector<Pose> poses = reference_poses(scene);
@@ -57,7 +57,7 @@ TEST(ReadBushings, AMatrixIsInNewtonsMetresAndRadians) {
   const auto refused = [&](const std::string& before, const std::string& after, const std::string& rule) {
     std::string other = text;
     other.replace(other.find(before), before.size(), after);
-    expect_refused(kLoad, other.replace(other.find("= [["), 4, "= @[[") + kLoad, "bushing.pad.matrix", "[[", rule);
+    expect_refused(kPlace, other.replace(other.find("= [["), 4, "= @[[") + kPlace, "bushing.pad.matrix", "[[", rule);
   };
   refused("[5, 1000", "[6, 1000", "must be symmetric: row 2, column 1 is 6, row 1, column 2 is 5");
   refused("[0, 0, 0, 3, 0, 0]", "[0, 0, 0, -3, 0, 0]", "must not be negative in any direction");
@@ -77,9 +77,9 @@ TEST(ReadBushings, BodiesThatGiveItNothingToDo) {
   const std::string femur = "{ body = \"femur\" }";
   std::string same = text;
   same.replace(same.find(femur), femur.size(), "{ body = \"tibia\" }");
-  expect_refused(kLoad, same + kLoad, "bushing.pad", "", "both frames are on the same body");
+  expect_refused(kPlace, same + kPlace, "bushing.pad", "", "both frames are on the same body");
   std::string soft = text.substr(0, text.find("stiffness"));
-  expect_refused(kLoad, soft + kLoad, "bushing.pad.stiffness", "",
+  expect_refused(kPlace, soft + kPlace, "bushing.pad.stiffness", "",
                  "a bushing needs stiffness, rotation_stiffness or matrix");
 }
 

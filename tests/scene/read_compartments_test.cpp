@@ -4,11 +4,11 @@
 namespace genu::scene_test {
 namespace {
 
-const std::string kLoad = "[load.push]";
+const std::string kAnchor = "[load.push]";
 
 TEST(ReadCompartments, NameContactsAndRegions) {
   const auto c =
-      good(edited(kLoad, "[compartment.inside]\ndirect = [\"medial.inner\"]\nmeniscal = [\"medial\"]\n" + kLoad))
+      good(edited(kAnchor, "[compartment.inside]\ndirect = [\"medial.inner\"]\nmeniscal = [\"medial\"]\n" + kAnchor))
           .compartments.at(0);
   EXPECT_EQ(c.name, "inside");
   EXPECT_EQ(c.direct, std::vector<std::string>{"medial.inner"});
@@ -16,16 +16,16 @@ TEST(ReadCompartments, NameContactsAndRegions) {
 }
 
 TEST(ReadCompartments, Errors) {
-  expect_refused(kLoad, "[compartment.inside]\nmeniscal = [@\"medial.iner\"]\n" + kLoad,
+  expect_refused(kAnchor, "[compartment.inside]\nmeniscal = [@\"medial.iner\"]\n" + kAnchor,
                  "compartment.inside.meniscal[0]", "\"medial.iner\"", "did you mean \"medial.inner\"?");
-  expect_refused(kLoad, "[compartment.@inside]\ndirect = [\"medial\"]\n" + kLoad, "compartment.inside.meniscal", "",
+  expect_refused(kAnchor, "[compartment.@inside]\ndirect = [\"medial\"]\n" + kAnchor, "compartment.inside.meniscal", "",
                  "is missing");
-  expect_refused(kLoad, "[compartment.@medial]\nmeniscal = [\"medial\"]\n" + kLoad, "compartment.medial", "",
+  expect_refused(kAnchor, "[compartment.@medial]\nmeniscal = [\"medial\"]\n" + kAnchor, "compartment.medial", "",
                  "its result column medial.force_N is also one of contact.medial");
 }
 
 TEST(ReadCompartments, AContactThatIsLeftOutIsNone) {
-  std::string text = edited(kLoad, "[compartment.inside]\nmeniscal = [\"medial.inner\", \"medial\"]\n" + kLoad);
+  std::string text = edited(kAnchor, "[compartment.inside]\nmeniscal = [\"medial.inner\", \"medial\"]\n" + kAnchor);
   text = edited("model = \"rigid\"\n", "model = \"rigid\"\nenabled = false\n", text);
   EXPECT_TRUE(good(text).compartments.at(0).meniscal.empty());
 }
