@@ -66,7 +66,8 @@ JointModel::Scales choose_scales(const JointModel& model, const JointModel* befo
     for (const Vec3& p : ends) mean += p / static_cast<double>(ends.size());
     for (const Vec3& p : ends) square += (p - mean).squaredNorm(), ++count;
   }
-  if (count > 0 && square > 0) scales.length = std::sqrt(square / count);
+  const double spread = count > 0 ? std::sqrt(square / count) : 0;
+  if (spread > kLeastSpread) scales.length = spread;
   scales.size = scales.length;
   const auto grow = [&](const auto& pairs) {
     for (const auto& pair : pairs)

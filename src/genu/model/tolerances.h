@@ -23,6 +23,10 @@ inline constexpr double kLayerReach = 3;
 /// scaled tolerances shrink to round-off.
 inline constexpr double kMinLengthShare = 0.01;
 
+/// [m] Spread of a model's attachments below which they lie in one place, but for rounding. Fails first: if too small,
+/// the length scale of a model whose forces meet in one point is round-off, and any residual passes.
+inline constexpr double kLeastSpread = 1e-9;
+
 /// [1] Strain at which ligaments give the force scale. Fails first: if too large, forces of a slack joint are all
 /// called small.
 inline constexpr double kTypicalStrain = 0.01;
