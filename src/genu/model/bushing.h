@@ -14,9 +14,6 @@
 
 namespace genu {
 
-struct JointModel;
-struct State;
-
 struct Bushing {
   std::string name;
   int body_a = -1, body_b = -1;
@@ -69,11 +66,5 @@ Bushing make_bushing(const BushingDef& def);
 
 /// J
 double energy_of(const Bushing& bushing, const Pose& X_WA, const Pose& X_WB);
-
-/// Adds the wrenches of all bushings to those of the moving bodies, and unless null their derivative.
-void add_bushings(const JointModel& model, const State& state, VecX& wrench, MatX* stiffness);
-
-/// Adds the wrenches of their dampers in motion; returns the power that they take, W.
-double add_bushing_dampers(const JointModel& model, const State& state, const VecX& twist, VecX& wrench);
 
 }  // namespace genu

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "genu/model/bushing_forces.h"
 #include "genu/model/ligament_pieces.h"
 #include "genu/model/linearization.h"
 #include "genu/model/twist.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "genu/contact/elastic_layer.h"
+#include "genu/model/bushing_forces.h"
 #include "genu/model/twist.h"
 #include "genu/model/two_body_scatter.h"
 
