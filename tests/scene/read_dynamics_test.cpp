@@ -34,7 +34,7 @@ tolerance = 1e-6
 start_rates = { "h.angle" = 90 }
 )";
 
-Scene read(const std::string& text) {
+Scene motion_of(const std::string& text) {
   Diagnostics out;
   const auto scene = parse_scene(text, "s", out);
   EXPECT_TRUE(scene) << all_messages(out);
@@ -48,7 +48,7 @@ void expect_dynamics_refused(const std::string& piece, const std::string& by, co
 }
 
 TEST(ReadDynamics, AllOfItInSiUnits) {
-  const Scene scene = read(kSwing);
+  const Scene scene = motion_of(kSwing);
   ASSERT_TRUE(scene.dynamics);
   EXPECT_EQ(scene.dynamics->duration, 2);
   EXPECT_EQ(scene.dynamics->output_interval, 0.5);
@@ -62,7 +62,7 @@ TEST(ReadDynamics, AllOfItInSiUnits) {
   EXPECT_NEAR(scene.bodies[1].centre_of_mass.y(), -0.1, 1e-15);
   EXPECT_NEAR(scene.joints[0].damping, 0.25 * 180 / M_PI, 1e-13) << "N m s/rad";
   EXPECT_NEAR(scene.ligaments[0].damping, 3000, 1e-10) << "N s/m";
-  EXPECT_EQ(read(edited("tolerance = 1e-6\n", "", kSwing)).dynamics->tolerance, 1e-9);
+  EXPECT_EQ(motion_of(edited("tolerance = 1e-6\n", "", kSwing)).dynamics->tolerance, 1e-9);
 }
 
 TEST(ReadDynamics, Errors) {
@@ -103,7 +103,7 @@ poisson = 0.4
 thickness = 4
 damping = 0.002
 )";
-  const Scene scene = read(edited("[dynamics]", layer + "[dynamics]", kSwing));
+  const Scene scene = motion_of(edited("[dynamics]", layer + "[dynamics]", kSwing));
   ASSERT_EQ(scene.layers.size(), 1u);
   EXPECT_NEAR(scene.layers[0].damping, 2, 1e-15) << "s/m";
 }
@@ -115,7 +115,7 @@ TEST(ReadDynamics, InertiasThatNoBodyHas) {
   expect_dynamics_refused(good, "@[1, 1, 1, 2, 0, 0]", "body.link.inertia", "[1, 1, 1, 2, 0, 0]", "must be >= 0");
   expect_dynamics_refused(good, "[0.03, @-0.02, 0.04]", "body.link.inertia[2]", "-0.02", "must be >= 0 kg m^2");
   expect_dynamics_refused(good, "@[0.03, 0.02]", "body.link.inertia", "[0.03, 0.02]", "[xx, yy, zz]");
-  EXPECT_EQ(read(edited(good, "[0.1, 0, 0.1]", kSwing)).bodies[1].inertia(1, 1), 0) << "a thin rod";
+  EXPECT_EQ(motion_of(edited(good, "[0.1, 0, 0.1]", kSwing)).bodies[1].inertia(1, 1), 0) << "a thin rod";
 }
 
 TEST(ReadDynamics, HasNoSteps) {
@@ -129,7 +129,7 @@ std::string prescribing(const std::string& entries) {
 TEST(ReadDynamics, PrescribedCourses) {
   const std::string sine = "{ sine = { amplitude = 10, frequency = 2, start = 0.5, offset = 20 } }";
   for (const std::string& entry : {"prescribe = { \"h.angle\" = " + sine + " }", "prescribe.h.angle = " + sine}) {
-    const Scene scene = read(prescribing(entry));
+    const Scene scene = motion_of(prescribing(entry));
     ASSERT_EQ(scene.dynamics->prescribe.size(), 1u) << entry;
     const DynamicsDef::Drive& drive = scene.dynamics->prescribe[0];
     EXPECT_EQ(drive.quantity, QuantityRef(0, 0));
@@ -139,7 +139,7 @@ TEST(ReadDynamics, PrescribedCourses) {
     EXPECT_EQ(drive.course.frequency, 2) << "Hz";
   }
   const auto course = [](const std::string& text) {
-    return read(prescribing("prescribe = { \"h.angle\" = " + text + " }")).dynamics->prescribe[0].course;
+    return motion_of(prescribing("prescribe = { \"h.angle\" = " + text + " }")).dynamics->prescribe[0].course;
   };
   const ScaleDef step = course("{ step = { to = 90, start = 1, rise = 0.25 } }");
   EXPECT_EQ(step.kind, ScaleDef::Kind::step);
@@ -148,8 +148,8 @@ TEST(ReadDynamics, PrescribedCourses) {
   EXPECT_EQ(step.rise, 0.25) << "s";
   EXPECT_NEAR(course("{ table = [[0, 0], [1, 180]] }").table[1].second, M_PI, 1e-15);
   EXPECT_NEAR(course("45").table[0].second, M_PI / 4, 1e-15);
-  EXPECT_FALSE(read(kSwing).dynamics->from_equilibrium);
-  EXPECT_TRUE(read(prescribing("start = \"equilibrium\"")).dynamics->from_equilibrium);
+  EXPECT_FALSE(motion_of(kSwing).dynamics->from_equilibrium);
+  EXPECT_TRUE(motion_of(prescribing("start = \"equilibrium\"")).dynamics->from_equilibrium);
 }
 
 TEST(ReadDynamics, PrescribedErrors) {
