@@ -60,7 +60,7 @@ Bands bands_of(const SweepTable& sweep, std::size_t c, const std::string& column
   std::sort(rows.begin(), rows.end());
   Bands bands;
   for (const auto& [value, k] : rows) {
-    std::vector<double> sorted = finite_of(sweep.cases[c].kept[k]);
+    std::vector<double> sorted = finite_of(sweep.independent(sweep.cases[c].kept[k]));
     if (sorted.empty()) continue;
     std::sort(sorted.begin(), sorted.end());
     bands.x.push_back(value);

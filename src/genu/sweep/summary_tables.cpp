@@ -99,7 +99,7 @@ ResultTable statistics_table(const SweepTable& sweep) {
     set_case(table, sweep, c);
     table.set("what_if", what_if);
     table.set("number", sweep.record.kept[k].name);
-    set_statistics(table, values);
+    set_statistics(table, sweep.independent(values));
   };
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
     for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
@@ -114,8 +114,10 @@ ResultTable event_probabilities(const SweepTable& sweep) {
   ResultTable table = table_with({"scene", "what_if", "event", "count", "n", "probability", "low", "high"});
   for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
     const SweepTable::Case& in = sweep.cases[c];
-    const std::uint64_t n = sweep.record.samples;
-    const auto add = [&](const char* event, std::uint64_t count) {
+    const auto add = [&](const char* event, const auto& has) {
+      std::uint64_t n = 0, count = 0;
+      for (std::size_t s = 0; s < in.classes.size(); ++s)
+        if (!sweep.repeats_draws(s)) ++n, count += has(s) ? 1 : 0;
       const Interval interval = probability_interval(count, n);
       set_case(table, sweep, c);
       table.set("event", std::string(event));
@@ -125,8 +127,9 @@ ResultTable event_probabilities(const SweepTable& sweep) {
       table.set("low", interval.low);
       table.set("high", interval.high);
     };
-    add("jumped", count_jumped(in));
-    for (const char* name : {"doubtful", "not_solved", "refused"}) add(name, count_class(in, name));
+    add("jumped", [&](std::size_t s) { return in.jumps[s] > 0; });
+    for (const char* name : {"doubtful", "not_solved", "refused"})
+      add(name, [&](std::size_t s) { return in.classes[s] == name; });
   }
   return table;
 }
@@ -136,9 +139,9 @@ ResultTable rank_table(const SweepTable& sweep) {
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
     for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
       for (std::size_t f = 0; f < sweep.record.factors.size(); ++f) {
-        const std::vector<double>& values = sweep.cases[c].kept[k];
+        const std::vector<double> values = sweep.independent(sweep.cases[c].kept[k]);
         const std::size_t n = finite_of(values).size();
-        const double rank = rank_correlation(sweep.draws[f], values);
+        const double rank = rank_correlation(sweep.independent(sweep.draws[f]), values);
         const Interval interval = rank_correlation_interval(rank, n);
         set_case(table, sweep, c);
         table.set("number", sweep.record.kept[k].name);
@@ -177,7 +180,7 @@ ResultTable convergence_table(const SweepTable& sweep) {
   if (!sweep.record.random) return table;
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
     for (std::size_t k = 0; k < sweep.record.kept.size(); ++k) {
-      const std::vector<double>& all = sweep.cases[c].kept[k];
+      const std::vector<double> all = sweep.independent(sweep.cases[c].kept[k]);
       for (std::size_t n = std::min(kLeastConvergence, all.size());; n = std::min(2 * n, all.size())) {
         const std::vector<double> some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
         const Moments m = moments(some);

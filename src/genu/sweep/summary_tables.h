@@ -1,4 +1,5 @@
-// What a sweep says: tables of statistics, summary.json, and a text for a terminal.
+// What a sweep says: tables of statistics, summary.json, and a text for a terminal. Of Saltelli's scheme the Sobol
+// indices use all rows, every other table the independent ones alone (SweepTable::independent()).
 #pragma once
 
 #include <string>

@@ -47,6 +47,13 @@ std::string SweepTable::case_name(std::size_t c) const {
   return scenes ? in.scene + ", " + in.what_if : in.what_if;
 }
 
+std::vector<double> SweepTable::independent(const std::vector<double>& values) const {
+  std::vector<double> out;
+  for (std::size_t s = 0; s < values.size(); ++s)
+    if (!repeats_draws(s)) out.push_back(values[s]);
+  return out;
+}
+
 std::size_t SweepTable::as_it_is(std::size_t c) const {
   for (std::size_t k = 0; k < record.cases.size(); ++k)
     if (record.cases[k].scene == record.cases[c].scene && record.cases[k].what_if == kAsItIs) return k;

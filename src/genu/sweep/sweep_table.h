@@ -22,6 +22,10 @@ struct SweepTable {
 
   /// "mean" or, of several cases, "mean, acl_cut"; of several scenes with the scene in front.
   std::string case_name(std::size_t c) const;
+  /// Whether a sample repeats draws of others: the rows of Saltelli's blocks behind A and B.
+  bool repeats_draws(std::size_t sample) const { return record.block > 1 && sample % record.block >= 2; }
+  /// The values of samples that are independent: all that repeat no draws.
+  std::vector<double> independent(const std::vector<double>& values) const;
   /// The case of the same scene as it is.
   std::size_t as_it_is(std::size_t c) const;
 };
