@@ -33,12 +33,16 @@ TEST(KeptValues, AreThoseOfSolvedRows) {
                                         {"y@max", "y", Kind::max, 0},   {"y@min", "y", Kind::min, 0},
                                         {"y@last", "y", Kind::last, 0}, {"y@25", "y", Kind::value, 25},
                                         {"z@10", "z", Kind::value, 10}};
-  const std::vector<double> values = kept_values(kept, main, small_table());
+  const std::vector<double> values = kept_values(kept, main, small_table(), true);
   EXPECT_EQ(values[0], 3);
   EXPECT_EQ(values[1], 2);
   EXPECT_EQ(values[2], 3);
   EXPECT_EQ(values[3], -5);
   for (std::size_t k = 4; k < 7; ++k) EXPECT_TRUE(std::isnan(values[k])) << kept[k].name;
+  const std::vector<double> part = kept_values(kept, main, small_table(), false);
+  EXPECT_EQ(part[0], 3);
+  EXPECT_EQ(part[1], 2);
+  for (std::size_t k = 2; k < 7; ++k) EXPECT_TRUE(std::isnan(part[k])) << kept[k].name;
 }
 
 TEST(MainCoordinate, IsTheFirstThatChanges) {

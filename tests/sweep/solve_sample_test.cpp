@@ -72,7 +72,7 @@ at = [0, 33, 70]
       ASSERT_TRUE(prepared) << test::messages(out);
       ContactField field(prepared->model);
       const Solution solution = solve(*prepared, field, {});
-      EXPECT_EQ(sample->kept, kept_values(s->kept, s->cases[0].main, solution.poses));  // the same bits
+      EXPECT_EQ(sample->kept, kept_values(s->kept, s->cases[0].main, solution.poses, true));  // the same bits
     }
 }
 
@@ -91,6 +91,24 @@ TEST(SolveSample, TellsWhyASampleHasNoAnswer) {
   EXPECT_EQ(failed->verdict, "not_solved");
   EXPECT_TRUE(test::contains(failed->reason, "the equilibrium is not unique at j.rz_deg = 0")) << failed->reason;
   EXPECT_TRUE(std::isnan(failed->kept[0]));
+}
+
+TEST(SolveSample, ThatStopsOnItsWayHasNoExtremes) {
+  // A table of the pull over the rotation that ends in no pull: from there on nothing holds the ball along the spring.
+  const test::TemporaryFolder folder;
+  const std::string study =
+      test::ball_study(folder, "samples = 1\n", "[vary]\n\"spring.stiffness\" = { values = [1000] }\n");
+  folder.write("ball.toml", test::with_first(test::kBallOnSpring, "force = [0, 0, 50]",
+                                             "force = [0, 0, 50]\nscale = { over = \"j.rz\", table = [[0, 1], [5, 1], "
+                                             "[6, 0]] }"));
+  folder.write("study.toml", test::with_first(test::read_file(study), "\"last\"]", "2.5, \"last\", \"max\", \"min\"]"));
+  const Sweep s = test::ready_sweep(study);
+  const auto r = solve_sample(s, s.cases[0], 0, {});
+  ASSERT_TRUE(r);
+  EXPECT_EQ(r->verdict, "not_solved");
+  EXPECT_NEAR(r->kept[0], 10.5, 1e-9);
+  EXPECT_NEAR(r->kept[2], 10.5, 1e-9);
+  for (const std::size_t k : {1u, 3u, 4u, 5u}) EXPECT_TRUE(std::isnan(r->kept[k])) << s.kept[k].name;
 }
 
 TEST(SolveSample, CanBeCalledOff) {

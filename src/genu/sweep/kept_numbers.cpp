@@ -151,7 +151,7 @@ std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const
 }
 
 std::vector<double> kept_values(const std::vector<KeptNumber>& kept, const MainCoordinate& main,
-                                const ResultTable& table) {
+                                const ResultTable& table, bool complete) {
   const std::vector<double> x = column_of(table, main.column);
   const double same = kSameRow * (main.high - main.low);
   std::vector<double> out, y;
@@ -160,11 +160,11 @@ std::vector<double> kept_values(const std::vector<KeptNumber>& kept, const MainC
     if (k.column != column) y = column_of(table, k.column), column = k.column;
     switch (k.row) {
       case RowKind::last:
-        out.push_back(y.empty() ? kNoNumber : y.back());
+        out.push_back(complete && !y.empty() ? y.back() : kNoNumber);
         break;
       case RowKind::max:
       case RowKind::min:
-        out.push_back(extreme(y, k.row == RowKind::max));
+        out.push_back(complete ? extreme(y, k.row == RowKind::max) : kNoNumber);
         break;
       default:
         out.push_back(at_value(x, y, k.value, same));

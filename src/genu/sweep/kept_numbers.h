@@ -33,9 +33,10 @@ struct KeptNumber {
 /// name no column of any scene, values that a scene's main coordinate does not reach.
 std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const Prepared*>& scenes, Diagnostics& out);
 
-/// The numbers of a solved scene; NaN where a row is not solved or a column is not there. Between two rows they are
-/// interpolated linearly.
+/// The numbers of a scene's results; NaN where a row is not solved or a column is not there. Between two rows they are
+/// interpolated linearly. Extremes and the last row are numbers of a `complete` run alone: of a part of it they would
+/// be those of another range.
 std::vector<double> kept_values(const std::vector<KeptNumber>& kept, const MainCoordinate& main,
-                                const ResultTable& table);
+                                const ResultTable& table, bool complete);
 
 }  // namespace genu

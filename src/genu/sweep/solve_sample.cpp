@@ -1,7 +1,6 @@
 #include "genu/sweep/solve_sample.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -73,7 +72,7 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
   }
   const Solved solved = solve_path(prepared, field, options);
   const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
-  result.kept = kept_values(sweep.kept, in.main, table);
+  result.kept = kept_values(sweep.kept, in.main, table, solved.complete());
   count_jumps(in, solved.events, result);
   std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
   for (std::string& sentence : implausible(prepared, solved.records, table)) doubts.push_back(std::move(sentence));
@@ -90,7 +89,8 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
 void solve_dynamics(const Prepared& prepared, const SweepCase& in, const RunOptions& options, const Sweep& sweep,
                     SampleResult& result) {
   const Solution found = solve_motion(prepared, options);
-  result.kept = kept_values(sweep.kept, in.main, found.poses);
+  const bool complete = found.summary.verdict_class != RunSummary::Class::not_solved;
+  result.kept = kept_values(sweep.kept, in.main, found.poses, complete);
   result.verdict = to_string(found.summary.verdict_class);
   if (found.summary.verdict_class != RunSummary::Class::solved && !found.summary.verdict.empty())
     result.reason = found.summary.verdict.front();
