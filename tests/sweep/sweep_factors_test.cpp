@@ -83,5 +83,21 @@ set = "other.stiffness=900"
   EXPECT_EQ(s.cases[2].factors.numbers[1][0].base, 900);
 }
 
+TEST(FactorsOfWhatIf, AreNotWhatItSets) {
+  // A draw that is the number itself would undo the what-if; one that multiplies it starts from there.
+  const auto tables = [](const char* how, const char* set) {
+    return std::string("[vary]\n\"spring.stiffness\" = { lognormal = 1, sd = 0.2") + how +
+           " }\n\"spring.from.*\" = { normal = 0, sd = 0.1 }\n[what_if.other]\nset = \"" + set + "\"\n";
+  };
+  std::string said = factor_refusals(tables("", "spring.stiffness=x0.5"));
+  EXPECT_TRUE(test::contains(said, ":7:10: what_if.other.set: sets spring.stiffness, and [vary] gives another value"))
+      << said;
+  said = factor_refusals(tables(", relative = true", "*.from.y=2"));
+  EXPECT_TRUE(test::contains(said, "sets spring.from.y, and [vary]")) << said;
+  const test::TemporaryFolder folder;
+  for (const char* set : {"spring.stiffness=x0.5", "spring.to.x=1"})
+    test::ready_sweep(test::ball_study(folder, "samples = 4\n", tables(", relative = true", set)));
+}
+
 }  // namespace
 }  // namespace genu

@@ -99,6 +99,32 @@ void check_factors(const Sweep& sweep, Diagnostics& out) {
   }
 }
 
+/// The first number of a case that its what-if sets and [vary] gives to every sample; null where there is none.
+const VariedNumber* overwritten(const Sweep& sweep, const SweepCase& in) {
+  const std::vector<SceneEdit>& edits = in.prepared.scene.changed.edits;
+  for (std::size_t f = 0; f < in.factors.factors.size(); ++f) {
+    if (sweep.def.vary[in.factors.factors[f].vary].how != VaryDef::How::absolute) continue;
+    for (const VariedNumber& number : in.factors.numbers[f])
+      if (std::any_of(edits.begin(), edits.end(), [&](const SceneEdit& e) { return e.where == number.where; }))
+        return &number;
+  }
+  return nullptr;
+}
+
+/// A what-if may set a number that samples multiply or add to, not one that they give.
+void check_what_ifs(const Sweep& sweep, Diagnostics& out) {
+  for (const WhatIfDef& what_if : sweep.def.what_ifs)
+    for (const SweepCase& in : sweep.cases) {
+      const VariedNumber* number = in.what_if == what_if.name ? overwritten(sweep, in) : nullptr;
+      if (number == nullptr) continue;
+      out.add(error_at({sweep.def.file, what_if.where}, Code::conflict, "what_if." + what_if.name + ".set", {},
+                       "sets " + number->name +
+                           ", and [vary] gives another value to every sample: use `relative = true` or `add = true` "
+                           "there, so that samples start from the value set here"));
+      break;
+    }
+}
+
 void check_points(const Sweep& sweep, Diagnostics& out) {
   for (std::uint64_t s = 0; s < sweep.design.samples(); ++s) {
     const std::vector<double> draws = sweep.design.draws(s);
@@ -131,6 +157,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
   if (sweep.cases.empty()) return std::nullopt;
   sweep.factors = sweep.cases.front().factors.factors;
   check_factors(sweep, out);
+  check_what_ifs(sweep, out);
   std::vector<const Prepared*> scenes;
   for (const SweepCase& in : sweep.cases)
     if (in.what_if == kAsItIs) scenes.push_back(&in.prepared);

@@ -48,14 +48,17 @@ class Numbers {
 
  private:
   void add(const Parameter& p, const TomlNode& document) {
-    Entry entry{{p.name, p, 1, 0}, group_of(p), {}};
+    Entry entry{{p.name, p, 1, 0, {}}, group_of(p), {}};
     const double* number = parameter_number(scene_, p);
     const bool surface = p.kind == Parameter::Kind::surface_number || p.kind == Parameter::Kind::term;
     if (number == nullptr && !surface) {
       entry.why_not = "is no number of the file's tables: change it in the steps or surfaces of the scene";
     } else {
       const ParameterPlace place = parameter_place(scene_, p, document);
-      if (place.node == nullptr) entry.why_not = "is not given in the file (" + place.key + "): write its value there";
+      if (place.node == nullptr)
+        entry.why_not = "is not given in the file (" + place.key + "): write its value there";
+      else
+        entry.number.where = place.node->where;
       if (surface)
         entry.number.parameter.reset();
       else
@@ -69,7 +72,7 @@ class Numbers {
     if (enabled != nullptr && !enabled->boolean) return;
     for (const TomlNode& number : contact.children)
       if (number.kind == TomlNode::Kind::integer || number.kind == TomlNode::Kind::floating)
-        entries_.push_back({{contact.key + "." + number.key, std::nullopt, 1, 0}, "contact", {}});
+        entries_.push_back({{contact.key + "." + number.key, std::nullopt, 1, 0, number.where}, "contact", {}});
   }
 
   Scene scene_;  // a copy: parameter_number() gives numbers that may be written

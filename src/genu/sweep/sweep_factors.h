@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "genu/assemble/prepare.h"
+#include "genu/core/source_location.h"
 #include "genu/model/parameters.h"
 #include "genu/scene/toml_document.h"
 #include "genu/sweep/sweep_def.h"
@@ -18,8 +19,9 @@ struct VariedNumber {
   std::string name;  ///< as --set takes it: "AAC.stiffness"
   /// Empty for a number of a surface or contact: a scene with another one is prepared from its file.
   std::optional<Parameter> parameter;
-  double unit = 1;  ///< SI per unit of the file; without a parameter unknown
-  double base = 0;  ///< the scene's number in the file's unit; without a parameter unknown
+  double unit = 1;       ///< SI per unit of the file; without a parameter unknown
+  double base = 0;       ///< the scene's number in the file's unit; without a parameter unknown
+  SourceLocation where;  ///< in the scene's file
 };
 
 struct Factor {
