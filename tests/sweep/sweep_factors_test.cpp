@@ -33,6 +33,21 @@ TEST(FindFactors, MakesOneOfEachNumberAndOneOfATogether) {
   EXPECT_EQ(set_option(stiffness, VaryDef::How::absolute, 7.25), "spring.stiffness=7.25");
 }
 
+TEST(FindFactors, KnowsTheGroupOfEveryNumber) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 4\n", R"([vary]
+"bushing.pad.stiffness.*" = { lognormal = 1, sd = 0.2, relative = true }
+)");
+  folder.write("ball.toml", test::kBallOnSpring +
+                                "[bushing.pad]\nfrom = { body = \"ground\" }\nto = { body = \"ball\" }\n"
+                                "stiffness = [1000, 1000, 1000]\nrotation_stiffness = [1, 1, 1]\n");
+  EXPECT_EQ(test::ready_sweep(study).factors.size(), 3u);
+  folder.write("study.toml", test::with_first(test::read_file(study), "bushing.pad", "body.pad"));
+  Diagnostics out;
+  EXPECT_FALSE(prepare_sweep(study, out));
+  EXPECT_TRUE(test::contains(test::messages(out), "is no number of this scene")) << test::messages(out);
+}
+
 TEST(FindFactors, RefusesWhatNamesNothing) {
   const std::string said =
       factor_refusals("[vary]\n\"sprin.stiffness\" = { normal = 0, sd = 1 }\n\"j.rz\" = { normal = 0, sd = 1 }\n");

@@ -11,14 +11,6 @@
 namespace genu {
 namespace {
 
-const char* group_of(const Parameter& p) {
-  return p.of_ligament()  ? "ligament"
-         : p.of_surface() ? "surface"
-         : p.of_load()    ? "load"
-         : p.of_joint()   ? "joint"
-                          : "body";
-}
-
 /// All numbers of a scene that can be varied, and the names of those that cannot.
 class Numbers {
  public:
@@ -48,7 +40,7 @@ class Numbers {
 
  private:
   void add(const Parameter& p, const TomlNode& document) {
-    Entry entry{{p.name, p, 1, 0, {}}, group_of(p), {}};
+    Entry entry{{p.name, p, 1, 0, {}}, p.group(), {}};
     const double* number = parameter_number(scene_, p);
     const bool surface = p.kind == Parameter::Kind::surface_number || p.kind == Parameter::Kind::term;
     if (number == nullptr && !surface) {
