@@ -76,6 +76,27 @@ TEST(Pictures, BandsNeedThreeValues) {
   EXPECT_EQ(pictured_numbers(t).size(), 1u);
 }
 
+TEST(Intervals, AreThoseOfRandomDesigns) {
+  const test::TemporaryFolder folder;
+  for (const char* design : {"factorial", "one_at_a_time"}) {
+    const std::string head = std::string("design = \"") + design + "\"\n";
+    const SweepTable t =
+        table_of(test::ready_sweep(test::ball_study(folder, head, test::kBallVary)), folder / std::string(design));
+    const ResultTable statistics = statistics_table(t), events = event_probabilities(t), ranks = rank_table(t);
+    for (const char* end : {"mean_low", "mean_high", "p50_low", "p50_high"})
+      EXPECT_TRUE(std::isnan(statistics.number(0, end))) << end;
+    for (const char* end : {"low", "high"}) {
+      EXPECT_TRUE(std::isnan(events.number(0, end)));
+      EXPECT_TRUE(std::isnan(ranks.number(0, end)));
+    }
+    EXPECT_TRUE(std::isfinite(statistics.number(0, "mean")));
+    EXPECT_TRUE(std::isfinite(statistics.number(0, "p95")));
+    EXPECT_EQ(events.number(0, "probability"), 0);
+    EXPECT_TRUE(std::isfinite(ranks.number(0, "rank_correlation")));
+    EXPECT_FALSE(test::contains(sweep_page(t), "95 % intervals"));
+  }
+}
+
 TEST(IndexTable, IsOfSaltellisScheme) {
   // z - L0 is a product of independent factors: first indices and the interaction follow from their variations.
   const test::TemporaryFolder folder;

@@ -40,21 +40,25 @@ std::vector<double> sorted_of(const std::vector<double>& values) {
   return sorted;
 }
 
-void set_statistics(ResultTable& table, const std::vector<double>& values) {
+/// Low and high ends of an interval of an estimate. A design that is no random sample estimates nothing: none there.
+void set_interval(ResultTable& table, const SweepTable& sweep, const std::string& before, const Interval& interval) {
+  if (!sweep.record.random) return;
+  table.set(before + "low", interval.low);
+  table.set(before + "high", interval.high);
+}
+
+void set_statistics(ResultTable& table, const SweepTable& sweep, const std::vector<double>& values) {
   const Moments m = moments(values);
   const std::vector<double> sorted = sorted_of(values);
   table.set("n", static_cast<long>(m.count));
   table.set("mean", m.mean);
-  table.set("mean_low", m.mean_95.low);
-  table.set("mean_high", m.mean_95.high);
+  set_interval(table, sweep, "mean_", m.mean_95);
   table.set("sd", m.sd);
   if (!sorted.empty()) table.set("min", sorted.front());
   if (!sorted.empty()) table.set("max", sorted.back());
   for (const auto& [name, q] : kPercentiles) {
-    const Interval interval = quantile_interval(sorted, q);
     table.set(name, quantile(sorted, q));
-    table.set(std::string(name) + "_low", interval.low);
-    table.set(std::string(name) + "_high", interval.high);
+    set_interval(table, sweep, std::string(name) + "_", quantile_interval(sorted, q));
   }
 }
 
@@ -99,7 +103,7 @@ ResultTable statistics_table(const SweepTable& sweep) {
     set_case(table, sweep, c);
     table.set("what_if", what_if);
     table.set("number", sweep.record.kept[k].name);
-    set_statistics(table, sweep.independent(values));
+    set_statistics(table, sweep, sweep.independent(values));
   };
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
     for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
@@ -118,14 +122,12 @@ ResultTable event_probabilities(const SweepTable& sweep) {
       std::uint64_t n = 0, count = 0;
       for (std::size_t s = 0; s < in.classes.size(); ++s)
         if (!sweep.repeats_draws(s)) ++n, count += has(s) ? 1 : 0;
-      const Interval interval = probability_interval(count, n);
       set_case(table, sweep, c);
       table.set("event", std::string(event));
       table.set("count", static_cast<long>(count));
       table.set("n", static_cast<long>(n));
       table.set("probability", static_cast<double>(count) / static_cast<double>(n));
-      table.set("low", interval.low);
-      table.set("high", interval.high);
+      set_interval(table, sweep, "", probability_interval(count, n));
     };
     add("jumped", [&](std::size_t s) { return in.jumps[s] > 0; });
     for (const char* name : {"doubtful", "not_solved", "refused"})
@@ -142,14 +144,12 @@ ResultTable rank_table(const SweepTable& sweep) {
         const std::vector<double> values = sweep.independent(sweep.cases[c].kept[k]);
         const std::size_t n = finite_of(values).size();
         const double rank = rank_correlation(sweep.independent(sweep.draws[f]), values);
-        const Interval interval = rank_correlation_interval(rank, n);
         set_case(table, sweep, c);
         table.set("number", sweep.record.kept[k].name);
         table.set("factor", sweep.record.factors[f]);
         table.set("n", static_cast<long>(n));
         table.set("rank_correlation", rank);
-        table.set("low", interval.low);
-        table.set("high", interval.high);
+        set_interval(table, sweep, "", rank_correlation_interval(rank, n));
       }
   return table;
 }

@@ -10,7 +10,7 @@
 namespace genu {
 
 /// A row for each kept number of each case, and of the difference between each what-if and the scene as it is, sample
-/// by sample: count, mean and SD, extremes, and percentiles with their 95 % intervals.
+/// by sample: count, mean and SD, extremes, and percentiles. 95 % intervals here and below are those of random designs.
 ResultTable statistics_table(const SweepTable& sweep);
 /// Probabilities of events: jumped, not solved, doubtful, refused.
 ResultTable event_probabilities(const SweepTable& sweep);

@@ -119,16 +119,20 @@ std::string sweep_page(const SweepTable& sweep) {
       "<body>\n<h1>{}</h1>\n<p>{} samples of {} numbers in {} case{}; design {}, seed {}; genu {}, study {}.</p>\n",
       title, kStyle, title, r.samples, r.factors.size(), r.cases.size(), r.cases.size() == 1 ? "" : "s", r.design,
       r.seed, svg_escaped(r.version), svg_escaped(name));
-  out += "<h2>Events</h2>\n" + html_table(event_probabilities(sweep),
-                                          {"scene", "what_if", "event", "count", "n", "probability", "low", "high"},
-                                          kMostListed);
+  std::vector<std::string> event_columns = {"scene", "what_if", "event", "count", "n", "probability"};
+  if (r.random) event_columns.insert(event_columns.end(), {"low", "high"});
+  out += "<h2>Events</h2>\n" + html_table(event_probabilities(sweep), event_columns, kMostListed);
   out += pictures(sweep);
   constexpr std::size_t kMostRows = 200;
-  out += "<h2>Statistics</h2>\n<p>mean_low to p95_high: 95 % intervals. All rows are in statistics.csv.</p>\n" +
-         html_table(statistics_table(sweep),
-                    {"scene", "what_if", "number", "n", "mean", "mean_low", "mean_high", "sd", "p5", "p50", "p95",
-                     "p95_low", "p95_high"},
-                    kMostRows);
+  std::vector<std::string> columns = {"scene", "what_if", "number", "n",   "mean", "sd",
+                                      "min",   "max",     "p5",     "p50", "p95"};
+  std::string words = "All rows are in statistics.csv.";
+  if (r.random) {
+    columns = {"scene", "what_if", "number", "n",   "mean",    "mean_low", "mean_high",
+               "sd",    "p5",      "p50",    "p95", "p95_low", "p95_high"};
+    words = "mean_low to p95_high: 95 % intervals. " + words;
+  }
+  out += "<h2>Statistics</h2>\n<p>" + words + "</p>\n" + html_table(statistics_table(sweep), columns, kMostRows);
   out += listed(sweep, "Samples that jumped", [](const auto& in, std::size_t s) { return in.jumps[s] > 0; });
   out += listed(sweep, "Samples without an answer", [](const auto& in, std::size_t s) {
     return in.classes[s] == "not_solved" || in.classes[s] == "refused";
