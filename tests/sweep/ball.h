@@ -40,6 +40,38 @@ prescribe = { "j.rx" = 0, "j.ry" = 0, "j.rz" = [0, 10], "j.x" = 0, "j.y" = 0 }
 increments = 2
 )";
 
+/// The same ball of 1 kg in motion: z = z0 + (11 mm - z0) cos(sqrt(K / (L0 m)) t) with z0 = L0 (1 + F / K), while the
+/// spring is taut.
+inline const std::string kBallInMotion = R"(format = 1
+title = "ball on a spring in motion"
+units = { length = "mm", angle = "deg" }
+[body.ground]
+fixed = true
+[body.ball]
+mass = 1
+inertia = [0.001, 0.001, 0.001]
+[joint.j]
+type = "free"
+parent = "ground"
+child = "ball"
+rotations = ["rx x", "ry y", "rz z"]
+translations = ["x", "y", "z"]
+reference = { z = 11 }
+[ligament.spring]
+from = { body = "ground", point = [0, 0, 0] }
+to = { body = "ball", point = [0, 0, 0] }
+law = "linear"
+stiffness = 1000
+slack_length = 10
+[load.pull]
+body = "ball"
+force = [0, 0, 50]
+[dynamics]
+duration = 0.004
+output_interval = 0.003
+tolerance = 1e-10
+)";
+
 /// A study of the ball in `folder`: `head` are its keys before the tables, `tables` its tables before [[keep]].
 inline std::string ball_study(const TemporaryFolder& folder, const std::string& head, const std::string& tables) {
   folder.write("ball.toml", kBallOnSpring);

@@ -55,6 +55,54 @@ TEST(MainCoordinate, IsTheFirstThatChanges) {
   EXPECT_EQ(s.kept[2].name, "j.z_mm@last");
 }
 
+TEST(MainCoordinate, HasTheRowsOfEveryStepThatMovesIt) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 1\n", test::kBallVary);
+  folder.write("ball.toml", test::kBallOnSpring + R"([[step]]
+prescribe = { "j.rz" = [10, 20] }
+increments = 4
+[[step]]
+prescribe = { "j.rz" = [20, 0] }
+increments = 1
+)");
+  folder.write("study.toml", test::with_first(test::read_file(study), "[0, 7.5, \"last\"]", "\"all\""));
+  const Sweep s = test::ready_sweep(study);
+  EXPECT_EQ(s.cases[0].main.rows, (std::vector<double>{0, 5, 10, 12.5, 15, 17.5, 20}));
+  ASSERT_EQ(s.kept.size(), 7u);
+  EXPECT_EQ(s.kept.back().name, "j.z_mm@20");
+}
+
+TEST(MainCoordinate, OfAMotionHasItsLastRow) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 1\n", test::kBallVary);
+  folder.write("ball.toml", test::kBallInMotion);
+  folder.write("study.toml", test::with_first(test::read_file(study), "[0, 7.5, \"last\"]", "\"all\""));
+  EXPECT_EQ(test::ready_sweep(study).cases[0].main.rows, (std::vector<double>{0, 0.003, 0.004}));
+}
+
+TEST(FindKept, RefusesScenesWithOtherRows) {
+  const test::TemporaryFolder folder;
+  test::ball_study(folder, "", "");
+  const auto said_of = [&](const char* prescribe, const char* at) {
+    folder.write("other.toml", test::with_first(test::kBallOnSpring, "\"j.rz\" = [0, 10], \"j.x\" = 0", prescribe));
+    const std::string study = folder.write("cohort.toml",
+                                           "format = 1\nscenes = [\"ball.toml\", \"other.toml\"]\n"
+                                           "samples = 2\n" +
+                                               test::kBallVary + "[[keep]]\ncolumns = \"j.z\"\nat = " + at + "\n");
+    Diagnostics out;
+    EXPECT_FALSE(prepare_sweep(study, out));
+    return test::messages(out);
+  };
+  std::string said = said_of("\"j.rz\" = [0, 6], \"j.x\" = 0", "\"all\"");
+  EXPECT_TRUE(
+      test::contains(said, ":9:6: keep.at = \"all\": means rows of the first scene, from 0 to 10, and j.rz_deg"))
+      << said;
+  for (const char* at : {"\"all\"", "0"}) {
+    said = said_of("\"j.rz\" = 0, \"j.x\" = [0, 10]", at);
+    EXPECT_TRUE(test::contains(said, ":9:6: keep.at: means j.rz_deg in the first scene and j.x_mm in")) << said;
+  }
+}
+
 TEST(FindKept, RefusesColumnsAndRowsThatAreNotThere) {
   const test::TemporaryFolder folder;
   const std::string study = test::ball_study(folder, "samples = 4\n", test::kBallVary);

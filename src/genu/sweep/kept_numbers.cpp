@@ -9,6 +9,7 @@
 #include "genu/results/motion_table.h"
 #include "genu/results/pose_table.h"
 #include "genu/scene/words.h"
+#include "genu/study/run_motion.h"
 #include "genu/sweep/statistics.h"
 #include "genu/sweep/tolerances.h"
 
@@ -24,9 +25,7 @@ MainCoordinate time_of(const Prepared& p) {
   MainCoordinate main;
   main.column = "time_s";
   main.high = p.scene.dynamics->duration;
-  const double interval = p.scene.dynamics->output_interval;
-  for (int k = 0; interval > 0 && k * interval <= main.high * (1 + kSameRow); ++k)
-    main.rows.push_back(round_value(k * interval));
+  for (const double t : output_times(plan_motion(*p.scene.dynamics))) main.rows.push_back(round_value(t));
   return main;
 }
 
@@ -70,18 +69,29 @@ void add(std::vector<KeptNumber>& kept, const std::string& column, RowKind row, 
   if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back({name, column, row, value});
 }
 
-/// Refuses values that the main coordinate of a scene does not reach.
+/// Refuses values that the main coordinate of a scene does not reach; `first`: that of the first scene, whose rows
+/// "all" means.
 void check_row(const SweepDef& sweep, const KeepDef::Row& row, const Prepared& scene, const MainCoordinate& main,
-               Diagnostics& out) {
+               const MainCoordinate& first, Diagnostics& out) {
   if (row.kind != RowKind::value && row.kind != RowKind::all) return;
   const double beyond = kSameRow * (main.high - main.low);
+  const auto reached = [&](double value) { return value >= main.low - beyond && value <= main.high + beyond; };
   const auto refuse = [&](Code code, const std::string& found, const std::string& rule) {
     out.add(error_at({sweep.file, row.where}, code, "keep.at", found, rule));
   };
   if (main.column.empty())
     refuse(Code::not_applicable, {},
            R"(has no main coordinate to refer to: no step of the scene changes one. Use "last", "max" or "min")");
-  else if (row.kind == RowKind::value && !(row.value >= main.low - beyond && row.value <= main.high + beyond))
+  else if (main.column != first.column)
+    refuse(Code::conflict, {},
+           fmt::format("means {} in the first scene and {} in {}: give scenes with different main coordinates studies "
+                       "of their own",
+                       first.column, main.column, scene.source.file));
+  else if (row.kind == RowKind::all && !std::all_of(first.rows.begin(), first.rows.end(), reached))
+    refuse(Code::out_of_range, "\"all\"",
+           fmt::format("means rows of the first scene, from {:g} to {:g}, and {} of {} goes from {:g} to {:g}",
+                       first.low, first.high, main.column, scene.source.file, main.low, main.high));
+  else if (row.kind == RowKind::value && !reached(row.value))
     refuse(Code::out_of_range, fmt::format("{}", row.value),
            fmt::format("{} of {} goes from {:g} to {:g}", main.column, scene.source.file, main.low, main.high));
 }
@@ -101,8 +111,10 @@ MainCoordinate main_coordinate(const Prepared& p) {
         main.column = coordinate_column(p.scene, c.coordinate);
         main.quantity = c.coordinate;
         main.low = main.high = from;
-        for (int k = 0; k <= step.increments; ++k)
-          main.rows.push_back(round_value(from + (to - from) * k / step.increments));
+      }
+      for (int k = 0; k <= step.increments && from != to; ++k) {
+        const double row = round_value(from + (to - from) * k / step.increments);
+        if (std::find(main.rows.begin(), main.rows.end(), row) == main.rows.end()) main.rows.push_back(row);
       }
       main.low = std::min({main.low, from, to});
       main.high = std::max({main.high, from, to});
@@ -129,7 +141,7 @@ std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const
   std::vector<KeptNumber> kept;
   for (const KeepDef& keep : sweep.keep) {
     for (const KeepDef::Row& row : keep.rows)
-      for (std::size_t s = 0; s < scenes.size(); ++s) check_row(sweep, row, *scenes[s], mains[s], out);
+      for (std::size_t s = 0; s < scenes.size(); ++s) check_row(sweep, row, *scenes[s], mains[s], mains[0], out);
     for (const KeepDef::Column& wanted : keep.columns) {
       bool found = false;
       for (const std::vector<std::string>& list : columns)

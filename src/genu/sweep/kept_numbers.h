@@ -15,7 +15,7 @@ struct MainCoordinate {
   std::string column;        ///< of results.csv; empty: there is none
   QuantityRef quantity;      ///< unless it is time
   double low = 0, high = 0;  ///< over all steps, in the column's unit
-  std::vector<double> rows;  ///< its values at the rows of the step
+  std::vector<double> rows;  ///< its values at the rows of every step that changes it, each once
 };
 MainCoordinate main_coordinate(const Prepared& scene);
 
