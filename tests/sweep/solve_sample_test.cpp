@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/study/run_motion.h"
 #include "genu/sweep/statistics.h"
 #include "support/text.h"
 #include "sweep/ball.h"
@@ -109,6 +110,111 @@ TEST(SolveSample, ThatStopsOnItsWayHasNoExtremes) {
   EXPECT_NEAR(r->kept[0], 10.5, 1e-9);
   EXPECT_NEAR(r->kept[2], 10.5, 1e-9);
   for (const std::size_t k : {1u, 3u, 4u, 5u}) EXPECT_TRUE(std::isnan(r->kept[k])) << s.kept[k].name;
+}
+
+/// A study of the ball in motion.
+std::string motion_study(const test::TemporaryFolder& folder, const std::string& scene, const std::string& points) {
+  folder.write("ball.toml", scene);
+  folder.write("points.csv", points);
+  return folder.write("study.toml", R"(format = 1
+scene = "ball.toml"
+design = "points"
+points = "points.csv"
+[vary]
+"spring.stiffness" = {}
+"pull.force.z" = {}
+[[keep]]
+columns = ["j.z"]
+at = ["all", "last", "max"]
+)");
+}
+
+TEST(SolveSample, FollowsAMotion) {
+  const test::TemporaryFolder folder;
+  const Sweep s =
+      test::ready_sweep(motion_study(folder, test::kBallInMotion, "spring.stiffness,pull.force.z\n1000,50\n1200,60\n"));
+  EXPECT_EQ(s.cases[0].main.column, "time_s");
+  ASSERT_EQ(s.kept.size(), 5u);
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    const auto r = solve_sample(s, s.cases[0], i, {});
+    ASSERT_TRUE(r);
+    EXPECT_EQ(r->verdict, "solved") << r->reason;
+    EXPECT_EQ(r->reason, "");
+    const double rest = 10 * (1 + r->draws[1] / r->draws[0]), frequency = std::sqrt(r->draws[0] / 0.01);
+    const auto z = [&](double t) { return rest + (11 - rest) * std::cos(frequency * t); };
+    const double expected[] = {11, z(0.003), z(0.004), z(0.004), 11};
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(r->kept[k], expected[k], 1e-6) << s.kept[k].name;
+    Diagnostics out;
+    const auto prepared = prepare(source_of_sample(s, s.cases[0], i), out);
+    ASSERT_TRUE(prepared) << test::messages(out);
+    EXPECT_EQ(r->kept, kept_values(s.kept, s.cases[0].main, solve_motion(*prepared, {}).poses, true));  // the same bits
+  }
+  EXPECT_FALSE(solve_sample(s, s.cases[0], 0, [] { return true; }));
+}
+
+TEST(SolveSample, OfAMotionWithoutBalanceSaysSo) {
+  // Prescribed to move 10 mm in 10 ns: the tolerance sees nothing of the work that this takes.
+  const test::TemporaryFolder folder;
+  const std::string jump = "duration = 1\nprescribe = { \"j.x\" = { table = [[0.5, 0], [0.50000001, 10]] } }\n";
+  std::string scene = test::with_first(test::kBallInMotion, "duration = 0.004\n", jump);
+  scene = test::with_first(scene, "tolerance = 1e-10", "tolerance = 1e-6");
+  scene = test::with_first(scene, "output_interval = 0.003", "output_interval = 0.25");
+  const Sweep s = test::ready_sweep(motion_study(folder, scene, "spring.stiffness,pull.force.z\n1000,60\n"));
+  const auto r = solve_sample(s, s.cases[0], 0, {});
+  ASSERT_TRUE(r);
+  EXPECT_EQ(r->verdict, "not_solved");
+  EXPECT_TRUE(r->reason.starts_with("Its energies do not balance")) << r->reason;
+  EXPECT_TRUE(std::isfinite(r->kept[0]));
+  for (std::size_t k = 5; k < 7; ++k) EXPECT_TRUE(std::isnan(r->kept[k])) << s.kept[k].name;
+}
+
+TEST(PrepareSweep, TakesAMotionThatBeginsAtEquilibrium) {
+  // Its given start may overlap by more than the 6 mm from which a search of steps begins.
+  const test::TemporaryFolder folder;
+  folder.write("ball.toml", R"(format = 1
+units = { length = "mm", angle = "deg" }
+gravity = [0, 0, -9.81]
+[body.ground]
+fixed = true
+[body.ball]
+mass = 1
+inertia = [0.001, 0.001, 0.001]
+[joint.j]
+type = "free"
+parent = "ground"
+child = "ball"
+rotations = ["rx x", "ry y", "rz z"]
+translations = ["x", "y", "z"]
+reference = { z = 22 }
+[surface.skin]
+body = "ball"
+shape = "sphere"
+radius = 30
+[surface.plate]
+body = "ground"
+shape = "plane"
+[contact.c]
+surfaces = ["skin", "plate"]
+model = "rigid"
+[dynamics]
+start = "equilibrium"
+duration = 0.004
+output_interval = 0.003
+)");
+  const Sweep s = test::ready_sweep(folder.write("study.toml", R"(format = 1
+scene = "ball.toml"
+samples = 1
+[vary]
+"ball.mass" = { uniform = [1, 2] }
+[[keep]]
+columns = ["j.z", "c.force"]
+at = "last"
+)"));
+  const auto r = solve_sample(s, s.cases[0], 0, {});
+  ASSERT_TRUE(r);
+  EXPECT_EQ(r->verdict, "solved") << r->reason;
+  EXPECT_NEAR(r->kept[0], 30, 1e-9);
+  EXPECT_NEAR(r->kept[1], 9.81 * r->draws[0], 1e-6);
 }
 
 TEST(SolveSample, CanBeCalledOff) {

@@ -52,6 +52,14 @@ std::string why_not_solved(const SweepCase& in, const Solved& solved) {
   return fmt::format("the path ended after {} of {} poses", solved.records.size(), solved.asked);
 }
 
+/// The sentence of a motion's verdict that is the reason of its class. Of a motion that came to its end the first says
+/// so, and the second that its energies do not balance.
+std::string why_not_solved(const RunSummary& s) {
+  if (s.verdict_class == RunSummary::Class::solved || s.verdict.empty()) return {};
+  const bool to_its_end = s.poses_solved == s.poses_asked && s.verdict_class == RunSummary::Class::not_solved;
+  return s.verdict[to_its_end && s.verdict.size() > 1 ? 1 : 0];
+}
+
 void count_jumps(const SweepCase& in, const std::vector<PathEvent>& events, SampleResult& result) {
   for (const PathEvent& event : events) {
     if (!event.begins_branch() || result.jumps++ > 0) continue;
@@ -92,8 +100,7 @@ void solve_dynamics(const Prepared& prepared, const SweepCase& in, const RunOpti
   const bool complete = found.summary.verdict_class != RunSummary::Class::not_solved;
   result.kept = kept_values(sweep.kept, in.main, found.poses, complete);
   result.verdict = to_string(found.summary.verdict_class);
-  if (found.summary.verdict_class != RunSummary::Class::solved && !found.summary.verdict.empty())
-    result.reason = found.summary.verdict.front();
+  result.reason = why_not_solved(found.summary);
 }
 
 }  // namespace

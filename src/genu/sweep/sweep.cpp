@@ -42,7 +42,8 @@ std::optional<Prepared> prepare_case(const SweepDef& def, const SceneSource& sou
   if (prepared) {
     share_search(*prepared);
     ContactField field = contact_field(*prepared);
-    if (!check_start(*prepared, field, found)) prepared.reset();
+    const bool moves = prepared->scene.dynamics.has_value();  // the start of a motion may be out of balance
+    if (!moves && !check_start(*prepared, field, found)) prepared.reset();
   }
   for (Diagnostic d : found.items()) {
     if (d.severity == Diagnostic::Severity::warning && !source.changes.empty()) continue;  // said of the scene as it is
