@@ -103,9 +103,10 @@ double rank_correlation(const std::vector<double>& x, const std::vector<double>&
 }
 
 Interval rank_correlation_interval(double correlation, std::size_t n) {
-  constexpr std::size_t kFewestPairs = 4;  // Fisher's z has variance 1 / (n - 3)
+  constexpr std::size_t kFewestPairs = 4;
   if (!std::isfinite(correlation) || n < kFewestPairs) return {};
-  const double half = kTwoSided95 / std::sqrt(static_cast<double>(n) - 3);
+  const double variance = (1 + 0.5 * correlation * correlation) / (static_cast<double>(n) - 3);
+  const double half = kTwoSided95 * std::sqrt(variance);
   const double z = std::atanh(std::clamp(correlation, -1.0, 1.0));
   return {std::tanh(z - half), std::tanh(z + half)};
 }

@@ -36,7 +36,7 @@ Interval probability_interval(std::uint64_t count, std::uint64_t n);
 /// Spearman's rank correlation of the pairs in which both are numbers, equal numbers with their mean rank. NaN where
 /// one of the two does not vary.
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
-/// Its 95 % interval by Fisher's transformation, n pairs.
+/// Its 95 % interval by Fisher's transformation, n pairs; variance of ranks by Bonett and Wright (2000).
 Interval rank_correlation_interval(double correlation, std::size_t n);
 
 /// Sobol indices of a factor by Saltelli's scheme.
