@@ -105,7 +105,14 @@ TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {
   std::string text;
   EXPECT_EQ(merge_sweep(folder / "o", merging, text), kExitRefused);
   EXPECT_TRUE(test::contains(test::messages(merging), "lacks 6 of 9 shards: 3-5,7-9")) << test::messages(merging);
-  EXPECT_TRUE(test::contains(refused(s, folder / "o", {2, 9}), "is cut short; remove it"));
+  Diagnostics again;
+  SweepOptions options;
+  options.shard = {2, 9};
+  SweepOutcome outcome;
+  EXPECT_EQ(run_shard(s, folder / "o", options, again, outcome), kExitOk);
+  EXPECT_TRUE(test::contains(test::messages(again), "shard-2-of-9.csv: warning: is cut short: it is computed again"));
+  EXPECT_EQ(outcome.earlier, 0u);
+  EXPECT_EQ(test::read_file(path), whole);
 }
 
 TEST(MergeSweep, RefusesAShardThatWasChanged) {

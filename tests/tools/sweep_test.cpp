@@ -84,6 +84,13 @@ TEST(CliSweep, SubmitsAnArrayThatABatchSystemCanRun) {
   EXPECT_EQ(genu("sweep " + study + " --out " + (folder / "whole")).exit_code, 0);
   EXPECT_EQ(read_file(folder / "o/samples.csv"), read_file(folder / "whole/samples.csv"));
   EXPECT_TRUE(contains(genu("sweep submit " + (folder / "o")).out, "Nothing is missing"));
+  const std::string shard = read_file(folder / "o/shard-2-of-2.csv");
+  folder.write("o/shard-2-of-2.csv", shard.substr(0, shard.size() / 2));
+  const Outcome broken = shell("PATH=" + (folder / "bin") + ":$PATH " + program() + " sweep submit " + (folder / "o") +
+                               " --slurm --cores 1");
+  EXPECT_EQ(broken.exit_code, 0) << broken.out << broken.err;
+  EXPECT_EQ(occurrences(broken.err, "shard-2-of-2.csv: warning: is cut short\n"), 1) << broken.err;
+  EXPECT_EQ(read_file(folder / "o/shard-2-of-2.csv"), shard);
   for (const char* file : {"sweep.condor", "sweep.parallel"})
     EXPECT_TRUE(std::filesystem::exists(folder / "o/" + file));
 }

@@ -85,14 +85,14 @@ std::string own_path() {
 }
 
 bool write_batch_files(const SweepArguments& arguments, const SweepRecord& record, const std::string& folder,
-                       Diagnostics& out) {
+                       const std::vector<std::uint64_t>& missing, Diagnostics& out) {
   BatchOptions options;
   options.program = own_path();
   options.time = arguments.time;
   options.nodes = arguments.nodes;
   options.cores = arguments.cores;
   const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
-  for (const auto& [name, content] : batch_files(record, absolute, missing_shards(folder, record, out), options))
+  for (const auto& [name, content] : batch_files(record, absolute, missing, options))
     if (const std::string error = write_durably(folder + "/" + name, content); !error.empty())
       out.error(Code::cannot_write, {}, error);
   return !out.has_errors();
@@ -101,8 +101,11 @@ bool write_batch_files(const SweepArguments& arguments, const SweepRecord& recor
 int submit(const SweepArguments& arguments, const std::string& folder) {
   Diagnostics out;
   const auto record = read_record(folder, out);
-  if (!record || !write_batch_files(arguments, *record, folder, out)) return refuse(out);
-  if (missing_shards(folder, *record, out).empty()) {
+  if (!record) return refuse(out);
+  const auto missing = missing_shards(folder, *record, out);  // broken ones too, each with a warning
+  if (!write_batch_files(arguments, *record, folder, missing, out)) return refuse(out);
+  print(out, true);
+  if (missing.empty()) {
     fmt::print("Nothing is missing: genu sweep merge {}\n", shell_word(folder));
     return kOk;
   }
@@ -110,8 +113,10 @@ int submit(const SweepArguments& arguments, const std::string& folder) {
   std::fflush(stdout);
   if (!arguments.slurm) return kOk;
   if (std::system("command -v sbatch >/dev/null 2>&1") != 0) {
-    out.error(Code::not_applicable, {}, "sbatch is not installed here: copy sweep.sbatch to a machine of the cluster");
-    print(out);
+    Diagnostics lacking;
+    lacking.error(Code::not_applicable, {},
+                  "sbatch is not installed here: copy sweep.sbatch to a machine of the cluster");
+    print(lacking);
     return kFailed;
   }
   return std::system(("sbatch " + shell_word(folder + "/sweep.sbatch")).c_str()) == 0 ? kOk : kFailed;
@@ -121,7 +126,8 @@ int submit(const SweepArguments& arguments, const std::string& folder) {
 int plan(const SweepArguments& arguments, const Sweep& sweep) {
   Diagnostics out;
   const SweepRecord record = record_of(sweep, static_cast<std::uint64_t>(arguments.plan));
-  if (!claim_folder(arguments.folder, record, out) || !write_batch_files(arguments, record, arguments.folder, out))
+  if (!claim_folder(arguments.folder, record, out) ||
+      !write_batch_files(arguments, record, arguments.folder, missing_shards(arguments.folder, record, out), out))
     return refuse(out);
   fmt::print("{} runs in {} shards\n  {:<12}{}/sweep.json, sweep.sbatch, sweep.condor, sweep.parallel\n", sweep.runs(),
              arguments.plan, "written", arguments.folder);

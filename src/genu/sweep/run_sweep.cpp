@@ -74,6 +74,18 @@ void count_classes(const std::vector<std::string>& rows, SweepOutcome& outcome) 
     if (!row.empty()) ++outcome.classes[split_row(row)[kClass]];
 }
 
+/// The rows of a shard that is there. One that is cut short or changed is none: the folder belongs to this study, so it
+/// can be computed again.
+std::optional<std::vector<std::string>> earlier_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                                                      Diagnostics& out) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(shard_path(folder, id), ignored)) return std::nullopt;
+  Diagnostics broken;
+  auto rows = read_shard(folder, record, id, broken);
+  for (const Diagnostic& d : broken.items()) out.warning(d.code, d.file, d.rule + ": it is computed again");
+  return rows;
+}
+
 }  // namespace
 
 int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions& options, Diagnostics& out,
@@ -83,10 +95,7 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
   const std::uint64_t first = options.shard.first(sweep.runs());
   outcome.runs = options.shard.last(sweep.runs()) - first;
   const std::string path = shard_path(folder, options.shard);
-  std::error_code ignored;
-  if (std::filesystem::exists(path, ignored)) {
-    const auto rows = read_shard(folder, record, options.shard, out);
-    if (!rows) return kExitRefused;
+  if (const auto rows = earlier_shard(folder, record, options.shard, out)) {
     outcome.earlier = rows->size();
     count_classes(*rows, outcome);
     return kExitOk;

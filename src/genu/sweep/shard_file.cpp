@@ -63,7 +63,7 @@ std::optional<std::vector<std::string>> read_shard(const std::string& folder, co
   const auto text = text_of_file(path, out);
   if (!text) return std::nullopt;
   const auto refuse = [&](Code code, const char* why) {
-    out.error(code, path, fmt::format("{}; remove it and run --shard {}/{} again", why, id.number, id.count));
+    out.error(code, path, why);
     return std::nullopt;
   };
   const std::string head = head_line(record, id) + "\n" + column_line(record) + "\n";
