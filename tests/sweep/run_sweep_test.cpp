@@ -127,6 +127,32 @@ TEST(MergeSweep, RefusesAShardThatWasChanged) {
   EXPECT_TRUE(test::contains(test::messages(out), "shard-1-of-1.csv: has changed since it was written"));
 }
 
+TEST(PrepareSweep, NamesScenesAlikeFromEveryFolder) {
+  const test::TemporaryFolder folder;
+  for (const char* subject : {"a", "b"}) {
+    std::filesystem::create_directory(folder / subject);
+    folder.write(std::string(subject) + "/scene.toml", test::kBallOnSpring);
+  }
+  const std::string study =
+      folder.write("cohort.toml", "format = 1\nscenes = [\"a/scene.toml\", \"b/scene.toml\"]\nsamples = 2\n" +
+                                      test::kBallVary + "[[keep]]\ncolumns = \"j.z\"\nat = \"last\"\n");
+  const std::string relative = std::filesystem::proximate(study).string();
+  ASSERT_NE(relative, study);
+  const Sweep here = test::ready_sweep(relative), there = test::ready_sweep(study);
+  ASSERT_EQ(there.cases.size(), 2u);
+  EXPECT_EQ(there.cases[1].scene, "b/scene.toml");
+  EXPECT_EQ(here.cases[1].scene, "b/scene.toml");
+  // Shards of both merge, and rows of other cases do not.
+  test::ran(here, folder / "o", {1, 2});
+  test::ran(there, folder / "o", {2, 2});
+  test::merge(folder / "o");
+  folder.write("o/sweep.json", test::with_first(test::read_file(folder / "o/sweep.json"), "b/scene.toml", "c"));
+  Diagnostics out;
+  std::string text;
+  EXPECT_EQ(merge_sweep(folder / "o", out, text), kExitRefused);
+  EXPECT_TRUE(test::contains(test::messages(out), "has a row 1 that is none of this sweep")) << test::messages(out);
+}
+
 TEST(PrepareSweep, NamesEveryBrokenSceneOfACohort) {
   const test::TemporaryFolder folder;
   test::ball_study(folder, "", "");

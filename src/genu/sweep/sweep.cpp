@@ -20,14 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// File names without folder and ending; the paths where two would be alike.
+/// File names without folder and ending; where two would be alike the paths from the study's folder, which are the same
+/// from every working folder.
 std::vector<std::string> scene_names(const SweepDef& def) {
   std::map<std::string, int> count;
   for (const SceneFileDef& scene : def.scenes) ++count[fs::path(scene.path).stem().string()];
+  const auto whole = [](const std::string& path) { return fs::absolute(path).lexically_normal(); };
+  const fs::path folder = whole(def.file).parent_path();
   std::vector<std::string> names;
   for (const SceneFileDef& scene : def.scenes) {
     const std::string stem = fs::path(scene.path).stem().string();
-    names.push_back(count[stem] == 1 ? stem : scene.path);
+    names.push_back(count[stem] == 1 ? stem : whole(scene.path).lexically_relative(folder).generic_string());
   }
   return names;
 }

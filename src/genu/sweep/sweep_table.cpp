@@ -20,6 +20,12 @@ double number_of(const std::string& cell) {
   return value;
 }
 
+bool is_row_of(const SweepRecord& record, std::uint64_t run, const std::vector<std::string>& cells) {
+  const SweepRecord::Case& in = record.cases[run / record.samples];
+  return number_of(cells[0]) == static_cast<double>(run % record.samples) && cells[1] == in.scene &&
+         cells[2] == in.what_if;
+}
+
 void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string>& cells) {
   SweepTable::Case& in = table.cases[run / table.record.samples];
   std::size_t c = 3;  // behind sample, scene and what-if
@@ -84,7 +90,7 @@ std::optional<SweepTable> read_sweep_table(const std::string& folder, std::strin
     const auto rows = read_shard(folder, *record, {k, record->shards}, out);
     for (std::size_t r = 0; rows && r < rows->size(); ++r) {
       const std::vector<std::string> cells = split_row((*rows)[r]);
-      if (cells.size() != width || number_of(cells[0]) != static_cast<double>(run % record->samples)) {
+      if (cells.size() != width || !is_row_of(*record, run, cells)) {
         out.error(Code::broken_file, shard_path(folder, {k, record->shards}),
                   fmt::format("has a row {} that is none of this sweep", r + 1));
         return std::nullopt;
