@@ -43,6 +43,8 @@ TEST(FinishedRows, BelongToOneProcessAtATime) {
   FinishedRows first(folder / "a.part", "study");
   FinishedRows second(folder / "a.part", "study");
   EXPECT_TRUE(test::contains(second.problem(), "another process computes this shard"));
+  EXPECT_TRUE(second.taken());
+  EXPECT_FALSE(first.taken());
   second.add(1, "nothing");
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/sweep/finished_rows.h"
 #include "support/text.h"
 #include "sweep/ball.h"
 
@@ -86,6 +87,23 @@ TEST(RunShard, StartsBesideAnotherThatMakesTheFolder) {
   std::filesystem::create_directory(folder / "o");
   folder.write("o/.sweep.json.host-17", "{");  // half written by another process
   EXPECT_EQ(test::ran(test::ready_sweep(study_of(folder)), folder / "o").runs, 46u);
+}
+
+TEST(RunShard, LeavesAShardToTheProcessThatComputesIt) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  test::ran(s, folder / "o", {1, 2});  // makes the folder
+  const FinishedRows other(shard_path(folder / "o", {2, 2}) + ".part", "other");
+  SweepOptions options;
+  options.shard = {2, 2};
+  int solved = 0;
+  options.progress = [&](int, int) { ++solved; };
+  Diagnostics out;
+  SweepOutcome outcome;
+  EXPECT_EQ(run_shard(s, folder / "o", options, out, outcome), kExitFailed);
+  EXPECT_EQ(solved, 0);
+  EXPECT_TRUE(test::contains(test::messages(out), "another process computes this shard: wait for it"))
+      << test::messages(out);
 }
 
 TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {

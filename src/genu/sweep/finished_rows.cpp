@@ -23,8 +23,9 @@ FinishedRows::FinishedRows(std::string path, std::string belongs_to)
     problem_ = path_ + ": cannot be written: " + std::strerror(errno);
     return;
   }
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     problem_ = path_ + ": another process computes this shard";
+    taken_ = true;
     ::close(descriptor_);
     descriptor_ = -1;
     return;

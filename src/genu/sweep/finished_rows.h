@@ -15,8 +15,9 @@ namespace genu {
 
 class FinishedRows {
  public:
-  /// `belongs_to`: a text that no other work has. Keeps nothing where another process has the file or it cannot be
-  /// written: problem() says why.
+  /// `belongs_to`: a text that no other work has. Keeps nothing where another process has the file (taken()) or it
+  /// cannot be written: problem() says why. A file system without locks keeps rows all the same: lines of two processes
+  /// have checksums each.
   FinishedRows(std::string path, std::string belongs_to);
   ~FinishedRows();
   FinishedRows(const FinishedRows&) = delete;
@@ -33,6 +34,8 @@ class FinishedRows {
   void remove();
 
   const std::string& problem() const { return problem_; }
+  /// Another process computes this shard at this moment.
+  bool taken() const { return taken_; }
 
  private:
   void read();
@@ -42,6 +45,7 @@ class FinishedRows {
   std::string path_, belongs_to_, problem_, waiting_;
   std::map<std::uint64_t, std::string> earlier_;
   int descriptor_ = -1;
+  bool taken_ = false;
   double written_ = 0;
   Timer timer_;
   std::mutex mutex_;

@@ -102,6 +102,10 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
   }
   FinishedRows finished(path + ".part",
                         fmt::format("{} {}/{}", record.hash, options.shard.number, options.shard.count));
+  if (finished.taken()) {
+    out.error(Code::conflict, path, "another process computes this shard: wait for it, or end it");
+    return kExitFailed;
+  }
   std::vector<std::string> rows(outcome.runs);
   for (const auto& [run, row] : finished.earlier())
     if (run >= first && run - first < rows.size()) rows[run - first] = row, ++outcome.earlier;

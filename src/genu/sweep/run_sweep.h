@@ -28,8 +28,8 @@ struct SweepOutcome {
 
 /// Computes the runs of the shard that are not finished and writes its file into `folder`; a file that is not whole is
 /// replaced, with a warning. The same bytes on any number of threads, in one go or in several. Returns the exit code
-/// (assemble/solution.h): incomplete where it was stopped; samples that fail are rows with a reason and no failure of
-/// the sweep.
+/// (assemble/solution.h): incomplete where it was stopped, failed where another process computes this shard; samples
+/// that fail are rows with a reason and no failure of the sweep.
 [[nodiscard]] int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions& options,
                             Diagnostics& out, SweepOutcome& outcome);
 
