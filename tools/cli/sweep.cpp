@@ -236,7 +236,10 @@ void add_sweep(CLI::App& command, int& exit_code) {
   command.add_option("--sample", arguments->sample, "one sample as a normal run, which genu judge can check");
   command.add_option("--case", arguments->in_case, "SCENE/WHAT_IF of --sample; the first one where it is not given")
       ->check(not_empty());
-  command.add_option("--plan", arguments->plan, "compute nothing: prepare the folder and scripts for so many shards")
+  command
+      .add_option("--plan", arguments->plan,
+                  "compute nothing: prepare the folder and scripts for so many shards; a Slurm array takes 1000 where "
+                  "its MaxArraySize is not set higher")
       ->check(CLI::Range(1, kMostShards));
   command.add_flag("--slurm", arguments->slurm, "submit: give sweep.sbatch to Slurm");
   command.add_option("--time", arguments->time, "limit of one shard in the scripts, as Slurm takes it")
@@ -245,7 +248,9 @@ void add_sweep(CLI::App& command, int& exit_code) {
   command.add_option("--nodes", arguments->nodes, "at most so many shards at a time in the scripts; 0: no limit")
       ->check(CLI::Range(0, kMostShards))
       ->capture_default_str();
-  command.add_option("--cores", arguments->cores, "cores of one shard in the scripts; 0: a whole node")
+  command
+      .add_option("--cores", arguments->cores,
+                  "cores of one shard in the scripts; 0: a whole node, with HTCondor one core")
       ->check(CLI::Range(0, kMostThreads))
       ->capture_default_str();
   command.add_flag("--quiet", arguments->quiet, "no progress and no table");

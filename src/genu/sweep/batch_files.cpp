@@ -29,11 +29,25 @@ std::string slurm_script(const SweepRecord& record, const std::string& folder,
       "#SBATCH --ntasks=1\n{}"
       "#SBATCH --time={}\n"
       "#SBATCH --requeue\n"
-      "#SBATCH --signal=TERM@30\n"
+      "#SBATCH --signal=B:TERM@30\n"
       "#SBATCH --output={}\n"
       "exec {}\n",
       as_array_list(missing), at_most, share, options.time, shell_word(folder + "/slurm-%A_%a.log"),
       command(record, folder, options, "\"$SLURM_ARRAY_TASK_ID\""));
+}
+
+/// A text that HTCondor replaces no macro in.
+std::string condor_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '$' ? std::string("$(DOLLAR)") : std::string(1, c);
+  return out;
+}
+
+/// A word of HTCondor's `arguments`, whose whole value is in double quotes: single quotes around it, quotes twice.
+std::string condor_word(const std::string& word) {
+  std::string out = "'";
+  for (const char c : condor_text(word)) out += std::string(c == '\'' || c == '"' ? 2 : 1, c);
+  return out + "'";
 }
 
 std::string condor_file(const SweepRecord& record, const std::string& folder, const std::vector<std::uint64_t>& missing,
@@ -44,13 +58,14 @@ std::string condor_file(const SweepRecord& record, const std::string& folder, co
   return fmt::format(
       "# condor_submit sweep.condor\n"
       "executable = {}\n"
-      "arguments = sweep {} --out {} --shard $(shard)/{} --threads {}\n"
+      "arguments = \"sweep {} --out {} --shard $(shard)/{} --threads {}\"\n"
       "request_cpus = {}\n"
       "log = {}/condor.log\n"
       "error = {}/condor-$(shard).log\n"
       "max_retries = 3\n"
       "queue shard from (\n{})\n",
-      options.program, record.study, folder, record.shards, cores, cores, folder, folder, list);
+      condor_text(options.program), condor_word(record.study), condor_word(folder), record.shards, cores, cores,
+      condor_text(folder), condor_text(folder), list);
 }
 
 std::string parallel_script(const SweepRecord& record, const std::string& folder,

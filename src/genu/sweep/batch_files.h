@@ -14,7 +14,7 @@ struct BatchOptions {
   std::string program;           ///< path of genu
   std::string time = "1:00:00";  ///< limit of one shard, as Slurm takes it
   int nodes = 0;                 ///< most shards at a time; 0: as many as the system gives
-  int cores = 0;                 ///< of one shard; 0: a whole node
+  int cores = 0;                 ///< of one shard; 0: a whole node; one of HTCondor, which gives cores
 };
 
 /// Files for the shards in `missing`: sweep.sbatch (Slurm), sweep.condor (HTCondor), sweep.parallel (GNU parallel).
