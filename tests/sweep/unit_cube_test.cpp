@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/sweep/distribution.h"
 #include "genu/sweep/sobol_numbers.h"
 
 namespace genu {
@@ -35,6 +36,18 @@ TEST(LatinHypercube, HasOnePointInEachStratum) {
       ++seen[static_cast<std::size_t>(kCount * latin_hypercube_coordinate(9, i, d, kCount))];
     for (const int times : seen) EXPECT_EQ(times, 1);
   }
+}
+
+TEST(InsideUnit, LeavesEveryCoordinateAQuantile) {
+  // The last of 1e8 strata and a uniform number of 1 - 2^-30 round up to 1, the first Sobol digits to 2^-85.
+  Distribution normal;
+  normal.kind = Distribution::Kind::normal;
+  const double last = (99'999'999.0 + (1 - 0x1p-30)) / 1e8;
+  EXPECT_EQ(last, 1);
+  EXPECT_TRUE(std::isfinite(normal.quantile(inside_unit(last))));
+  EXPECT_GT(normal.quantile(inside_unit(last)), 8);
+  EXPECT_EQ(normal.quantile(inside_unit(0x1p-85)), normal.smallest());
+  EXPECT_EQ(inside_unit(0.25), 0.25);
 }
 
 TEST(MonteCarlo, IsUniformAndIndependent) {

@@ -162,8 +162,7 @@ std::vector<double> SweepDesign::random_draws(std::uint64_t sample) const {
     z[static_cast<Eigen::Index>(k)] = normal_quantile(u[correlated_[k]]);
   if (!correlated_.empty()) z = cholesky_ * z;
   for (std::size_t k = 0; k < correlated_.size(); ++k)
-    u[correlated_[k]] =
-        std::clamp(normal_probability(z[static_cast<Eigen::Index>(k)]), kSmallestUnit, 1 - kSmallestUnit);
+    u[correlated_[k]] = inside_unit(normal_probability(z[static_cast<Eigen::Index>(k)]));
   std::vector<double> draws;
   for (std::size_t f = 0; f < distributions_.size(); ++f) draws.push_back(distributions_[f].quantile(u[f]));
   return draws;

@@ -1,7 +1,10 @@
 #include "genu/sweep/unit_cube.h"
 
+#include <algorithm>
+
 #include "genu/sweep/philox.h"
 #include "genu/sweep/sobol_numbers.h"
+#include "genu/sweep/tolerances.h"
 
 namespace genu {
 namespace {
@@ -23,6 +26,8 @@ std::uint64_t feistel(std::uint64_t seed, std::uint64_t value, std::uint32_t dim
 
 }  // namespace
 
+double inside_unit(double coordinate) { return std::clamp(coordinate, kSmallestUnit, 1 - kSmallestUnit); }
+
 double monte_carlo_coordinate(std::uint64_t seed, std::uint64_t index, std::uint32_t dimension) {
   return open_unit(random_bits(seed, index, dimension, DrawPurpose::coordinate));
 }
@@ -38,7 +43,7 @@ std::uint64_t permuted(std::uint64_t seed, std::uint64_t index, std::uint32_t di
 double latin_hypercube_coordinate(std::uint64_t seed, std::uint64_t index, std::uint32_t dimension,
                                   std::uint64_t count) {
   const auto stratum = static_cast<double>(permuted(seed, index, dimension, count));
-  return (stratum + monte_carlo_coordinate(seed, index, dimension)) / static_cast<double>(count);
+  return inside_unit((stratum + monte_carlo_coordinate(seed, index, dimension)) / static_cast<double>(count));
 }
 
 SobolSequence::SobolSequence(std::uint64_t seed, std::uint32_t dimensions) : seed_(seed) {
@@ -66,8 +71,7 @@ std::uint32_t SobolSequence::scrambled(std::uint32_t digits, std::uint32_t dimen
 
 double SobolSequence::coordinate(std::uint64_t index, std::uint32_t dimension) const {
   const double tail = open_unit(random_bits(seed_, index, dimension, DrawPurpose::tail));
-  const double coordinate = (scrambled(digits(index, dimension), dimension) + tail) * 0x1p-32;
-  return coordinate < 1 ? coordinate : 1 - 0x1p-53;  // the sum may round up to 1
+  return inside_unit((scrambled(digits(index, dimension), dimension) + tail) * 0x1p-32);
 }
 
 }  // namespace genu

@@ -8,6 +8,9 @@
 
 namespace genu {
 
+/// A coordinate as every design gives it: from 2^-53 to 1 - 2^-53. Sums that round to 0 or 1 have no quantile.
+double inside_unit(double coordinate);
+
 /// Independent and uniform.
 double monte_carlo_coordinate(std::uint64_t seed, std::uint64_t index, std::uint32_t dimension);
 
