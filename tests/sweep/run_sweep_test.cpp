@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,23 @@ TEST(RunShard, LeavesAShardToTheProcessThatComputesIt) {
   EXPECT_EQ(solved, 0);
   EXPECT_TRUE(test::contains(test::messages(out), "another process computes this shard: wait for it"))
       << test::messages(out);
+}
+
+TEST(ClaimFolder, IsOfOneStudyAlone) {
+  const test::TemporaryFolder folder;
+  for (int time = 0; time < 20; ++time) {
+    std::vector<std::thread> all;
+    std::atomic<int> claims = 0;
+    for (int k = 0; k < 8; ++k)
+      all.emplace_back([&, k] {
+        SweepRecord record;
+        record.hash = "study " + std::to_string(k);
+        Diagnostics out;
+        claims += claim_folder(folder / ("o" + std::to_string(time)), record, out) ? 1 : 0;
+      });
+    for (std::thread& one : all) one.join();
+    EXPECT_EQ(claims, 1);
+  }
 }
 
 TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {

@@ -167,7 +167,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
     if (in.what_if == kAsItIs) scenes.push_back(&in.prepared);
   sweep.kept = find_kept(sweep.def, scenes, out);
   const bool numbers_found = !out.has_errors();
-  auto design = numbers_found ? SweepDesign::make(sweep.def, sweep.factors, out) : std::nullopt;
+  auto design = numbers_found ? SweepDesign::make(sweep.def, sweep.factors, files, out) : std::nullopt;
   if (!design) return std::nullopt;
   sweep.design = std::move(*design);
   if (sweep.def.design == DesignKind::points) check_points(sweep, out);

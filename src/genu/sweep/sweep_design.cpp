@@ -32,8 +32,9 @@ std::optional<double> to_number(const std::string& text) {
 
 /// A row of numbers for each sample, in the order of the factors.
 std::vector<std::vector<double>> read_points(const SweepDef& sweep, const std::vector<Factor>& factors,
-                                             Diagnostics& out) {
-  const auto file = read_pose_file(sweep.points, out);
+                                             InputFiles& files, Diagnostics& out) {
+  const auto bytes = files.bytes(sweep.points);  // the same that the study's hash has seen
+  const auto file = bytes ? parse_pose_file(*bytes, sweep.points, out) : read_pose_file(sweep.points, out);
   if (!file) return {};
   LongErrors errors(sweep.points, out);
   const std::vector<std::string> names = names_of(factors);
@@ -104,7 +105,7 @@ bool find_correlated(const SweepDef& sweep, const std::vector<Factor>& factors, 
 }  // namespace
 
 std::optional<SweepDesign> SweepDesign::make(const SweepDef& sweep, const std::vector<Factor>& factors,
-                                             Diagnostics& out) {
+                                             InputFiles& files, Diagnostics& out) {
   SweepDesign d;
   d.kind_ = sweep.design;
   d.seed_ = sweep.seed;
@@ -127,7 +128,7 @@ std::optional<SweepDesign> SweepDesign::make(const SweepDef& sweep, const std::v
   }
   if (sweep.indices && count == 0) refuse(Code::missing_key, "varies nothing, and `indices` are those of factors");
   if (sweep.design == DesignKind::points) {
-    d.points_ = read_points(sweep, factors, out);
+    d.points_ = read_points(sweep, factors, files, out);
     d.samples_ = d.points_.size();
   }
   if (sweep.design == DesignKind::factorial || sweep.design == DesignKind::one_at_a_time) {

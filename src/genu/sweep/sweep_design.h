@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/core/input_files.h"
 #include "genu/sweep/sweep_def.h"
 #include "genu/sweep/sweep_factors.h"
 #include "genu/sweep/unit_cube.h"
@@ -18,7 +19,7 @@ class SweepDesign {
   /// The design of a study over these factors. Empty, with the reasons in `out`: correlations of names that are no
   /// factors, columns of a points file that are none, too many samples or dimensions.
   [[nodiscard]] static std::optional<SweepDesign> make(const SweepDef& sweep, const std::vector<Factor>& factors,
-                                                       Diagnostics& out);
+                                                       InputFiles& files, Diagnostics& out);
 
   std::uint64_t samples() const { return samples_; }
   /// Samples of a block of Saltelli's scheme: A, B, then A with the column of each factor from B; 1 without it.

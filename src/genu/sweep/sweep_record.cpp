@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -73,12 +74,25 @@ int write_and_sync(const std::string& path, const std::string& content) {
   return error;
 }
 
-/// A name that no other process of this machine or another has.
+/// A name that no other thread or process of this machine or another has.
 std::string temporary_name(const std::string& path) {
+  static std::atomic<int> count = 0;
   char host[256] = "host";
   ::gethostname(host, sizeof host - 1);
   const fs::path p(path);
-  return (p.parent_path() / fmt::format(".{}.{}-{}", p.filename().string(), host, ::getpid())).string();
+  return (p.parent_path() / fmt::format(".{}.{}-{}-{}", p.filename().string(), host, ::getpid(), ++count)).string();
+}
+
+/// Writes a file where none is; one that is there, whoever made it meanwhile, is left. What went wrong, else an empty
+/// text.
+std::string write_where_none_is(const std::string& path, const std::string& content) {
+  const std::string mine = temporary_name(path);
+  if (std::string error = write_durably(mine, content); !error.empty()) return error;
+  int error = ::link(mine.c_str(), path.c_str()) == 0 ? 0 : errno;
+  const bool has_links = error == 0 || error == EEXIST;  // some file systems have none
+  if (!has_links) error = ::rename(mine.c_str(), path.c_str()) == 0 ? 0 : errno;
+  ::unlink(mine.c_str());
+  return error == 0 || error == EEXIST ? std::string() : path + ": cannot be written: " + std::strerror(error);
 }
 
 /// Whether a folder holds files of others. Another shard may be writing the record at this moment.
@@ -159,10 +173,11 @@ bool claim_folder(const std::string& folder, const SweepRecord& record, Diagnost
   }
   if (!fs::exists(path, code)) {
     fs::create_directories(folder, code);
-    const std::string error = write_durably(path.string(), to_json(record));
-    if (error.empty()) return true;
-    out.error(Code::cannot_write, {}, error);
-    return false;
+    const std::string error = write_where_none_is(path.string(), to_json(record));
+    if (!error.empty()) {
+      out.error(Code::cannot_write, {}, error);
+      return false;
+    }
   }
   const auto there = read_record(folder, out);
   if (!there) return false;
