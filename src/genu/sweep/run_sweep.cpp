@@ -13,6 +13,7 @@
 
 #include "genu/assemble/solution.h"
 #include "genu/core/timer.h"
+#include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
 #include "genu/sweep/sweep_record.h"
 
@@ -100,8 +101,8 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
     count_classes(*rows, outcome);
     return kExitOk;
   }
-  FinishedRows finished(path + ".part",
-                        fmt::format("{} {}/{}", record.hash, options.shard.number, options.shard.count));
+  FinishedRows finished(path + ".part", fmt::format("{} {}/{} {}", record.hash, options.shard.number,
+                                                    options.shard.count, program_hash()));
   if (finished.taken()) {
     out.error(Code::conflict, path, "another process computes this shard: wait for it, or end it");
     return kExitFailed;
