@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
 #include "support/text.h"
 #include "sweep/ball.h"
@@ -65,6 +66,18 @@ TEST(RunShard, ContinuesWithWhatIsFinished) {
   EXPECT_EQ(test::read_file(folder / "part/shard-1-of-1.csv"), test::read_file(folder / "whole/shard-1-of-1.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder / "part/shard-1-of-1.csv.part"));
   EXPECT_EQ(test::ran(s, folder / "part").earlier, 46u);  // it is there: nothing is computed
+}
+
+TEST(RunShard, ContinuesRowsOfItsOwnBuildAlone) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  for (const bool own : {false, true}) {
+    const std::string out = folder / (own ? "own" : "other");
+    test::ran(s, out, {1, 2});  // makes the folder
+    const std::string row = own ? " " + program_hash() : " another build";
+    FinishedRows(shard_path(out, {2, 2}) + ".part", s.hash + " 2/2" + row).add(30, "30,ball,heavy,solved,0,,1,2,3,,,");
+    EXPECT_EQ(test::ran(s, out, {2, 2}).earlier, own ? 1u : 0u);
+  }
 }
 
 TEST(RunShard, RefusesAChangedStudyAndOtherShards) {
