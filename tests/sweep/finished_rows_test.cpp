@@ -16,8 +16,10 @@ TEST(FinishedRows, AreThereAtTheNextStart) {
     rows.add(3, "x");
   }
   FinishedRows again(folder / "a.part", "study");
-  ASSERT_EQ(again.earlier().size(), 2u);
-  EXPECT_EQ(again.earlier().at(7), "a,\"b c\",1.5");
+  const auto earlier = again.take_earlier();
+  ASSERT_EQ(earlier.size(), 2u);
+  EXPECT_EQ(earlier.at(7), "a,\"b c\",1.5");
+  EXPECT_TRUE(again.take_earlier().empty());
   EXPECT_EQ(again.problem(), "");
 }
 
@@ -31,11 +33,11 @@ TEST(FinishedRows, LeaveOutOtherStudiesAndBrokenLines) {
   folder.write("a.part", test::with_first(test::read_file(folder / "a.part"), "one", "won"));
   {
     FinishedRows rows(folder / "a.part", "study");
-    EXPECT_EQ(rows.earlier().size(), 1u);
+    EXPECT_EQ(rows.take_earlier().size(), 1u);
     rows.add(3, "three");
   }
-  EXPECT_EQ(FinishedRows(folder / "a.part", "study").earlier().size(), 2u);
-  EXPECT_TRUE(FinishedRows(folder / "a.part", "other").earlier().empty());
+  EXPECT_EQ(FinishedRows(folder / "a.part", "study").take_earlier().size(), 2u);
+  EXPECT_TRUE(FinishedRows(folder / "a.part", "other").take_earlier().empty());
 }
 
 TEST(FinishedRows, BelongToOneProcessAtATime) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/core/file_checksum.h"
 #include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
 #include "support/text.h"
@@ -162,6 +163,27 @@ TEST(MissingShards, AreThoseThatAreNotThereOrNotWhole) {
   EXPECT_TRUE(test::contains(test::messages(again), "shard-2-of-9.csv: warning: is cut short: it is computed again"));
   EXPECT_EQ(outcome.earlier, 0u);
   EXPECT_EQ(test::read_file(path), whole);
+}
+
+TEST(MergeSweep, SaysThatShardsAreOfDifferentPrograms) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(study_of(folder));
+  test::ran(s, folder / "o", {1, 2});
+  test::ran(s, folder / "o", {2, 2});
+  const auto warnings = [&] {
+    Diagnostics out;
+    std::string text;
+    EXPECT_EQ(merge_sweep(folder / "o", out, text), kExitOk);
+    return test::messages(out);
+  };
+  EXPECT_EQ(warnings(), "");
+  const std::string samples = test::read_file(folder / "o/samples.csv");
+  // The file as another build writes it.
+  std::string text = test::read_file(shard_path(folder / "o", {2, 2}));
+  text = test::with_first(text.substr(0, text.rfind("# end ")), program_hash(), "another");
+  folder.write("o/shard-2-of-2.csv", text + "# end 23 " + checksum(text).xxh128 + "\n");
+  EXPECT_TRUE(test::contains(warnings(), "has shards of different builds of genu")) << warnings();
+  EXPECT_EQ(test::read_file(folder / "o/samples.csv"), samples);
 }
 
 TEST(MergeSweep, RefusesAShardThatWasChanged) {

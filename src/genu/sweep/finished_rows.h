@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "genu/core/timer.h"
 
@@ -23,8 +24,8 @@ class FinishedRows {
   FinishedRows(const FinishedRows&) = delete;
   FinishedRows& operator=(const FinishedRows&) = delete;
 
-  /// What an earlier start has left: rows by their runs.
-  const std::map<std::uint64_t, std::string>& earlier() const { return earlier_; }
+  /// What an earlier start has left: rows by their runs. Once: they are not kept here.
+  std::map<std::uint64_t, std::string> take_earlier() { return std::exchange(earlier_, {}); }
 
   /// Adds a row; written down about once a second. From any thread.
   void add(std::uint64_t run, const std::string& row);

@@ -12,7 +12,8 @@ namespace genu {
 
 int merge_sweep(const std::string& folder, Diagnostics& out, std::string& text) {
   std::string samples;
-  const auto sweep = read_sweep_table(folder, samples, out);
+  const auto sweep = read_sweep_table(
+      folder, [&](std::string_view row) { samples.append(row).append("\n"); }, out);
   if (!sweep) return kExitRefused;
   std::vector<std::pair<std::string, std::string>> files = {{"samples.csv", std::move(samples)},
                                                             {"statistics.csv", statistics_table(*sweep).to_csv()},

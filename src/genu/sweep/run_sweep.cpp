@@ -69,22 +69,22 @@ class Runs {
   int done_ = 0, asked_ = 0;
 };
 
-void count_classes(const std::vector<std::string>& rows, SweepOutcome& outcome) {
+void count_class(std::string_view row, SweepOutcome& outcome) {
   constexpr std::size_t kClass = 3;
-  for (const std::string& row : rows)
-    if (!row.empty()) ++outcome.classes[split_row(row)[kClass]];
+  ++outcome.classes[split_row(row)[kClass]];
 }
 
-/// The rows of a shard that is there. One that is cut short or changed is none: the folder belongs to this study, so it
-/// can be computed again.
-std::optional<std::vector<std::string>> earlier_shard(const std::string& folder, const SweepRecord& record, ShardId id,
-                                                      Diagnostics& out) {
+/// Whether the shard is there, counted in `outcome`. One that is cut short or changed is none: the folder belongs to
+/// this study, so it can be computed again.
+bool is_there(const std::string& folder, const SweepRecord& record, ShardId id, SweepOutcome& outcome,
+              Diagnostics& out) {
   std::error_code ignored;
-  if (!std::filesystem::exists(shard_path(folder, id), ignored)) return std::nullopt;
+  if (!std::filesystem::exists(shard_path(folder, id), ignored)) return false;
   Diagnostics broken;
-  auto rows = read_shard(folder, record, id, broken);
+  const auto count = [&](std::string_view row) { count_class(row, outcome), ++outcome.earlier; };
+  const bool whole = read_shard(folder, record, id, count, broken).has_value();
   for (const Diagnostic& d : broken.items()) out.warning(d.code, d.file, d.rule + ": it is computed again");
-  return rows;
+  return whole;
 }
 
 }  // namespace
@@ -96,11 +96,7 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
   const std::uint64_t first = options.shard.first(sweep.runs());
   outcome.runs = options.shard.last(sweep.runs()) - first;
   const std::string path = shard_path(folder, options.shard);
-  if (const auto rows = earlier_shard(folder, record, options.shard, out)) {
-    outcome.earlier = rows->size();
-    count_classes(*rows, outcome);
-    return kExitOk;
-  }
+  if (is_there(folder, record, options.shard, outcome, out)) return kExitOk;
   FinishedRows finished(path + ".part", fmt::format("{} {}/{} {}", record.hash, options.shard.number,
                                                     options.shard.count, program_hash()));
   if (finished.taken()) {
@@ -108,8 +104,8 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
     return kExitFailed;
   }
   std::vector<std::string> rows(outcome.runs);
-  for (const auto& [run, row] : finished.earlier())
-    if (run >= first && run - first < rows.size()) rows[run - first] = row, ++outcome.earlier;
+  for (auto& [run, row] : finished.take_earlier())
+    if (run >= first && run - first < rows.size()) rows[run - first] = std::move(row), ++outcome.earlier;
   const Timer timer;
   {
     std::optional<tbb::global_control> at_most;
@@ -118,7 +114,8 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
     Runs(sweep, record, options, finished, rows).run();
   }
   outcome.seconds = timer.seconds();
-  count_classes(rows, outcome);
+  for (const std::string& row : rows)
+    if (!row.empty()) count_class(row, outcome);
   if (!finished.problem().empty())
     out.warning(Code::cannot_write, {}, finished.problem() + ": finished samples are not kept on the way");
   if (std::any_of(rows.begin(), rows.end(), [](const std::string& row) { return row.empty(); })) {

@@ -1,5 +1,6 @@
 #include "genu/sweep/shard_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -7,6 +8,7 @@
 
 #include "genu/core/file_checksum.h"
 #include "genu/core/file_text.h"
+#include "genu/store/input_hash.h"
 
 namespace genu {
 namespace {
@@ -24,8 +26,9 @@ std::string as_cell(const std::string& text) {
   return out.find_first_of(",\"") == std::string::npos ? out : '"' + out + '"';
 }
 
-std::string head_line(const SweepRecord& record, ShardId id) {
-  return fmt::format("# genu sweep {} shard {} of {}", record.hash, id.number, id.count);
+/// The head up to the program's hash, which may differ from shard to shard.
+std::string begin_of_head(const SweepRecord& record, ShardId id) {
+  return fmt::format("# genu sweep {} shard {} of {} by ", record.hash, id.number, id.count);
 }
 
 }  // namespace
@@ -52,13 +55,14 @@ std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleR
 }
 
 std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows) {
-  std::string text = head_line(record, id) + "\n" + column_line(record) + "\n";
-  for (const std::string& row : rows) text += row + "\n";
-  return text + fmt::format("{}{} {}\n", kEnd, rows.size(), checksum(text).xxh128);
+  std::string text = begin_of_head(record, id) + program_hash() + "\n" + column_line(record) + "\n";
+  for (const std::string& row : rows) text.append(row).append("\n");
+  text += fmt::format("{}{} {}\n", kEnd, rows.size(), checksum(text).xxh128);
+  return text;
 }
 
-std::optional<std::vector<std::string>> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
-                                                   Diagnostics& out) {
+std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                                      const EachRow& each, Diagnostics& out) {
   const std::string path = shard_path(folder, id);
   const auto text = text_of_file(path, out);
   if (!text) return std::nullopt;
@@ -66,22 +70,25 @@ std::optional<std::vector<std::string>> read_shard(const std::string& folder, co
     out.error(code, path, why);
     return std::nullopt;
   };
-  const std::string head = head_line(record, id) + "\n" + column_line(record) + "\n";
-  const std::size_t end = text->rfind(kEnd);
+  const std::string begin = begin_of_head(record, id), columns = "\n" + column_line(record) + "\n";
+  const std::size_t end = text->rfind(kEnd), head = text->find('\n');
   const std::uint64_t rows = id.last(record.runs()) - id.first(record.runs());
   if (end == std::string::npos || text->back() != '\n') return refuse(Code::broken_file, "is cut short");
-  if (!text->starts_with(head)) return refuse(Code::other_scene, "belongs to another study, or the study has changed");
+  if (!text->starts_with(begin) || text->compare(head, columns.size(), columns) != 0)
+    return refuse(Code::other_scene, "belongs to another study, or the study has changed");
   const std::string expected =
       fmt::format("{}{} {}\n", kEnd, rows, checksum(std::string_view(*text).substr(0, end)).xxh128);
-  if (text->substr(end) != expected) return refuse(Code::results_changed, "has changed since it was written");
-  std::vector<std::string> lines;
-  for (std::size_t at = head.size(); at < end;) {
-    const std::size_t stop = text->find('\n', at);
-    lines.push_back(text->substr(at, stop - at));
+  if (text->compare(end, std::string::npos, expected) != 0)
+    return refuse(Code::results_changed, "has changed since it was written");
+  const std::string_view lines = std::string_view(*text).substr(0, end).substr(head + columns.size());
+  if (static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), '\n')) != rows)
+    return refuse(Code::broken_file, "has another number of rows than runs");
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t stop = lines.find('\n', at);
+    each(lines.substr(at, stop - at));
     at = stop + 1;
   }
-  if (lines.size() != rows) return refuse(Code::broken_file, "has another number of rows than runs");
-  return lines;
+  return text->substr(begin.size(), head - begin.size());
 }
 
 std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
@@ -90,7 +97,9 @@ std::vector<std::uint64_t> missing_shards(const std::string& folder, const Sweep
   for (std::uint64_t k = 1; k <= record.shards; ++k) {
     const ShardId id{k, record.shards};
     Diagnostics broken;
-    if (fs::exists(shard_path(folder, id), ignored) && read_shard(folder, record, id, broken)) continue;
+    if (fs::exists(shard_path(folder, id), ignored) && read_shard(
+                                                           folder, record, id, [](std::string_view) {}, broken))
+      continue;
     missing.push_back(k);
     for (const Diagnostic& d : broken.items()) out.warning(d.code, d.file, d.rule);
   }
@@ -109,7 +118,7 @@ std::string as_array_list(const std::vector<std::uint64_t>& numbers) {
   return list;
 }
 
-std::vector<std::string> split_row(const std::string& line) {
+std::vector<std::string> split_row(std::string_view line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (std::size_t k = 0; k < line.size(); ++k) {

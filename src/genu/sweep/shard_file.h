@@ -1,10 +1,12 @@
-// The results of a shard as one file that is whole or not there: a head, column names, a row for each run, and an end
-// with the checksum of all before it.
+// The results of a shard as one file that is whole or not there: a head with the study's hash and the program, column
+// names, a row for each run, and an end with the checksum of all before it.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "genu/core/diagnostics.h"
@@ -33,10 +35,13 @@ std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleR
 
 std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows);
 
-/// The rows of a shard. Empty, with an error in `out` that names the file, where it is cut short, changed or of another
-/// study.
-[[nodiscard]] std::optional<std::vector<std::string>> read_shard(const std::string& folder, const SweepRecord& record,
-                                                                 ShardId id, Diagnostics& out);
+using EachRow = std::function<void(std::string_view row)>;
+
+/// Calls `each` with the rows of a shard in order, once all of the file has been checked. Returns the program
+/// (store/input_hash.h) that computed them. Empty, with an error in `out` that names the file, where it is cut short,
+/// changed or of another study.
+[[nodiscard]] std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                                                    const EachRow& each, Diagnostics& out);
 
 /// Shards that are not there or not whole; of the latter a warning in `out`.
 std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out);
@@ -45,6 +50,6 @@ std::vector<std::uint64_t> missing_shards(const std::string& folder, const Sweep
 std::string as_array_list(const std::vector<std::uint64_t>& numbers);
 
 /// The cells of a line of CSV.
-std::vector<std::string> split_row(const std::string& line);
+std::vector<std::string> split_row(std::string_view line);
 
 }  // namespace genu

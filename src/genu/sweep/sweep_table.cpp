@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ std::size_t SweepTable::as_it_is(std::size_t c) const {
   return c;
 }
 
-std::optional<SweepTable> read_sweep_table(const std::string& folder, std::string& csv, Diagnostics& out) {
+std::optional<SweepTable> read_sweep_table(const std::string& folder, const EachRow& row, Diagnostics& out) {
   const auto record = read_record(folder, out);
   if (!record) return std::nullopt;
   std::error_code ignored;
@@ -83,22 +84,27 @@ std::optional<SweepTable> read_sweep_table(const std::string& folder, std::strin
   table.draws.resize(record->factors.size());
   table.cases.resize(record->cases.size());
   for (SweepTable::Case& in : table.cases) in.kept.resize(record->kept.size());
-  csv = column_line(*record) + "\n";
+  row(column_line(*record));
   const std::size_t width = split_row(column_line(*record)).size();
-  std::uint64_t run = 0;
+  std::set<std::string> programs;
   for (std::uint64_t k = 1; k <= record->shards; ++k) {
-    const auto rows = read_shard(folder, *record, {k, record->shards}, out);
-    for (std::size_t r = 0; rows && r < rows->size(); ++r) {
-      const std::vector<std::string> cells = split_row((*rows)[r]);
-      if (cells.size() != width || !is_row_of(*record, run, cells)) {
-        out.error(Code::broken_file, shard_path(folder, {k, record->shards}),
-                  fmt::format("has a row {} that is none of this sweep", r + 1));
-        return std::nullopt;
-      }
+    const ShardId id{k, record->shards};
+    const std::size_t errors = out.count(Diagnostic::Severity::error);
+    std::uint64_t run = id.first(record->runs());
+    const auto add = [&](std::string_view line) {
+      if (out.count(Diagnostic::Severity::error) > errors) return;  // of a row before
+      const std::vector<std::string> cells = split_row(line);
+      if (cells.size() != width || !is_row_of(*record, run, cells))
+        return out.error(Code::broken_file, shard_path(folder, id),
+                         fmt::format("has a row {} that is none of this sweep", run - id.first(record->runs()) + 1));
       add_row(table, run++, cells);
-      csv += (*rows)[r] + "\n";
-    }
+      row(line);
+    };
+    if (const auto program = read_shard(folder, *record, id, add, out)) programs.insert(*program);
   }
+  if (programs.size() > 1)
+    out.warning(Code::results_changed, folder,
+                "has shards of different builds of genu or kinds of processors: their rows may differ by rounding");
   if (out.has_errors()) return std::nullopt;
   return table;
 }

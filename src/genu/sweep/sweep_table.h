@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "genu/core/diagnostics.h"
+#include "genu/sweep/shard_file.h"
 #include "genu/sweep/sweep_record.h"
 
 namespace genu {
@@ -30,8 +31,10 @@ struct SweepTable {
   std::size_t as_it_is(std::size_t c) const;
 };
 
-/// Reads all shards of a folder. `csv` gets samples.csv: their rows in order below the column names. Empty, with the
-/// reasons in `out`, where shards are missing, cut short, or of another study.
-[[nodiscard]] std::optional<SweepTable> read_sweep_table(const std::string& folder, std::string& csv, Diagnostics& out);
+/// Reads the shards of a folder, one after another. `row` gets the lines of samples.csv: the column names, then the
+/// rows in order. Empty, with the reasons in `out`, where shards are missing, cut short, or of another study. A warning
+/// where different programs computed them.
+[[nodiscard]] std::optional<SweepTable> read_sweep_table(const std::string& folder, const EachRow& row,
+                                                         Diagnostics& out);
 
 }  // namespace genu
