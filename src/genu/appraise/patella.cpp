@@ -52,9 +52,9 @@ class Patella {
     const double behind = femur.middle[0] - patella.middle[0];
     const double outside = std::abs(patella.middle[1] - femur.middle[1]) - femur.half_width;
     std::string where;
-    if (behind > 0)
+    if (behind > kSideEdge)
       where = fmt::format("{:.0f} mm behind the middle of the femur's contact surface", to::kMillimetre * behind);
-    else if (outside > 0)
+    else if (outside > kSideEdge)
       where = fmt::format("{:.0f} mm {} of the femur's contact surface", to::kMillimetre * outside,
                           patella.middle[1] > femur.middle[1] ? "lateral" : "medial");
     if (where.empty()) return {};
@@ -77,6 +77,7 @@ class Patella {
       return Vec3(to[j][3] - from[j][3], to[j][4] - from[j][4], to[j][5] - from[j][5]);
     };
     const double own = way(joint_).norm();
+    if (!(own > kLeastSubluxation)) return false;
     for (std::size_t j = 0; j < from.size(); ++j)
       if (j != joint_ && way(j).norm() >= own) return false;
     const auto a = motion(from), b = motion(to);
