@@ -18,7 +18,7 @@ TEST(ReadCompartments, NameContactsAndRegions) {
 
 TEST(ReadCompartments, Errors) {
   expect_refused(kAnchor, "[compartment.inside]\nmeniscal = [@\"medial.iner\"]\n" + kAnchor,
-                 "compartment.inside.meniscal[0]", "\"medial.iner\"", "did you mean \"medial.inner\"?");
+                 "compartment.inside.meniscal[1]", "\"medial.iner\"", "did you mean \"medial.inner\"?");
   expect_refused(kAnchor, "[compartment.@inside]\ndirect = [\"medial\"]\n" + kAnchor, "compartment.inside.meniscal", "",
                  "is missing");
   expect_refused(kAnchor, "[compartment.@medial]\nmeniscal = [\"medial\"]\n" + kAnchor, "compartment.medial", "",
