@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "genu/appraise/place.h"
+#include "genu/appraise/tolerances.h"
 #include "genu/core/units.h"
 #include "genu/results/columns.h"
 

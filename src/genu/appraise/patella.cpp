@@ -44,7 +44,7 @@ class Patella {
   /// Where the patella's contact surface does not lie in front of the femur's.
   std::string wrong_side(const std::vector<JointValues>& coordinates, const char* verb) const {
     const std::vector<Pose> poses = poses_from_coordinates(prepared_.model, coordinates);
-    const Pose X_F = poses[at(axes_.femur.body)];
+    const Pose& X_F = poses[at(axes_.femur.body)];
     const Pose X_FP = X_F.inverse() * poses[at(axes_.tibia.body)];
     const Vec3 lateral = (axes_.right ? 1 : -1) * axes_.femur.anterior.cross(axes_.femur.proximal);
     const Extent femur = extent(axes_.femur.body, {}, lateral), patella = extent(axes_.tibia.body, X_FP, lateral);
