@@ -71,7 +71,8 @@ TEST(SceneNumbers, RefusesWhatItsRulesForbidAndStaysAsItWas) {
   EXPECT_THAT(refusal_of([&] { knee.set("A?C.stiffness", std::vector<double>{1, 2}); }), HasSubstr("means 3 numbers"));
   EXPECT_THAT(refusal_of([&] { knee.set("AAC.stifness", 2); }), HasSubstr("did you mean \"AAC.stiffness\""));
   EXPECT_THAT(refusal_of([&] { (void)knee.value("A?C.stiffness"); }), HasSubstr("means 3 numbers, not one"));
-  EXPECT_THAT(refusal_of([&] { (void)knee.without("XYZ*"); }), HasSubstr("no ligament, bundle, contact or load"));
+  EXPECT_THAT(refusal_of([&] { (void)knee.without("XYZ*"); }),
+              HasSubstr("no ligament, bundle, bushing, contact, load or body"));
   EXPECT_TRUE(knee.changes().empty());
   EXPECT_EQ(csv(knee), csv(load(knee_file())));
 }

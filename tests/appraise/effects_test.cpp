@@ -75,6 +75,8 @@ TEST(Effects, EachIsCountedWhereItIsNamed) {
   for (const char* file : {"dortmans1984/scene.toml", "dortmans1984/scene-moment.toml", "leskovar2019/scene.toml",
                            "leskovar2019/scene-without-joints.toml"})
     seen.merge(count(kMeshes + file).evaluated);
+  EXPECT_FALSE(seen.contains(Effect::bushings));
+  seen.merge(count(test::source_folder() + "/tests/appraise/bushing.toml").evaluated);
   EXPECT_EQ(seen.size() + 1, kEffects) << "all but layers";
   EXPECT_FALSE(seen.contains(Effect::layers));
 }

@@ -57,7 +57,7 @@ duration = 2
         "pull (toward a point of ground, 40 N; scaled over elbow.angle)",
         "turn (on elbow.angle, 2 N m; a sine of 0.5 Hz in time)", "weights: arm 3 kg", "holds the other 5",
         "step 1: 1 increment, time 0 to 2 s; free equilibrium", "step 2: 1 increment, time 2 to 3 s",
-        "off           rigid contact, cartilage layer, ligaments: not named"})
+        "off           rigid contact, cartilage layer, ligaments, bushings: not named"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece << "\nnot in\n" << text;
 }
 
@@ -74,7 +74,7 @@ child = "arm"
 axis = [0, 1, 0]
 [[step]]
 )");
-  EXPECT_NE(text.find("off           rigid contact, cartilage layer, ligaments, loads, gravity: not named"),
+  EXPECT_NE(text.find("off           rigid contact, cartilage layer, ligaments, bushings, loads, gravity: not named"),
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("time"), std::string::npos) << text;
@@ -98,7 +98,7 @@ TEST(Explain, TheTorusKneeIsSeventeenEquations) {
   expect_said(text, "7 + 5 N in all (6B + M + 5N: B = 1, M = 1); room for N <= 5; N = 2: 17 x 17");
   expect_said(text, "reaction of knee.flexion (moment)");
   expect_said(text, "angles flexion about x");
-  expect_said(text, "off           cartilage layer, loads");
+  expect_said(text, "off           cartilage layer, bushings, loads");
 }
 
 TEST(Explain, NamesTheToleranceWhereItIsNotTheDefault) {

@@ -43,5 +43,12 @@ TEST(ShellWord, AShellReadsTheSameWord) {
     EXPECT_EQ(echoed_by_a_shell(word), word);
 }
 
+TEST(CsvWord, IsQuotedWhereItHasToBe) {
+  EXPECT_EQ(csv_word("plain word"), "plain word");
+  EXPECT_EQ(csv_word("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_word("say \"no\""), "\"say \"\"no\"\"\"");
+  EXPECT_EQ(csv_word("two\nlines"), "\"two\nlines\"");
+}
+
 }  // namespace
 }  // namespace genu

@@ -197,6 +197,13 @@ TEST(ExportScene, RevoluteAndFixedJointsAndASideOfASphere) {
   EXPECT_NEAR(named(second.loads, "knee_stiffness").scale->gain, 0.5 * 180 / M_PI, 1e-9);
 }
 
+TEST(ExportScene, SaysThatABushingIsLeftOut) {
+  const osim::ExportedModel model = exported(
+      scene_of(std::string(kTwoBones) + "\n[bushing.pad]\nfrom = { body = \"femur\" }\nto = { body = \"tibia\" }\n"
+                                        "stiffness = [1, 1, 1]\n"));
+  EXPECT_TRUE(contains(model.table, "bushing,pad,left out,,WARNING: a BushingForce of OpenSim")) << model.table;
+}
+
 TEST(ExportScene, SaysWhatOpenSimHasNot) {
   const osim::ExportedModel model = exported(scene_of(kTwoBones));
   for (const char* row : {"ligament,curve,left out,,WARNING: OpenSim has no ligament with the law quadratic\n",

@@ -82,6 +82,18 @@ TEST(LeaveOutBodies, TakesAllThatIsOnThem) {
   EXPECT_EQ(scene.steps[0].factors[0].load, 0);
 }
 
+TEST(LeaveOutBodies, ADrivenCoordinateKeepsALoadThatHoldsIt) {
+  const auto driven = [](const std::string& drive) {
+    std::string text = edited("load = { nudge = [0, 1], push = [0, 1] }",
+                              "drive = { \"knee.flexion\" = " + drive + " }", with_meniscus("enabled = false\n"));
+    return edited("[body.meniscus]", "[body.@meniscus]", text);
+  };
+  expect_one_error(driven("\"nudge\""), "body.meniscus.enabled", "false", "takes all loads that drive knee.flexion");
+  const Scene scene = good(unmarked(driven("[\"nudge\", \"push\"]")).text);
+  ASSERT_EQ(scene.steps[0].prescribe.size(), 1u);
+  EXPECT_EQ(scene.steps[0].prescribe[0].drivers, std::vector<int>{0}) << "push";
+}
+
 TEST(LeaveOutBodies, WhatCannotGo) {
   expect_refused("[body.tibia]\n", "[body.@tibia]\nenabled = false\n", "body.tibia.enabled", "false", "is fixed");
   expect_refused("[body.femur]\n", "[body.@femur]\nenabled = false\n", "body.femur.enabled", "false",

@@ -54,20 +54,24 @@ TEST(ReadBushings, AMatrixIsInNewtonsMetresAndRadians) {
   ASSERT_TRUE(b.matrix.has_value());
   EXPECT_EQ((*b.matrix)(0, 5), 2);
   EXPECT_EQ((*b.matrix)(1, 0), 5);
-  const auto refused = [&](const std::string& before, const std::string& after, const std::string& rule) {
+  const auto refused = [&](const std::string& before, const std::string& after, const std::string& found,
+                           const std::string& rule) {
     std::string other = text;
     other.replace(other.find(before), before.size(), after);
-    expect_refused(kPlace, other.replace(other.find("= [["), 4, "= @[[") + kPlace, "bushing.pad.matrix", "[[", rule);
+    expect_refused(kPlace, other.replace(other.find("= [["), 4, "= @[[") + kPlace, "bushing.pad.matrix", found, rule);
   };
-  refused("[5, 1000", "[6, 1000", "must be symmetric: row 2, column 1 is 6, row 1, column 2 is 5");
-  refused("[0, 0, 0, 3, 0, 0]", "[0, 0, 0, -3, 0, 0]", "must not be negative in any direction");
+  refused("[5, 1000", "[6, 1000", "[[1000, 5, 0, 0, 0, 2], [6, 1000, 0, 0, 0, 0], [0, 0, 1000, ...",
+          "must be symmetric: row 2, column 1 is 6, row 1, column 2 is 5");
+  refused("[0, 0, 0, 3, 0, 0]", "[0, 0, 0, -3, 0, 0]",
+          "[[1000, 5, 0, 0, 0, 2], [5, 1000, 0, 0, 0, 0], [0, 0, 1000, ...", "must not be negative in any direction");
 }
 
 TEST(ReadBushings, Errors) {
   expect_bushing_refused("\"femur\"", "@\"fmur\"", ".to.body", "\"fmur\"", "did you mean \"femur\"?");
-  expect_bushing_refused("[10, 20, 30]", "[10, @-20, 30]", ".stiffness[1]", "-20", ">= 0");
-  expect_bushing_refused("stiffness = [10", "stifness = @[10", ".stifness", "[10", "did you mean \"stiffness\"?");
-  expect_bushing_refused("rotation_stiffness = [1", "damping = @[1", ".damping", "[1",
+  expect_bushing_refused("[10, 20, 30]", "[10, @-20, 30]", ".stiffness[2]", "-20", ">= 0");
+  expect_bushing_refused("stiffness = [10", "@stifness = [10", ".stifness", "[10, 20, 30]",
+                         "did you mean \"stiffness\"?");
+  expect_bushing_refused("rotation_stiffness = [1", "@damping = [1", ".damping", "[1, 2, 3]",
                          "only in a scene with [dynamics]");
 }
 

@@ -20,6 +20,11 @@ TEST(CliExport, WritesAModelThatImportReads) {
                             (folder / "knee/forces.sto") + " --out " + (folder / "again"));
   EXPECT_EQ(back.exit_code, 0) << back.err;
   EXPECT_EQ(genu("check " + (folder / "again/scene.toml")).exit_code, 0);
+  // The command that it prints, with a folder.
+  const std::size_t next = made.out.find("genu import ");
+  ASSERT_NE(next, std::string::npos) << made.out;
+  const std::string line = made.out.substr(next + 5, made.out.find(" --out ", next) - next - 5);
+  EXPECT_EQ(genu(line + " --out " + (folder / "printed")).exit_code, 0) << line;
   EXPECT_EQ(genu(command).exit_code, 2);  // nothing is replaced
 }
 

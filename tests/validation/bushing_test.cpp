@@ -83,6 +83,30 @@ TEST(Bushing, ABlockUnderAMomentTurnsAboutItByALargeAngle) {
   }
 }
 
+/// Near half a turn, where the moment jumps, the answer is doubted, and the judge declines.
+TEST(Bushing, NearHalfATurnItIsDoubted) {
+  const auto turned_to = [](int degrees) {
+    return test::solution_of(fmt::format(R"(format = 1
+units = {{ length = "mm", angle = "deg" }}
+[body.ground]
+fixed = true
+{}[bushing.pad]
+from = {{ body = "ground" }}
+to = {{ body = "block" }}
+stiffness = [20, 20, 20]
+rotation_stiffness = [1, 1, 1]
+[[step]]
+prescribe = {{ "block.a" = [0, {}], "block.b" = 0, "block.c" = 0 }}
+increments = 5
+)",
+                                         free_joint("block", "ground", "{}"), degrees));
+  };
+  EXPECT_EQ(turned_to(140).summary.exit_code, kExitOk);
+  const Solution far = turned_to(178);
+  EXPECT_EQ(far.summary.exit_code, kExitDoubtful);
+  EXPECT_NE(far.summary.verdict.front().find("bushing pad turns by 178 deg"), std::string::npos);
+}
+
 /// A cantilever of blocks under an end moment: each bushing turns by M / k, so the tip by n M / k, an arc of a circle.
 TEST(Bushing, AChainUnderAnEndMomentIsAnArc) {
   constexpr int kBlocks = 8;

@@ -2,6 +2,7 @@
 //   1. read the scene and its meshes; refuse with every error at once
 //   2. write model.osim with bodies, joints, ligaments, cables and contact as far as OpenSim has them, and its meshes
 //   3. say in words what was left out, or differs there
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -36,10 +37,11 @@ int export_it(const ModelExport& asked) {
              report->meshes > 0 ? fmt::format(", {} meshes in Geometry", report->meshes) : "");
   fmt::print("objects     {} kept, {} left out\n", model.kept, model.left_out);
   for (const std::string& line : model.summary) fmt::print("  {}\n", printable(line));
+  const auto forces = std::filesystem::path(report->file).parent_path() / "forces.sto";
   std::string joints;
   for (const std::string& joint : model.joints) joints += (joints.empty() ? "" : ",") + joint;
   fmt::print("next        genu import {} --joints {}{} --out ...\n", printable(shell_word(report->file)), joints,
-             model.forces.empty() ? "" : " --forces forces.sto");
+             model.forces.empty() ? std::string() : " --forces " + printable(shell_word(forces.string())));
   return kOk;
 }
 

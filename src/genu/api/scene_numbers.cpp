@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/api/inside.h"
+#include "genu/core/counted.h"
 #include "genu/core/units.h"
 #include "genu/scene/leave_out_bodies.h"
 #include "genu/scene/words.h"
@@ -80,8 +81,6 @@ std::string below_half(double x) { return x >= 0 && x < 0.5 ? "" : "must be >= 0
 const LayerNumber kLayerNumbers[] = {{"modulus", "MPa", units::kMegapascal, &LayerDef::modulus, above_zero},
                                      {"poisson", "1", 1, &LayerDef::poisson, below_half}};
 
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
-
 /// Of each object its index among those that stay; -1 for those that a pattern means.
 template <class Defs>
 std::vector<int> kept(const SceneTables& scene, const Defs& defs, const std::string& pattern, const char* kind) {
@@ -134,15 +133,13 @@ std::size_t take_out_contacts(genu::Scene& scene, const std::string& pattern) {
   return layers + take_out(scene.contacts, kept(scene, scene.contacts, pattern, "contact"));
 }
 
-/// Bodies with all that is on them; a pattern means some only where it begins with "body.".
+/// Bodies with all that is on them.
 std::size_t take_out_bodies(genu::Scene& scene, const std::string& pattern) {
   std::vector<int> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (const std::string& name = scene.bodies[b].name;
-        pattern == name || (pattern.starts_with("body.") && matches(pattern, "body." + name)))
-      bodies.push_back(static_cast<int>(b));
-  if (const std::string why = cannot_leave_out(scene, bodies); !bodies.empty() && !why.empty())
-    refuse(Code::conflict, "without", with_quotes(pattern), why);
+    if (means_body(pattern, scene.bodies[b].name)) bodies.push_back(static_cast<int>(b));
+  if (const auto stays = cannot_leave_out(scene, bodies))
+    refuse(Code::conflict, "without", with_quotes(pattern), scene.bodies[at(stays->body)].name + " " + stays->why);
   leave_out_bodies(scene, bodies);
   return bodies.size();
 }
@@ -162,6 +159,7 @@ void leave_out(const std::string& pattern, genu::Scene& scene, std::string& what
   for (const LayerDef& l : scene.layers) known.push_back(l.pair.name);
   for (const BundleDef& b : scene.bundles) known.push_back(b.name);
   for (const BushingDef& b : scene.bushings) known.push_back(b.name);
+  for (const BodyDef& b : scene.bodies) known.push_back(b.name);
   const std::size_t ligaments = take_out_ligaments(scene, pattern), loads = take_out_loads(scene, pattern),
                     pairs = take_out_contacts(scene, pattern),
                     bushings = take_out(scene.bushings, kept(scene, scene.bushings, pattern, "bushing"));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "genu/appraise/place.h"
+#include "genu/appraise/tolerances.h"
 #include "genu/core/units.h"
 #include "genu/results/columns.h"
 
@@ -128,6 +129,20 @@ class Implausible {
     if (worst.value > 0)
       out_.push_back(fmt::format("{} would have to push at {} (factor {:.3g}): it cannot hold the coordinate there",
                                  worst.name, where_(worst.row), -worst.value));
+  }
+
+  /// Past half a turn the rotation vector of a bushing jumps, and the moment with it.
+  void bushings() {
+    Worst turn;
+    for (const BushingDef& b : prepared_.scene.bushings)
+      for (std::size_t row = 0; row < table_.rows(); ++row) {
+        const Vec3 angles(number(row, b.name + ".turn_x_deg"), number(row, b.name + ".turn_y_deg"),
+                          number(row, b.name + ".turn_z_deg"));
+        turn.see(units::kDegree * angles.norm(), row, b.name);
+      }
+    if (turn.value > kMostBushingTurn)
+      say("bushing {} turns by {:.0f} deg, and its moment jumps at 180 deg", turn, to::kDegree, "limit {:g} deg",
+          kMostBushingTurn);
   }
 
   std::vector<std::string> take() { return std::move(out_); }
@@ -266,6 +281,7 @@ std::vector<std::string> implausible(const Prepared& prepared, const std::vector
                                      const ResultTable& poses, const std::function<std::string(std::size_t)>& where) {
   Implausible found(prepared, poses, where);
   found.ligaments();
+  found.bushings();
   found.contacts(records);
   found.drivers(records);
   found.rotations(records);
@@ -277,6 +293,7 @@ std::vector<std::string> implausible(const Prepared& prepared, const ResultTable
   Implausible found(prepared, motion,
                     [&](std::size_t row) { return fmt::format("{:.4g} s", motion.number(row, "time_s")); });
   found.ligaments();
+  found.bushings();
   found.contacts({});
   return found.take();
 }

@@ -7,7 +7,9 @@ std::string reason(const PlacedScene& scene, const LoadDef& load) {
   const bool wrench = load.kind == LoadDef::Kind::wrench;
   if (wrench && load.frame == LoadDef::Frame::body) return "it turns with " + scene.bodies[at(load.body)].name;
   if (wrench && load.moment.norm() > 0) return "a moment that is constant in the world";
-  if (load.scale && load.scale->kind == ScaleDef::Kind::over_coordinate) return "it is scaled over a coordinate";
+  const bool own = load.kind == LoadDef::Kind::coordinate && load.scale && load.scale->coordinate == load.coordinate;
+  if (load.scale && load.scale->kind == ScaleDef::Kind::over_coordinate && !own)
+    return "it is scaled over a coordinate";
   return {};
 }
 

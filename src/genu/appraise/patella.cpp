@@ -44,7 +44,7 @@ class Patella {
   /// Where the patella's contact surface does not lie in front of the femur's.
   std::string wrong_side(const std::vector<JointValues>& coordinates, const char* verb) const {
     const std::vector<Pose> poses = poses_from_coordinates(prepared_.model, coordinates);
-    const Pose X_F = poses[at(axes_.femur.body)];
+    const Pose& X_F = poses[at(axes_.femur.body)];
     const Pose X_FP = X_F.inverse() * poses[at(axes_.tibia.body)];
     const Vec3 lateral = (axes_.right ? 1 : -1) * axes_.femur.anterior.cross(axes_.femur.proximal);
     const Extent femur = extent(axes_.femur.body, {}, lateral), patella = extent(axes_.tibia.body, X_FP, lateral);
@@ -52,9 +52,9 @@ class Patella {
     const double behind = femur.middle[0] - patella.middle[0];
     const double outside = std::abs(patella.middle[1] - femur.middle[1]) - femur.half_width;
     std::string where;
-    if (behind > 0)
+    if (behind > kSideEdge)
       where = fmt::format("{:.0f} mm behind the middle of the femur's contact surface", to::kMillimetre * behind);
-    else if (outside > 0)
+    else if (outside > kSideEdge)
       where = fmt::format("{:.0f} mm {} of the femur's contact surface", to::kMillimetre * outside,
                           patella.middle[1] > femur.middle[1] ? "lateral" : "medial");
     if (where.empty()) return {};
@@ -77,6 +77,7 @@ class Patella {
       return Vec3(to[j][3] - from[j][3], to[j][4] - from[j][4], to[j][5] - from[j][5]);
     };
     const double own = way(joint_).norm();
+    if (!(own > kLeastSubluxation)) return false;
     for (std::size_t j = 0; j < from.size(); ++j)
       if (j != joint_ && way(j).norm() >= own) return false;
     const auto a = motion(from), b = motion(to);

@@ -65,11 +65,21 @@ inline constexpr std::size_t kMaxDoubtRows = 200;
 /// [1] Share of peak pressure or load that is reported. Fails first: if too small, warnings about nothing.
 inline constexpr double kReportedShare = 0.01;
 
+// implausible
+
+/// [rad] Rotation of a bushing above which the answer is doubted: at half a turn its rotation vector jumps. Fails
+/// first: if too large, a jump between two rows is not noticed.
+inline constexpr double kMostBushingTurn = 2.6;
+
 // patella
 
 /// [1] Share of a patella's way that goes sideways where it leaves its groove. Fails first: if too small, a snap along
 /// the groove is called a subluxation.
 inline constexpr double kSidewaysShare = 0.5;
+
+/// [m] Least way of a patella that leaves its groove. Fails first: if too small, a path that ends in the groove is
+/// called a subluxation.
+inline constexpr double kLeastSubluxation = 1e-3;
 
 /// [m] Edge of the triangles that show how far contact surfaces reach. Fails first: if too large, a small closed form
 /// has no width.

@@ -14,8 +14,8 @@
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/text_places.h"
 #include "genu/core/counted.h"
+#include "genu/scene/leave_out_bodies.h"
 #include "genu/scene/reader.h"
-#include "genu/scene/words.h"
 
 namespace genu {
 namespace {
@@ -138,11 +138,9 @@ class Changes {
     return none_;
   }
 
-  /// A body goes with all that is on it, so that a pattern means bodies only where it says so: "body.meniscus*".
   bool means(const std::string& pattern, const std::string& group, const std::string& name) const {
-    const std::string full = group + "." + name;
-    if (group == "body") return pattern == name || (pattern.starts_with("body.") && matches(pattern, full));
-    return matches(scene_, pattern, name) || matches(scene_, pattern, full);
+    if (group == "body") return means_body(pattern, name);
+    return matches(scene_, pattern, name) || matches(scene_, pattern, group + "." + name);
   }
 
   void disable(const std::string& group, TomlNode& table) {

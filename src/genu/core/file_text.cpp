@@ -36,4 +36,14 @@ std::string shell_word(const std::string& word) {
   return out + "'";
 }
 
+std::string csv_word(const std::string& word) {
+  if (word.find_first_of(",\"\n\r") == std::string::npos) return word;
+  std::string quoted = "\"";
+  for (const char c : word) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
 }  // namespace genu

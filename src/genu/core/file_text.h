@@ -15,4 +15,7 @@ namespace genu {
 /// A word for a shell's command line: as it is where that is safe, else in single quotes, with ./ before a leading -.
 std::string shell_word(const std::string& word);
 
+/// A cell of a CSV table (RFC 4180): in quotes where it has to be.
+std::string csv_word(const std::string& word);
+
 }  // namespace genu

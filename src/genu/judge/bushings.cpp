@@ -1,6 +1,7 @@
 // Bushings: the displacement of frames from poses, forces by virtual work from differences of it.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -52,6 +53,11 @@ class BushingCase {
     Vec6 numbers;
     numbers << def.stiffness, def.rotation_stiffness;
     K_ = def.matrix ? *def.matrix : Mat6(numbers.asDiagonal());
+  }
+
+  /// Differences across half a turn, where the rotation vector jumps, tell nothing.
+  bool near_half_turn() const {
+    return q_.tail<3>().norm() > std::numbers::pi - static_cast<double>(kDifferenceWeights.size()) * kDifferenceTurn;
   }
 
   void check_and_add(PoseForces& out) const {
@@ -125,7 +131,13 @@ class BushingCase {
 }  // namespace
 
 void check_bushings(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces) {
-  for (const BushingDef& def : pose.scene().bushings) BushingCase(pose, def, velocities).check_and_add(forces);
+  for (const BushingDef& def : pose.scene().bushings) {
+    const BushingCase bushing(pose, def, velocities);
+    if (bushing.near_half_turn())
+      pose.out->skip("bushing " + def.name + " near half a turn, where its moment jumps, and the balance there");
+    else
+      bushing.check_and_add(forces);
+  }
 }
 
 }  // namespace genu::judge

@@ -78,7 +78,7 @@ bool HingedMotion::rate(const State& state, const VecX& twist, const Target& tar
   return good && out.allFinite();
 }
 
-void HingedMotion::weights(OdeSystem::Values y, double tolerance, double second, Eigen::Ref<VecX> out) const {
+void HingedMotion::weights(const OdeSystem::Values& y, double tolerance, double second, Eigen::Ref<VecX> out) const {
   const Eigen::Index n = tree_.count();
   out.head(n).setConstant(1 / tolerance);
   for (Eigen::Index i = 0; i < n; ++i) out[n + i] = 1 / (tolerance * (1 / second + std::abs(y[n + i])));

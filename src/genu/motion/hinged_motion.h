@@ -36,7 +36,7 @@ class HingedMotion {
 
   /// 1 / (allowed error of each number in one step), for angles and rates; `second` (s): rates are measured in rad per
   /// it.
-  void weights(OdeSystem::Values y, double tolerance, double second, Eigen::Ref<VecX> out) const;
+  void weights(const OdeSystem::Values& y, double tolerance, double second, Eigen::Ref<VecX> out) const;
 
  private:
   double add_hinge_moments(const State& state, const Target& target, const VecX& twist);

@@ -42,6 +42,8 @@ void write_other_loads(ModelDraft& draft, XmlWriter& out) {
                      "WARNING: OpenSim takes loads from files of its tools (ExternalLoads), not from the model");
     }
   }
+  for (const BushingDef& b : draft.scene.bushings)
+    draft.left_out("bushing", b.name, "WARNING: a BushingForce of OpenSim measures rotation by other angles");
   for (int j = 0; at(j) < draft.scene.joints.size(); ++j) {
     const JointDef& joint = draft.scene.joints[at(j)];
     if (joint.type == JointDef::Type::revolute && joint.stiffness != 0)

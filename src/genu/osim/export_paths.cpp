@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -88,10 +89,23 @@ class PathExporter {
     draft_.forces_head += "\t/forceset/" + l.name + "/actuation";
     draft_.forces_row += fmt::format("\t{}", l.value * l.activation);
     draft_.kept("load", l.name, "/forceset/" + l.name,
-                std::string("its tension is in forces.sto") + (l.scale ? "; WARNING: its scale is left out" : ""));
+                std::string("its tension is in forces.sto") + (l.scale ? "; WARNING: its scale is left out" : "") +
+                    (by_steps(l) ? "; WARNING: the factor that steps give it is left out" : ""));
   }
 
  private:
+  /// Whether a step changes the load's factor, or asks for it.
+  bool by_steps(const LoadDef& l) const {
+    const int load = static_cast<int>(&l - draft_.scene.loads.data());
+    for (const StepDef& step : draft_.scene.steps) {
+      for (const auto& p : step.prescribe)
+        if (std::find(p.drivers.begin(), p.drivers.end(), load) != p.drivers.end()) return true;
+      for (const auto& f : step.factors)
+        if (f.load == load && (f.from != 1 || f.to != 1)) return true;
+    }
+    return false;
+  }
+
   std::string why_not(const std::vector<WrapDef>& wraps) const {
     for (const WrapDef& w : wraps) {
       const SurfaceDef& s = draft_.scene.surfaces[at(w.surface)];

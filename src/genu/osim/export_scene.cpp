@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/counted.h"
+#include "genu/core/file_text.h"
 #include "genu/osim/model_draft.h"
 
 namespace genu::osim {
@@ -60,13 +62,6 @@ std::string model_text(ModelDraft& draft) {
          "</OpenSimDocument>\n";
 }
 
-std::string csv_word(const std::string& word) {
-  if (word.find_first_of(",\"\n") == std::string::npos) return word;
-  std::string quoted = "\"";
-  for (const char c : word) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string table_of(const std::vector<ExportOutcome>& outcomes) {
   std::string table = "kind,name,fate,in_model,reason\n";
   for (const ExportOutcome& o : outcomes)
@@ -90,9 +85,8 @@ std::vector<std::string> summary_of(const std::vector<ExportOutcome>& outcomes) 
     std::size_t count = 0;
     for (const ExportOutcome& o : outcomes)
       if (alike(o) && ++count <= kMostNames) names += (names.empty() ? "" : ", ") + o.name;
-    lines.push_back(fmt::format("{:<8}  {} {}{} ({}{}): {}", first.in_model.empty() ? "left out" : "kept", count,
-                                first.kind, count > 1 ? "s" : "", names, count > kMostNames ? ", ..." : "",
-                                first.reason));
+    lines.push_back(fmt::format("{:<8}  {} ({}{}): {}", first.in_model.empty() ? "left out" : "kept",
+                                counted(count, first.kind), names, count > kMostNames ? ", ..." : "", first.reason));
   }
   return lines;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/file_text.h"
 namespace genu::osim {
 namespace {
 
@@ -48,13 +49,6 @@ constexpr std::array kKnownKinds = {
     KnownKind{"WeldConstraint", "WARNING: would hold two frames together"},
 };
 
-std::string quoted_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 std::string whole_reason(const Outcome& o) {
   return o.reason + (o.reason.empty() || o.detail.empty() ? "" : ": ") + o.detail;
 }
@@ -83,8 +77,8 @@ std::string outcome_table(const std::vector<Item>& items, const Outcomes& outcom
   std::string text = "line,set,type,name,fate,in_scene,reason\n";
   for (const Item& item : items) {
     const Outcome& o = outcomes.of(item.where);
-    text += fmt::format("{},{},{},{},{},{},{}\n", item.where.line, quoted_cell(item.set), quoted_cell(item.type),
-                        quoted_cell(item.name), word_of(o.fate), quoted_cell(o.in_scene), quoted_cell(whole_reason(o)));
+    text += fmt::format("{},{},{},{},{},{},{}\n", item.where.line, csv_word(item.set), csv_word(item.type),
+                        csv_word(item.name), word_of(o.fate), csv_word(o.in_scene), csv_word(whole_reason(o)));
   }
   return text;
 }

@@ -6,19 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/file_text.h"
 namespace genu {
 namespace {
-
-/// A word as CSV (RFC 4180): quoted where it has to be.
-std::string csv_word(const std::string& word) {
-  if (word.find_first_of(",\"\n\r") == std::string::npos) return word;
-  std::string quoted = "\"";
-  for (const char c : word) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 struct ToCsv {
   std::string operator()(std::monostate) const { return {}; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "genu/scene/words.h"
+
 namespace genu {
 namespace {
 
@@ -49,6 +51,16 @@ class LeaveOut {
       for (int* body : {&b.from.body, &b.to.body}) bodies_.renumber(*body);
     loads();
     if (scene_.dynamics) motion(*scene_.dynamics);
+  }
+
+  /// A quantity of a step that loses every load that drives it; null where there is none. Before run().
+  const QuantityRef* undriven() const {
+    for (const StepDef& step : scene_.steps)
+      for (const StepDef::Prescribed& p : step.prescribe)
+        if (!p.drivers.empty() && !gone(p.coordinate) &&
+            std::all_of(p.drivers.begin(), p.drivers.end(), [&](int load) { return gone(scene_.loads[at(load)]); }))
+          return &p.coordinate;
+    return nullptr;
   }
 
  private:
@@ -170,17 +182,28 @@ class LeaveOut {
 
 }  // namespace
 
-std::string cannot_leave_out(const SceneTables& scene, const std::vector<int>& bodies) {
+std::optional<BodyThatStays> cannot_leave_out(const SceneTables& scene, const std::vector<int>& bodies) {
+  if (bodies.empty()) return std::nullopt;
   const auto goes = [&](int body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
   for (const int body : bodies)
-    if (scene.bodies[at(body)].fixed) return "is fixed: what stays would have nothing to stand on";
+    if (scene.bodies[at(body)].fixed) return BodyThatStays{body, "is fixed: a scene needs its fixed body"};
   for (const JointDef& j : scene.joints)
     if (goes(j.parent) && !goes(j.child))
-      return "carries " + scene.bodies[at(j.child)].name + " by " + j.name + ": leave that out too";
+      return BodyThatStays{j.parent,
+                           "carries " + scene.bodies[at(j.child)].name + " by " + j.name + ": leave that out too"};
   const auto moves = [&](std::size_t b) { return !scene.bodies[b].fixed && !goes(static_cast<int>(b)); };
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (moves(b)) return {};
-  return "is the last body that moves";
+  bool any = false;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) any = any || moves(b);
+  if (!any) return BodyThatStays{bodies.front(), "is the last body that moves"};
+  SceneTables rest = scene;
+  if (const QuantityRef* quantity = LeaveOut(rest, bodies).undriven())
+    return BodyThatStays{bodies.front(), "takes all loads that drive " + quantity_name(scene, *quantity) +
+                                             ": leave out drive as well, and a reaction holds it"};
+  return std::nullopt;
+}
+
+bool means_body(const std::string& pattern, const std::string& name) {
+  return pattern == name || (pattern.starts_with("body.") && matches(pattern, "body." + name));
 }
 
 void leave_out_bodies(SceneTables& scene, const std::vector<int>& bodies) {

@@ -83,7 +83,7 @@ void read_stiffness(ReadContext& context, Section& section, BushingDef& bushing)
   if (const Item matrix = section.find("matrix")) {
     for (const char* key : {"stiffness", "rotation_stiffness"})
       if (const Item other = section.find(key))
-        refuse(context, other, Code::conflict, "is said by `matrix` already: give one of the two");
+        refuse(context, other, Code::conflict, "conflicts with `matrix`: give one of the two");
     bushing.matrix = read_matrix(context, matrix);
   } else if (!section.has("stiffness") && !section.has("rotation_stiffness")) {
     section.error(Code::missing_key, "stiffness",

@@ -36,6 +36,16 @@ std::vector<std::string> read_names(ReadContext& context, const Item& item) {
   return out;
 }
 
+/// A contact, or a part of it, must not count twice; regions may overlap on purpose.
+void check_counted_once(Section& section, const CompartmentDef& compartment) {
+  std::vector<std::string> all = compartment.direct;
+  all.insert(all.end(), compartment.meniscal.begin(), compartment.meniscal.end());
+  for (std::size_t j = 0; j < all.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (all[i] == all[j] || all[j].starts_with(all[i] + ".") || all[i].starts_with(all[j] + "."))
+        return section.error(Code::duplicate, "", "counts " + all[j] + " twice");
+}
+
 }  // namespace
 
 void read_compartments(ReadContext& context, Section& root) {
@@ -47,6 +57,7 @@ void read_compartments(ReadContext& context, Section& root) {
     compartment.direct = read_names(context, section.find("direct"));
     compartment.meniscal = read_names(context, section.require("meniscal"));
     section.finish();
+    check_counted_once(section, compartment);
     context.scene.compartments.push_back(std::move(compartment));
   }
 }

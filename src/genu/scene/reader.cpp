@@ -114,9 +114,9 @@ void leave_out_disabled_bodies(ReadContext& context) {
   std::vector<int> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (is_disabled(scene, "body", scene.bodies[b].name)) bodies.push_back(static_cast<int>(b));
-  if (const std::string why = cannot_leave_out(scene, bodies); !bodies.empty() && !why.empty())
-    return context.error(scene.bodies[at(bodies.front())].where, Code::conflict,
-                         "body." + scene.bodies[at(bodies.front())].name + ".enabled", "false", why);
+  if (const auto stays = cannot_leave_out(scene, bodies))
+    return context.error(scene.bodies[at(stays->body)].where, Code::conflict,
+                         "body." + scene.bodies[at(stays->body)].name + ".enabled", "false", stays->why);
   leave_out_bodies(scene, bodies);
 }
 

@@ -49,6 +49,8 @@ std::string no_output(const Prepared& prepared, const std::vector<Output>& known
   for (const std::string& column : table.columns())
     if (const std::string why = why_not_smooth(column); !why.empty() && names(pattern, column))
       return "matches " + column + ", which " + why;
+  for (const std::string& column : table.columns())
+    if (names(pattern, column)) return "matches " + column + ", which has no exact derivative here";
   for (const Output& o : known) words.insert(words.end(), {o.column, without_unit(o.column)});
   return "is no output of this scene" + did_you_mean(pattern, words) +
          " (outputs are the columns of results.csv, with or without the unit)";
@@ -64,7 +66,7 @@ const char* kind_of_object(const Parameter& p) {
   return p.kind == Parameter::Kind::prescribed ? "" : "bodies";
 }
 
-/// Calls f(row) for each number of surfaces, loads, bodies and joints.
+/// Calls f(row) for each number of surfaces, loads, bodies, joints and bushings.
 template <class F>
 void for_tables(const F& f) {
   const auto of = [&](const auto& kinds) {
@@ -75,6 +77,7 @@ void for_tables(const F& f) {
   of(kLoadKinds);
   of(kBodyKinds);
   of(kJointKinds);
+  of(kBushingKinds);
 }
 
 /// Why a pattern names no parameter: what the objects that it names have, those of ligaments alone where it asks for a
