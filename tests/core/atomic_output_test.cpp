@@ -242,6 +242,28 @@ TEST_F(AtomicOutput, AWriteThatFailsHalfWayKeepsTheOldFile) {
   EXPECT_EQ(names_in(dir_), Names{"results.csv"});
 }
 
+TEST_F(AtomicOutput, AStagedFileIsThereOnceItIsCommitted) {
+  const fs::path file = dir_ / "rows.csv";
+  {
+    StagedFile dropped(file);
+    dropped.write("never");
+  }
+  EXPECT_TRUE(names_in(dir_).empty());
+  StagedFile first(file, Durable::yes), second(file);  // of two writers of one file
+  const std::string much(3'000'000, 'x');
+  first.write(much);
+  first.write("end");
+  second.write("other");
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(first.commit(), "");
+  EXPECT_EQ(read(file), much + "end");
+  EXPECT_EQ(second.commit(), "");
+  EXPECT_EQ(read(file), "other");
+  EXPECT_NE(second.commit(), "");
+  EXPECT_EQ(names_in(dir_), Names{"rows.csv"});
+  EXPECT_NE(StagedFile(dir_).commit().find("is not a file that can be replaced"), std::string::npos);
+}
+
 TEST(WhyNotReplaced, OnlyWhatIsMarkedOrEmptyIsReplaced) {
   const fs::path folder = fs::path(testing::TempDir()) / "genu-why-not-replaced";
   fs::create_directories(folder);

@@ -21,6 +21,7 @@
 
 #include "advice.h"
 #include "commands.h"
+#include "genu/core/atomic_output.h"
 #include "genu/core/file_text.h"
 #include "genu/study/run_scene.h"
 #include "genu/sweep/batch_files.h"
@@ -61,9 +62,10 @@ int merge(const std::string& folder, bool quiet) {
   if (code != kOk) return code;
   std::stringstream lines(quiet ? std::string() : text);
   for (std::string line; std::getline(lines, line);) fmt::print("{}\n", printable(line));
+  const bool indices = std::filesystem::exists(std::filesystem::path(folder) / "indices.csv");
   fmt::print(
-      "  {:<12}{}/samples.csv, statistics.csv, events.csv, ranks.csv, convergence.csv, summary.json, report.html\n",
-      "written", folder);
+      "  {:<12}{}/samples.csv, statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, report.html\n",
+      "written", folder, indices ? "indices.csv, " : "");
   return code;
 }
 
@@ -93,7 +95,7 @@ bool write_batch_files(const SweepArguments& arguments, const SweepRecord& recor
   options.cores = arguments.cores;
   const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
   for (const auto& [name, content] : batch_files(record, absolute, missing, options))
-    if (const std::string error = write_durably(folder + "/" + name, content); !error.empty())
+    if (const std::string error = write_file_atomically(folder + "/" + name, content, Durable::yes); !error.empty())
       out.error(Code::cannot_write, {}, error);
   return !out.has_errors();
 }

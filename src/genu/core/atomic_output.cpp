@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -118,6 +117,23 @@ std::string keep_others(const fs::path& old, const fs::path& fresh) {
   return {};
 }
 
+// Why no file can be put at `path`; empty where one can.
+std::string why_no_file(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(path, ignored);
+  if (fs::is_symlink(status)) return path.string() + ": is a symbolic link, which a file would replace: name another";
+  if (fs::exists(status) && !fs::is_regular_file(status)) return path.string() + ": is not a file that can be replaced";
+  return path.has_filename() ? std::string() : path.string() + ": is not the name of a file";
+}
+
+// Waits until the disk has the names in a folder.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 }  // namespace
 
 StagedFolder::~StagedFolder() {
@@ -183,26 +199,67 @@ bool folder_holds(const fs::path& folder, const fs::path& file) {
   return !relative.empty() && *relative.begin() != ".." && fs::exists(inner, code);
 }
 
-std::string write_file_atomically(const fs::path& path, std::string_view content) {
-  std::error_code code;
-  const fs::file_status status = fs::symlink_status(path, code);
-  if (fs::is_symlink(status)) return path.string() + ": is a symbolic link, which a file would replace: name another";
-  if (fs::exists(status) && !fs::is_regular_file(status)) return path.string() + ": is not a file that can be replaced";
-  if (!path.has_filename()) return path.string() + ": is not the name of a file";
-  const fs::path partial = sibling(path, "partial");
-  errno = 0;
-  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();  // a full disk may show only here
-  if (file) {
-    fs::rename(partial, path, code);
-    if (!code) return {};
-  } else {
-    code.assign(errno != 0 ? errno : EIO, std::generic_category());
+StagedFile::StagedFile(fs::path path, Durable durable) : target_(std::move(path)), durable_(durable) {
+  error_ = why_no_file(target_);
+  if (!error_.empty()) return;
+  do {  // another thread or process may take the same free name
+    partial_ = sibling(target_, "partial");
+    descriptor_ = ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) fail(errno);
+}
+
+StagedFile::~StagedFile() {
+  if (descriptor_ < 0) return;
+  close();
+  ::unlink(partial_.c_str());
+}
+
+void StagedFile::fail(int error) {
+  if (error_.empty()) error_ = failure(target_, "cannot be written", {error, std::generic_category()});
+}
+
+void StagedFile::close() {
+  if (::close(descriptor_) != 0) fail(errno);  // a full disk may show only here
+  descriptor_ = -1;
+}
+
+void StagedFile::write(std::string_view content) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+  waiting_ += content;
+  if (waiting_.size() >= kAtOnce) flush();
+}
+
+void StagedFile::flush() {
+  std::string_view left = waiting_;
+  while (!left.empty() && error_.empty()) {
+    const ssize_t n = ::write(descriptor_, left.data(), left.size());
+    if (n >= 0)
+      left.remove_prefix(static_cast<std::size_t>(n));
+    else if (errno != EINTR)
+      fail(errno);
   }
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  return failure(path, "cannot be written", code);
+  waiting_.clear();
+}
+
+std::string StagedFile::commit() {
+  if (descriptor_ < 0) return error_.empty() ? target_.string() + ": is written already" : error_;
+  flush();
+  if (durable_ == Durable::yes && error_.empty() && ::fsync(descriptor_) != 0) fail(errno);
+  close();
+  if (error_.empty() && ::rename(partial_.c_str(), target_.c_str()) != 0) fail(errno);
+  if (!error_.empty()) {
+    ::unlink(partial_.c_str());
+    return error_;
+  }
+  if (durable_ == Durable::yes) sync_folder(target_.parent_path());
+  return {};
+}
+
+std::string write_file_atomically(const fs::path& path, std::string_view content, Durable durable) {
+  StagedFile file(path, durable);
+  file.write(content);
+  return file.commit();
 }
 
 MayBeFault why_not_replaced(const std::string& path, const std::string& mark) {

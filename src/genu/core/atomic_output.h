@@ -54,9 +54,37 @@ inline std::string text_of(const std::optional<Fault>& fault) { return fault ? f
 /// Whether a file lies in a folder, at any depth, links followed: replacing the folder would lose it.
 [[nodiscard]] bool folder_holds(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-/// Writes a file whole or not at all: a reader, a full disk or a crash of the program leaves the old content or the
-/// new. (A power cut may not: nothing is forced to the disk.) Refuses to replace what is not a regular file, links too.
-[[nodiscard]] std::string write_file_atomically(const std::filesystem::path& path, std::string_view content);
+/// Whether a power cut leaves the old content or the new one too: then commit() waits for the disk.
+enum class Durable { no, yes };
+
+/// A file under construction, whole or not at all: a reader, a full disk or a crash of the program leaves the old
+/// content or the new one. Refuses to replace what is not a regular file, links too. What is not committed leaves
+/// nothing. Several may write the same file: the last commit() stays.
+class StagedFile {
+ public:
+  explicit StagedFile(std::filesystem::path path, Durable durable = Durable::no);
+  ~StagedFile();
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+
+  /// What goes wrong is the text of commit().
+  void write(std::string_view content);
+  [[nodiscard]] std::string commit();
+
+ private:
+  void flush();
+  void close();
+  void fail(int error);
+
+  std::filesystem::path target_, partial_;
+  Durable durable_;
+  std::string waiting_, error_;
+  int descriptor_ = -1;
+};
+
+/// The same of content that is at hand.
+[[nodiscard]] std::string write_file_atomically(const std::filesystem::path& path, std::string_view content,
+                                                Durable durable = Durable::no);
 
 /// None where a file can be written at `path` and none is there, or one that holds `mark`, which whoever asks writes
 /// into files of that kind. Else why not: it may be all that somebody has of a scene, a mesh or another result.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "genu/assemble/solution.h"
+#include "genu/core/atomic_output.h"
 #include "genu/sweep/summary_tables.h"
 #include "genu/sweep/sweep_page.h"
 #include "genu/sweep/sweep_table.h"
@@ -11,21 +12,25 @@
 namespace genu {
 
 int merge_sweep(const std::string& folder, Diagnostics& out, std::string& text) {
-  std::string samples;
-  const auto sweep = read_sweep_table(
-      folder, [&](std::string_view row) { samples.append(row).append("\n"); }, out);
+  const std::filesystem::path in = folder;
+  StagedFile samples(in / "samples.csv", Durable::yes);  // row by row: all of them may be larger than the memory
+  const auto add = [&](std::string_view row) {
+    samples.write(row);
+    samples.write("\n");
+  };
+  const auto sweep = read_sweep_table(folder, add, out);
   if (!sweep) return kExitRefused;
-  std::vector<std::pair<std::string, std::string>> files = {{"samples.csv", std::move(samples)},
-                                                            {"statistics.csv", statistics_table(*sweep).to_csv()},
+  std::vector<std::pair<std::string, std::string>> files = {{"statistics.csv", statistics_table(*sweep).to_csv()},
                                                             {"events.csv", event_probabilities(*sweep).to_csv()},
                                                             {"ranks.csv", rank_table(*sweep).to_csv()},
                                                             {"convergence.csv", convergence_table(*sweep).to_csv()},
                                                             {"summary.json", summary_json(*sweep)},
                                                             {"report.html", sweep_page(*sweep)}};
   if (sweep->record.block > 1) files.emplace_back("indices.csv", index_table(*sweep).to_csv());
-  for (const auto& [name, content] : files) {
-    const std::string error = write_durably((std::filesystem::path(folder) / name).string(), content);
-    if (error.empty()) continue;
+  std::string error = samples.commit();
+  for (const auto& [name, content] : files)
+    if (error.empty()) error = write_file_atomically(in / name, content, Durable::yes);
+  if (!error.empty()) {
     out.error(Code::cannot_write, {}, error);
     return kExitFailed;
   }

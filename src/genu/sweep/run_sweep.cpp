@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include "genu/assemble/solution.h"
+#include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
@@ -71,7 +72,8 @@ class Runs {
 
 void count_class(std::string_view row, SweepOutcome& outcome) {
   constexpr std::size_t kClass = 3;
-  ++outcome.classes[split_row(row)[kClass]];
+  const std::vector<std::string> cells = split_row(row);
+  if (cells.size() > kClass) ++outcome.classes[cells[kClass]];
 }
 
 /// Whether the shard is there, counted in `outcome`. One that is cut short or changed is none: the folder belongs to
@@ -122,7 +124,7 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
     outcome.interrupted = true;
     return kExitIncomplete;
   }
-  const std::string error = write_durably(path, shard_text(record, options.shard, rows));
+  const std::string error = write_file_atomically(path, shard_text(record, options.shard, rows), Durable::yes);
   if (!error.empty()) {
     finished.flush();
     out.error(Code::cannot_write, {}, error);

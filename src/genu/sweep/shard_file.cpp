@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/assemble/table_text.h"
 #include "genu/core/file_checksum.h"
 #include "genu/core/file_text.h"
 #include "genu/store/input_hash.h"
@@ -19,11 +20,11 @@ constexpr const char* kEnd = "# end ";
 
 std::string as_cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
 
-/// As CSV (RFC 4180): quoted where it has to be, on one line.
-std::string as_cell(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-  return out.find_first_of(",\"") == std::string::npos ? out : '"' + out + '"';
+/// On one line.
+std::string as_cell(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return csv_word(text);
 }
 
 /// The head up to the program's hash, which may differ from shard to shard.
@@ -45,10 +46,14 @@ std::string column_line(const SweepRecord& record) {
   return line + ",reason";
 }
 
-std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result) {
+std::string begin_of_row(const SweepRecord& record, std::uint64_t run) {
   const auto& in = record.cases[run / record.samples];
-  std::string line = fmt::format("{},{},{},{},{},{}", run % record.samples, as_cell(in.scene), as_cell(in.what_if),
-                                 result.verdict, result.jumps, as_cell(result.jump_at));
+  return fmt::format("{},{},{},", run % record.samples, as_cell(in.scene), as_cell(in.what_if));
+}
+
+std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result) {
+  std::string line =
+      begin_of_row(record, run) + fmt::format("{},{},{}", result.verdict, result.jumps, as_cell(result.jump_at));
   for (const double draw : result.draws) line += "," + as_cell(draw);
   for (const double kept : result.kept) line += "," + as_cell(kept);
   return line + "," + as_cell(result.reason);
@@ -119,20 +124,11 @@ std::string as_array_list(const std::vector<std::uint64_t>& numbers) {
 }
 
 std::vector<std::string> split_row(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const char c = line[k];
-    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
-      cells.back() += line[++k];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
+  std::vector<TextCell> cells;
+  if (!split_separated(line, ',', cells)) return {};
+  std::vector<std::string> words;
+  for (TextCell& cell : cells) words.push_back(std::move(cell.text));
+  return words;
 }
 
 }  // namespace genu

@@ -30,6 +30,8 @@ std::string shard_path(const std::string& folder, ShardId id);
 
 /// "sample,scene,what_if,class,jumps,jump_at,...,reason"
 std::string column_line(const SweepRecord& record);
+/// "17,knee,as_is,": how the row of a run begins.
+std::string begin_of_row(const SweepRecord& record, std::uint64_t run);
 /// The row of a run, without the end of the line.
 std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result);
 
@@ -49,7 +51,7 @@ std::vector<std::uint64_t> missing_shards(const std::string& folder, const Sweep
 /// "3,17-19"
 std::string as_array_list(const std::vector<std::uint64_t>& numbers);
 
-/// The cells of a line of CSV.
+/// The cells of a line of CSV; none where a quote is not closed.
 std::vector<std::string> split_row(std::string_view line);
 
 }  // namespace genu

@@ -1,6 +1,5 @@
 #include "genu/sweep/sweep_record.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "genu/core/atomic_output.h"
 #include "genu/core/file_text.h"
 
 namespace genu {
@@ -57,23 +57,6 @@ SweepRecord from_json(const ordered_json& j) {
   return r;
 }
 
-/// Writes all of it and waits until the disk has it.
-int write_and_sync(const std::string& path, const std::string& content) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  int error = 0;
-  for (std::size_t done = 0; done < content.size() && error == 0;) {
-    const ssize_t n = ::write(file, content.data() + done, content.size() - done);
-    if (n >= 0)
-      done += static_cast<std::size_t>(n);
-    else if (errno != EINTR)
-      error = errno;
-  }
-  if (error == 0 && ::fsync(file) != 0) error = errno;
-  if (::close(file) != 0 && error == 0) error = errno;
-  return error;
-}
-
 /// A name that no other thread or process of this machine or another has.
 std::string temporary_name(const std::string& path) {
   static std::atomic<int> count = 0;
@@ -87,7 +70,7 @@ std::string temporary_name(const std::string& path) {
 /// text.
 std::string write_where_none_is(const std::string& path, const std::string& content) {
   const std::string mine = temporary_name(path);
-  if (std::string error = write_durably(mine, content); !error.empty()) return error;
+  if (std::string error = write_file_atomically(mine, content, Durable::yes); !error.empty()) return error;
   int error = ::link(mine.c_str(), path.c_str()) == 0 ? 0 : errno;
   const bool has_links = error == 0 || error == EEXIST;  // some file systems have none
   if (!has_links) error = ::rename(mine.c_str(), path.c_str()) == 0 ? 0 : errno;
@@ -108,23 +91,6 @@ bool holds_others(const std::string& folder) {
 }
 
 }  // namespace
-
-std::string write_durably(const std::string& path, const std::string& content) {
-  const std::string temporary = temporary_name(path);
-  int error = write_and_sync(temporary, content);
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    return path + ": cannot be written: " + std::strerror(error);
-  }
-  const std::string folder = fs::path(path).parent_path().string();
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0) {
-    ::fsync(descriptor);  // the new name
-    ::close(descriptor);
-  }
-  return {};
-}
 
 SweepRecord record_of(const Sweep& sweep, std::uint64_t shards) {
   SweepRecord r;

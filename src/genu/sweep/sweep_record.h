@@ -44,7 +44,4 @@ inline constexpr const char* kSweepRecord = "sweep.json";
 /// folder holds other things, another study, a changed one, or another number of shards.
 [[nodiscard]] bool claim_folder(const std::string& folder, const SweepRecord& record, Diagnostics& out);
 
-/// Writes a file that survives a power cut: a temporary file, fsync, rename. What went wrong, else an empty text.
-[[nodiscard]] std::string write_durably(const std::string& path, const std::string& content);
-
 }  // namespace genu

@@ -21,12 +21,6 @@ double number_of(const std::string& cell) {
   return value;
 }
 
-bool is_row_of(const SweepRecord& record, std::uint64_t run, const std::vector<std::string>& cells) {
-  const SweepRecord::Case& in = record.cases[run / record.samples];
-  return number_of(cells[0]) == static_cast<double>(run % record.samples) && cells[1] == in.scene &&
-         cells[2] == in.what_if;
-}
-
 void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string>& cells) {
   SweepTable::Case& in = table.cases[run / table.record.samples];
   std::size_t c = 3;  // behind sample, scene and what-if
@@ -94,7 +88,7 @@ std::optional<SweepTable> read_sweep_table(const std::string& folder, const Each
     const auto add = [&](std::string_view line) {
       if (out.count(Diagnostic::Severity::error) > errors) return;  // of a row before
       const std::vector<std::string> cells = split_row(line);
-      if (cells.size() != width || !is_row_of(*record, run, cells))
+      if (cells.size() != width || !line.starts_with(begin_of_row(*record, run)))
         return out.error(Code::broken_file, shard_path(folder, id),
                          fmt::format("has a row {} that is none of this sweep", run - id.first(record->runs()) + 1));
       add_row(table, run++, cells);
