@@ -17,11 +17,13 @@ TEST(BatchFiles, AskForTheMissingShards) {
   options.cores = 8;
   const auto files = batch_files(record, "/data/out", {3, 17, 18, 19}, options);
   ASSERT_EQ(files.size(), 3u);
+  const std::string command =
+      std::string("exec /usr/bin/genu sweep '/home/me/my study.toml' --out /data/out --shard ") +
+      "\"$SLURM_ARRAY_TASK_ID\"/40 --threads 8\n";
+  EXPECT_TRUE(test::contains(files[0].second, command)) << files[0].second;
   for (const char* line :
        {"#SBATCH --array=3,17-19%4\n", "#SBATCH --requeue\n", "#SBATCH --cpus-per-task=8\n", "#SBATCH --time=1:00:00\n",
-        "#SBATCH --signal=B:TERM@30\n",  // to genu, which is the batch process: there is no job step
-        "exec /usr/bin/genu sweep '/home/me/my study.toml' --out /data/out --shard "
-        "\"$SLURM_ARRAY_TASK_ID\"/40 --threads 8\n"})
+        "#SBATCH --signal=B:TERM@30\n"})  // to genu, which is the batch process: there is no job step
     EXPECT_TRUE(test::contains(files[0].second, line)) << files[0].second;
   EXPECT_TRUE(test::contains(files[1].second, "queue shard from (\n  3\n  17\n  18\n  19\n)")) << files[1].second;
   EXPECT_TRUE(test::contains(files[2].second, "--shard {}/40 --threads 8 ::: 3 17 18 19\n")) << files[2].second;
