@@ -18,8 +18,8 @@ TEST(BatchFiles, AskForTheMissingShards) {
   const auto files = batch_files(record, "/data/out", {3, 17, 18, 19}, options);
   ASSERT_EQ(files.size(), 3u);
   const std::string command =
-      "exec /usr/bin/genu sweep '/home/me/my study.toml' --out /data/out --shard \"$SLURM_ARRAY_TASK_ID\"/40 --threads "
-      "8\n";
+      std::string("exec /usr/bin/genu sweep '/home/me/my study.toml' --out /data/out --shard ") +
+      "\"$SLURM_ARRAY_TASK_ID\"/40 --threads 8\n";
   EXPECT_TRUE(test::contains(files[0].second, command)) << files[0].second;
   for (const char* line :
        {"#SBATCH --array=3,17-19%4\n", "#SBATCH --requeue\n", "#SBATCH --cpus-per-task=8\n", "#SBATCH --time=1:00:00\n",
