@@ -241,6 +241,7 @@ class Balance {
 }  // namespace
 
 void check_balance(const PoseCase& pose, PoseForces& forces, double more_force, double more_moment) {
+  if (forces.incomplete) return;
   Balance(pose, forces, more_force, more_moment).judge();
 }
 

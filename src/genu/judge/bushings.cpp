@@ -133,10 +133,12 @@ class BushingCase {
 void check_bushings(const PoseCase& pose, const std::vector<Motion>* velocities, PoseForces& forces) {
   for (const BushingDef& def : pose.scene().bushings) {
     const BushingCase bushing(pose, def, velocities);
-    if (bushing.near_half_turn())
+    if (bushing.near_half_turn()) {
+      forces.incomplete = true;
       pose.out->skip("bushing " + def.name + " near half a turn, where its moment jumps, and the balance there");
-    else
+    } else {
       bushing.check_and_add(forces);
+    }
   }
 }
 

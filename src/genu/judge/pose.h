@@ -35,6 +35,7 @@ struct PoseForces {
     double value = 0;
   };
   std::vector<OnCoordinate> generalised;
+  bool incomplete = false;  ///< a force is missing that cannot be told: then nothing is said of balance
 };
 
 struct PoseCase {
