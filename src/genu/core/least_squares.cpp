@@ -52,6 +52,40 @@ class LeastSquaresSearcher {
     return try_steps(scaled, measure);
   }
 
+  bool has_bounds() const { return options_.lower.size() > 0; }
+
+  /// Whether the step would leave the bounds at unknown k; `dx` is then cut to end there.
+  bool cut_at_bound(Eigen::Index k, double& dx) const {
+    const double x = result_.x[k], within = std::clamp(x + dx, options_.lower[k], options_.upper[k]) - x;
+    if (within == dx) return false;
+    dx = within;
+    return true;
+  }
+
+  /// The damped step within the bounds: an unknown that would leave them stops there, and the others are chosen anew.
+  VecX bounded_step(const MatX& scaled, const VecX& measure) const {
+    MatX free = scaled;
+    VecX residuals = result_.residuals, stopped = VecX::Zero(measure.size());
+    std::vector<bool> held(static_cast<std::size_t>(measure.size()), false);
+    for (Eigen::Index pass = 0; pass <= measure.size(); ++pass) {
+      const VecX gradient = free.transpose() * residuals;
+      VecX z = damped_step(symmetric_eigen(MatX(free.transpose() * free)), gradient);
+      const double longest = z.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
+      z *= std::min(1.0, options_.most_step / std::max(longest, 1e-300));
+      bool again = false;
+      for (Eigen::Index k = 0; k < z.size(); ++k) {
+        double dx = z[k] / measure[k];
+        if (held[static_cast<std::size_t>(k)] || !cut_at_bound(k, dx)) continue;
+        held[static_cast<std::size_t>(k)] = again = true;
+        stopped[k] = dx * measure[k];
+        residuals += scaled.col(k) * stopped[k];
+        free.col(k).setZero();
+      }
+      if (!again) return z + stopped;
+    }
+    return stopped;
+  }
+
   /// The damped step of the linearised problem, without the directions in which it is noise.
   VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient) const {
     const double least = std::max(options_.noise * options_.noise, 1e-30) * normal.values.maxCoeff();
@@ -70,7 +104,7 @@ class LeastSquaresSearcher {
     const double cost = result_.residuals.squaredNorm();
     double faster = 2;
     while (damping_ < kMaxLeastSquaresDamping) {
-      const VecX whole = damped_step(normal, gradient);
+      const VecX whole = has_bounds() ? bounded_step(scaled, measure) : damped_step(normal, gradient);
       const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
       const VecX z = std::min(1.0, options_.most_step / std::max(longest, 1e-300)) * whole;
       const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
@@ -128,7 +162,8 @@ LeastSquaresResult least_squares(const LeastSquaresProblem& problem, const VecX&
   return LeastSquaresSearcher(problem, options).run(start);
 }
 
-LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise) {
+LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise,
+                                                  std::optional<double> variance) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Eigen::Index n = jacobian.cols(), m = jacobian.rows();
   LeastSquaresUncertainty out;
@@ -151,12 +186,14 @@ LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const Ve
     out.undetermined.push_back(v);
     lost = lost.cwiseMax(v.cwiseAbs());
   }
-  if (m <= n - static_cast<Eigen::Index>(out.undetermined.size())) return out;
-  const double variance =
-      residuals.squaredNorm() / static_cast<double>(m - n + static_cast<Eigen::Index>(out.undetermined.size()));
+  const Eigen::Index spare = m - n + static_cast<Eigen::Index>(out.undetermined.size());
+  out.covariance = covariance;
+  if (!variance && spare <= 0) return out;
+  if (!variance) variance = residuals.squaredNorm() / static_cast<double>(spare);
+  out.covariance *= *variance;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (lost[i] > kUndeterminedShare) continue;
-    out.deviation[i] = std::sqrt(variance * covariance(i, i));
+    out.deviation[i] = std::sqrt(out.covariance(i, i));
     for (Eigen::Index j = 0; j < n; ++j)
       if (j != i && !(lost[j] > kUndeterminedShare))
         out.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
