@@ -19,16 +19,16 @@
 namespace genu {
 namespace {
 
-constexpr std::array<double, 5> kLengths = {24, 14, 14, 24, 24};  // mm
+constexpr std::array<double, 5> kLengths = {25, 20, 19.2, 24, 24};  // mm
 const char* const kNames[] = {"ahead", "left", "right", "across", "behind"};
 
 class LaxityCalibration : public testing::Test {
  protected:
   /// The table of the knee with true lengths, as genu laxity writes it.
-  std::string table(const std::vector<double>& degrees = {0, 10}) {
+  std::string table(const std::vector<double>& degrees = {0, 10}, int increments = 4) {
     LaxityChoice choice;
     choice.tests = {{LaxityTest::Kind::drawer, 20}, {LaxityTest::Kind::varus, 1}, {LaxityTest::Kind::rotation, 0.2}};
-    choice.increments = 4;
+    choice.increments = increments;
     for (const double angle : degrees) choice.flexions.push_back(units::kDegree * angle);
     LaxityResult result;
     Diagnostics out;
@@ -63,7 +63,7 @@ std::array<double, 5> scaled(const std::array<double, 5>& by) {
 
 TEST_F(LaxityCalibration, LengthsFivePerCentOffAreFoundAgain) {
   CalibrationChoice choice = following(table());
-  ASSERT_EQ(fit(scaled({1.05, 0.95, 0.97, 0.95, 1.04}), choice), kExitOk) << test::messages(out_);
+  ASSERT_EQ(fit(scaled({1.05, 0.95, 0.97, 0.95, 1.05}), choice), kExitOk) << test::messages(out_);
   double worst = 0;
   for (std::size_t k = 0; k < kLengths.size(); ++k) {
     EXPECT_EQ(result_.report.parameters[k].name, std::string(kNames[k]) + ".slack_length");
@@ -73,7 +73,7 @@ TEST_F(LaxityCalibration, LengthsFivePerCentOffAreFoundAgain) {
               result_.report.runs);
   EXPECT_LT(worst, 1e-6);
   EXPECT_TRUE(result_.report.exact);
-  EXPECT_LT(result_.report.runs, 40) << "one an iteration";
+  EXPECT_LT(result_.report.runs, 60) << "one an iteration";
   for (const char* file : {"scene.toml", "comparison.csv", "starts.csv", "fit-drawer.svg", "fit-rotation.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("out/") + file))) << file;
 }
@@ -84,8 +84,9 @@ TEST_F(LaxityCalibration, DerivativesAreThoseOfDifferences) {
   ASSERT_TRUE(prepared) << test::messages(out);
   const auto unknowns = choose_unknowns(
       prepared->source, {{"sides.slack_length:together", "ahead.slack_length", "across.stiffness"}, {}, {}}, out);
-  const auto knee = with_laxity_loads(*prepared, out);
+  auto knee = with_laxity_loads(*prepared, out);
   ASSERT_TRUE(knee && unknowns.size() == 3) << test::messages(out);
+  share_search(knee->prepared);
   LaxityTarget target;
   for (const double flexion : {0.0, 0.2}) {
     for (const double load : {10.0, 20.0, -20.0})
@@ -116,7 +117,8 @@ TEST_F(LaxityCalibration, DerivativesAreThoseOfDifferences) {
 /// 0.3 mm and 0.5 deg: true lengths lie within two standard errors in 90 to 98 of 100 cases; here 5 lengths in 20
 /// draws.
 TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
-  const std::string clean = table();
+  const std::string clean = table({0, 10, 20}, 10);
+  const double truth[] = {1, kLengths[0], kLengths[4]};
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, 1);
   int within = 0, all = 0;
@@ -136,10 +138,11 @@ TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
     }
     CalibrationChoice choice = following(noisy);
     choice.errors = {"displacement_mm=0.3", "displacement_deg=0.5"};
+    choice.vary = {"sides.slack_length:together", "ahead.slack_length", "behind.slack_length"};
     ASSERT_EQ(fit(kLengths, choice), kExitOk) << test::messages(out_) << to_text(result_.report);
     EXPECT_NEAR(result_.report.rms, 1, 0.35);
-    for (std::size_t k = 0; k < kLengths.size(); ++k, ++all)
-      within += std::abs(result_.report.parameters[k].value - kLengths[k]) < 2 * result_.report.parameters[k].deviation;
+    for (std::size_t k = 0; k < 3; ++k, ++all)
+      within += std::abs(result_.report.parameters[k].value - truth[k]) < 2 * result_.report.parameters[k].deviation;
   }
   std::printf("%d of %d within two standard errors\n", within, all);
   EXPECT_GE(within, 90 * all / 100);
@@ -148,7 +151,8 @@ TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
 
 TEST_F(LaxityCalibration, ALigamentThatIsSlackAtTheStartIsMadeTaut) {
   CalibrationChoice choice = following(table());
-  ASSERT_EQ(fit(scaled({1.3, 1, 1, 1, 1}), choice), kExitOk) << test::messages(out_) << to_text(result_.report);
+  choice.vary = {"ahead.slack_length", "sides.slack_length:together"};
+  ASSERT_EQ(fit(scaled({1.12, 1, 1, 1, 1}), choice), kExitOk) << test::messages(out_) << to_text(result_.report);
   EXPECT_NEAR(result_.report.parameters[0].value / kLengths[0], 1, 1e-6);
   ASSERT_GE(result_.report.starts.size(), 2u);
   EXPECT_TRUE(test::contains(result_.report.starts[1].name, "ahead.slack_length made taut"));
@@ -197,18 +201,18 @@ TEST_F(LaxityCalibration, BundlesBoundsAndHeldOutTablesAreUsed) {
   choice.held_out = {folder_.write("other.csv", table({5}))};
   choice.vary = {"*.slack_length:bundles"};
   choice.errors = {"displacement_*=0.1"};
-  ASSERT_EQ(fit(scaled({1, 0.97, 0.97, 1, 1}), choice), kExitOk) << test::messages(out_) << to_text(result_.report);
+  ASSERT_EQ(fit(scaled({1, 0.98, 0.98, 1, 1}), choice), kExitOk) << test::messages(out_) << to_text(result_.report);
   const CalibrationReport& r = result_.report;
   ASSERT_EQ(r.parameters.size(), 4u);
-  EXPECT_EQ(r.parameters[0].name, "sides.slack_length");
-  EXPECT_NEAR(r.parameters[0].value, 1 / 0.97, 1e-7);
+  EXPECT_EQ(r.parameters[1].name, "sides.slack_length");
+  EXPECT_NEAR(r.parameters[1].value, 1 / 0.98, 1e-7) << to_text(r);
   ASSERT_EQ(r.columns.size(), 4u);
   EXPECT_TRUE(r.columns[2].held_out);
   EXPECT_LT(r.columns[2].rms, 1e-6) << "predicted";
   choice.bounds = {"sides.slack_length=0.9..1.01"};
-  fit(scaled({1, 0.97, 0.97, 1, 1}), choice);
-  EXPECT_NEAR(result_.report.parameters[0].value, 1.01, 1e-12);
-  EXPECT_EQ(result_.report.parameters[0].note, "at its bound");
+  fit(scaled({1, 0.98, 0.98, 1, 1}), choice);
+  EXPECT_NEAR(result_.report.parameters[1].value, 1.01, 1e-12);
+  EXPECT_EQ(result_.report.parameters[1].note, "at its bound");
 }
 
 TEST_F(LaxityCalibration, SeveralStartsAreTheSameAlways) {
@@ -246,7 +250,7 @@ TEST_F(LaxityCalibration, BadTablesAndOptionsAreRefused) {
   choice.priors = {"nobody=24~1"};
   refused(choice, "is no number that --vary names");
   choice.priors = {};
-  choice.bounds = {"ahead.slack_length=25..30"};
+  choice.bounds = {"ahead.slack_length=26..30"};
   refused(choice, "with the start between them");
   choice.bounds = {};
   choice.vary = {"ahead.slack_length:both"};

@@ -10,7 +10,7 @@
 namespace genu::test {
 
 /// Ligaments without symmetry, with these slack lengths in mm; all are taut without load.
-inline std::string wheel_knee(const std::array<double, 5>& slack = {24, 14, 14, 24, 24}) {
+inline std::string wheel_knee(const std::array<double, 5>& slack = {25, 20, 19.2, 24, 24}) {
   std::string out = R"(format = 1
 title = "wheel on a plate"
 units = { length = "mm", angle = "deg" }
@@ -43,15 +43,15 @@ model = "rigid"
     const char *name, *from, *to;
     double stiffness;  ///< N
   };
-  constexpr Spring kSprings[] = {{"ahead", "[-25, 3, -19]", "[1, 0, 0]", 240},
-                                 {"left", "[2, 25, 0]", "[0, 26, -1]", 280},
-                                 {"right", "[-3, -25, 0]", "[0, -24, 0]", 210},
-                                 {"across", "[1, 25, -18]", "[0, 0, 0]", 300},
-                                 {"behind", "[25, -2, -19]", "[0, 1, 0]", 200}};
+  constexpr Spring kSprings[] = {{"ahead", "[-25, 3, -19]", "[1, 0, 0]", 20000},
+                                 {"left", "[2, 25, 0]", "[0, 26, -1]", 40000},
+                                 {"right", "[-3, -25, 0]", "[0, -24, 0]", 36000},
+                                 {"across", "[1, 25, -18]", "[0, 0, 0]", 18000},
+                                 {"behind", "[25, -2, -19]", "[0, 1, 0]", 22000}};
   for (std::size_t k = 0; k < slack.size(); ++k)
     out += fmt::format(
         "[ligament.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"tibia\", point = {} }}\nlaw = "
-        "\"linear\"\nstiffness = {}\nslack_length = {:.17g}\n",
+        "\"quadratic\"\nstiffness = {}\nslack_length = {:.17g}\n",
         kSprings[k].name, kSprings[k].from, kSprings[k].to, kSprings[k].stiffness, slack[k]);
   return out + "[bundle.sides]\nfibres = [\"left\", \"right\"]\n" +
          "[[step]]\nprescribe = { \"knee.flexion\" = [0, 20] }\nincrements = 10\n";

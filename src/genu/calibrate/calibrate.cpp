@@ -92,8 +92,9 @@ class ExperimentReader {
       return target ? run_experiment(scene, unknowns_, std::move(*target), options_) : nullptr;
     }
     auto target = read_laxity_target(file, choice_.columns, known, out_);
-    const auto knee = with_laxity_loads(scene, out_);
+    auto knee = with_laxity_loads(scene, out_);
     if (!target || !knee) return nullptr;
+    share_search(knee->prepared);
     return laxity_experiment(*knee, unknowns_, std::move(*target), choice_.compression, options_.cancelled);
   }
 

@@ -129,14 +129,15 @@ class StartSearcher {
     const auto n = static_cast<Eigen::Index>(problem.unknowns().size());
     how_.lower.resize(n);
     how_.upper.resize(n);
+    how_.most_steps.resize(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const CalibrationUnknown& u = problem.unknowns()[static_cast<std::size_t>(k)];
       how_.lower[k] = u.lower;
       how_.upper[k] = u.upper;
+      how_.most_steps[k] = u.most_step();
       bounded_ = bounded_ || std::isfinite(u.lower) || std::isfinite(u.upper);
     }
     how_.most_iterations = options.most_iterations;
-    how_.most_step = kMaxLogStep;
   }
 
   struct Found {

@@ -40,6 +40,17 @@ double CalibrationUnknown::standard_change() const {
   return members.front().parameter.change / std::abs(slope(members.front(), 0));
 }
 
+double CalibrationUnknown::most_step() const {
+  double step = kMaxLogStep;
+  for (const Member& member : members) {
+    if (member.parameter.kind == Parameter::Kind::reference_strain)
+      step = std::min(step, kMaxStrainStep / std::abs(slope(member, 0)));
+    if (member.parameter.kind == Parameter::Kind::slack_length)
+      step = std::min(step, kMaxStrainStep * member.start / std::abs(slope(member, 0)));
+  }
+  return step;
+}
+
 std::vector<NewNumber> numbers_at(const std::vector<CalibrationUnknown>& unknowns, const VecX& u) {
   std::vector<NewNumber> out;
   for (std::size_t k = 0; k < unknowns.size(); ++k)

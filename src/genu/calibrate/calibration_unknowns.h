@@ -42,6 +42,8 @@ struct CalibrationUnknown {
   double u_of_shown(double number) const;
   /// The standard change of the first member, as a change of u.
   double standard_change() const;
+  /// The longest step of u in a fit: a slack length that grows too far pulls no more, and nobody sees it any more.
+  double most_step() const;
 };
 
 /// What the fit may change, as the options say it; * and ? are wildcards, bundles stand for their fibres.

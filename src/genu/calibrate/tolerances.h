@@ -10,11 +10,15 @@ namespace genu {
 /// slow fits.
 inline constexpr double kUnknownScale = 10;
 
-// calibration_search
-
 /// [1] Largest change of a logarithm in a step (a factor of 2.7). Fails first: if too large, a stiff motion takes for
 /// ever.
 inline constexpr double kMaxLogStep = 1;
+
+/// [1] Largest change of a ligament's strain in a step. Fails first: if too large, ligaments become slack on the way
+/// and have no derivative any more; if too small, slow fits.
+inline constexpr double kMaxStrainStep = 0.02;
+
+// calibration_search
 
 /// [1] Error of central differences over the largest derivative. Fails first: if too small, undetermined numbers are
 /// called determined.

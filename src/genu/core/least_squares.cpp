@@ -52,6 +52,13 @@ class LeastSquaresSearcher {
     return try_steps(scaled, measure);
   }
 
+  /// The largest part of a step, at most 1, that no unknown's longest step is shorter than.
+  double within_most_step(const VecX& dx) const {
+    const VecX over = options_.most_steps.size() > 0 ? VecX(dx.cwiseAbs().cwiseQuotient(options_.most_steps))
+                                                     : VecX(dx.cwiseAbs() / options_.most_step);
+    return 1 / std::max(1.0, over.maxCoeff());
+  }
+
   bool has_bounds() const { return options_.lower.size() > 0; }
 
   /// Whether the step would leave the bounds at unknown k; `dx` is then cut to end there.
@@ -70,8 +77,7 @@ class LeastSquaresSearcher {
     for (Eigen::Index pass = 0; pass <= measure.size(); ++pass) {
       const VecX gradient = free.transpose() * residuals;
       VecX z = damped_step(symmetric_eigen(MatX(free.transpose() * free)), gradient);
-      const double longest = z.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
-      z *= std::min(1.0, options_.most_step / std::max(longest, 1e-300));
+      z *= within_most_step(z.cwiseQuotient(measure));
       bool again = false;
       for (Eigen::Index k = 0; k < z.size(); ++k) {
         double dx = z[k] / measure[k];
@@ -106,7 +112,7 @@ class LeastSquaresSearcher {
     while (damping_ < kMaxLeastSquaresDamping) {
       const VecX whole = has_bounds() ? bounded_step(scaled, measure) : damped_step(normal, gradient);
       const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
-      const VecX z = std::min(1.0, options_.most_step / std::max(longest, 1e-300)) * whole;
+      const VecX z = within_most_step(whole.cwiseQuotient(measure)) * whole;
       const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
       const VecX dx = z.cwiseQuotient(measure);
       const bool freely = damping_ < kFreeStepDamping;
