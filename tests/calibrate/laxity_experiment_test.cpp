@@ -20,7 +20,6 @@ namespace genu {
 namespace {
 
 constexpr std::array<double, 5> kLengths = {25, 20, 19.2, 24, 24};  // mm
-const char* const kNames[] = {"ahead", "left", "right", "across", "behind"};
 
 class LaxityCalibration : public testing::Test {
  protected:
@@ -63,12 +62,13 @@ std::array<double, 5> scaled(const std::array<double, 5>& by) {
 
 TEST_F(LaxityCalibration, LengthsFivePerCentOffAreFoundAgain) {
   CalibrationChoice choice = following(table());
-  ASSERT_EQ(fit(scaled({1.05, 0.95, 0.97, 0.95, 1.05}), choice), kExitOk) << test::messages(out_);
+  choice.vary = {"ahead.slack_length", "sides.slack_length:together", "across.slack_length", "behind.slack_length"};
+  ASSERT_EQ(fit(scaled({1.05, 0.95, 0.95, 0.95, 1.05}), choice), kExitOk)
+      << test::messages(out_) << to_text(result_.report);
+  const double truth[] = {kLengths[0], 1 / 0.95, kLengths[3], kLengths[4]};
   double worst = 0;
-  for (std::size_t k = 0; k < kLengths.size(); ++k) {
-    EXPECT_EQ(result_.report.parameters[k].name, std::string(kNames[k]) + ".slack_length");
-    worst = std::max(worst, std::abs(result_.report.parameters[k].value / kLengths[k] - 1));
-  }
+  for (std::size_t k = 0; k < 4; ++k)
+    worst = std::max(worst, std::abs(result_.report.parameters[k].value / truth[k] - 1));
   std::printf("worst length %.2g of itself; %d iterations, %d runs\n", worst, result_.report.iterations,
               result_.report.runs);
   EXPECT_LT(worst, 1e-6);
@@ -117,7 +117,7 @@ TEST_F(LaxityCalibration, DerivativesAreThoseOfDifferences) {
 /// 0.3 mm and 0.5 deg: true lengths lie within two standard errors in 90 to 98 of 100 cases; here 5 lengths in 20
 /// draws.
 TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
-  const std::string clean = table({0, 10, 20}, 10);
+  const std::string clean = table({0, 10, 20}, 4);
   const double truth[] = {1, kLengths[0], kLengths[4]};
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, 1);
@@ -132,21 +132,23 @@ TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
       for (std::string cell; std::getline(row, cell, ',') && cells.size() < 7;) cells.push_back(cell);
       if (cells[2] == "neutral" || cells[5 + (cells[4].empty() ? 0 : 1)].empty()) continue;
       const bool turns = !cells[4].empty();
-      const double value = std::stod(cells[turns ? 6 : 5]) + (turns ? 0.5 : 0.3) * noise(random);
-      noisy += fmt::format("{},{},{},{},{},{}\n", cells[1], cells[2], cells[3], cells[4],
-                           turns ? "" : fmt::format("{}", value), turns ? fmt::format("{}", value) : "");
+      for (int repetition = 0; repetition < 4; ++repetition) {
+        const double value = std::stod(cells[turns ? 6 : 5]) + (turns ? 0.5 : 0.3) * noise(random);
+        noisy += fmt::format("{},{},{},{},{},{}\n", cells[1], cells[2], cells[3], cells[4],
+                             turns ? "" : fmt::format("{}", value), turns ? fmt::format("{}", value) : "");
+      }
     }
     CalibrationChoice choice = following(noisy);
     choice.errors = {"displacement_mm=0.3", "displacement_deg=0.5"};
     choice.vary = {"sides.slack_length:together", "ahead.slack_length", "behind.slack_length"};
     ASSERT_EQ(fit(kLengths, choice), kExitOk) << test::messages(out_) << to_text(result_.report);
-    EXPECT_NEAR(result_.report.rms, 1, 0.35);
+    EXPECT_NEAR(result_.report.rms, 1, 0.15);
     for (std::size_t k = 0; k < 3; ++k, ++all)
       within += std::abs(result_.report.parameters[k].value - truth[k]) < 2 * result_.report.parameters[k].deviation;
   }
   std::printf("%d of %d within two standard errors\n", within, all);
   EXPECT_GE(within, 90 * all / 100);
-  EXPECT_LE(within, 99 * all / 100);
+  EXPECT_LT(within, all);
 }
 
 TEST_F(LaxityCalibration, ALigamentThatIsSlackAtTheStartIsMadeTaut) {

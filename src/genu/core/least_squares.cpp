@@ -70,13 +70,13 @@ class LeastSquaresSearcher {
   }
 
   /// The damped step within the bounds: an unknown that would leave them stops there, and the others are chosen anew.
-  VecX bounded_step(const MatX& scaled, const VecX& measure) const {
+  VecX bounded_step(const MatX& scaled, const VecX& measure, double damping) const {
     MatX free = scaled;
     VecX residuals = result_.residuals, stopped = VecX::Zero(measure.size());
     std::vector<bool> held(static_cast<std::size_t>(measure.size()), false);
     for (Eigen::Index pass = 0; pass <= measure.size(); ++pass) {
       const VecX gradient = free.transpose() * residuals;
-      VecX z = damped_step(symmetric_eigen(MatX(free.transpose() * free)), gradient);
+      VecX z = damped_step(symmetric_eigen(MatX(free.transpose() * free)), gradient, damping);
       z *= within_most_step(z.cwiseQuotient(measure));
       bool again = false;
       for (Eigen::Index k = 0; k < z.size(); ++k) {
@@ -93,13 +93,13 @@ class LeastSquaresSearcher {
   }
 
   /// The damped step of the linearised problem, without the directions in which it is noise.
-  VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient) const {
+  VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient, double damping) const {
     const double least = std::max(options_.noise * options_.noise, 1e-30) * normal.values.maxCoeff();
     VecX z = VecX::Zero(gradient.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) {
       const double square = normal.values[k];
       const auto v = normal.vectors.col(k);
-      if (square > least) z -= v.dot(gradient) / (square + damping_) * v;
+      if (square > least) z -= v.dot(gradient) / (square + damping) * v;
     }
     return z;
   }
@@ -108,12 +108,18 @@ class LeastSquaresSearcher {
     const VecX gradient = scaled.transpose() * result_.residuals;
     const auto normal = symmetric_eigen(MatX(scaled.transpose() * scaled));
     const double cost = result_.residuals.squaredNorm();
+    const auto step_of = [&](double damping) {
+      return has_bounds() ? bounded_step(scaled, measure, damping) : damped_step(normal, gradient, damping);
+    };
+    const auto promise = [&](const VecX& z) { return -2 * z.dot(gradient) - (scaled * z).squaredNorm(); };
+    // Where residuals stay large and curved, every good step is damped, and would never be short enough to tell.
+    if (promise(step_of(0)) <= options_.reduction_tolerance * cost) return stop(Stop::flat);
     double faster = 2;
     while (damping_ < kMaxLeastSquaresDamping) {
-      const VecX whole = has_bounds() ? bounded_step(scaled, measure) : damped_step(normal, gradient);
+      const VecX whole = step_of(damping_);
       const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
       const VecX z = within_most_step(whole.cwiseQuotient(measure)) * whole;
-      const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
+      const double promised = promise(z);  // by the linearisation
       const VecX dx = z.cwiseQuotient(measure);
       const bool freely = damping_ < kFreeStepDamping;
       if (freely && longest < options_.step_tolerance) return stop(Stop::small_step);
