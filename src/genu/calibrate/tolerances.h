@@ -51,7 +51,7 @@ inline constexpr double kPriorRules = 0.99;
 
 /// [1] Standard error of the direction that is determined least over that of the best, from which it is named. Fails
 /// first: nothing (words only).
-inline constexpr double kPoorDirection = 30;
+inline constexpr double kPoorDirection = 100;
 
 // calibration_target
 
