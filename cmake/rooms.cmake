@@ -16,7 +16,7 @@ endfunction()
 # Which rooms each room may include, besides itself. Each names rooms above it alone, so that there can be no cycle. A
 # test (tests/style) holds the includes to this list.
 set(genu_rooms core mesh law scene osim surface wrap mesh_files mesh_care judge shape_fit contact model equilibrium path motion
-    results assemble store appraise study sweep api)
+    results assemble store appraise study calibrate sweep api)
 set(genu_core_uses)
 set(genu_mesh_uses core)
 set(genu_law_uses core)
@@ -39,6 +39,7 @@ set(genu_store_uses core scene mesh surface mesh_files path motion results assem
 set(genu_appraise_uses core scene contact model equilibrium path motion results assemble)
 set(genu_study_uses core law scene osim mesh surface mesh_files mesh_care shape_fit contact model equilibrium path motion
     results assemble store appraise)
+set(genu_calibrate_uses core law scene mesh_files contact model equilibrium path motion results assemble study)
 set(genu_sweep_uses core scene model results assemble store appraise study)
 set(genu_api_uses core law scene mesh mesh_files mesh_care model motion results assemble store study)
 

@@ -1,6 +1,6 @@
 // The curves of a calibration of any bytes; then results to compare with, at the same times and at others.
 #include "fuzz/fuzz_checks.h"
-#include "genu/study/calibration_target.h"
+#include "genu/calibrate/calibration_target.h"
 #include "support/temporary_folder.h"
 
 namespace genu::fuzz {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/appraise/explain.h"
-#include "genu/study/calibrate.h"
+#include "genu/calibrate/calibrate.h"
 #include "genu/study/sensitivity.h"
 #include "support/judged.h"
 #include "support/scenes.h"
@@ -98,7 +98,7 @@ TEST_F(Activation, IsFoundByCalibration) {
   Diagnostics out;
   CalibrationResult result;
   ASSERT_EQ(run_calibration(folder_.write("start.toml", lever(muscle(400, 0.4))), folder_ / "fitted",
-                            {folder_ / "target.csv", {"muscle.activation"}, {"h.angle_deg"}}, {}, out, result),
+                            {{folder_ / "target.csv"}, {"muscle.activation"}, {"h.angle_deg"}}, {}, out, result),
             kExitOk)
       << test::messages(out);
   const auto written = read_scene(folder_ / "fitted/scene.toml", out);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/appraise/explain.h"
-#include "genu/study/calibrate.h"
+#include "genu/calibrate/calibrate.h"
 #include "genu/study/sensitivity.h"
 #include "support/judged.h"
 #include "support/scenes.h"
@@ -101,7 +101,7 @@ TEST_F(ExponentialLaw, HasNumbersThatCalibrationFinds) {
   Diagnostics out;
   CalibrationResult result;
   ASSERT_EQ(run_calibration(folder_.write("start.toml", lever(4, 6)), folder_ / "fitted",
-                            {folder_ / "target.csv", {"cord.exponent", "cord.force_scale"}, {"h.angle_deg"}}, {}, out,
+                            {{folder_ / "target.csv"}, {"cord.exponent", "cord.force_scale"}, {"h.angle_deg"}}, {}, out,
                             result),
             kExitOk)
       << test::messages(out);

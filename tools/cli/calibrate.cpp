@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -15,12 +16,13 @@
 #include "advice.h"
 #include "changes.h"
 #include "commands.h"
-#include "genu/study/calibrate.h"
+#include "genu/calibrate/calibrate.h"
 
 namespace genu::cli {
 namespace {
 
-constexpr int kMostIterations = 10'000;
+constexpr int kMostIterations = 10'000, kMostStarts = 1000;
+constexpr double kMostSpread = 100, kMostLoad = 1e5;
 
 struct CalibrateArguments {
   SceneChanges changes;
@@ -40,8 +42,10 @@ int calibrate(const CalibrateArguments& arguments) {
   if (code == kExitRefused || result.report.parameters.empty()) return code;
   fmt::print("{}\n\n{}", printable(result.solution.summary.title), to_text(result.report));
   if (code != kExitFailed && arguments.folder)
-    fmt::print("  {:<12}{}/scene.toml, calibration.csv, comparison.csv, and the fitted scene's results\n", "written",
-               result.solution.folder);
+    fmt::print(
+        "  {:<12}{}/scene.toml, calibration.csv, comparison.csv, starts.csv, pictures, and the fitted scene's "
+        "results\n",
+        "written", result.solution.folder);
   return code;
 }
 
@@ -50,26 +54,43 @@ int calibrate(const CalibrateArguments& arguments) {
 void add_calibrate(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<CalibrateArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (TOML): its numbers are the start")->required();
-  command
-      .add_option("--target", arguments->choice.target,
-                  "CSV file with a column time_s and columns named as in results.csv: what they should be")
+  CalibrationChoice& choice = arguments->choice;
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* help) {
+    return command.add_option(name, values, help)->delimiter(',');
+  };
+  list("--target", choice.targets,
+       "CSV file with a column time_s, or a prescribed coordinate, and columns named as in results.csv; or a laxity "
+       "table (flexion_deg, test, load_N, load_Nm, displacement_mm, displacement_deg); SCENE=FILE for another scene "
+       "with the same parameters")
       ->required();
+  list("--vary", choice.vary,
+       "parameters by their keys, as of genu sensitivity: j1.stiffness, AAC.slack_length, push.force.z; * and ? stand "
+       "for letters; \"ACL*.slack_length:together\" is one factor (:factor) or shift (:offset) of all, "
+       "\"*.slack_length:bundles\" one for each bundle")
+      ->required();
+  list("--columns", choice.columns, "columns of the target to follow; all, or displacements, where none is named");
+  list("--error", choice.errors, "COLUMN=SIGMA: errors of measurement, in the unit of the column: displacement_mm=0.3");
+  list("--bounds", choice.bounds, "NAME=LOW..HIGH: of a number that is varied");
+  list("--prior", choice.priors, "NAME=MEAN~SD: what is known before; MEAN may be start, SD a share: start~5%");
+  list("--predict", choice.held_out, "targets that are not fitted but predicted, with standard errors");
+  command.add_option("--starts", choice.starts, "starts of the fit: the scene's numbers, and others around them")
+      ->check(CLI::Range(1, kMostStarts))
+      ->capture_default_str();
   command
-      .add_option("--vary", arguments->choice.vary,
-                  "parameters by their keys, as of genu sensitivity: j1.stiffness, j1.damping, AAC.from.x, "
-                  "push.force.z, tibia.mass; * and ? stand for letters")
-      ->required()
-      ->delimiter(',');
-  command
-      .add_option("--columns", arguments->choice.columns, "columns of the target to follow; all where none is named")
-      ->delimiter(',');
+      .add_option("--spread", choice.spread, "how far the other starts go, in standard changes (1 %, 0.01 of strain)")
+      ->check(number_within(1e-6, kMostSpread))
+      ->capture_default_str();
+  command.add_option("--compression", choice.compression, "force in N along the tibia's axis, of laxity tests")
+      ->check(number_within(0, kMostLoad))
+      ->capture_default_str();
   command.add_option("--most-iterations", arguments->choice.most_iterations, "stop after so many")
       ->check(CLI::Range(1, kMostIterations))
       ->capture_default_str();
   command.add_option("--out", arguments->folder, "folder for the fitted scene and its results");
   add_changes(command, arguments->changes);
   command.footer(
-      "Exit code 0: fitted; 3: not converged, or the target does not determine a number; 2: refused."
+      "Exit code 0: fitted; 3: not converged, a ligament is slack in every pose, or the target does not determine a "
+      "number; 2: refused."
       "\nExample: genu calibrate knee.toml --target measured.csv --vary j1.stiffness j1.damping --out out/fitted");
   advice().hint("calibrate", "look at comparison.csv for where the fit is poor; vary fewer parameters, or others");
   command.callback([arguments, &exit_code] { exit_code = calibrate(*arguments); });

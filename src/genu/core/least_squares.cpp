@@ -52,14 +52,54 @@ class LeastSquaresSearcher {
     return try_steps(scaled, measure);
   }
 
+  /// The largest part of a step, at most 1, that no unknown's longest step is shorter than.
+  double within_most_step(const VecX& dx) const {
+    const VecX over = options_.most_steps.size() > 0 ? VecX(dx.cwiseAbs().cwiseQuotient(options_.most_steps))
+                                                     : VecX(dx.cwiseAbs() / options_.most_step);
+    return 1 / std::max(1.0, over.maxCoeff());
+  }
+
+  bool has_bounds() const { return options_.lower.size() > 0; }
+
+  /// Whether the step would leave the bounds at unknown k; `dx` is then cut to end there.
+  bool cut_at_bound(Eigen::Index k, double& dx) const {
+    const double x = result_.x[k], within = std::clamp(x + dx, options_.lower[k], options_.upper[k]) - x;
+    if (within == dx) return false;
+    dx = within;
+    return true;
+  }
+
+  /// The damped step within the bounds: an unknown that would leave them stops there, and the others are chosen anew.
+  VecX bounded_step(const MatX& scaled, const VecX& measure, double damping) const {
+    MatX free = scaled;
+    VecX residuals = result_.residuals, stopped = VecX::Zero(measure.size());
+    std::vector<bool> held(static_cast<std::size_t>(measure.size()), false);
+    for (Eigen::Index pass = 0; pass <= measure.size(); ++pass) {
+      const VecX gradient = free.transpose() * residuals;
+      VecX z = damped_step(symmetric_eigen(MatX(free.transpose() * free)), gradient, damping);
+      z *= within_most_step(z.cwiseQuotient(measure));
+      bool again = false;
+      for (Eigen::Index k = 0; k < z.size(); ++k) {
+        double dx = z[k] / measure[k];
+        if (held[static_cast<std::size_t>(k)] || !cut_at_bound(k, dx)) continue;
+        held[static_cast<std::size_t>(k)] = again = true;
+        stopped[k] = dx * measure[k];
+        residuals += scaled.col(k) * stopped[k];
+        free.col(k).setZero();
+      }
+      if (!again) return z + stopped;
+    }
+    return stopped;
+  }
+
   /// The damped step of the linearised problem, without the directions in which it is noise.
-  VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient) const {
+  VecX damped_step(const SymmetricEigen<Eigen::Dynamic>& normal, const VecX& gradient, double damping) const {
     const double least = std::max(options_.noise * options_.noise, 1e-30) * normal.values.maxCoeff();
     VecX z = VecX::Zero(gradient.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) {
       const double square = normal.values[k];
       const auto v = normal.vectors.col(k);
-      if (square > least) z -= v.dot(gradient) / (square + damping_) * v;
+      if (square > least) z -= v.dot(gradient) / (square + damping) * v;
     }
     return z;
   }
@@ -68,12 +108,18 @@ class LeastSquaresSearcher {
     const VecX gradient = scaled.transpose() * result_.residuals;
     const auto normal = symmetric_eigen(MatX(scaled.transpose() * scaled));
     const double cost = result_.residuals.squaredNorm();
+    const auto step_of = [&](double damping) {
+      return has_bounds() ? bounded_step(scaled, measure, damping) : damped_step(normal, gradient, damping);
+    };
+    const auto promise = [&](const VecX& z) { return -2 * z.dot(gradient) - (scaled * z).squaredNorm(); };
+    // Where residuals stay large and curved, every good step is damped, and would never be short enough to tell.
+    if (promise(step_of(0)) <= options_.reduction_tolerance * cost) return stop(Stop::flat);
     double faster = 2;
     while (damping_ < kMaxLeastSquaresDamping) {
-      const VecX whole = damped_step(normal, gradient);
+      const VecX whole = step_of(damping_);
       const double longest = whole.cwiseQuotient(measure).lpNorm<Eigen::Infinity>();
-      const VecX z = std::min(1.0, options_.most_step / std::max(longest, 1e-300)) * whole;
-      const double promised = -2 * z.dot(gradient) - (scaled * z).squaredNorm();  // by the linearisation
+      const VecX z = within_most_step(whole.cwiseQuotient(measure)) * whole;
+      const double promised = promise(z);  // by the linearisation
       const VecX dx = z.cwiseQuotient(measure);
       const bool freely = damping_ < kFreeStepDamping;
       if (freely && longest < options_.step_tolerance) return stop(Stop::small_step);
@@ -128,7 +174,8 @@ LeastSquaresResult least_squares(const LeastSquaresProblem& problem, const VecX&
   return LeastSquaresSearcher(problem, options).run(start);
 }
 
-LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise) {
+LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise,
+                                                  std::optional<double> variance) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Eigen::Index n = jacobian.cols(), m = jacobian.rows();
   LeastSquaresUncertainty out;
@@ -151,12 +198,14 @@ LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const Ve
     out.undetermined.push_back(v);
     lost = lost.cwiseMax(v.cwiseAbs());
   }
-  if (m <= n - static_cast<Eigen::Index>(out.undetermined.size())) return out;
-  const double variance =
-      residuals.squaredNorm() / static_cast<double>(m - n + static_cast<Eigen::Index>(out.undetermined.size()));
+  const Eigen::Index spare = m - n + static_cast<Eigen::Index>(out.undetermined.size());
+  out.covariance = covariance;
+  if (!variance && spare <= 0) return out;
+  if (!variance) variance = residuals.squaredNorm() / static_cast<double>(spare);
+  out.covariance *= *variance;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (lost[i] > kUndeterminedShare) continue;
-    out.deviation[i] = std::sqrt(variance * covariance(i, i));
+    out.deviation[i] = std::sqrt(out.covariance(i, i));
     for (Eigen::Index j = 0; j < n; ++j)
       if (j != i && !(lost[j] > kUndeterminedShare))
         out.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));

@@ -28,6 +28,8 @@ struct LeastSquaresOptions {
   /// The derivatives' own errors, beside the largest of them, all unknowns being of one measure: directions in which
   /// they are smaller are left alone. 0: only those without any.
   double noise = 0;
+  VecX lower = {}, upper = {};  ///< bounds of the unknowns; empty: none
+  VecX most_steps = {};         ///< of each unknown, in the place of most_step; empty: none
 };
 
 enum class LeastSquaresStop {
@@ -60,10 +62,13 @@ struct LeastSquaresUncertainty {
   MatX correlation;  ///< of the unknowns that are determined; 0 beside others, 1 on the diagonal
   /// Directions, each of length 1, along which the residuals do not change: the largest share of each is positive.
   std::vector<VecX> undetermined;
+  MatX covariance;  ///< of all unknowns, within the directions that are determined
 };
 
 /// `noise`: singular values of the derivatives below this share of the largest are none, because their own errors are
-/// as large. Without more residuals than unknowns deviations are infinite.
-LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise);
+/// as large. `variance` of a residual: where it is not given, that of the residuals; without more residuals than
+/// unknowns deviations are infinite then.
+LeastSquaresUncertainty least_squares_uncertainty(const MatX& jacobian, const VecX& residuals, double noise,
+                                                  std::optional<double> variance = {});
 
 }  // namespace genu

@@ -53,19 +53,7 @@ class Tester {
 
  private:
   StepPlan step(double flexion, int load, const Leg& leg) const {
-    const Prepared& p = knee_.prepared;
-    StepPlan plan;
-    const double angle = knee_.flexion_sign * flexion;
-    plan.prescribed = {{QuantityRef(knee_.joint, 0), angle, angle}};
-    plan.increments = leg.increments;
-    const StepPlan* last = p.steps.empty() ? nullptr : &p.steps.back();
-    plan.start_time = plan.end_time = last ? last->end_time : 0;
-    plan.factors.assign(p.scene.loads.size(), {0, 0});
-    for (std::size_t k = 0; last && k < last->factors.size(); ++k)
-      plan.factors[k] = {last->factors[k].to, last->factors[k].to};
-    plan.factors[genu::at(knee_.compression)] = {choice_.compression, choice_.compression};
-    if (load >= 0) plan.factors[genu::at(load)] = {leg.from, leg.to};
-    return plan;
+    return laxity_step(knee_, choice_.compression, flexion, load, leg.from, leg.to, leg.increments);
   }
 
   Solved solve(const Prepared& own, ContactField& field) const {

@@ -174,4 +174,21 @@ std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnosti
   return made;
 }
 
+StepPlan laxity_step(const LaxityJoint& knee, double compression, double flexion, int load, double from, double to,
+                     int increments) {
+  const Prepared& p = knee.prepared;
+  StepPlan plan;
+  const double angle = knee.flexion_sign * flexion;
+  plan.prescribed = {{QuantityRef(knee.joint, 0), angle, angle}};
+  plan.increments = increments;
+  const StepPlan* last = p.steps.empty() ? nullptr : &p.steps.back();
+  plan.start_time = plan.end_time = last ? last->end_time : 0;
+  plan.factors.assign(p.scene.loads.size(), {0, 0});
+  for (std::size_t k = 0; last && k < last->factors.size(); ++k)
+    plan.factors[k] = {last->factors[k].to, last->factors[k].to};
+  plan.factors[at(knee.compression)] = {compression, compression};
+  if (load >= 0) plan.factors[at(load)] = {from, to};
+  return plan;
+}
+
 }  // namespace genu

@@ -46,4 +46,9 @@ struct LaxityJoint {
 /// femur that can move, a joint whose first rotation is not about the femur's flexion axis.
 [[nodiscard]] std::optional<LaxityJoint> with_laxity_loads(const Prepared& prepared, Diagnostics& out);
 
+/// A part of a test at an angle of flexion (rad): the load of index `load`, or none for -1, from one value to another,
+/// N or N m. All other loads are as at the end of the scene's last step; `compression` in N.
+StepPlan laxity_step(const LaxityJoint& knee, double compression, double flexion, int load, double from, double to,
+                     int increments);
+
 }  // namespace genu

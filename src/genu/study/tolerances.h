@@ -67,33 +67,6 @@ inline constexpr double kShortPatience = 4;
 /// [s] No setting is given up before. Fails first: if too small, settings are missing.
 inline constexpr double kMinPatience = 5;
 
-// calibrate
-
-/// [standard change] Scale of a varied number that may be zero: 1 cm, 0.1 of strain, 10 N. Fails first: if too small,
-/// slow fits.
-inline constexpr double kUnknownScale = 10;
-
-/// [1] Largest change of a logarithm in a step (a factor of 2.7). Fails first: if too large, a stiff motion takes for
-/// ever.
-inline constexpr double kMaxLogStep = 1;
-
-/// [1] Error of central differences over the largest derivative. Fails first: if too small, undetermined numbers are
-/// called determined.
-inline constexpr double kDerivativeNoise = 1e-6;
-
-/// [1] Component from which a parameter is named. Fails first: if too small, every parameter is named.
-inline constexpr double kNamedComponent = 0.05;
-
-// calibration_target
-
-/// [interval] Difference of times that is round-off. Fails first: if too small, rows of a curve are interpolated or
-/// refused.
-inline constexpr double kSameTime = 1e-9;
-
-/// [1] Spread of a column over its largest value that is none. Fails first: if too small, a constant column is scaled
-/// by round-off.
-inline constexpr double kConstantSpread = 1e-9;
-
 // evaluate
 
 /// [m] Overlap of rigid surfaces at given poses that is rounding of written numbers: the surfaces are in contact. Fails

@@ -1,5 +1,5 @@
 // Numbers that made a target are found again; what a target does not say is told.
-#include "genu/study/calibrate.h"
+#include "genu/calibrate/calibrate.h"
 
 #include <cmath>
 #include <filesystem>
@@ -27,7 +27,7 @@ class Calibrate : public testing::Test {
           const std::vector<std::string>& columns = {}) {
     out_ = {};
     result_ = {};
-    CalibrationChoice choice{target, vary, columns};
+    CalibrationChoice choice{{target}, vary, columns};
     choice.most_iterations = most_;
     return run_calibration(scene, folder_ / "out", choice, {}, out_, result_);
   }

@@ -1,4 +1,4 @@
-#include "genu/study/calibration_target.h"
+#include "genu/calibrate/calibration_target.h"
 
 #include <cmath>
 

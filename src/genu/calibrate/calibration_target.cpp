@@ -1,7 +1,6 @@
-#include "genu/study/calibration_target.h"
+#include "genu/calibrate/calibration_target.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -9,9 +8,9 @@
 
 #include "genu/assemble/long_errors.h"
 #include "genu/assemble/pose_file.h"
-#include "genu/scene/tolerances.h"
+#include "genu/calibrate/finite_number.h"
+#include "genu/calibrate/tolerances.h"
 #include "genu/scene/words.h"
-#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
@@ -23,24 +22,19 @@ bool is_no_value(const std::string& name) {
   return name == "step" || name == "increment" || name == "status" || name == "stability";
 }
 
-std::optional<double> to_number(const std::string& text) {
-  double value = 0;
-  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto [end, code] = std::from_chars(first, text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kMaxNumber)) return std::nullopt;
-  return value;
-}
-
 class TargetReader {
  public:
-  TargetReader(const PoseFile& file, double duration, Diagnostics& out)
-      : file_(file), duration_(duration), errors_(file.path, out) {}
+  TargetReader(const PoseFile& file, double duration, const std::vector<TargetAxis>& axes, Diagnostics& out)
+      : file_(file), axis_{kTime, 0, duration}, errors_(file.path, out) {
+    for (const TargetAxis& axis : axes)
+      if (!has(kTime) && axis_.column == kTime && has(axis.column)) axis_ = axis;
+  }
 
   void choose(const std::vector<std::string>& patterns, const std::vector<std::string>& known) {
     for (std::size_t c = 0; c < file_.names.cells.size(); ++c) {
       const PoseFile::Cell& cell = file_.names.cells[c];
       const auto asked = [&](const std::string& pattern) { return matches(pattern, cell.text); };
-      if (cell.text == kTime)
+      if (cell.text == axis_.column)
         time_ = c;
       else if (is_no_value(cell.text) || (!patterns.empty() && std::none_of(patterns.begin(), patterns.end(), asked)))
         continue;
@@ -57,9 +51,10 @@ class TargetReader {
                     "is no column of the target" + did_you_mean(pattern, names()));
     if (!time_)
       errors_.add({file_.names.line, 1}, Code::missing_key, kTime, {},
-                  "is missing: a target says when each of its rows is");
+                  "is missing: a target says when each of its rows is, by the time or by a prescribed coordinate that "
+                  "does not turn back");
     if (errors_.count() == 0 && target_.columns.empty())
-      errors_.add({file_.names.line, 1}, Code::missing_key, {}, {}, "has no column to follow beside time_s");
+      errors_.add({file_.names.line, 1}, Code::missing_key, {}, {}, "has no column to follow beside " + axis_.column);
   }
 
   /// Columns of the file that are followed, and that of times.
@@ -70,6 +65,7 @@ class TargetReader {
   }
 
   std::optional<CalibrationTarget> read() {
+    target_.axis = axis_.column;
     if (errors_.count() > 0) return std::nullopt;
     for (const PoseFile::Row& row : file_.rows) add_row(row);
     if (errors_.count() == 0 && target_.values.empty())
@@ -80,6 +76,11 @@ class TargetReader {
   }
 
  private:
+  bool has(const std::string& name) const {
+    return std::any_of(file_.names.cells.begin(), file_.names.cells.end(),
+                       [&](const PoseFile::Cell& cell) { return cell.text == name; });
+  }
+
   std::vector<std::string> names() const {
     std::vector<std::string> out;
     for (const PoseFile::Cell& cell : file_.names.cells) out.push_back(cell.text);
@@ -93,7 +94,7 @@ class TargetReader {
 
   std::optional<double> number(const PoseFile::Row& row, std::size_t c) {
     const PoseFile::Cell& cell = row.cells[c];
-    const auto value = to_number(cell.text);
+    const auto value = finite_number(cell.text);
     if (!value && has_decimal_comma(cell.text) && std::exchange(comma_refused_, true)) return value;  // said once
     if (!value)
       errors_.add(
@@ -104,9 +105,11 @@ class TargetReader {
 
   void add_row(const PoseFile::Row& row) {
     const auto time = number(row, *time_);
-    if (time && (*time < 0 || *time > duration_ * (1 + kSameTime)))
-      errors_.add({row.line, row.cells[*time_].column}, Code::out_of_range, kTime, row.cells[*time_].text,
-                  fmt::format("is outside of what the scene computes: 0 to {:g} s", duration_));
+    const double slack = kSameTime * std::max(std::abs(axis_.low), std::abs(axis_.high));
+    if (time && (*time < axis_.low - slack || *time > axis_.high + slack))
+      errors_.add({row.line, row.cells[*time_].column}, Code::out_of_range, axis_.column, row.cells[*time_].text,
+                  fmt::format("is outside of what the scene computes: {:g} to {:g}{}", axis_.low, axis_.high,
+                              axis_.column == kTime ? " s" : ""));
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       if (row.cells[cells_[k]].text.empty()) continue;
       const auto value = number(row, cells_[k]);
@@ -125,7 +128,7 @@ class TargetReader {
   }
 
   const PoseFile& file_;
-  double duration_;
+  TargetAxis axis_;
   LongErrors errors_;
   std::optional<std::size_t> time_;
   std::vector<std::size_t> cells_;  ///< of each column of the target
@@ -150,10 +153,10 @@ std::vector<double> weights(const std::vector<double>& times, std::size_t first,
 std::optional<CalibrationTarget> read_calibration_target(const std::string& path,
                                                          const std::vector<std::string>& patterns,
                                                          const std::vector<std::string>& known, double duration,
-                                                         Diagnostics& out) {
+                                                         Diagnostics& out, const std::vector<TargetAxis>& axes) {
   const auto file = read_pose_file(path, out);
   if (!file) return std::nullopt;
-  TargetReader reader(*file, duration, out);
+  TargetReader reader(*file, duration, axes, out);
   reader.choose(patterns, known);
   const std::size_t before = out.count(Diagnostic::Severity::error);
   refuse_repeated_names(*file, reader.used(), out);
@@ -161,30 +164,42 @@ std::optional<CalibrationTarget> read_calibration_target(const std::string& path
   return reader.read();
 }
 
-std::optional<VecX> values_at(const CalibrationTarget& target, const ResultTable& results) {
+std::vector<std::vector<RowWeight>> rows_of(const CalibrationTarget& target, const ResultTable& results) {
   constexpr std::size_t kCubic = 4;
   std::vector<double> times;
-  for (std::size_t row = 0; row < results.rows(); ++row) times.push_back(results.number(row, kTime));
-  if (times.empty()) return std::nullopt;
-  VecX values(static_cast<Eigen::Index>(target.values.size()));
-  for (std::size_t k = 0; k < target.values.size(); ++k) {
-    const CalibrationTarget::Value& v = target.values[k];
-    const std::string& column = target.columns[v.column].name;
+  for (std::size_t row = 0; row < results.rows(); ++row) times.push_back(results.number(row, target.axis));
+  const bool falls = times.size() > 1 && times.front() > times.back();
+  if (falls) std::reverse(times.begin(), times.end());
+  std::vector<std::vector<RowWeight>> out;
+  if (times.empty()) return out;
+  const auto row_of = [&](std::size_t k) { return falls ? times.size() - 1 - k : k; };
+  for (const CalibrationTarget::Value& v : target.values) {
     const auto after = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), v.time) - times.begin());
     const std::size_t near =
         after == times.size() || (after > 0 && v.time - times[after - 1] < times[after] - v.time) ? after - 1 : after;
     const double step = times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 1;
-    double value = 0;
+    out.emplace_back();
     if (std::abs(times[near] - v.time) <= kSameTime * step) {
-      value = results.number(near, column);
-    } else {
-      const std::size_t count = std::min(kCubic, times.size());
-      const std::size_t first = std::min(after < 2 ? 0 : after - 2, times.size() - count);
-      const std::vector<double> w = weights(times, first, first + count, v.time);
-      for (std::size_t i = 0; i < count; ++i) value += w[i] * results.number(first + i, column);
+      out.back().push_back({row_of(near), 1});
+      continue;
     }
+    const std::size_t count = std::min(kCubic, times.size());
+    const std::size_t first = std::min(after < 2 ? 0 : after - 2, times.size() - count);
+    const std::vector<double> w = weights(times, first, first + count, v.time);
+    for (std::size_t i = 0; i < count; ++i) out.back().push_back({row_of(first + i), w[i]});
+  }
+  return out;
+}
+
+std::optional<VecX> values_at(const CalibrationTarget& target, const ResultTable& results) {
+  const std::vector<std::vector<RowWeight>> rows = rows_of(target, results);
+  if (rows.empty()) return std::nullopt;
+  VecX values = VecX::Zero(static_cast<Eigen::Index>(target.values.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const std::string& column = target.columns[target.values[k].column].name;
+    double& value = values[static_cast<Eigen::Index>(k)];
+    for (const RowWeight& r : rows[k]) value += r.weight * results.number(r.row, column);
     if (!std::isfinite(value)) return std::nullopt;
-    values[static_cast<Eigen::Index>(k)] = value;
   }
   return values;
 }

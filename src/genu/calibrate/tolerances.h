@@ -1,0 +1,66 @@
+// Every tolerance of the room `calibrate`, by the unit that uses it. tools/tolerances-page writes docs/tolerances.md
+// from these headers: [unit], bound, what fails first if the value is wrong.
+#pragma once
+
+namespace genu {
+
+// calibration_unknowns
+
+/// [standard change] Scale of a varied number that may be zero: 1 cm, 0.1 of strain, 10 N. Fails first: if too small,
+/// slow fits.
+inline constexpr double kUnknownScale = 10;
+
+/// [1] Largest change of a logarithm in a step (a factor of 2.7). Fails first: if too large, a stiff motion takes for
+/// ever.
+inline constexpr double kMaxLogStep = 1;
+
+/// [1] Largest change of a ligament's strain in a step. Fails first: if too large, ligaments become slack on the way
+/// and have no derivative any more; if too small, slow fits.
+inline constexpr double kMaxStrainStep = 0.02;
+
+// calibration_search
+
+/// [1] Error of central differences over the largest derivative. Fails first: if too small, undetermined numbers are
+/// called determined.
+inline constexpr double kDerivativeNoise = 1e-6;
+
+/// [1] Error of exact derivatives over the largest: that of the solver's poses. Fails first: if too small, undetermined
+/// numbers are called determined; if too large, weak ones are not fitted.
+inline constexpr double kExactDerivativeNoise = 1e-9;
+
+/// [1] Strain that a ligament slack in every pose gets where it is longest, to be fitted again from there. Fails first:
+/// if too small, a law with a toe still pulls too little to be seen; if too large, the new start is far off.
+inline constexpr double kTautStrain = 0.005;
+
+/// [1] Fits again from taut starts, as long as each is better than the one before. Fails first: if too small, a second
+/// ligament that the first one has made slack stays so.
+inline constexpr int kTautRounds = 4;
+
+/// [of the sum of squares] By how much a taut start must be better. Fails first: if too large, a weak ligament stays
+/// slack.
+inline constexpr double kWorthATautStart = 1e-6;
+
+// calibration_report
+
+/// [1] Component from which a parameter is named. Fails first: if too small, every parameter is named.
+inline constexpr double kNamedComponent = 0.05;
+
+/// [of the prior's SD] Standard error from which a number is known by its prior alone. Fails first: if too small, what
+/// the target narrows is said to be unknown to it.
+inline constexpr double kPriorRules = 0.99;
+
+/// [1] Standard error of the direction that is determined least over that of the best, from which it is named. Fails
+/// first: nothing (words only).
+inline constexpr double kPoorDirection = 100;
+
+// calibration_target
+
+/// [interval] Difference of times that is round-off. Fails first: if too small, rows of a curve are interpolated or
+/// refused.
+inline constexpr double kSameTime = 1e-9;
+
+/// [1] Spread of a column over its largest value that is none. Fails first: if too small, a constant column is scaled
+/// by round-off.
+inline constexpr double kConstantSpread = 1e-9;
+
+}  // namespace genu
