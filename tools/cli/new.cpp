@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -24,6 +25,7 @@ namespace {
 struct NewArguments {
   NewScene scene;
   std::string kind, side;
+  std::vector<std::string> femur, tibia;  ///< what touches, or bone and cartilage
 };
 
 /// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
@@ -45,6 +47,12 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
       asked.kind = NewScene::Kind::given;
       asked.text = scene.text;
     }
+  const auto take = [](const std::vector<std::string>& files, std::string& touches, std::string& bone) {
+    if (!files.empty()) touches = files.back();
+    if (files.size() == 2) bone = files.front();
+  };
+  take(arguments.femur, asked.femur, asked.femur_bone);
+  take(arguments.tibia, asked.tibia, asked.tibia_bone);
   if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
   Diagnostics problems;
@@ -77,8 +85,12 @@ void add_new(CLI::App& command, int& exit_code) {
           "analytic: a knee of formulas; stl: from two meshes; motion: a shank that swings; hip, ankle, finger, "
           "jaw, total-knee: these joints of formulas. Where it is not given: stl with meshes, else analytic")
       ->check(CLI::IsMember(kinds));
-  command.add_option("--femur", scene.femur, "mesh of the femur or its cartilage: STL, PLY, OBJ, OFF or VTP");
-  command.add_option("--tibia", scene.tibia, "mesh of the tibia or its cartilage, in the same frame");
+  command
+      .add_option("--femur", arguments->femur,
+                  "mesh of the femur or its cartilage, or of both, bone first: STL, PLY, OBJ, OFF or VTP")
+      ->expected(1, 2);
+  command.add_option("--tibia", arguments->tibia, "mesh of the tibia or its cartilage, or both, in the same frame")
+      ->expected(1, 2);
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember({"mm", "m"}));
   command.add_option("--side", arguments->side, "which knee it is; by the shape of the bones where it is not given")

@@ -14,6 +14,7 @@
 #include "genu/scene/words.h"
 #include "genu/study/knee_layout.h"
 #include "genu/study/layout_doubts.h"
+#include "genu/study/new_ligaments.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/run_scene.h"
 
@@ -36,49 +37,6 @@ std::string toml_string_of(const std::string& text) {
       out += fmt::format("\\u{:04x}", c);
     else
       out += c;
-  return out;
-}
-
-std::string tenths(double metres) {
-  const double mm = std::round(1e4 * metres) / 10;
-  return fmt::format("{:g}", mm == 0 ? 0.0 : mm);
-}
-
-std::string point_text(const Vec3& p) {
-  return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
-}
-
-/// A place at the tibia's joint: parts of its width to the lateral side and up, of its depth forward.
-struct Place {
-  double lateral, anterior, proximal;
-};
-struct StartLigament {
-  const char* name;
-  Place femur, tibia;
-  double stiffness;  ///< N
-  double strain;
-};
-constexpr StartLigament kLigaments[] = {
-    {"ACL", {0.10, -0.25, 0.20}, {-0.02, 0.15, -0.03}, 5000, 0.04},
-    {"PCL", {-0.08, -0.10, 0.15}, {0.0, -0.45, -0.12}, 9000, 0.04},
-    {"LCL", {0.50, -0.10, 0.30}, {0.48, -0.35, -0.55}, 2000, 0.04},
-    {"MCL_anterior", {-0.50, -0.05, 0.30}, {-0.40, 0.10, -0.75}, 2500, 0.04},
-    {"MCL_posterior", {-0.50, -0.15, 0.30}, {-0.45, -0.25, -0.60}, 2500, 0.04},
-};
-
-std::string ligaments_text(const KneeLayout& knee, bool left) {
-  const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
-  const auto at = [&](const Place& p) {
-    return Vec3(knee.centre + p.lateral * knee.width * lateral + p.anterior * knee.depth * knee.anterior +
-                p.proximal * knee.width * knee.proximal);
-  };
-  const Vec3 up = knee.gap * knee.proximal;  // of the reference pose, where they touch
-  std::string out;
-  for (const StartLigament& l : kLigaments)
-    out += fmt::format(
-        "[ligament.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"tibia\", point = {} }}\n"
-        "law = \"blankevoort\"\nstiffness = {}\ntransition_strain = 0.06\nreference_strain = {}\n\n",
-        l.name, point_text(at(l.femur) + up), point_text(at(l.tibia)), l.stiffness, l.strain);
   return out;
 }
 
@@ -111,15 +69,18 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   return toml_string_of((relative.empty() ? to : relative).string());
 }
 
-bool is_left(const NewScene& asked, const KneeLayout& knee) {
-  return asked.left.value_or(seems_left(knee).value_or(false));
+/// The thickness of cartilage over a bone.
+std::string thickness_text(const std::string& bone, const std::string& folder, double unit) {
+  if (bone.empty()) return "";
+  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(bone, folder),
+                     unit == 1 ? "m" : "mm");
 }
 
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& femur, const Bone& tibia) {
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bone& femur, const Bone& tibia) {
   Words w;
   const bool guessed = asked.unit.empty();
-  const std::string right = axis_word(knee.right), side = is_left(asked, knee) ? "left" : "right";
-  const Vec3 lateral = side == "left" ? Vec3(-knee.right) : knee.right;
+  const std::string right = axis_word(knee.right), side = left ? "left" : "right";
+  const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
   w["side"] = side;
   w["proximal"] = axis_word(knee.proximal);
   w["anterior"] = axis_word(knee.anterior);
@@ -129,20 +90,25 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& f
                           : " (as you said)";
   w["width"] = tenths(knee.width);
   w["depth"] = tenths(knee.depth);
-  w["cartilage_note"] = "Of bones without cartilage the layer stands for it, but begins at the bone.";
+  w["cartilage_note"] =
+      asked.femur_bone.empty() ? "Of bones without cartilage the layer stands for it, but begins at the bone." : "";
   w["flexion_axis"] = axis_word(-knee.right);
-  w["adduction_axis"] = axis_word(side == "left" ? Vec3(-knee.anterior) : knee.anterior);
-  w["rotation_axis"] = axis_word(side == "left" ? Vec3(-knee.proximal) : knee.proximal);
+  w["adduction_axis"] = axis_word(left ? Vec3(-knee.anterior) : knee.anterior);
+  w["rotation_axis"] = axis_word(left ? Vec3(-knee.proximal) : knee.proximal);
   Eigen::Index up = 0;
   knee.proximal.cwiseAbs().maxCoeff(&up);
-  w["up"] = "xyz"[up];
-  w["move"] = tenths(knee.gap * knee.proximal[up]);
+  w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
   w["centre"] = point_text(knee.centre);
   w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
   w["femur_file"] = seen_from(asked.femur, asked.folder);
   w["tibia_file"] = seen_from(asked.tibia, asked.folder);
   w["femur_unit"] = femur.unit == 1 ? "m" : "mm";
   w["tibia_unit"] = tibia.unit == 1 ? "m" : "mm";
+  w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, femur.unit);
+  w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, tibia.unit);
+  const bool bones = !asked.femur_bone.empty();
+  w["thickness"] = bones ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
+  w["layer"] = bones ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
   w["femur_unit_how"] = w["tibia_unit_how"] = guessed ? "                   # GUESSED from its size" : "";
   Eigen::Index sideways = 0;
   lateral.cwiseAbs().maxCoeff(&sideways);
@@ -151,31 +117,61 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const Bone& f
   const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
   w["medial"] = lateral[sideways] > 0 ? below : above;
   w["lateral"] = lateral[sideways] > 0 ? above : below;
-  w["ligaments"] = ligaments_text(knee, side == "left");
   w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
                                  100 * knee.proximal.z() + 0.0);
   return w;
 }
 
-std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Words& w) {
+/// The meshes of a knee, and those that the reference knee is laid on: bones where there are some.
+struct Bones {
+  Bone femur, tibia;
+  std::optional<Bone> femur_bone, tibia_bone;
+
+  const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
+  const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }
+};
+
+std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
+  auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
+  std::optional<Bone> femur_bone, tibia_bone;
+  if (!asked.femur_bone.empty()) femur_bone = read_bone(asked.femur_bone, asked.unit, out);
+  if (!asked.tibia_bone.empty()) tibia_bone = read_bone(asked.tibia_bone, asked.unit, out);
+  if (out.has_errors() || !femur || !tibia) return std::nullopt;
+  return Bones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
+}
+
+/// Which side, and why.
+struct Side {
+  bool left = false;
+  std::string why;
+};
+Side side_of(const NewScene& asked, const KneeLayout& knee, const Bones& bones) {
+  if (asked.left) return {*asked.left, "as you said"};
+  if (const auto left = seems_left(knee)) return {*left, why_this_side(knee) + "; --side says otherwise"};
+  if (const auto left = fits_left(bones.femur_shape(), bones.tibia_shape(), knee))
+    return {*left, "the reference knee fits better so; --side says otherwise"};
+  return {false, "not told by the meshes; --side left or right decides"};
+}
+
+std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
+                                    const NewLigaments& ligaments, const Words& w) {
   std::vector<std::string> out;
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
                             asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
                             asked.anterior.empty() ? " (guessed; --anterior says otherwise)" : ""));
-  out.push_back(fmt::format("side        {}{}", w.at("side"),
-                            asked.left         ? " (as you said)"
-                            : seems_left(knee) ? " (" + why_this_side(knee) + "; --side says otherwise)"
-                                               : " (not told by the meshes; --side left or right decides)"));
+  out.push_back(fmt::format("side        {} ({})", w.at("side"), side.why));
   out.push_back(fmt::format("units       femur {}, tibia {}{}", w.at("femur_unit"), w.at("tibia_unit"),
                             asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
+  out.push_back("ligaments   " + ligaments.choice);
   out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
   return out;
 }
 
-constexpr int kStartFlexion = 30;  // deg: what a start without anatomy can be asked
-constexpr int kSettlingRows = 10;  // rows of the step before it
+constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
+constexpr int kWholeFlexion = 120;  // deg: with it
+constexpr int kSettlingRows = 10;   // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
   words["flexion"] = fmt::format("{}", degrees);
@@ -218,7 +214,8 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
   for (const auto& [what, name] :
-       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia)})
+       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia),
+        std::pair("--femur", asked.femur_bone), std::pair("--tibia", asked.tibia_bone)})
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
       refuse_it(Code::not_utf8, what, printable(valid_utf8(name)),
                 "must be a name of UTF-8 text without control characters: rename it");
@@ -227,6 +224,9 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   if (asked.kind != NewScene::Kind::stl && meshes)
     refuse_it(Code::meshes_needed, "--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
               "has no meshes: --femur and --tibia belong to --kind stl");
+  if (asked.femur_bone.empty() != asked.tibia_bone.empty())
+    out.error(Code::meshes_needed, {},
+              "cartilage over bone is given for one of femur and tibia: --femur BONE CARTILAGE --tibia BONE CARTILAGE");
   if (asked.kind == NewScene::Kind::stl && (asked.femur.empty() || asked.tibia.empty()))
     out.error(Code::meshes_needed, {},
               "a scene of kind stl needs two meshes in one frame: --femur femur.stl --tibia tibia.stl");
@@ -275,18 +275,24 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
   if (asked.kind == NewScene::Kind::given) return Composed{asked.text, {}, {}};
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
-  const auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
-  if (!femur || !tibia || !check_spaces(*femur, *tibia, asked, out)) return std::nullopt;
-  const auto knee = lay_out_knee(femur->mesh, tibia->mesh, axis_named(asked.proximal), axis_named(asked.anterior));
+  const auto bones = read_bones(asked, out);
+  if (!bones || !check_spaces(bones->femur, bones->tibia, asked, out)) return std::nullopt;
+  const Mesh &femur = bones->femur.mesh, &tibia = bones->tibia.mesh;
+  const auto knee = lay_out_knee(femur, tibia, axis_named(asked.proximal), axis_named(asked.anterior));
   if (!knee) {
     out.error(Code::layout, {},
               "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
-  if (!check_layout(femur->mesh, tibia->mesh, *knee, asked, out)) return std::nullopt;
-  words.merge(words_of_knee(asked, *knee, *femur, *tibia));
-  ask_for_flexion(words, kStartFlexion, false);
-  return Composed{stl_scene_text(), words, choices_of(asked, *knee, words)};
+  if (!check_layout(femur, tibia, *knee, asked, out)) return std::nullopt;
+  const Side side = side_of(asked, *knee, *bones);
+  words.merge(words_of_knee(asked, *knee, side.left, bones->femur, bones->tibia));
+  const NewLigaments ligaments = ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left);
+  if (ligaments.doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *ligaments.doubt);
+  words["ligaments"] = ligaments.text;
+  words["ligaments_note"] = ligaments.note;
+  ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
+  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words)};
 }
 
 }  // namespace

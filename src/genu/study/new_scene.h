@@ -13,13 +13,14 @@ namespace genu {
 struct NewScene {
   enum class Kind { analytic, stl, motion, given };
   Kind kind = Kind::analytic;
-  std::string folder{};                ///< made new; its last name is the scene's
-  std::string femur{}, tibia{};        ///< mesh files, of kind stl; both in one frame
-  std::string text{};                  ///< the scene of kind given, which names no files
-  std::string unit{};                  ///< "mm" or "m" of these files; empty: guessed from their size
-  std::string proximal{}, anterior{};  ///< "x", "-x", ... in that frame; empty: guessed from the meshes
-  std::optional<bool> left{};          ///< a left knee; empty: by the shape of the bones, else a right one
-  std::function<bool()> cancelled{};   ///< whether to stop trying the scene out: then nothing is written
+  std::string folder{};                    ///< made new; its last name is the scene's
+  std::string femur{}, tibia{};            ///< mesh files that touch, of kind stl; all in one frame
+  std::string femur_bone{}, tibia_bone{};  ///< under them, where those are cartilage alone; both or none
+  std::string text{};                      ///< the scene of kind given, which names no files
+  std::string unit{};                      ///< "mm" or "m" of these files; empty: guessed from their size
+  std::string proximal{}, anterior{};      ///< "x", "-x", ... in that frame; empty: guessed from the meshes
+  std::optional<bool> left{};              ///< a left knee; empty: by the shape of the bones, else a right one
+  std::function<bool()> cancelled{};       ///< whether to stop trying the scene out: then nothing is written
 };
 
 /// What has been written, and what a trial of it gave.

@@ -167,7 +167,7 @@ std::string stl_scene_text() {
 # What they do not say, and was CHOSEN; look at each line marked so before you believe a result:
 #   CHOSEN: a @side@ knee. (`genu new --side` decides; only names and signs depend on it.)
 #   CHOSEN: the ligaments: where they are fixed, how stiff and how long they are.
-#   CHOSEN: the cartilage, a layer of 6 mm and 10 MPa in all. @cartilage_note@
+#   CHOSEN: the cartilage, a layer of @layer@. @cartilage_note@
 #   CHOSEN: the load and the motion.
 format = 1
 title = "@title@"
@@ -187,7 +187,7 @@ child = "tibia"
 rotations = ["flexion @flexion_axis@", "adduction @adduction_axis@", "rotation @rotation_axis@"]   # in this order
 translations = ["x", "y", "z"]
 # The tibia moved until the meshes touch: where the search starts, and the pose that `reference_strain` means.
-reference = { @up@ = @move@ }
+reference = { @reference@ }
 # The same pose as clinicians describe it (Grood and Suntay), columns knee.gs...; origins amid the plateau.
 grood_suntay = { side = "@side@", femur = { body = "femur", proximal = "@proximal@", anterior = "@anterior@", origin = @femur_origin@ }, tibia = { body = "tibia", proximal = "@proximal@", anterior = "@anterior@", origin = @centre@ } }
 
@@ -196,13 +196,13 @@ grood_suntay = { side = "@side@", femur = { body = "femur", proximal = "@proxima
 body = "femur"
 shape = "mesh"
 file = "@femur_file@"
-units = "@femur_unit@"@femur_unit_how@
+units = "@femur_unit@"@femur_unit_how@@femur_thickness@
 
 [surface.tibia]
 body = "tibia"
 shape = "mesh"
 file = "@tibia_file@"
-units = "@tibia_unit@"@tibia_unit_how@
+units = "@tibia_unit@"@tibia_unit_how@@tibia_thickness@
 
 # --- Contact: an elastic layer on each triangle of the tibia. For rigid contact on smooth surfaces write
 # model = "rigid" and take out the keys from modulus to cast_from ---
@@ -211,13 +211,12 @@ surfaces = ["femur", "tibia"]
 model = "cartilage"
 modulus = 10                   # CHOSEN: MPa
 poisson = 0.45                 # CHOSEN
-thickness = 6                  # CHOSEN: mm, of both layers together
-quadrature = "triangles"
+@thickness@quadrature = "triangles"
 cast_from = "tibia"
 regions = { medial = "@medial@", lateral = "@lateral@" }   # results of the two halves
 
-# --- Ligaments: CHOSEN throughout. Anatomy of common proportions, scaled to the width of your tibia. Put your own points
-# (picked in the meshes), stiffness (N at a strain of 1) and strain in the reference pose in their place ---
+# --- Ligaments: CHOSEN throughout. @ligaments_note@
+# Put your own points (picked in the meshes), stiffness (N at a strain of 1) and strain in the reference pose there ---
 @ligaments@
 # --- Load: CHOSEN. 100 N press the tibia against the femur, always along the tibia's own axis ---
 [load.compression]

@@ -128,6 +128,15 @@ inline constexpr double kMaxStartGap = 0.5;
 /// [1] Triangles below which a mesh gets a warning. Fails first: if too large, good meshes get a warning.
 inline constexpr std::size_t kFewKneeTriangles = 100;
 
+// new_ligaments
+
+/// [1] Transition strain of ligaments of common proportions. Fails first: nothing (chosen, and said to be).
+inline constexpr double kProportionTransition = 0.06;
+
+/// [1] Ratio of misfits of a knee and its mirror image that tells which it is. Fails first: if too large, chance
+/// decides.
+inline constexpr double kSideFits = 0.8;
+
 // run_motion
 
 /// [1] Equal parts of a motion in which the largest error of feedback is compared. Fails first: if too small, a target

@@ -38,7 +38,7 @@ double clearance(const Obstacle& o, const Vec3& from, const Vec3& to) {
 
 /// The middle of an obstacle (in the world) near a line.
 Vec3 middle_of(const Obstacle& o, const Vec3& from, const Vec3& to) {
-  const Vec3 half = 0.5 * (from + to);
+  Vec3 half = 0.5 * (from + to);
   if (const auto shape = o.surface->round()) {
     const Vec3 centre = o.X_W * shape->centre, axis = o.X_W.R * shape->axis;
     return centre + axis.dot(half - centre) * axis;

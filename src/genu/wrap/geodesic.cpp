@@ -112,7 +112,7 @@ class Shooter {
       for (int k = row - 1; k >= 0; --k) {
         const double ratio = static_cast<double>(n) / (2 * (k + 1)), factor = ratio * ratio - 1;
         auto& lower = table[static_cast<std::size_t>(k)];
-        const Values& upper = table[static_cast<std::size_t>(k + 1)];
+        const Values& upper = table[static_cast<std::size_t>(k) + 1];
         lower = upper + (upper - lower) / factor;
       }
       if (row == 0 || !(size(table[0] - table[1]) <= kGeodesicError)) continue;

@@ -1,0 +1,149 @@
+#include "genu/atlas/fitted_knee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "genu/atlas/tolerances.h"
+
+namespace genu {
+namespace {
+
+/// The point of a triangle nearest to x (Ericson 2005, 5.1.5).
+Vec3 nearest_on_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = x - a, bp = x - b, cp = x - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return a;
+  if (d3 >= 0 && d4 <= d3) return b;
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
+  const double sum = va + vb + vc;
+  if (!(sum > 0)) return a;  // without area
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+/// Starts: straight, and tilted about each axis of the knee both ways.
+std::vector<Affine> starts_of(const KneeAxes& axes, const ReferenceKnee::Plateau& plateau, double up) {
+  Mat3 frame;
+  frame << axes.anterior, axes.proximal, axes.lateral;
+  std::vector<Affine> out;
+  const double scale = axes.width / plateau.width;
+  const auto add = [&](const Mat3& tilt) {
+    const Mat3 linear = scale * frame * tilt;
+    out.push_back({linear, axes.centre + up * axes.proximal - linear * plateau.centre});
+  };
+  add(Mat3::Identity());
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0})
+      add(Eigen::AngleAxisd(sign * kStartTilt * std::numbers::pi / 180, Vec3::Unit(axis)).toRotationMatrix());
+  return out;
+}
+
+/// Root mean square of the misfits of the points nearest to x, and how far away the nearest of them is.
+struct Surroundings {
+  double misfit = 0, distance = 0;
+};
+Surroundings around(const Registration& r, const Vec3& x) {
+  std::vector<std::pair<double, double>> near;
+  for (std::size_t i = 0; i < r.mapped.size(); ++i)
+    near.emplace_back((r.mapped[i] - x).norm(), std::min(r.misfits[i], kOntoMesh));
+  const std::size_t count = std::min<std::size_t>(20, near.size());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+  Surroundings out;
+  for (std::size_t k = 0; k < count; ++k) out.misfit += near[k].second * near[k].second / static_cast<double>(count);
+  out.misfit = std::sqrt(out.misfit);
+  out.distance = near.empty() ? 0 : near.front().first;
+  return out;
+}
+
+/// Bone and cartilage are alike near the joint, so that either fits there: the shaft and the fit's quality decide.
+bool is_cartilage(const Registration& as_bone, const Registration& as_cartilage) {
+  const double more = as_cartilage.matched - as_bone.matched;
+  return std::abs(more) > kMoreMatched ? more > 0 : as_cartilage.median < kBetterMisfit * as_bone.median;
+}
+
+FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, const KneeAxes& axes, double up,
+                    Vec3 ReferenceFibre::*end) {
+  const ReferenceKnee& knee = reference_knee();
+  const PointTree target(facing_vertices(mesh, kMostTargets));
+  Registration best = register_points(reference.bone, target, starts_of(axes, knee.bone, up));
+  Registration other = register_points(reference.cartilage, target, starts_of(axes, knee.cartilage, up));
+  FittedBone out;
+  out.cartilage = is_cartilage(best, other);
+  if (out.cartilage) best = std::move(other);
+  out.median = best.median;
+  out.matched = best.matched;
+  for (const ReferenceFibre& fibre : knee.fibres) {
+    Insertion insertion;
+    insertion.at = best.map(fibre.*end);
+    const Surroundings found = around(best, insertion.at);
+    insertion.error = std::hypot(kPeopleDiffer, found.misfit, kErrorBeyond * found.distance);
+    const Vec3 foot = nearest_on_mesh(mesh, insertion.at);
+    insertion.on_mesh = !out.cartilage && (foot - insertion.at).norm() <= kOntoMesh;
+    if (insertion.on_mesh) insertion.at = foot;
+    out.insertions.push_back(insertion);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool FittedBone::poor() const { return !(median <= kPoorMisfit) || !(matched >= kLeastMatched); }
+
+Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x) {
+  Vec3 nearest = x;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles) {
+    const Vec3 p = nearest_on_triangle(x, mesh.vertices[at(t[0])], mesh.vertices[at(t[1])], mesh.vertices[at(t[2])]);
+    const double d = (p - x).squaredNorm();
+    if (d < least) {
+      least = d;
+      nearest = p;
+    }
+  }
+  return nearest;
+}
+
+FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes) {
+  const ReferenceKnee& knee = reference_knee();
+  return {fit_bone(femur, knee.femur, axes, axes.gap, &ReferenceFibre::femur),
+          fit_bone(tibia, knee.tibia, axes, 0, &ReferenceFibre::tibia),
+          axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0};
+}
+
+std::vector<double> slack_lengths(const FittedKnee& fitted) {
+  const ReferenceKnee& knee = reference_knee();
+  std::vector<Vec3> from[2], to[2];  // femur, tibia
+  for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
+    from[0].push_back(knee.fibres[i].femur);
+    from[1].push_back(knee.fibres[i].tibia);
+    to[0].push_back(fitted.femur.insertions[i].at);
+    to[1].push_back(fitted.tibia.insertions[i].at);
+  }
+  const Affine femur = similarity(from[0], to[0], fitted.reflected),
+               tibia = similarity(from[1], to[1], fitted.reflected);
+  const Mat3 back = tibia.linear.inverse();
+  std::vector<double> out;
+  for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
+    const ReferenceFibre& fibre = knee.fibres[i];
+    const Vec3 end = back * (to[1][i] - tibia.shift);
+    double longest = 0, most = -1, up = 0, down = 0;
+    for (const Eigen::Isometry3d& pose : knee.flexion) {
+      const double length = (femur(pose * end) - to[0][i]).norm();
+      const double strain = (pose * fibre.tibia - fibre.femur).norm() / fibre.slack - 1;
+      const double weight = std::max(0.0, strain + kNearlyTaut);
+      longest = std::max(longest, length);
+      most = std::max(most, strain);
+      up += weight * length * length;
+      down += weight * length * (1 + strain);
+    }
+    out.push_back(down > 0 ? up / down : longest / (1 + most));  // never taut: nor here
+  }
+  return out;
+}
+
+}  // namespace genu

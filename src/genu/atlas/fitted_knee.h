@@ -1,0 +1,50 @@
+// Where the ligaments of the reference knee insert on a user's bones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/atlas/reference_knee.h"
+#include "genu/atlas/registration.h"
+
+namespace genu {
+
+/// The anatomy of two meshes in one frame, as far as it is known before. lateral may make it left-handed: a left knee.
+struct KneeAxes {
+  Vec3 anterior, proximal, lateral;  ///< unit
+  Vec3 centre = Vec3::Zero();        ///< m: middle of the tibia's plateau, at its highest
+  double width = 0;                  ///< m: of the tibia near the joint
+  double gap = 0;                    ///< m: from the tibia up to the femur
+};
+
+struct Insertion {
+  Vec3 at = Vec3::Zero();  ///< m, in the frame of the meshes
+  double error = 0;        ///< m: standard deviation, estimated
+  bool on_mesh = false;    ///< put onto the mesh; else it lies beside it, as those on the fibula
+};
+
+/// A bone of the reference knee laid on a mesh.
+struct FittedBone {
+  bool cartilage = false;             ///< whether the mesh was taken for cartilage, by what fits better
+  double median = 0;                  ///< m: misfit
+  double matched = 0;                 ///< part of the reference that has a partner
+  bool poor() const;                  ///< too far off to tell where ligaments insert
+  std::vector<Insertion> insertions;  ///< of the fibres of reference_knee(), in their order
+};
+
+struct FittedKnee {
+  FittedBone femur, tibia;
+  bool reflected = false;  ///< a left knee
+};
+
+/// Lays the reference knee on both meshes, of bones or of their cartilage.
+FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes);
+
+/// Slack lengths (m) of the fibres of reference_knee(), in their order: such that along its flexion, laid on these
+/// bones, each strains as it does there (least squares; the more taut, the more a pose counts).
+std::vector<double> slack_lengths(const FittedKnee& fitted);
+
+/// The point of a mesh that is nearest to x. m.
+Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x);
+
+}  // namespace genu

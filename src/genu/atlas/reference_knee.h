@@ -1,0 +1,39 @@
+// The reference knee: surfaces as points, and the ligament fibres between femur and tibia.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "genu/atlas/point_tree.h"
+
+namespace genu {
+
+/// A fibre of the reference knee.
+struct ReferenceFibre {
+  std::string name, bundle;
+  double stiffness = 0;  ///< N at a strain of 1
+  double transition = 0;
+  double strain = 0;                                ///< in extension under a small load, as published
+  double slack = 0;                                 ///< m: slack length
+  Vec3 femur = Vec3::Zero(), tibia = Vec3::Zero();  ///< m: its ends
+};
+
+/// A right knee in extension, femur and tibia in one frame: x anterior, y proximal, z lateral. m.
+struct ReferenceKnee {
+  struct Bone {
+    std::vector<FacingPoint> bone, cartilage;
+  };
+  struct Plateau {
+    double width = 0;            ///< m
+    Vec3 centre = Vec3::Zero();  ///< m: middle of the tibia's plateau, at its highest
+  };
+  Bone femur, tibia;
+  Plateau bone, cartilage;  ///< of the tibia
+  std::vector<ReferenceFibre> fibres;
+  std::vector<Eigen::Isometry3d> flexion;  ///< of the tibia in the femur, from 0 to 120 deg under 100 N
+};
+
+/// Lenhart et al. (2015); read once.
+const ReferenceKnee& reference_knee();
+
+}  // namespace genu

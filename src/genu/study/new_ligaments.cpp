@@ -1,0 +1,150 @@
+#include "genu/study/new_ligaments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "genu/study/tolerances.h"
+
+namespace genu {
+namespace {
+
+/// A place at the tibia's joint: parts of its width to the lateral side and up, of its depth forward.
+struct Place {
+  double lateral, anterior, proximal;
+};
+struct StartLigament {
+  const char* name;
+  Place femur, tibia;
+  double stiffness;  ///< N
+  double strain;
+};
+constexpr StartLigament kLigaments[] = {
+    {"ACL", {0.10, -0.25, 0.20}, {-0.02, 0.15, -0.03}, 5000, 0.04},
+    {"PCL", {-0.08, -0.10, 0.15}, {0.0, -0.45, -0.12}, 9000, 0.04},
+    {"LCL", {0.50, -0.10, 0.30}, {0.48, -0.35, -0.55}, 2000, 0.04},
+    {"MCL_anterior", {-0.50, -0.05, 0.30}, {-0.40, 0.10, -0.75}, 2500, 0.04},
+    {"MCL_posterior", {-0.50, -0.15, 0.30}, {-0.45, -0.25, -0.60}, 2500, 0.04},
+};
+
+/// What people call the bundles of the reference knee.
+struct BundleName {
+  const char *name, *words;
+};
+constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bundle"},
+                                   {"ACLpl", "anterior cruciate, posterolateral bundle"},
+                                   {"PCLal", "posterior cruciate, anterolateral bundle"},
+                                   {"PCLpm", "posterior cruciate, posteromedial bundle"},
+                                   {"MCLs", "medial collateral, superficial"},
+                                   {"MCLd", "medial collateral, deep"},
+                                   {"MCLp", "posteromedial capsule"},
+                                   {"LCL", "lateral collateral"},
+                                   {"PFL", "popliteofibular"},
+                                   {"pCAP", "posterior capsule"}};
+
+Vec3 lateral_of(const KneeLayout& knee, bool left) { return left ? Vec3(-knee.right) : knee.right; }
+
+KneeAxes axes_of(const KneeLayout& knee, bool left) {
+  return {knee.anterior, knee.proximal, lateral_of(knee, left), knee.centre, knee.width, knee.gap};
+}
+
+std::string ligament_text(const std::string& name, const std::string& from, const std::string& to, double stiffness,
+                          double transition, const std::string& length) {
+  return fmt::format(
+      "[ligament.{}]\nfrom = {{ body = \"femur\", point = {}\nto = {{ body = \"tibia\", point = {}\n"
+      "law = \"blankevoort\"\nstiffness = {:g}\ntransition_strain = {:g}\n{}\n\n",
+      name, from, to, stiffness, transition, length);
+}
+
+std::string of_proportions(const KneeLayout& knee, bool left) {
+  const Vec3 lateral = lateral_of(knee, left);
+  const auto at = [&](const Place& p) {
+    return Vec3(knee.centre + p.lateral * knee.width * lateral + p.anterior * knee.depth * knee.anterior +
+                p.proximal * knee.width * knee.proximal);
+  };
+  const Vec3 up = knee.gap * knee.proximal;  // of the reference pose, where they touch
+  std::string out;
+  for (const StartLigament& l : kLigaments)
+    out += ligament_text(l.name, point_text(at(l.femur) + up) + " }", point_text(at(l.tibia)) + " }", l.stiffness,
+                         kProportionTransition, fmt::format("reference_strain = {:g}", l.strain));
+  return out;
+}
+
+std::string insertion_text(const Insertion& insertion) {
+  return fmt::format("{} }}   # +- {} mm{}", point_text(insertion.at), tenths(insertion.error),
+                     insertion.on_mesh ? "" : ", beside the mesh");
+}
+
+std::string of_reference(const FittedKnee& fitted) {
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  // Of cartilage alone insertions are too uncertain for lengths along the whole flexion.
+  const bool bones = !fitted.femur.cartilage && !fitted.tibia.cartilage;
+  const std::vector<double> slack = slack_lengths(fitted);
+  std::string out;
+  for (const BundleName& bundle : kBundles) {
+    out += fmt::format("# {}\n[bundle.{}]\nfibres = \"{}*\"\n\n", bundle.words, bundle.name, bundle.name);
+    for (std::size_t i = 0; i < fibres.size(); ++i)
+      if (fibres[i].bundle == bundle.name)
+        out += ligament_text(fibres[i].name, insertion_text(fitted.femur.insertions[i]),
+                             insertion_text(fitted.tibia.insertions[i]), fibres[i].stiffness, fibres[i].transition,
+                             bones ? fmt::format("slack_length = {:.2f}", 1e3 * slack[i])
+                                   : fmt::format("reference_strain = {:g}", fibres[i].strain));
+  }
+  return out;
+}
+
+/// Least and largest error of all insertions. m
+std::pair<double, double> errors_of(const FittedKnee& fitted) {
+  std::vector<double> errors;
+  for (const FittedBone* bone : {&fitted.femur, &fitted.tibia})
+    for (const Insertion& insertion : bone->insertions) errors.push_back(insertion.error);
+  const auto [low, high] = std::minmax_element(errors.begin(), errors.end());
+  return {*low, *high};
+}
+
+}  // namespace
+
+std::string tenths(double metres) {
+  const double mm = std::round(1e4 * metres) / 10;
+  return fmt::format("{:g}", mm == 0 ? 0.0 : mm);
+}
+
+std::string point_text(const Vec3& p) {
+  return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
+}
+
+NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left) {
+  const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
+  const std::string fit = fmt::format("misfit {:.2g} mm on the femur, {:.2g} mm on the tibia",
+                                      1e3 * fitted.femur.median, 1e3 * fitted.tibia.median);
+  if (fitted.femur.poor() || fitted.tibia.poor())
+    return {
+        of_proportions(knee, left), "Anatomy of common proportions, scaled to the width of your tibia.",
+        "of common proportions, scaled to the tibia",
+        fmt::format("the reference knee does not fit on these bones ({}; {:.0f} and {:.0f} % of it near them), so its "
+                    "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
+                    fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched)};
+  const auto [low, high] = errors_of(fitted);
+  return {of_reference(fitted),
+          fmt::format("Those of a measured knee (Lenhart et al. 2015), laid on your bones: {}.\n# Each end has its "
+                      "error (standard deviation) beside it, {} to {} mm.",
+                      fit, tenths(low), tenths(high)),
+          fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm",
+                      reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
+          {}};
+}
+
+std::optional<bool> fits_left(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
+  double misfit[2];
+  for (const bool left : {false, true}) {
+    const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
+    misfit[left ? 1 : 0] = fitted.femur.median + fitted.tibia.median;
+  }
+  const auto [better, worse] = std::minmax(misfit[0], misfit[1]);
+  if (!(better < kSideFits * worse)) return std::nullopt;
+  return misfit[1] < misfit[0];
+}
+
+}  // namespace genu

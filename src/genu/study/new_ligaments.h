@@ -1,0 +1,32 @@
+// The ligaments that `genu new` writes for two meshes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "genu/atlas/fitted_knee.h"
+#include "genu/study/knee_layout.h"
+
+namespace genu {
+
+struct NewLigaments {
+  std::string text;                  ///< tables of a scene, in the frame of the meshes
+  std::string note;                  ///< where they are from, for the scene's comment
+  std::string choice;                ///< the same for the terminal
+  std::optional<std::string> doubt;  ///< why the reference knee could not be laid on the bones
+};
+
+/// Those of the reference knee where it fits on both meshes (bones where there are some, else cartilage), a fibre each
+/// with the error of its insertions beside it; else five of common proportions.
+NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left);
+
+/// Which knee it is by what the reference knee fits better, as itself or mirrored: true for a left one. Empty where
+/// neither is much better.
+std::optional<bool> fits_left(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee);
+
+/// "[1.2, 3, -0.5]": mm to a tenth.
+std::string point_text(const Vec3& p);
+/// mm to a tenth.
+std::string tenths(double metres);
+
+}  // namespace genu

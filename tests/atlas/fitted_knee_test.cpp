@@ -1,0 +1,94 @@
+// Insertions on other people's bones, against those that a statistical shape model knows by its vertices.
+#include "genu/atlas/fitted_knee.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "genu/atlas/tolerances.h"
+
+namespace genu {
+namespace {
+
+/// Triangles between neighbours of a reference bone would be a mesh; its own points as tiny triangles do as well.
+Mesh as_mesh(const std::vector<FacingPoint>& points, const Affine& map) {
+  Mesh mesh;
+  for (const FacingPoint& p : points) {
+    const Vec3 aside = p.normal.unitOrthogonal() * 1e-5, up = p.normal.cross(aside);
+    const bool reflects = map.linear.determinant() < 0;
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const Vec3& corner : {Vec3(p.at - aside), Vec3(p.at + aside), Vec3(p.at + up)})
+      mesh.vertices.push_back(map(corner));
+    mesh.triangles.push_back(reflects ? std::array{first, first + 2, first + 1}
+                                      : std::array{first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+KneeAxes axes_of(const Affine& map, double scale) {
+  const ReferenceKnee::Plateau& plateau = reference_knee().bone;
+  return {map.linear.col(0) / scale, map.linear.col(1) / scale, map.linear.col(2) / scale,
+          map(plateau.centre),       scale * plateau.width,     0};
+}
+
+/// The knee itself, larger, turned, and as its mirror image: the insertions are its own, with its own slack lengths.
+TEST(FittedKnee, OfItselfIsItself) {
+  const ReferenceKnee& knee = reference_knee();
+  for (const double side : {1.0, -1.0}) {
+    const double scale = 1.2;
+    const Affine map{
+        scale * Eigen::AngleAxisd(0.7, Vec3(1, 1, 0).normalized()).toRotationMatrix() * Vec3(1, 1, side).asDiagonal(),
+        Vec3(0.1, -0.05, 0.3)};
+    const FittedKnee fitted =
+        fit_reference_knee(as_mesh(knee.femur.bone, map), as_mesh(knee.tibia.bone, map), axes_of(map, scale));
+    EXPECT_EQ(fitted.reflected, side < 0);
+    EXPECT_FALSE(fitted.femur.cartilage || fitted.tibia.cartilage);
+    EXPECT_FALSE(fitted.femur.poor() || fitted.tibia.poor());
+    const std::vector<double> slack = slack_lengths(fitted);
+    int compared = 0;
+    for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
+      const Insertion &femur = fitted.femur.insertions[i], &tibia = fitted.tibia.insertions[i];
+      const double off = (femur.at - map(knee.fibres[i].femur)).norm() + (tibia.at - map(knee.fibres[i].tibia)).norm();
+      EXPECT_LT(off, 2 * kOntoMesh) << knee.fibres[i].name;
+      EXPECT_GE(femur.error, kPeopleDiffer);
+      if (off > 2e-3) continue;  // put onto the bone from further off: another fibre
+      ++compared;
+      EXPECT_NEAR(slack[i], scale * knee.fibres[i].slack, off + 0.04 * scale * knee.fibres[i].slack)
+          << knee.fibres[i].name;
+    }
+    EXPECT_GT(compared, 10);
+  }
+}
+
+TEST(FittedKnee, OfABallIsPoor) {
+  Mesh ball;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j <= 20; ++j) {
+      const double a = 2 * 3.141592653589793 * i / 40, b = 3.141592653589793 * j / 20;
+      ball.vertices.emplace_back(0.04 * std::sin(b) * std::cos(a), 0.04 * std::cos(b),
+                                 0.04 * std::sin(b) * std::sin(a));
+      if (j < 20) {
+        const int k = i * 21 + j, next = (i + 1) % 40 * 21 + j;
+        ball.triangles.push_back({k, k + 1, next});
+        ball.triangles.push_back({k + 1, next + 1, next});
+      }
+    }
+  const KneeAxes axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), Vec3(0, 0.04, 0), 0.08, 0};
+  const FittedKnee fitted = fit_reference_knee(ball, ball, axes);
+  EXPECT_TRUE(fitted.femur.poor() || fitted.tibia.poor());
+}
+
+TEST(NearestOnMesh, IsOnACornerAnEdgeOrInside) {
+  Mesh mesh;
+  mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_EQ(nearest_on_mesh(mesh, Vec3(-1, -1, 1)), Vec3(0, 0, 0));
+  EXPECT_EQ(nearest_on_mesh(mesh, Vec3(2, -1, 0)), Vec3(1, 0, 0));
+  EXPECT_LT((nearest_on_mesh(mesh, Vec3(1, 1, 0)) - Vec3(0.5, 0.5, 0)).norm(), 1e-15);
+  EXPECT_LT((nearest_on_mesh(mesh, Vec3(0.2, 0.3, 5)) - Vec3(0.2, 0.3, 0)).norm(), 1e-15);
+  EXPECT_EQ(nearest_on_mesh({}, Vec3(1, 2, 3)), Vec3(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace genu
