@@ -113,12 +113,12 @@ TEST(TriangleTree, FarIsNeverNear) {
     }
     int met = -1;
     const double margins[] = {10 * margin, margin};
-    const std::size_t level = tree.clear_by(origin, direction, length, margins, met);
+    const std::size_t level = tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met);
     const bool near = level == 2;
     if (level == 0) {
       EXPECT_GT(least, 10 * margin);
     }
-    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, met), level) << "the hint changed the answer";
+    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met), level) << "the hint changed the answer";
     if (!near) {
       EXPECT_GT(least, margin);
       ++far;
@@ -135,7 +135,7 @@ TEST(TriangleTree, EmptyMeetsNothing) {
   EXPECT_FALSE(tree.leaving(Vec3::Zero(), Vec3::UnitX(), 1));
   int met = -1;
   const double margins[] = {1};
-  EXPECT_EQ(tree.clear_by(Vec3::Zero(), Vec3::UnitX(), 1, margins, met), 0u);
+  EXPECT_EQ(tree.clear_by(Vec3::Zero(), Vec3::UnitX(), 1, margins, TriangleTree::Way::out, met), 0u);
 }
 
 }  // namespace
