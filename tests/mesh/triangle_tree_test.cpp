@@ -118,7 +118,8 @@ TEST(TriangleTree, FarIsNeverNear) {
     if (level == 0) {
       EXPECT_GT(least, 10 * margin);
     }
-    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met), level) << "the hint changed the answer";
+    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met), level)
+        << "the hint changed the answer";
     if (!near) {
       EXPECT_GT(least, margin);
       ++far;
