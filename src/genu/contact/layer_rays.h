@@ -57,24 +57,27 @@ class LayerRays {
       double unentered_until = -1;      ///< m: path length up to which this is known,
       double unentered_next_time = -1;  ///< and, where it is not, up to which it is not tried again
     };
+    /// A ray that met the target.
     struct Found {
       int ray;
       TriangleTree::Hit hit;
     };
-    /// What a cast found, for the same pose again.
+    /// What a cast found, for the same pose again. Columns are asked of an accepted pose only after the events up to
+    /// it, which have a few poses of their own: so many casts are kept.
     struct Cast {
       Pose at;
       std::vector<std::vector<Found>> found;  ///< of each part
       std::vector<char> done;                 ///< whether the part was cast
     };
     static constexpr std::size_t kCasts = 4;
+
     std::vector<Group> groups;
     std::vector<Block> blocks;  ///< of each leaf
     std::vector<AtRay> rays;
     std::vector<double> skip_until;      ///< m, by the order of the rays: path length up to which a ray meets nothing
     std::vector<std::vector<int>> open;  ///< of each part
-    std::array<Cast, kCasts> casts;      ///< the last ones in turn
-    std::size_t cast = 0;                ///< the one of begin()
+    std::array<Cast, kCasts> casts;      ///< the last ones, in turn
+    std::size_t cast = 0;                ///< the one that begin() chose
   };
 
   /// Parts of the rays that may be cast in parallel with one memory. Their number does not depend on the number of
