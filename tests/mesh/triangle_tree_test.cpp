@@ -1,6 +1,7 @@
 // Rays through a tree of triangles against rays through all of them one by one.
 #include "genu/mesh/triangle_tree.h"
 
+#include <array>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -113,12 +114,13 @@ TEST(TriangleTree, FarIsNeverNear) {
     }
     int met = -1;
     const double margins[] = {10 * margin, margin};
-    const std::size_t level = tree.clear_by(origin, direction, length, margins, met);
+    const std::size_t level = tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met);
     const bool near = level == 2;
     if (level == 0) {
       EXPECT_GT(least, 10 * margin);
     }
-    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, met), level) << "the hint changed the answer";
+    EXPECT_EQ(tree.clear_by(origin, direction, length, margins, TriangleTree::Way::out, met), level)
+        << "the hint changed the answer";
     if (!near) {
       EXPECT_GT(least, margin);
       ++far;
@@ -130,12 +132,33 @@ TEST(TriangleTree, FarIsNeverNear) {
   EXPECT_GT(far, 50);
 }
 
+TEST(TriangleTree, ClearOfWhatItEntersIsClearOfTheOtherSide) {
+  std::mt19937 random(12);
+  const Mesh mesh = test::ball(0.02, 4e-3);
+  Mesh turned = mesh;
+  for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  const TriangleTree tree(mesh), other(turned);
+  std::array<int, 3> levels{};
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 origin = random_vector(random, 0.04), direction = random_vector(random, 1).normalized();
+    const double margins[] = {5e-3, 1e-3};
+    int met = -1, met_turned = -1;
+    const std::size_t level = tree.clear_by(origin, direction, 5e-3, margins, TriangleTree::Way::in, met);
+    EXPECT_EQ(other.clear_by(origin, direction, 5e-3, margins, TriangleTree::Way::out, met_turned), level);
+    if (level < 2) {
+      EXPECT_FALSE(tree.entering(origin, direction, 5e-3));
+    }
+    ++levels[level];
+  }
+  for (const int count : levels) EXPECT_GT(count, 10);
+}
+
 TEST(TriangleTree, EmptyMeetsNothing) {
   const TriangleTree tree{Mesh()};
   EXPECT_FALSE(tree.leaving(Vec3::Zero(), Vec3::UnitX(), 1));
   int met = -1;
   const double margins[] = {1};
-  EXPECT_EQ(tree.clear_by(Vec3::Zero(), Vec3::UnitX(), 1, margins, met), 0u);
+  EXPECT_EQ(tree.clear_by(Vec3::Zero(), Vec3::UnitX(), 1, margins, TriangleTree::Way::out, met), 0u);
 }
 
 }  // namespace

@@ -97,12 +97,28 @@ void LayerRays::find_parts() {
   }
 }
 
-void LayerRays::begin(Memory& memory) const {
+void LayerRays::prepare(Memory& memory) const {
   memory.groups.resize(groups_.size());
   memory.open.resize(parts_.size());
   if (leaf_ == 1) return;
   memory.blocks.resize(at(leaves_));
   memory.rays.resize(rays_.size());
+  memory.skip_until.resize(rays_.size(), -1);
+}
+
+void LayerRays::begin(const Pose& X_TC, Memory& memory) const {
+  prepare(memory);
+  for (std::size_t i = 0; i < Memory::kCasts; ++i) {
+    const Memory::Cast& cast = memory.casts[i];
+    if (cast.done.size() != parts_.size() || !(cast.at == X_TC)) continue;
+    memory.cast = i;
+    return;
+  }
+  memory.cast = (memory.cast + 1) % Memory::kCasts;
+  Memory::Cast& cast = memory.casts[memory.cast];
+  cast.at = X_TC;
+  cast.found.resize(parts_.size());
+  cast.done.assign(parts_.size(), 0);
 }
 
 /// m: upper bound of the motion of any point of the group's rays between two poses.
@@ -119,7 +135,7 @@ double LayerRays::measure(const Group& group, const Pose& X_TC, int& near) const
   std::array<double, kClearances.size()> margins;
   for (std::size_t i = 0; i < levels_; ++i) margins[i] = group.radius + kClearances[i] * step_;
   const std::size_t level = target_->clear_by(X_TC * group.middle.origin, X_TC.R * group.middle.direction, length_,
-                                              {margins.data(), levels_}, near);
+                                              {margins.data(), levels_}, TriangleTree::Way::out, near);
   return level < levels_ ? kClearances[level] * step_ : 0;
 }
 
@@ -186,7 +202,23 @@ TriangleTree::Hit LayerRays::meet(const Ray& ray, const Group& group, Memory::Bl
 }
 
 /// Whether the ray starts outside the target and passes through it: what it measures is no overlap.
-bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit) const {
+bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit, const Memory::Block& block,
+                              Memory::AtRay& known) const {
+  if (block.path < known.unentered_until && hit.distance <= known.unentered) return false;
+  if (!(block.path < known.unentered_next_time)) {
+    const double length = hit.distance + kUnenteredLength * step_;
+    std::array<double, kCoarseClearances> margins;
+    for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = kClearances[i] * step_;
+    int near = -1;
+    const std::size_t level =
+        target_->clear_by(ray.origin, ray.direction, length, margins, TriangleTree::Way::in, near);
+    if (level < margins.size()) {
+      known.unentered = length;
+      known.unentered_until = block.path + margins[level] / (1 + kMarginRounding);
+      return false;
+    }
+    known.unentered_next_time = block.path + kRetryUnentered * step_;
+  }
   return static_cast<bool>(target_->entering(ray.origin, ray.direction, hit.distance));
 }
 
@@ -206,7 +238,7 @@ bool LayerRays::meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& 
   hit = meeting.hit;
   known.triangles.count = hit ? 1 : 0;
   known.until = hit ? -1 : block.path + meeting.clear;
-  if (hit && !meeting.alone && enters_before(ray, hit)) hit = {};
+  if (hit && !meeting.alone && enters_before(ray, hit, block, known)) hit = {};
   return true;
 }
 
@@ -223,7 +255,7 @@ TriangleTree::Hit LayerRays::meet_listed(const Ray& ray, Memory::Block& block, M
     known.piece = atlas_->piece_of(hit ? target_->place_of(hit.triangle) : target_->first_place(here.nearest));
     known.facet = 0;
   }
-  return hit && enters_before(ray, hit) ? TriangleTree::Hit() : hit;
+  return hit && enters_before(ray, hit, block, known) ? TriangleTree::Hit() : hit;
 }
 
 }  // namespace genu

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -51,12 +52,32 @@ class LayerRays {
       int piece = -1;  ///< piece of the target whose sheet the ray may cross
       int facet = 0;   ///< facet of that sheet where it did
       TrianglesAtRay triangles;
-      double until = -1;  ///< m: path length of the block up to which the triangles are valid
+      double until = -1;                ///< m: path length of the block up to which the triangles are valid
+      double unentered = 0;             ///< m: length within which the ray enters nothing
+      double unentered_until = -1;      ///< m: path length up to which this is known,
+      double unentered_next_time = -1;  ///< and, where it is not, up to which it is not tried again
     };
+    /// A ray that met the target.
+    struct Found {
+      int ray;
+      TriangleTree::Hit hit;
+    };
+    /// What a cast found, for the same pose again. Columns are asked of an accepted pose only after the events up to
+    /// it, which have a few poses of their own: so many casts are kept.
+    struct Cast {
+      Pose at;
+      std::vector<std::vector<Found>> found;  ///< of each part
+      std::vector<char> done;                 ///< whether the part was cast
+    };
+    static constexpr std::size_t kCasts = 4;
+
     std::vector<Group> groups;
     std::vector<Block> blocks;  ///< of each leaf
     std::vector<AtRay> rays;
+    std::vector<double> skip_until;      ///< m, by the order of the rays: path length up to which a ray meets nothing
     std::vector<std::vector<int>> open;  ///< of each part
+    std::array<Cast, kCasts> casts;      ///< the last ones, in turn
+    std::size_t cast = 0;                ///< the one that begin() chose
   };
 
   /// Parts of the rays that may be cast in parallel with one memory. Their number does not depend on the number of
@@ -64,36 +85,52 @@ class LayerRays {
   static constexpr int kMostParts = 16;
   int parts() const { return static_cast<int>(parts_.size()); }
 
-  /// Prepares a memory for all parts.
-  void begin(Memory& memory) const;
+  /// Prepares a memory for casts of all parts at a pose of the casting body in the target's frame.
+  void begin(const Pose& X_TC, Memory& memory) const;
 
   /// Calls visit(ray, hit, origin, direction), the ray in the target's frame, for every ray of a part that leaves the
   /// target through a triangle (TriangleTree::leaving) without having entered it before, in an order that depends on
-  /// the rays only. X_TC: casting body in the target's frame. Call begin() first.
+  /// the rays only. Call begin() with the same pose first.
   template <typename Visit>
   void cast_part(int part, const Pose& X_TC, Memory& memory, Visit visit) const {
+    Memory::Cast& cast = memory.casts[memory.cast];
+    std::vector<Memory::Found>& found = cast.found[static_cast<std::size_t>(part)];
+    char& done = cast.done[static_cast<std::size_t>(part)];
+    if (done != 0) {
+      for (const auto& [ray, hit] : found) {
+        const Ray& r = rays_[static_cast<std::size_t>(ray)];
+        visit(ray, hit, X_TC * r.origin, X_TC.R * r.direction);
+      }
+      return;
+    }
+    found.clear();
     each_near_group(part, X_TC, memory, [&](const Group& group) {
       Memory::Block& block = advance(group, X_TC, memory);
       if (clear(group, X_TC, block)) return;
       block.empty_until = std::numeric_limits<double>::infinity();
       for (int k = group.first; k < group.last; ++k) {
-        const int index = order_[static_cast<std::size_t>(k)];
-        const Ray& ray = rays_[static_cast<std::size_t>(index)];
-        Memory::AtRay& known = memory.rays[static_cast<std::size_t>(index)];
-        if (known.triangles.count > 0 || !(block.path < known.until)) {
+        double& skip_until = memory.skip_until[static_cast<std::size_t>(k)];
+        if (!(block.path < skip_until)) {
+          const int index = order_[static_cast<std::size_t>(k)];
+          const Ray& ray = rays_[static_cast<std::size_t>(index)];
+          Memory::AtRay& known = memory.rays[static_cast<std::size_t>(index)];
           const Vec3 origin = X_TC * ray.origin, direction = X_TC.R * ray.direction;
-          if (const TriangleTree::Hit hit = meet({origin, direction}, group, block, known))
+          if (const TriangleTree::Hit hit = meet({origin, direction}, group, block, known)) {
+            found.push_back({index, hit});
             visit(index, hit, origin, direction);
+          }
+          skip_until = known.triangles.count > 0 ? -1 : known.until;
         }
-        block.empty_until = std::min(block.empty_until, known.triangles.count > 0 ? -1 : known.until);
+        block.empty_until = std::min(block.empty_until, skip_until);
       }
     });
+    done = 1;
   }
 
   /// The same for all parts in turn.
   template <typename Visit>
   void cast(const Pose& X_TC, Memory& memory, Visit visit) const {
-    begin(memory);
+    begin(X_TC, memory);
     for (int part = 0; part < parts(); ++part) cast_part(part, X_TC, memory, visit);
   }
 
@@ -101,7 +138,7 @@ class LayerRays {
   /// order that depends on the rays only.
   template <typename Visit>
   void each_near(const Pose& X_TC, Memory& memory, Visit visit) const {
-    begin(memory);
+    prepare(memory);
     for (int part = 0; part < parts(); ++part)
       each_near_group(part, X_TC, memory, [&](const Group& group) {
         for (int k = group.first; k < group.last; ++k) visit(order_[static_cast<std::size_t>(k)]);
@@ -148,7 +185,8 @@ class LayerRays {
   Memory::Block& advance(const Group& group, const Pose& X_TC, Memory& memory) const;
   /// The hit of a ray given in the target's frame.
   TriangleTree::Hit meet(const Ray& ray, const Group& group, Memory::Block& block, Memory::AtRay& known) const;
-  bool enters_before(const Ray& ray, const TriangleTree::Hit& hit) const;
+  bool enters_before(const Ray& ray, const TriangleTree::Hit& hit, const Memory::Block& block,
+                     Memory::AtRay& known) const;
   bool meet_sheet(const Ray& ray, Memory::Block& block, Memory::AtRay& known, TriangleTree::Hit& hit) const;
   TriangleTree::Hit meet_listed(const Ray& ray, Memory::Block& block, Memory::AtRay& known) const;
   void gather(const Group& group, Memory::Block& block) const;
@@ -156,6 +194,7 @@ class LayerRays {
   bool clear(const Group& group, const Pose& X_TC, Memory::Block& block) const;
   double measure(const Group& group, const Pose& X_TC, int& near) const;
   double motion(const Group& group, const Pose& from, const Pose& to) const;
+  void prepare(Memory& memory) const;
   void enclose(Group& group) const;
   void split(int group);
   void find_parts();

@@ -80,6 +80,14 @@ inline constexpr double kPocketMotion = 3;
 /// (time).
 inline constexpr double kMinListedMotion = 0.05;
 
+/// [edge] Length beyond its hit within which a ray is known to enter nothing. Fails first: if too small, it is asked
+/// again as the hit moves (time).
+inline constexpr double kUnenteredLength = 1;
+
+/// [edge] Motion after which a ray that passes near triangles it could enter is asked again whether it is clear of
+/// them. Fails first: if too small, it is asked in vain (time).
+inline constexpr double kRetryUnentered = 1;
+
 /// [1] Relative margin of a group's sphere. Fails first: if too small, a ray at its rim is lost.
 inline constexpr double kMarginRounding = 1e-6;
 

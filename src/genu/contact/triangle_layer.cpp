@@ -150,7 +150,7 @@ void TriangleLayer::each_over(int part, const Pose& X_TC, Memory& memory, const 
 
 /// Each part is summed separately and the parts in order, so that the sum is the same for any number of threads.
 void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, const LayerMotion& motion) const {
-  rays_.begin(memory);
+  rays_.begin(X_TC, memory);
   find_near_rim(X_TC, memory);
   std::array<LayerSum, LayerRays::kMostParts + 1> sums;
   const auto add_to = [&](LayerSum& sum) {
@@ -173,7 +173,7 @@ void TriangleLayer::add(const Pose& X_TC, Memory& memory, LayerSum& out, int, co
 
 void TriangleLayer::visit(const Pose& X_TC, Memory& memory, const std::function<void(const LayerPoint&)>& visit, int,
                           const LayerMotion& motion) const {
-  rays_.begin(memory);
+  rays_.begin(X_TC, memory);
   find_near_rim(X_TC, memory);
   const auto point = [&](int k, const Touch& touch) {
     const Ray& ray = rays_.rays()[at(k)];

@@ -31,13 +31,6 @@ bool TriangleSheet::Cylinder::excludes(const std::array<Vec3, 3>& c) const {
   return std::max({z[0], z[1], z[2]}) < low || std::min({z[0], z[1], z[2]}) > high || passes_by(c);
 }
 
-double TriangleSheet::Cylinder::aside(const Vec3& p, const Vec3& q) const {
-  const Vec3 a = p - origin, b = q - origin;
-  const double za = axis.dot(a), zb = axis.dot(b);
-  if (std::min(za, zb) < low || std::max(za, zb) > high) return std::numeric_limits<double>::infinity();
-  return std::max(a.squaredNorm() - za * za, b.squaredNorm() - zb * zb);
-}
-
 /// Through the triangle in the middle, along the mean of the normals.
 bool TriangleSheet::choose_axis(const TriangleTree& tree, int first, int last, double length) {
   Vec3 area = Vec3::Zero(), low = tree.corners_[at(first)][0], high = low;
@@ -151,35 +144,44 @@ void TriangleSheet::spread(const TriangleTree& tree, int first, int last, double
   facets_.shrink_to_fit();
 }
 
-/// How far (m) a ray that crosses the sheet at t, beyond its ends, may move and still meets nothing.
-double TriangleSheet::clearance(const RayLine& line, double t, double aside, double along) const {
+/// How far (m) a ray that begins at the height z and crosses the sheet at t, beyond its ends, may move and still meets
+/// nothing. `aside2`: square of its largest distance from the axis.
+double TriangleSheet::clearance(const RayLine& line, double t, double z, double aside2, double along) const {
   const Cylinder& c = cylinder_;
-  const double end = along * line.length, z = c.axis.dot(line.origin - c.origin);
-  const double inside = std::min({c.radius - std::sqrt(std::max(0.0, aside)), z - c.low, c.high - z - end});
+  const double inside =
+      std::min({c.radius - std::sqrt(std::max(0.0, aside2)), z - c.low, c.high - z - along * line.length});
   // The nearer end of the ray lies off the graph by at least its distance times cos(lean of the normals + turn of it).
   const double off = t > 0 ? t - line.length : -t;
   const double margin = along * lean_ - std::sqrt(std::max(0.0, 1 - along * along) * (1 - lean_ * lean_));
   return std::min({off * std::max(0.0, margin), kSheetTurnShare * line.length, inside});
 }
 
-/// Of a ray whose line crosses a triangle of the sheet.
+/// Of a ray whose line crosses a triangle of the sheet: it has to be in the cylinder from its start to its end or to
+/// where it meets the triangle, and to cross it within the disc.
 TriangleSheet::Meeting TriangleSheet::meet_facet(const TriangleTree& tree, const RayLine& line, int place,
                                                  double along) const {
+  const Cylinder& c = cylinder_;
   const Vec3& plane = tree.areas_[at(place)];
   const double t = plane.dot(tree.corners_[at(place)][0] - line.origin) / plane.dot(line.direction);
   const bool met = t > 0 && t <= line.length;
-  double aside = cylinder_.aside(line.origin, line.origin + (met ? t : line.length) * line.direction);
-  if (!met) {
-    // Where it crosses only has to be within the disc.
-    const Vec3 from = line.origin + t * line.direction - cylinder_.origin;
-    const double z = cylinder_.axis.dot(from);
-    aside = std::max(aside, from.squaredNorm() - z * z);
-  }
-  Meeting out{.sure = aside <= cylinder_.radius * cylinder_.radius, .hit = {}, .place = place};
-  out.roomy = aside <= cylinder_.roomy * cylinder_.roomy;
-  if (out.sure && met) out.hit = {tree.triangle_[at(place)], t};
-  out.alone = cylinder_.axis.dot(line.origin - cylinder_.origin) > backs_ + kSheetRounding * line.length;
-  if (out.sure && !met) out.clear = std::max(0.0, clearance(line, t, aside, along));
+  const double to = met ? t : line.length;
+  const Vec3 from = line.origin - c.origin;
+  const double z = c.axis.dot(from), z_to = z + to * along;
+  const auto aside2 = [&](double s, double height) {
+    return (from + s * line.direction).squaredNorm() - height * height;
+  };
+  double aside = std::max(from.squaredNorm() - z * z, aside2(to, z_to));
+  if (!met) aside = std::max(aside, aside2(t, z + t * along));
+  const bool between = std::min(z, z_to) >= c.low && std::max(z, z_to) <= c.high;
+
+  Meeting out{.sure = between && aside <= c.radius * c.radius, .hit = {}, .place = place};
+  out.roomy = between && aside <= c.roomy * c.roomy;
+  out.alone = z > backs_ + kSheetRounding * line.length;
+  if (!out.sure) return out;
+  if (met)
+    out.hit = {tree.triangle_[at(place)], t};
+  else
+    out.clear = std::max(0.0, clearance(line, t, z, aside, along));
   return out;
 }
 

@@ -56,11 +56,9 @@ class TriangleSheet {
     Vec2 seen(const Vec3& p) const { return {across.dot(p - origin), upward.dot(p - origin)}; }
     bool passes_by(const std::array<Vec3, 3>& corners) const;
     bool excludes(const std::array<Vec3, 3>& corners) const;
-    /// The square of the larger distance (m^2) of two points from the axis; infinity where one is below or above.
-    double aside(const Vec3& p, const Vec3& q) const;
   };
 
-  double clearance(const RayLine& line, double t, double aside, double along) const;
+  double clearance(const RayLine& line, double t, double z, double aside2, double along) const;
   Meeting meet_facet(const TriangleTree& tree, const RayLine& line, int place, double along) const;
   bool choose_axis(const TriangleTree& tree, int first, int last, double length);
   bool grow(const TriangleTree& tree, Marks& marks);

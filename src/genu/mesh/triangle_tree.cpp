@@ -166,14 +166,14 @@ TriangleTree::Hit TriangleTree::entering(const Vec3& origin, const Vec3& directi
 }
 
 std::size_t TriangleTree::clear_by(const Vec3& origin, const Vec3& direction, double length,
-                                   std::span<const double> margins, int& met) const {
+                                   std::span<const double> margins, Way way, int& met) const {
   std::size_t level = 0;
   if (nodes_.empty()) return level;
   const Slab slab(origin, direction, length);
   const auto try_triangle = [&](std::size_t k) {
     const auto& c = corners_[k];
     const Vec3 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]), high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
-    const double facing = areas_[k].dot(direction), size = sizes_[k];
+    const double facing = (way == Way::out ? 1 : -1) * areas_[k].dot(direction), size = sizes_[k];
     while (level < margins.size() && facing + 2 * margins[level] / length * size > 0 &&
            slab.entry(low, high, margins[level], length) != Slab::kOutside) {
       ++level;

@@ -68,11 +68,13 @@ class TriangleTree {
   Hit leaving(std::span<const int> places, const Vec3& origin, const Vec3& direction, double length) const;
   Hit leaving(const ClustersNear& among, const Vec3& origin, const Vec3& direction, double length) const;
 
-  /// The first of `margins` (m, falling) such that no triangle that a ray along the segment can come out of lies
+  enum class Way { out, in };  ///< of a ray through a triangle: out of its outward side, or into it
+
+  /// The first of `margins` (m, falling) such that no triangle that a ray along the segment can pass this way lies
   /// within it of the segment, surely, even when both ends of the ray are moved by less than the margin; their number
   /// where there is none. `met` becomes a triangle that is near, and given again makes the answer faster.
   std::size_t clear_by(const Vec3& origin, const Vec3& direction, double length, std::span<const double> margins,
-                       int& met) const;
+                       Way way, int& met) const;
 
   /// The triangles in pieces of at most `size` (m) across, each of neighbours by the tree: for each the first of its
   /// places in the tree, and at the end the number of places.
