@@ -14,7 +14,7 @@ namespace {
 constexpr double kValgus = 10, kAxial = 5;  // N m
 constexpr int kRaised = 5;                  // poses in which the moment is raised before the flexion
 constexpr int kFlexed = 90;                 // steps of 1 deg
-constexpr std::size_t kEvery = 30;          // rows of the table: 0, 30, 60, 90 deg
+constexpr std::size_t kTableEvery = 30;     // rows of the table: 0, 30, 60, 90 deg
 
 using Knee = std::array<WrappingCurve, 4>;
 
@@ -93,7 +93,7 @@ std::string table(const WrappingStudy& study) {
                                             fmt::format("{:g} N m internal", kAxial),
                                             fmt::format("{:g} N m external", kAxial)};
   for (std::size_t moment = 0; moment < names.size(); ++moment)
-    for (std::size_t row = 0; row < study.straight[moment].flexion.size(); row += kEvery)
+    for (std::size_t row = 0; row < study.straight[moment].flexion.size(); row += kTableEvery)
       for (const bool wrapped : {false, true}) {
         const WrappingCurve& c = (wrapped ? study.wrapped : study.straight)[moment];
         text += fmt::format("| {} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {:.0f} | {:.0f} | {:.0f} |\n",
