@@ -21,7 +21,7 @@ const std::regex kMotion(
 /// Functions that paths over surfaces alone call: of the room `wrap`, and what asks it.
 const std::regex kWraps(
     "solve_string|string_length|string_hessian|is_shortest|least_hold|line_clearance|first_string|settle_touches|"
-    "solve_touches|length_of\\(|clearance_at|genu::shoot|arc_end|arc_change|Shooter|find_touches|follow_touches|"
+    "solve_touches|clearance_at|genu::shoot|arc_end|arc_change|Shooter|find_touches|follow_touches|"
     "touch_margin|switch_touch|LigamentPath::Variation|LigamentPath::span_at|SideWatch::(carry|seek|excess)");
 
 struct Instructions {
