@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "genu/core/timer.h"
+#include "genu/mesh_files/mesh_writer.h"
 #include "genu/study/run_scene.h"
+#include "genu/surface/analytic.h"
+#include "support/crank_scene.h"
 #include "support/judged.h"
 #include "support/knee_scene.h"
 #include "support/places.h"
@@ -117,6 +120,39 @@ TEST(ErrorBarsOfARealKnee, AreTheSameBytesEveryTime) {
   const TimedRun a = run(text, true), b = run(text, true);
   EXPECT_EQ(a.solution.error_bars->bars.to_csv(), b.solution.error_bars->bars.to_csv());
   EXPECT_EQ(a.solution.error_bars->shares.to_csv(), b.solution.error_bars->shares.to_csv());
+}
+
+/// A cord over an ellipsoid as triangles: its length differs from that over the formula by less than its bar.
+TEST(ErrorBars, OfACordOverAMeshCoverTheSmoothShape) {
+  const test::TemporaryFolder folder;
+  const std::string cord = R"([ligament.cord]
+from = { body = "frame", point = [-50, 12, 2] }
+to = { body = "crank", point = [40, 5, -1] }
+wrap = [{ surface = "egg", side = [0, 1, 0] }]
+law = "spring"
+stiffness = 5
+slack_length = 10
+[[step]]
+prescribe = { "hinge.angle" = [0, -30] }
+increments = 6
+)";
+  const auto egg = make_ellipsoid({}, Vec3(0.012, 0.009, 0.015), false);
+  const std::string file = folder / "egg.ply";
+  ASSERT_EQ(write_ply(egg->triangles(2.5e-3, Vec3::Zero(), 0.1), file, 1e-3, ""), "");
+  const auto on = [&](const std::string& shape) {
+    return test::crank_scene("[surface.egg]\nbody = \"frame\"\n" + shape + "\n" + cord);
+  };
+  const Solution meshed = run(on("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\""), true).solution;
+  const Solution smooth = run(on("shape = \"ellipsoid\"\nradii = [12, 9, 15]"), false).solution;
+  ASSERT_TRUE(meshed.error_bars);
+  const ResultTable& bars = meshed.error_bars->bars;
+  ASSERT_EQ(bars.rows(), 7u);
+  for (std::size_t row = 0; row < bars.rows(); ++row) {
+    const double bar = bars.number(row, "cord.length_mm");
+    EXPECT_LT(std::abs(meshed.poses.number(row, "cord.length_mm") - smooth.poses.number(row, "cord.length_mm")), bar);
+    EXPECT_NEAR(bars.number(row, "cord.force_N"), 5 * bar, 1e-9 * bar);
+    EXPECT_LT(bar, 0.1);
+  }
 }
 
 TEST(ErrorBars, ClosedFormsHaveNone) {

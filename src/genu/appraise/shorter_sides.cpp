@@ -7,6 +7,7 @@
 #include "genu/appraise/tolerances.h"
 #include "genu/core/units.h"
 #include "genu/model/ligament_pieces.h"
+#include "genu/path/tolerances.h"
 
 namespace genu {
 namespace {

@@ -110,8 +110,4 @@ inline constexpr double kNearFlaw = 3;
 /// late; if too large, runs of wrapped paths take longer.
 inline constexpr std::size_t kRowsForSides = 8;
 
-/// [1] How much shorter, over its length, a path round another side has to be. Fails first: if too small, sides of
-/// equal length are reported.
-inline constexpr double kShorterShare = 0.01;
-
 }  // namespace genu

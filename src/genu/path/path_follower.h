@@ -8,6 +8,7 @@
 #include "genu/path/law_events.h"
 #include "genu/path/path_options.h"
 #include "genu/path/path_prediction.h"
+#include "genu/path/side_watch.h"
 
 namespace genu {
 
@@ -19,7 +20,8 @@ class PathFollower {
         event_(event),
         prediction_(solver.model()),
         law_events_(solver.model()),
-        event_newton_(solver.model()) {}
+        event_newton_(solver.model()),
+        side_watch_(solver.model()) {}
 
   /// Starts a step at t = 0 with a pose solved there.
   void begin(const StepPlan& plan, int step, Balanced pose, const PoseReport& report);
@@ -71,8 +73,8 @@ class PathFollower {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step_, t_, pose_, report_, failure_, tangent_.motion, tangent_.stability, prediction_, snap_.first,
-            snap_.second, law_jump_, law_events_, inside_, stiffest_seen_, last_definite_, stepped_over_, crowd_,
-            crowd_from_, substeps_, iterations_);
+            snap_.second, law_jump_, law_events_, side_watch_, inside_, stiffest_seen_, last_definite_, stepped_over_,
+            crowd_, crowd_from_, substeps_, iterations_);
   }
 
  private:
@@ -138,6 +140,8 @@ class PathFollower {
   bool reaction_may_turn(double t, const State& next) const;
   /// `leaps`: no path connects the pose before with this one.
   std::vector<Turn> law_turns(double t, const State& state, bool leaps = false);
+  /// Where another side of a surface becomes shorter for a path.
+  void find_shorter_sides(double t, const State& next, std::vector<Turn>& turns);
   void compute_tangent(const State& state, double t, Tangent& out);
   /// `at`: the linearization of the pose; Newton's step has factored its Jacobian.
   void compute_tangent(const Linearization& at, const State& state, double t, Tangent& out);
@@ -162,6 +166,7 @@ class PathFollower {
   std::string law_jump_;
   LawEvents law_events_;
   EventNewton event_newton_;
+  SideWatch side_watch_;
   double inside_ = 0;                 // Findings::worst of the pose; +infinity where it is unknown
   double stiffest_seen_ = 0;          // largest |smallest eigenvalue| of the step, N m
   double last_definite_ = 0;          // the last smallest eigenvalue above rounding, N m

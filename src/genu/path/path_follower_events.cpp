@@ -93,6 +93,7 @@ bool PathFollower::find_turns(double t, const State& next, std::vector<Turn>& tu
       turns.push_back({there.t, PathEvent::Kind::reaction_turns, there.state, words});
   }
   for (Turn& turn : law_turns(t, next)) turns.push_back(std::move(turn));
+  find_shorter_sides(t, next, turns);
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.t < b.t; });
   return true;
 }
@@ -138,6 +139,26 @@ std::vector<PathFollower::Turn> PathFollower::law_turns(double t, const State& s
   for (const LawEvents::Passed& p : law_events_.over(from, to, tolerance, solves))
     turns.push_back({t_ + p.u * h, p.kind, p.state, p.what});
   return turns;
+}
+
+void PathFollower::find_shorter_sides(double t, const State& next, std::vector<Turn>& turns) {
+  for (std::size_t i = 0; i < side_watch_.count(); ++i) {
+    const double after = side_watch_.carry(i, next) ? side_watch_.excess(i, next) : -1;
+    if (!side_watch_.passed(i, after)) continue;
+    Turn found{t_, PathEvent::Kind::wrap_side, pose_.state, side_watch_.what(i)};
+    const double before = side_watch_.excess(i, pose_.state);
+    Bracket bracket(t_, before, t, after, options_.event_tolerance);
+    while (before < 0 && bracket.open()) {
+      const double place = bracket.next();
+      Attempt trial = attempt(place);
+      if (!trial.report.newton.converged() || !trial.valid()) break;
+      found.t = place;
+      const double value = side_watch_.excess(i, trial.pose.state);
+      value > 0 ? bracket.move_high(found.t, value) : bracket.move_low(found.t, value);
+      found.state = std::move(trial.pose.state);
+    }
+    turns.push_back(std::move(found));
+  }
 }
 
 void PathFollower::report_changes(const Balanced& before, const Balanced& after) {

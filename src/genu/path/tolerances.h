@@ -227,4 +227,14 @@ inline constexpr int kMaxBisections = 8;
 /// [rad] Largest change of a free angle of starts (20 deg). Fails first: if too small, equilibria are missed.
 inline constexpr double kStartSpread = 20 * std::numbers::pi / 180;
 
+// side_watch
+
+/// [1] How much shorter, over its length, a path round another side has to be. Fails first: if too small, sides of
+/// equal length are reported.
+inline constexpr double kShorterShare = 0.01;
+
+/// [1] Decrease of the straight line over a path's length after which another side is sought again. Fails first: if too
+/// small, paths over round surfaces, which have none, cost time; if too large, another side is noticed late.
+inline constexpr double kSidesSoughtAgain = 0.005;
+
 }  // namespace genu

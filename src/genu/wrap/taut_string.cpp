@@ -130,58 +130,94 @@ double allowed_share(const Vector& step, std::span<const Geodesic> arcs) {
   return share;
 }
 
-bool moved(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, Geodesic& out) {
-  const ArcEnd& a = arc.begin;
+/// The begin of an arc, moved by a step: to second order, then put onto the surface.
+bool moved_begin(const Surface& surface, const ArcEnd& a, const Eigen::Vector4d& step, ArcEnd& out) {
   const Vec3 b = a.b();
-  SurfacePoint from, to;
-  from.p = a.p;
-  from.n = a.n;
-  from.T << a.t, b;
-  from.S << a.kappa, a.tau, a.tau, a.mu;
+  const double s = step[0], y = step[1];
+  const double along = a.kappa * s + a.tau * y, across = a.tau * s + a.mu * y;  // how n turns toward -t and -b
+  const Vec3 p = a.p + s * a.t + y * b + 0.5 * (along * s + across * y) * a.n;
+  const double c = std::cos(step[2]), d = std::sin(step[2]);
+  return arc_end(surface, p, c * a.t + d * b + (c * along + d * across) * a.n, out);
+}
+
+bool moved(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, Geodesic& out) {
   ArcEnd begin;
-  if (!surface.retract(from, Vec2(step[0], step[1]), to)) return false;
-  const Vec3 turned = std::cos(step[2]) * a.t + std::sin(step[2]) * b;
-  // Parallel transport: the shortest turn from the one normal to the other.
-  const double both = 1 + a.n.dot(to.n);
-  if (!(both > kLeastTangent)) return false;
-  const Vec3 carried = turned - to.n.dot(turned) / both * (a.n + to.n);
-  return arc_end(surface, to.p, carried, begin) && shoot(surface, begin, arc.length + step[3], out);
+  return moved_begin(surface, arc.begin, step, begin) && shoot(surface, begin, arc.length + step[3], out);
+}
+
+/// The same for a small step: the end moves along the Jacobi fields, which remain as they are.
+bool slid(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, Geodesic& out) {
+  const ArcEnd& e = arc.end;
+  const Vec3 b = e.b();
+  const double along = step[0] + step[3], across = arc.c * step[1] + arc.a * step[2];
+  const Vec3 t = e.t + (arc.dc * step[1] + arc.da * step[2]) * b + (e.kappa * along + e.tau * across) * e.n;
+  out = arc;
+  out.length += step[3];
+  return moved_begin(surface, arc.begin, step, out.begin) &&
+         arc_end(surface, e.p + along * e.t + across * b, t, out.end);
+}
+
+using Move = bool (*)(const Surface&, const Geodesic&, const Eigen::Vector4d&, Geodesic&);
+
+bool move_all(std::span<const Obstacle> obstacles, std::span<const Geodesic> arcs, const Vector& step, Move move,
+              std::span<Geodesic> out) {
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+    if (!move(*obstacles[i].surface, arcs[i], step.segment<4>(static_cast<Eigen::Index>(4 * i)), out[i])) return false;
+  return true;
+}
+
+/// Whether an end of an arc is still where the surface has it.
+bool is_on(const Surface& surface, const ArcEnd& e) {
+  ArcEnd now;
+  if (!arc_end(surface, e.p, e.t, now)) return false;
+  const double bend = std::max({std::abs(e.kappa), std::abs(e.tau), std::abs(e.mu)});
+  const double bent = std::max({std::abs(now.kappa - e.kappa), std::abs(now.tau - e.tau), std::abs(now.mu - e.mu)});
+  return bend * (now.p - e.p).norm() <= kArcUnchanged && (now.n - e.n).norm() <= kArcUnchanged &&
+         (now.t - e.t).norm() <= kArcUnchanged && bent <= kArcUnchanged * bend;
+}
+
+/// Follows the arcs that are only begun, or whose surface has changed. One that was solved at a pose nearby is what it
+/// was, in the frame of the surface's body.
+bool follow_begun(std::span<const Obstacle> obstacles, std::span<Geodesic> arcs) {
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    Geodesic& arc = arcs[i];
+    const Surface& surface = *obstacles[i].surface;
+    if (arc.a != 0 && std::isfinite(arc.length) && is_on(surface, arc.begin) && is_on(surface, arc.end)) continue;
+    ArcEnd begin;
+    if (!arc_end(surface, arc.begin.p, arc.begin.t, begin) || !shoot(surface, begin, arc.length, arc)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 bool solve_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles, std::span<Geodesic> arcs) {
-  std::array<Geodesic, kMostArcs> trial;
-  const std::size_t m = arcs.size();
-  for (std::size_t i = 0; i < m; ++i) {
-    Geodesic& arc = arcs[i];
-    ArcEnd begin;
-    if (!arc_end(*obstacles[i].surface, arc.begin.p, arc.begin.t, begin) ||
-        !shoot(*obstacles[i].surface, begin, arc.length, arc))
-      return false;
-  }
+  std::array<Geodesic, kMostArcs> storage;
+  const std::span<Geodesic> trial(storage.data(), arcs.size());
+  if (!follow_begun(obstacles, arcs)) return false;
   System system, next;
   set_system(from, to, obstacles, arcs, system);
+  const auto improves = [&](const Vector& step, Move move) {
+    if (!move_all(obstacles, arcs, step, move, trial)) return false;
+    set_system(from, to, obstacles, trial, next);
+    return next.worst < system.worst;
+  };
   for (int iteration = 0; iteration < kMaxStringSteps; ++iteration) {
     if (system.worst <= kStringSettled) return system.forward;
     const Vector step = system.jacobian.partialPivLu().solve(-system.residual);
     if (!step.allFinite()) return false;
-    double share = allowed_share(step, arcs);
+    const bool last = system.worst <= kStringSlide;
+    const int halvings = last || system.worst <= kStringRounding ? 1 : kMaxStringHalvings;
+    double share = last ? 1 : allowed_share(step, arcs);
     bool better = false;
-    const int trials = system.worst <= kStringRounding ? 1 : kMaxStringHalvings;
-    for (int halving = 0; halving < trials && !better; ++halving, share /= 2) {
-      bool good = true;
-      for (std::size_t i = 0; i < m && good; ++i)
-        good =
-            moved(*obstacles[i].surface, arcs[i], share * step.segment<4>(static_cast<Eigen::Index>(4 * i)), trial[i]);
-      if (!good) continue;
-      set_system(from, to, obstacles, std::span(trial.data(), m), next);
-      better = next.worst < system.worst;
+    for (int halving = 0; halving < halvings && !better; ++halving, share /= 2)
+      better = improves(share * step, last ? slid : moved);
+    if (better) {
+      std::copy(trial.begin(), trial.end(), arcs.begin());
+      std::swap(system, next);
     }
     // Rounding decides: no step makes a settled string better.
-    if (!better) return system.worst <= kStringRounding && system.forward;
-    std::copy(trial.begin(), trial.begin() + static_cast<std::ptrdiff_t>(m), arcs.begin());
-    std::swap(system, next);
+    if (last || !better) return system.worst <= kStringRounding && system.forward;
   }
   return false;
 }

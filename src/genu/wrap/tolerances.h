@@ -48,6 +48,14 @@ inline constexpr double kStringSettled = 1e-14;
 /// too small, good strings are refused.
 inline constexpr double kStringRounding = 1e-9;
 
+/// [rad] Largest angle from which the last step of a string moves its ends along Jacobi fields, without following its
+/// geodesics again. Fails first: if too large, forces lose digits; if too small, strings cost one geodesic more.
+inline constexpr double kStringSlide = 1e-11;
+
+/// [radius of curvature, rad] Difference of a surface from what it was at an end of an arc that counts as none. Fails
+/// first: if too large, arcs of other parameters are taken over; if too small, arcs are followed once more in vain.
+inline constexpr double kArcUnchanged = 1e-11;
+
 /// [1] Looks along a line for its clearance from a closed form. Fails first: if too small, one of several places where
 /// a line cuts is missed.
 inline constexpr int kClearanceLooks = 8;
