@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/assemble/with_numbers.h"
 #include "genu/calibrate/calibrate.h"
-#include "genu/core/decompositions.h"
+#include "genu/study/solve_path.h"
 #include "support/csv_table.h"
 #include "support/scenes.h"
 #include "support/text.h"
@@ -44,7 +45,7 @@ TEST(CalibrationForward, LinearAndDrawnErrorsAgree) {
   const double r = result.report.correlation(0, 1);
   std::mt19937 random(3);
   std::normal_distribution<double> normal(0, 1);
-  constexpr int kDraws = 300;
+  constexpr int kDraws = 100;
   const std::size_t last = truth.rows() - 1;
   const std::vector<std::string> columns = {"knee.x_mm", "knee.rotation_deg", "ahead.force_N", "medial.force_N"};
   std::vector<double> sum(columns.size()), square(columns.size());
@@ -53,7 +54,11 @@ TEST(CalibrationForward, LinearAndDrawnErrorsAgree) {
     std::array<double, 5> lengths = {25, 20, 19.2, 24, 24};
     lengths[0] *= std::exp(p[0].deviation / p[0].value * a);
     lengths[4] *= std::exp(p[1].deviation / p[1].value * (r * a + std::sqrt(1 - r * r) * b));
-    const ResultTable drawn = test::table_of(test::wheel_knee(lengths));
+    Diagnostics said;
+    const auto knee = prepare({folder.write("drawn.toml", test::wheel_knee(lengths)), {}}, said);
+    ASSERT_TRUE(knee) << test::messages(said);
+    ContactField field = contact_field(*knee);
+    const ResultTable drawn = pose_table(knee->scene, knee->model, knee->steps, solve_path(*knee, field, {}).records);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const double value = drawn.number(last, columns[c]);
       sum[c] += value;
@@ -64,7 +69,7 @@ TEST(CalibrationForward, LinearAndDrawnErrorsAgree) {
     const double sd = std::sqrt(square[c] / kDraws - sum[c] * sum[c] / (kDraws * kDraws));
     std::printf("%s: linear %.4g, drawn %.4g\n", columns[c].c_str(), errors.number(last, columns[c]), sd);
     EXPECT_GT(sd, 0);
-    EXPECT_NEAR(errors.number(last, columns[c]) / sd, 1, 0.15) << columns[c];  // 300 draws: 4 % in one of three
+    EXPECT_NEAR(errors.number(last, columns[c]) / sd, 1, 0.25) << columns[c];  // 100 draws: 7 % in one of three
   }
   const std::string study = test::read_file(folder / "out/study.toml");
   for (const char* part : {"scene = \"scene.toml\"", "\"ahead.slack_length\" = { lognormal = ", "relative = true",

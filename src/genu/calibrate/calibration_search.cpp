@@ -147,31 +147,25 @@ class StartSearcher {
     std::vector<std::size_t> slack;
   };
 
-  /// From one start, and again with what is slack in every pose made taut, as long as that is better.
+  /// From one start, and again with what is slack in every pose made taut, as long as that is better. What is slack at
+  /// the start itself is made taut first: the others would be fitted without it, and creep to a false minimum.
   Found from(int number) const {
-    Found best = fit(std::to_string(number + 1), start(number));
+    const std::string name = std::to_string(number + 1);
+    const VecX u = start(number);
+    const CalibrationProblem::At here = u == first_.u ? first_ : problem_.at(u, true);
+    Found best;
+    if (here.residuals.size() > 0)
+      if (const auto taut = made_taut(here, slack_in(here)))
+        best = fit(name + ", " + taut->names + " made taut", taut->u);
+    best.at_start = here;
+    if (converged(best.fit.stop) && best.slack.empty()) return best;
+    best = better(std::move(best), fit(name, u, &here));
     for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
-      VecX u = best.fit.x;
-      std::string names;
-      for (const std::size_t k : best.slack) {
-        const auto stretch = longest(best.at_end, k);
-        const auto column = static_cast<Eigen::Index>(k);
-        const auto taut = taut_start(problem_.unknowns()[k], u[column], stretch, kTautStrain);
-        if (!taut) continue;
-        u[column] = *taut;
-        names += (names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
-      }
-      if (names.empty()) break;
-      Found taut = fit(fmt::format("{}, {} made taut", number + 1, names), u);
-      std::vector<CalibrationStart> starts = best.starts;
-      starts.insert(starts.end(), taut.starts.begin(), taut.starts.end());
-      const bool better = cost(taut) < (1 - kWorthATautStart) * cost(best);
-      if (better) {
-        taut.at_start = best.at_start;
-        best = std::move(taut);
-      }
-      best.starts = std::move(starts);
-      if (!better) break;
+      const auto taut = made_taut(best.at_end, best.slack);
+      if (!taut) break;
+      const double before = cost(best);
+      best = better(std::move(best), fit(name + ", " + taut->names + " made taut", taut->u));
+      if (!(cost(best) < before)) break;
     }
     return best;
   }
@@ -181,6 +175,35 @@ class StartSearcher {
   }
 
  private:
+  /// The second, if it is better by what is worth a start; with the starts of both.
+  static Found better(Found first, Found second) {
+    std::vector<CalibrationStart> starts = first.starts;
+    starts.insert(starts.end(), second.starts.begin(), second.starts.end());
+    const bool replaces = first.starts.empty() || cost(second) < (1 - kWorthATautStart) * cost(first);
+    Found out = std::move(replaces ? second : first);
+    if (replaces && first.at_start.residuals.size() > 0) out.at_start = std::move(first.at_start);
+    out.starts = std::move(starts);
+    return out;
+  }
+
+  struct Taut {
+    VecX u;
+    std::string names;
+  };
+  /// Unknowns that are slack in every pose made just taut; empty where none can be.
+  std::optional<Taut> made_taut(const CalibrationProblem::At& at, const std::vector<std::size_t>& slack) const {
+    Taut out{at.u, ""};
+    for (const std::size_t k : slack) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const auto taut = taut_start(problem_.unknowns()[k], at.u[column], longest(at, k), kTautStrain);
+      if (!taut) continue;
+      out.u[column] = *taut;
+      out.names += (out.names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
+    }
+    if (out.names.empty()) return std::nullopt;
+    return out;
+  }
+
   VecX start(int number) const {
     const auto n = static_cast<Eigen::Index>(problem_.unknowns().size());
     VecX u = VecX::Zero(n);
@@ -192,7 +215,8 @@ class StartSearcher {
     return u;
   }
 
-  Found fit(const std::string& name, const VecX& u) const {
+  /// `known`: what there is at u; null where that is not known.
+  Found fit(const std::string& name, const VecX& u, const CalibrationProblem::At* known = nullptr) const {
     Found out;
     CalibrationProblem::At last;
     bool exact = true;
@@ -214,7 +238,7 @@ class StartSearcher {
     how.noise = derivative_noise(true);
     LeastSquaresProblem problem{residuals, jacobian, options_.cancelled};
     // Central differences are worse: where they are needed is known after the first residuals.
-    last = u == first_.u ? first_ : problem_.at(u, true);
+    last = known != nullptr ? *known : problem_.at(u, true);
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
     out.fit = least_squares(problem, u, how);
