@@ -59,7 +59,7 @@ ResultTable result_errors(const ScenesUnknowns& unknowns, const Prepared& fitted
   for (const Output& o : outputs) table.add_column(o.column);
   for (const PoseRecord& record : records) {
     table.add_row();
-    table.set("step", static_cast<long>(record.point.step + 1));
+    table.set("step", static_cast<long>(record.point.step));
     table.set("increment", static_cast<long>(record.point.increment));
     const auto rates = unknowns.rates(fitted, u, record.point, outputs);
     if (!rates) continue;

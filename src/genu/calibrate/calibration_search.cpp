@@ -153,18 +153,20 @@ class StartSearcher {
     const std::string name = std::to_string(number + 1);
     const VecX u = start(number);
     const CalibrationProblem::At here = u == first_.u ? first_ : problem_.at(u, true);
-    Found best;
-    if (here.residuals.size() > 0)
-      if (const auto taut = made_taut(here, slack_in(here)))
-        best = fit(name + ", " + taut->names + " made taut", taut->u);
-    best.at_start = here;
-    if (converged(best.fit.stop) && best.slack.empty()) return best;
-    best = better(std::move(best), fit(name, u, &here));
+    const auto first = here.residuals.size() > 0 ? made_taut(here, slack_in(here)) : std::nullopt;
+    Found taut;
+    if (first) {
+      taut = fit(name + ", " + first->names + " made taut", first->u);
+      taut.at_start = here;
+      if (converged(taut.fit.stop) && taut.slack.empty() && stays_taut(taut.at_end, first->unknowns)) return taut;
+    }
+    Found best = fit(name, u, &here);
+    if (first) best = better(std::move(best), std::move(taut));
     for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
-      const auto taut = made_taut(best.at_end, best.slack);
-      if (!taut) break;
+      const auto again = made_taut(best.at_end, best.slack);
+      if (!again) break;
       const double before = cost(best);
-      best = better(std::move(best), fit(name + ", " + taut->names + " made taut", taut->u));
+      best = better(std::move(best), fit(name + ", " + again->names + " made taut", again->u));
       if (!(cost(best) < before)) break;
     }
     return best;
@@ -189,19 +191,29 @@ class StartSearcher {
   struct Taut {
     VecX u;
     std::string names;
+    std::vector<std::size_t> unknowns;
   };
   /// Unknowns that are slack in every pose made just taut; empty where none can be.
   std::optional<Taut> made_taut(const CalibrationProblem::At& at, const std::vector<std::size_t>& slack) const {
-    Taut out{at.u, ""};
+    Taut out{at.u, "", {}};
     for (const std::size_t k : slack) {
       const auto column = static_cast<Eigen::Index>(k);
       const auto taut = taut_start(problem_.unknowns()[k], at.u[column], longest(at, k), kTautStrain);
       if (!taut) continue;
       out.u[column] = *taut;
+      out.unknowns.push_back(k);
       out.names += (out.names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
     }
     if (out.names.empty()) return std::nullopt;
     return out;
+  }
+
+  /// Each is stretched somewhere as much as one that was made taut: it has not crept back to where nobody sees it.
+  static bool stays_taut(const CalibrationProblem::At& at, const std::vector<std::size_t>& unknowns) {
+    return std::all_of(unknowns.begin(), unknowns.end(), [&](std::size_t k) {
+      const auto members = longest(at, k);
+      return std::any_of(members.begin(), members.end(), [](const auto& m) { return m.longest > 1 + kTautStrain; });
+    });
   }
 
   VecX start(int number) const {
