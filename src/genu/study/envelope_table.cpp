@@ -15,31 +15,31 @@
 namespace genu {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPose = std::numeric_limits<double>::quiet_NaN();
 
 /// Flush round-off: the flexions of rows are round numbers.
-double degrees(double angle) { return std::round(1e9 * to::kDegree * angle) / 1e9; }
+double flexion_degrees(double angle) { return std::round(1e9 * to::kDegree * angle) / 1e9; }
 
 /// mm or deg from the path without load at the same flexion; NaN where one of them has no pose.
-double displacement(const LaxityOfScene& s, const LaxityTest& test, double flexion, const LaxityRow* pose) {
+double shift_from_free(const LaxityOfScene& s, const LaxityTest& test, double flexion, const LaxityRow* pose) {
   const LaxityRow* free = s.envelope.empty() ? nullptr : s.envelope.front().at(flexion);
-  if (free == nullptr || pose == nullptr) return kNone;
+  if (free == nullptr || pose == nullptr) return kNoPose;
   return test.shown() * (test.displacement(pose->motion) - test.displacement(free->motion));
 }
 
-const EnvelopePath* path_of(const LaxityOfScene& s, const LaxityTest& test, bool positive) {
+const EnvelopePath* held_path(const LaxityOfScene& s, const LaxityTest& test, bool positive) {
   for (const EnvelopePath& path : s.envelope)
     if (path.held != 0 && path.test.kind == test.kind && (path.held > 0) == positive) return &path;
   return nullptr;
 }
 
 /// "134 N anterior"
-std::string load_words(const LaxityTest& test, double load) {
+std::string held_words(const LaxityTest& test, double load) {
   return fmt::format("{:.4g} {} {}", std::abs(load), test.load_unit(), test.direction(load > 0));
 }
 
 /// "drawer, 134 N held while the knee bends" and its table.
-std::string text_of(const std::vector<LaxityOfScene>& scenes, const LaxityChoice& choice, const LaxityTest& test) {
+std::string held_text(const std::vector<LaxityOfScene>& scenes, const LaxityChoice& choice, const LaxityTest& test) {
   const std::string unit = test.unit(), plus = test.direction(true) + "_" + unit,
                     minus = test.direction(false) + "_" + unit;
   ResultTable table;
@@ -47,11 +47,11 @@ std::string text_of(const std::vector<LaxityOfScene>& scenes, const LaxityChoice
   if (scenes.size() > 1) table.add_column("scene");
   for (const LaxityOfScene& s : scenes)
     for (const double flexion : choice.flexions) {
-      const EnvelopePath *up = path_of(s, test, true), *down = path_of(s, test, false);
-      const double a = displacement(s, test, flexion, up ? up->at(flexion) : nullptr),
-                   b = displacement(s, test, flexion, down ? down->at(flexion) : nullptr);
+      const EnvelopePath *up = held_path(s, test, true), *down = held_path(s, test, false);
+      const double a = shift_from_free(s, test, flexion, up ? up->at(flexion) : nullptr),
+                   b = shift_from_free(s, test, flexion, down ? down->at(flexion) : nullptr);
       table.add_row();
-      table.set("flexion_deg", degrees(flexion));
+      table.set("flexion_deg", flexion_degrees(flexion));
       for (const auto& [column, value] : {std::pair(plus, a), std::pair(minus, b), std::pair("total_" + unit, a - b)})
         if (std::isfinite(value)) table.set(column, value);
       if (scenes.size() > 1) table.set("scene", s.name);
@@ -80,12 +80,12 @@ ResultTable envelope_rows(const std::vector<LaxityOfScene>& scenes) {
       for (const EnvelopePath::Row& row : path.rows) {
         out.add_row();
         out.set("scene", s.name);
-        out.set("flexion_deg", degrees(row.flexion));
+        out.set("flexion_deg", flexion_degrees(row.flexion));
         out.set("test", std::string(path.held == 0 ? "neutral" : path.test.name()));
         if (path.held != 0) {
           const bool turns = path.test.turns();
           out.set(turns ? "load_Nm" : "load_N", path.held);
-          const double shift = displacement(s, path.test, row.flexion, &row.pose);
+          const double shift = shift_from_free(s, path.test, row.flexion, &row.pose);
           if (std::isfinite(shift)) out.set(turns ? "displacement_deg" : "displacement_mm", shift);
         }
         for (std::size_t c = 0; c < poses.columns().size(); ++c)
@@ -98,7 +98,7 @@ ResultTable envelope_rows(const std::vector<LaxityOfScene>& scenes) {
 
 std::string envelope_text(const std::vector<LaxityOfScene>& scenes, const LaxityChoice& choice) {
   std::string text;
-  for (const LaxityTest& test : choice.tests) text += (text.empty() ? "" : "\n") + text_of(scenes, choice, test);
+  for (const LaxityTest& test : choice.tests) text += (text.empty() ? "" : "\n") + held_text(scenes, choice, test);
   return text;
 }
 
@@ -110,19 +110,19 @@ Chart envelope_chart(const LaxityResult& result, const LaxityTest& test) {
   std::set<double> flexions;
   for (const LaxityOfScene& s : result.scenes)
     for (const EnvelopePath& path : s.envelope)
-      for (const EnvelopePath::Row& row : path.rows) flexions.insert(degrees(row.flexion));
+      for (const EnvelopePath::Row& row : path.rows) flexions.insert(flexion_degrees(row.flexion));
   chart.x.assign(flexions.begin(), flexions.end());
   for (const LaxityOfScene& s : result.scenes) {
     ChartPanel panel;
     panel.title = fmt::format("{}, {} [{}]", s.name, test.direction(true), test.unit());
     panel.from_zero = true;
     for (const bool positive : {true, false}) {
-      const EnvelopePath* path = path_of(s, test, positive);
+      const EnvelopePath* path = held_path(s, test, positive);
       if (path == nullptr) continue;
-      ChartSeries series{load_words(test, path->held), {}};
+      ChartSeries series{held_words(test, path->held), {}};
       for (const double x : chart.x) {
         const double flexion = units::kDegree * x;
-        series.y.push_back(displacement(s, test, flexion, path->at(flexion)));
+        series.y.push_back(shift_from_free(s, test, flexion, path->at(flexion)));
       }
       panel.series.push_back(std::move(series));
     }
@@ -136,7 +136,7 @@ std::vector<std::string> envelope_notes(const LaxityOfScene& tested, int& ended)
   for (const EnvelopePath& path : tested.envelope)
     if (!path.ended.empty()) {
       notes.push_back(
-          (path.held == 0 ? std::string("The path without load") : load_words(path.test, path.held) + " held") + ": " +
+          (path.held == 0 ? std::string("The path without load") : held_words(path.test, path.held) + " held") + ": " +
           path.ended + ".");
       ++ended;
     }
@@ -151,8 +151,8 @@ std::vector<std::string> envelope_notes(const LaxityOfScene& tested, int& ended)
           notes.push_back(
               fmt::format("{} at {:g} deg: held from the smallest flexion on, it ends {:.3g} {} from where it "
                           "ends if it is put on there; more than one pose is in equilibrium.",
-                          load_words(path.test, path.held), degrees(angle.flexion), path.test.shown() * std::abs(apart),
-                          path.test.unit()));
+                          held_words(path.test, path.held), flexion_degrees(angle.flexion),
+                          path.test.shown() * std::abs(apart), path.test.unit()));
       }
   return notes;
 }
