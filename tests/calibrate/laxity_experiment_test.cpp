@@ -157,8 +157,9 @@ TEST_F(LaxityCalibration, ALigamentThatIsSlackAtTheStartIsMadeTaut) {
   choice.vary = {"ahead.slack_length", "sides.slack_length:together"};
   ASSERT_EQ(fit(scaled({1.12, 1, 1, 1, 1}), choice), kExitOk) << test::messages(out_) << to_text(result_.report);
   EXPECT_NEAR(result_.report.parameters[0].value / kLengths[0], 1, 1e-6);
-  ASSERT_EQ(result_.report.starts.size(), 1u) << "a fit without it would be stuck, and is not made";
-  EXPECT_EQ(result_.report.starts[0].name, "1, ahead.slack_length made taut");
+  ASSERT_GE(result_.report.starts.size(), 2u);
+  EXPECT_TRUE(test::contains(result_.report.starts[1].name, "ahead.slack_length made taut"));
+  EXPECT_GT(result_.report.starts[0].rms, 1e-3) << "the first fit is stuck";
 }
 
 /// A spring that nothing in the target stretches is never called converged.

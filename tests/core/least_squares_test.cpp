@@ -102,23 +102,6 @@ TEST(LeastSquares, NoStepIsLongerThanAllowed) {
   EXPECT_LT((r.x - Vec2(1, 1)).norm(), 1e-7);
 }
 
-/// The second unknown is hardly determined and 5 away, 0.02 at most in a step: the first is found in one step all the
-/// same.
-TEST(LeastSquares, AnUnknownThatIsCutShortensNoOther) {
-  MatX A(3, 2);
-  A << 1, 0, 1, 1e-3, 0, 1e-3;
-  const Vec2 truth(0.01, 5);
-  LeastSquaresOptions careful;
-  careful.most_steps = Vec2(0.02, 0.02);
-  careful.first_damping = 0;
-  careful.most_iterations = 1;
-  const LeastSquaresResult r = least_squares(linear(A, A * truth), Vec2(0, 0), careful);
-  EXPECT_NEAR(r.x[1], 0.02, 1e-12);
-  EXPECT_NEAR(r.x[0], 0.01 + 1e-3 * (5 - 0.02) / 2, 1e-9) << "the best beside the second";
-  careful.most_iterations = 300;
-  EXPECT_LT((least_squares(linear(A, A * truth), Vec2(0, 0), careful).x - truth).norm(), 1e-6);
-}
-
 TEST(LeastSquares, EveryReasonToStop) {
   LeastSquaresOptions few;
   few.most_iterations = 2;

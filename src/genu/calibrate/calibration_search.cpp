@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -145,31 +146,37 @@ class StartSearcher {
     CalibrationProblem::At at_start, at_end;
     std::vector<CalibrationStart> starts;
     std::vector<std::size_t> slack;
+    bool shortened = false;  ///< ended by the most iterations of a fit in which something is slack at the start
   };
 
-  /// From one start, and again with what is slack in every pose made taut, as long as that is better. What is slack at
-  /// the start itself is made taut first: the others would be fitted without it, and creep to a false minimum.
+  /// From one start, and again with what is slack in every pose made taut, as long as that is better. The first fit is
+  /// short where something is slack already: without it the others would creep to a false minimum.
   Found from(int number) const {
-    const std::string name = std::to_string(number + 1);
-    const VecX u = start(number);
-    const CalibrationProblem::At here = u == first_.u ? first_ : problem_.at(u, true);
-    const auto first = here.residuals.size() > 0 ? made_taut(here, slack_in(here)) : std::nullopt;
-    Found taut;
-    if (first) {
-      taut = fit(name + ", " + first->names + " made taut", first->u);
-      taut.at_start = here;
-      if (converged(taut.fit.stop) && taut.slack.empty() && stays_taut(taut.at_end, first->unknowns)) return taut;
-    }
-    Found best = fit(name, u, &here);
-    if (first) best = better(std::move(best), std::move(taut));
+    Found best = fit(std::to_string(number + 1), start(number), kSlackIterations);
     for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
-      const auto again = made_taut(best.at_end, best.slack);
-      if (!again) break;
-      const double before = cost(best);
-      best = better(std::move(best), fit(name + ", " + again->names + " made taut", again->u));
-      if (!(cost(best) < before)) break;
+      VecX u = best.fit.x;
+      std::string names;
+      for (const std::size_t k : best.slack) {
+        const auto stretch = longest(best.at_end, k);
+        const auto column = static_cast<Eigen::Index>(k);
+        const auto taut = taut_start(problem_.unknowns()[k], u[column], stretch, kTautStrain);
+        if (!taut) continue;
+        u[column] = *taut;
+        names += (names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
+      }
+      if (names.empty()) break;
+      Found taut = fit(fmt::format("{}, {} made taut", number + 1, names), u);
+      std::vector<CalibrationStart> starts = best.starts;
+      starts.insert(starts.end(), taut.starts.begin(), taut.starts.end());
+      const bool better = cost(taut) < (1 - kWorthATautStart) * cost(best);
+      if (better) {
+        taut.at_start = best.at_start;
+        best = std::move(taut);
+      }
+      best.starts = std::move(starts);
+      if (!better) break;
     }
-    return best;
+    return best.shortened ? continued(std::move(best), number) : best;
   }
 
   static double cost(const Found& f) {
@@ -177,45 +184,6 @@ class StartSearcher {
   }
 
  private:
-  /// The second, if it is better by what is worth a start; with the starts of both.
-  static Found better(Found first, Found second) {
-    std::vector<CalibrationStart> starts = first.starts;
-    starts.insert(starts.end(), second.starts.begin(), second.starts.end());
-    const bool replaces = first.starts.empty() || cost(second) < (1 - kWorthATautStart) * cost(first);
-    Found out = std::move(replaces ? second : first);
-    if (replaces && first.at_start.residuals.size() > 0) out.at_start = std::move(first.at_start);
-    out.starts = std::move(starts);
-    return out;
-  }
-
-  struct Taut {
-    VecX u;
-    std::string names;
-    std::vector<std::size_t> unknowns;
-  };
-  /// Unknowns that are slack in every pose made just taut; empty where none can be.
-  std::optional<Taut> made_taut(const CalibrationProblem::At& at, const std::vector<std::size_t>& slack) const {
-    Taut out{at.u, "", {}};
-    for (const std::size_t k : slack) {
-      const auto column = static_cast<Eigen::Index>(k);
-      const auto taut = taut_start(problem_.unknowns()[k], at.u[column], longest(at, k), kTautStrain);
-      if (!taut) continue;
-      out.u[column] = *taut;
-      out.unknowns.push_back(k);
-      out.names += (out.names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
-    }
-    if (out.names.empty()) return std::nullopt;
-    return out;
-  }
-
-  /// Each is stretched somewhere as much as one that was made taut: it has not crept back to where nobody sees it.
-  static bool stays_taut(const CalibrationProblem::At& at, const std::vector<std::size_t>& unknowns) {
-    return std::all_of(unknowns.begin(), unknowns.end(), [&](std::size_t k) {
-      const auto members = longest(at, k);
-      return std::any_of(members.begin(), members.end(), [](const auto& m) { return m.longest > 1 + kTautStrain; });
-    });
-  }
-
   VecX start(int number) const {
     const auto n = static_cast<Eigen::Index>(problem_.unknowns().size());
     VecX u = VecX::Zero(n);
@@ -227,8 +195,16 @@ class StartSearcher {
     return u;
   }
 
-  /// `known`: what there is at u; null where that is not known.
-  Found fit(const std::string& name, const VecX& u, const CalibrationProblem::At* known = nullptr) const {
+  /// A fit that is short where no taut start has been better.
+  Found continued(Found best, int number) const {
+    Found whole = fit(fmt::format("{}, continued", number + 1), best.fit.x);
+    whole.at_start = best.at_start;
+    whole.starts.insert(whole.starts.begin(), best.starts.begin(), best.starts.end());
+    return whole;
+  }
+
+  /// `most_if_slack`: iterations where something is slack in every pose at the start.
+  Found fit(const std::string& name, const VecX& u, int most_if_slack = std::numeric_limits<int>::max()) const {
     Found out;
     CalibrationProblem::At last;
     bool exact = true;
@@ -250,10 +226,13 @@ class StartSearcher {
     how.noise = derivative_noise(true);
     LeastSquaresProblem problem{residuals, jacobian, options_.cancelled};
     // Central differences are worse: where they are needed is known after the first residuals.
-    last = known != nullptr ? *known : problem_.at(u, true);
+    last = u == first_.u ? first_ : problem_.at(u, true);
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
+    if (last.residuals.size() > 0 && most_if_slack < how.most_iterations && !slack_in(last).empty())
+      how.most_iterations = most_if_slack, out.shortened = true;
     out.fit = least_squares(problem, u, how);
+    out.shortened = out.shortened && out.fit.stop == LeastSquaresStop::most_iterations;
     if (out.fit.residuals.size() > 0) out.at_end = last.u == out.fit.x ? last : problem_.at(out.fit.x, exact);
     CalibrationStart row{name, u, out.fit.x, out.fit.stop, out.fit.iterations, 0};
     row.rms = out.fit.residuals.size() > 0

@@ -52,27 +52,24 @@ class LeastSquaresSearcher {
     return try_steps(scaled, measure);
   }
 
-  /// The largest part of a step, at most 1, that moves no unknown by more than `most_step`.
+  /// The largest part of a step, at most 1, that no unknown's longest step is shorter than.
   double within_most_step(const VecX& dx) const {
-    return 1 / std::max(1.0, dx.lpNorm<Eigen::Infinity>() / options_.most_step);
+    const VecX over = options_.most_steps.size() > 0 ? VecX(dx.cwiseAbs().cwiseQuotient(options_.most_steps))
+                                                     : VecX(dx.cwiseAbs() / options_.most_step);
+    return 1 / std::max(1.0, over.maxCoeff());
   }
 
-  bool has_bounds() const { return options_.lower.size() > 0 || options_.most_steps.size() > 0; }
+  bool has_bounds() const { return options_.lower.size() > 0; }
 
-  /// Whether the step would leave the bounds at unknown k, or its longest step; `dx` is then cut to end there.
+  /// Whether the step would leave the bounds at unknown k; `dx` is then cut to end there.
   bool cut_at_bound(Eigen::Index k, double& dx) const {
-    double within = dx;
-    if (options_.most_steps.size() > 0) within = std::clamp(within, -options_.most_steps[k], options_.most_steps[k]);
-    const double x = result_.x[k];
-    if (options_.lower.size() > 0 && x + within < options_.lower[k]) within = options_.lower[k] - x;
-    if (options_.upper.size() > 0 && x + within > options_.upper[k]) within = options_.upper[k] - x;
+    const double x = result_.x[k], within = std::clamp(x + dx, options_.lower[k], options_.upper[k]) - x;
     if (within == dx) return false;
     dx = within;
     return true;
   }
 
   /// The damped step within the bounds: an unknown that would leave them stops there, and the others are chosen anew.
-  /// So an unknown that is hardly determined, whose step is long, does not shorten those of the others.
   VecX bounded_step(const MatX& scaled, const VecX& measure, double damping) const {
     MatX free = scaled;
     VecX residuals = result_.residuals, stopped = VecX::Zero(measure.size());

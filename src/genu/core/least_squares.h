@@ -29,7 +29,7 @@ struct LeastSquaresOptions {
   /// they are smaller are left alone. 0: only those without any.
   double noise = 0;
   VecX lower = {}, upper = {};  ///< bounds of the unknowns; empty: none
-  VecX most_steps = {};         ///< of each unknown by itself: others are chosen anew beside one that is cut
+  VecX most_steps = {};         ///< of each unknown, in the place of most_step; empty: none
 };
 
 enum class LeastSquaresStop {
