@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -146,13 +145,11 @@ class StartSearcher {
     CalibrationProblem::At at_start, at_end;
     std::vector<CalibrationStart> starts;
     std::vector<std::size_t> slack;
-    bool shortened = false;  ///< ended by the most iterations of a fit in which something is slack at the start
   };
 
-  /// From one start, and again with what is slack in every pose made taut, as long as that is better. The first fit is
-  /// short where something is slack already: without it the others would creep to a false minimum.
+  /// From one start, and again with what is slack in every pose made taut, as long as that is better.
   Found from(int number) const {
-    Found best = fit(std::to_string(number + 1), start(number), kSlackIterations);
+    Found best = fit(std::to_string(number + 1), start(number));
     for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
       VecX u = best.fit.x;
       std::string names;
@@ -176,7 +173,7 @@ class StartSearcher {
       best.starts = std::move(starts);
       if (!better) break;
     }
-    return best.shortened ? continued(std::move(best), number) : best;
+    return best;
   }
 
   static double cost(const Found& f) {
@@ -195,16 +192,7 @@ class StartSearcher {
     return u;
   }
 
-  /// A fit that is short where no taut start has been better.
-  Found continued(Found best, int number) const {
-    Found whole = fit(fmt::format("{}, continued", number + 1), best.fit.x);
-    whole.at_start = best.at_start;
-    whole.starts.insert(whole.starts.begin(), best.starts.begin(), best.starts.end());
-    return whole;
-  }
-
-  /// `most_if_slack`: iterations where something is slack in every pose at the start.
-  Found fit(const std::string& name, const VecX& u, int most_if_slack = std::numeric_limits<int>::max()) const {
+  Found fit(const std::string& name, const VecX& u) const {
     Found out;
     CalibrationProblem::At last;
     bool exact = true;
@@ -229,10 +217,7 @@ class StartSearcher {
     last = u == first_.u ? first_ : problem_.at(u, true);
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
-    if (last.residuals.size() > 0 && most_if_slack < how.most_iterations && !slack_in(last).empty())
-      how.most_iterations = most_if_slack, out.shortened = true;
     out.fit = least_squares(problem, u, how);
-    out.shortened = out.shortened && out.fit.stop == LeastSquaresStop::most_iterations;
     if (out.fit.residuals.size() > 0) out.at_end = last.u == out.fit.x ? last : problem_.at(out.fit.x, exact);
     CalibrationStart row{name, u, out.fit.x, out.fit.stop, out.fit.iterations, 0};
     row.rms = out.fit.residuals.size() > 0

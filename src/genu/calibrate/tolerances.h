@@ -36,10 +36,6 @@ inline constexpr double kTautStrain = 0.005;
 /// ligament that the first one has made slack stays so.
 inline constexpr int kTautRounds = 4;
 
-/// [1] Iterations of a first fit in which a ligament is slack in every pose. Fails first: if too small, the taut start
-/// is far off; if too large, slow fits.
-inline constexpr int kSlackIterations = 14;
-
 /// [of the sum of squares] By how much a taut start must be better. Fails first: if too large, a weak ligament stays
 /// slack.
 inline constexpr double kWorthATautStart = 1e-6;
