@@ -39,13 +39,14 @@ int calibrate(const CalibrateArguments& arguments) {
   const int code = run_calibration({arguments.scene, arguments.changes}, arguments.folder, arguments.choice, options,
                                    diagnostics, result);
   print(diagnostics, code != kExitRefused);
-  if (code == kExitRefused || result.report.parameters.empty()) return code;
-  fmt::print("{}\n\n{}", printable(result.solution.summary.title), to_text(result.report));
+  const bool fitted = !result.report.parameters.empty();
+  if (code == kExitRefused || (!fitted && result.text.empty())) return code;
+  fmt::print("{}\n\n{}{}", printable(result.solution.summary.title), fitted ? to_text(result.report) : "",
+             result.text);
   if (code != kExitFailed && arguments.folder)
     fmt::print(
-        "  {:<12}{}/scene.toml, calibration.csv, comparison.csv, starts.csv, pictures, and the fitted scene's "
-        "results\n",
-        "written", result.solution.folder);
+        "  {:<12}{}/scene.toml, {}and the scene's results\n", "written", result.solution.folder,
+        fitted ? "calibration.csv, comparison.csv, starts.csv, standard_errors.csv, study.toml, pictures, " : "");
   return code;
 }
 
@@ -61,8 +62,7 @@ void add_calibrate(CLI::App& command, int& exit_code) {
   list("--target", choice.targets,
        "CSV file with a column time_s, or a prescribed coordinate, and columns named as in results.csv; or a laxity "
        "table (flexion_deg, test, load_N, load_Nm, displacement_mm, displacement_deg); SCENE=FILE for another scene "
-       "with the same parameters")
-      ->required();
+       "with the same parameters");
   list("--vary", choice.vary,
        "parameters by their keys, as of genu sensitivity: j1.stiffness, AAC.slack_length, push.force.z; * and ? stand "
        "for letters; \"ACL*.slack_length:together\" is one factor (:factor) or shift (:offset) of all, "
@@ -73,6 +73,15 @@ void add_calibrate(CLI::App& command, int& exit_code) {
   list("--bounds", choice.bounds, "NAME=LOW..HIGH: of a number that is varied");
   list("--prior", choice.priors, "NAME=MEAN~SD: what is known before; MEAN may be start, SD a share: start~5%");
   list("--predict", choice.held_out, "targets that are not fitted but predicted, with standard errors");
+  list("--predict-columns", choice.predict_columns, "columns of these, in the place of --columns");
+  list(
+      "--zero-load", choice.zero_load.poses,
+      "tables of passive poses, as of genu evaluate: each slack length starts at the fibre's longest length over them; "
+      "without --target it stays there");
+  list("--correction", choice.zero_load.correction, "times this factor: 0.95, or \"ACL*=0.95\" for some ligaments");
+  list("--design", choice.candidates,
+       "laxity tables, whose curves could be measured: ranks them by how much each would narrow standard errors");
+  list("--narrow", choice.narrow, "the numbers that --design is about; all where none is named");
   command.add_option("--starts", choice.starts, "starts of the fit: the scene's numbers, and others around them")
       ->check(CLI::Range(1, kMostStarts))
       ->capture_default_str();

@@ -33,7 +33,7 @@ struct LaxityArguments {
   std::vector<double> at = {0, 30, 60, 90};
   double anterior = 134, varus = 10, internal = 5, compression = 0;
   int increments = 10;
-  bool quiet = false;
+  bool envelope = false, quiet = false;
 };
 
 int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests) {
@@ -41,6 +41,7 @@ int test(const LaxityArguments& arguments, const std::vector<LaxityTest>& tests)
   choice.tests = tests;
   choice.compression = arguments.compression;
   choice.increments = arguments.increments;
+  choice.envelope = arguments.envelope;
   choice.cancelled = stop_on_interrupt();
   for (const double angle : arguments.at) choice.flexions.push_back(units::kDegree * angle);
   Diagnostics diagnostics;
@@ -85,6 +86,8 @@ void add_laxity(CLI::App& command, int& exit_code) {
   command.add_option("--increments", arguments->increments, "steps from 0 to the full load")
       ->check(CLI::Range(1, kMostIncrements))
       ->capture_default_str();
+  command.add_flag("--envelope", arguments->envelope,
+                   "hold the full loads while the knee bends from the smallest to the largest angle as well");
   add_changes(command, arguments->changes);
   command.add_option("--out", arguments->folder, "folder for the results, replaced as a whole at the end");
   command.add_flag("--quiet", arguments->quiet, "print the verdict only");

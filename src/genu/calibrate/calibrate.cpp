@@ -2,134 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/scene_values.h"
+#include "genu/assemble/with_numbers.h"
+#include "genu/calibrate/calibration_design.h"
+#include "genu/calibrate/calibration_forward.h"
+#include "genu/calibrate/calibration_reader.h"
 #include "genu/calibrate/calibration_report.h"
-#include "genu/calibrate/finite_number.h"
-#include "genu/calibrate/laxity_experiment.h"
-#include "genu/calibrate/run_experiment.h"
-#include "genu/results/motion_table.h"
-#include "genu/scene/words.h"
 #include "genu/study/run_motion.h"
 
 namespace genu {
 namespace {
-
-using Experiments = std::vector<std::unique_ptr<CalibrationExperiment>>;
-
-double duration_of(const Prepared& prepared) {
-  if (prepared.scene.dynamics) return prepared.scene.dynamics->duration;
-  double sum = 0;
-  for (const StepDef& step : prepared.scene.steps) sum += step.duration;
-  return sum;
-}
-
-std::vector<std::string> known_columns(const Prepared& p) {
-  return (p.scene.dynamics ? motion_table(p.scene, p.model, {}) : pose_table(p.scene, p.model, p.steps, {})).columns();
-}
-
-/// "SCENE" and "FILE" of "SCENE=FILE"; the scene is empty where there is none.
-std::pair<std::string, std::string> parts_of(const std::string& target) {
-  const std::size_t equals = target.find('=');
-  if (equals == std::string::npos) return {"", target};
-  return {target.substr(0, equals), target.substr(equals + 1)};
-}
-
-/// "NAME=SIGMA" texts; others are refused.
-std::vector<std::pair<std::string, double>> errors_of(const std::vector<std::string>& texts, Diagnostics& out) {
-  std::vector<std::pair<std::string, double>> errors;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.rfind('=');
-    const auto value = equals == std::string::npos ? std::nullopt : finite_number(text.substr(equals + 1));
-    if (value && *value > 0)
-      errors.emplace_back(text.substr(0, equals), *value);
-    else
-      refuse_option(out, Code::out_of_range, "--error", text, "must be COLUMN=SIGMA with a number above 0");
-  }
-  return errors;
-}
-
-/// The measured things that a fit follows, each with its scene.
-class ExperimentReader {
- public:
-  ExperimentReader(const Prepared& prepared, const std::vector<CalibrationUnknown>& unknowns,
-                   const CalibrationChoice& choice, const RunOptions& options, Diagnostics& out)
-      : prepared_(prepared), unknowns_(unknowns), choice_(choice), options_(options), out_(out) {}
-
-  Experiments read() {
-    for (const std::string& target : choice_.targets) add(target, false);
-    for (const std::string& target : choice_.held_out) add(target, true);
-    if (!out_.has_errors()) state_errors();
-    return std::move(experiments_);
-  }
-
- private:
-  void add(const std::string& target, bool held_out) {
-    const auto [scene, file] = parts_of(target);
-    std::unique_ptr<CalibrationExperiment> made;
-    if (scene.empty()) {
-      made = read(prepared_, file);
-    } else if (auto other = prepare({scene, {}}, out_)) {
-      share_search(*other);
-      if (ScenesUnknowns(*other, unknowns_).none())
-        out_.error(Code::unknown_name, scene, "has none of the numbers that --vary names");
-      else
-        made = read(*other, file);
-    }
-    if (!made) return;
-    made->file = file;
-    made->held_out = held_out;
-    experiments_.push_back(std::move(made));
-  }
-
-  std::unique_ptr<CalibrationExperiment> read(const Prepared& scene, const std::string& file) {
-    const std::vector<std::string> known = known_columns(scene);
-    if (!is_laxity_table(file)) {
-      auto target = read_calibration_target(file, choice_.columns, known, duration_of(scene), out_, axes_of(scene));
-      return target ? run_experiment(scene, unknowns_, std::move(*target), options_) : nullptr;
-    }
-    auto target = read_laxity_target(file, choice_.columns, known, out_);
-    auto knee = with_laxity_loads(scene, out_);
-    if (!target || !knee) return nullptr;
-    share_search(knee->prepared);
-    return laxity_experiment(*knee, unknowns_, std::move(*target), choice_.compression, options_.cancelled);
-  }
-
-  /// All columns have a stated error, or none has; a prior needs them.
-  void state_errors() {
-    const auto errors = errors_of(choice_.errors, out_);
-    std::string without;
-    bool any = false;
-    std::vector<bool> used(errors.size());
-    for (const auto& e : experiments_) {
-      e->state_errors(errors);
-      for (const auto& column : e->columns()) {
-        any = any || column.stated;
-        if (!column.stated && !e->held_out) without = column.name;
-        for (std::size_t k = 0; k < errors.size(); ++k) used[k] = used[k] || matches(errors[k].first, column.name);
-      }
-    }
-    for (std::size_t k = 0; k < errors.size(); ++k)
-      if (!used[k])
-        refuse_option(out_, Code::unknown_name, "--error", errors[k].first, "is no column that a target follows");
-    const bool priors = std::any_of(unknowns_.begin(), unknowns_.end(), [](const auto& u) { return u.prior; });
-    if (without.empty() || !(any || priors)) return;
-    out_.add(error_at({}, Code::missing_key, "--error", {},
-                      "is missing for " + without +
-                          (any ? ": state the error of every column, or of none"
-                               : ": a prior can be weighed against measurements only if their errors are stated")));
-  }
-
-  const Prepared& prepared_;
-  const std::vector<CalibrationUnknown>& unknowns_;
-  const CalibrationChoice& choice_;
-  const RunOptions& options_;
-  Diagnostics& out_;
-  Experiments experiments_;
-};
 
 /// Whether the scene's text can take the values: said before anything is fitted.
 bool can_be_written(const Prepared& prepared, const std::vector<CalibrationUnknown>& unknowns,
@@ -173,22 +60,75 @@ Solution solve_fitted(const Prepared& fitted, const RunOptions& options) {
   return solve(fitted, field, plain);
 }
 
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// With `study`, the study that draws the fitted numbers beside the scene; it may be empty.
 int write_calibration(const std::string& folder, const RunOptions& options, const Prepared& fitted,
-                      const std::vector<NewNumber>& numbers, const CalibrationFindings& found, Diagnostics& out,
+                      const std::vector<NewNumber>& numbers, Files files,
+                      const std::function<std::string(const std::string& scene)>& study, Diagnostics& out,
                       CalibrationResult& result) {
   result.solution.folder = folder_for(folder, options, result.solution.summary);
   const std::string text = with_values(fitted.scene.file, fitted.scene, numbers, result.solution.folder, out);
   if (out.has_errors()) return kExitFailed;
-  std::vector<std::pair<std::string, std::string>> files = {
-      {"scene.toml", text},
-      {"calibration.csv", calibration_table(result.report).to_csv()},
-      {"comparison.csv", found.comparison.to_csv()},
-      {"starts.csv", starts_table(result.report).to_csv()}};
-  files.insert(files.end(), found.pictures.begin(), found.pictures.end());
+  files.emplace_back("scene.toml", text);
+  if (const std::string sweep = study ? study(text) : ""; !sweep.empty()) files.emplace_back("study.toml", sweep);
   const std::string error = write_results(result.solution.folder, fitted, result.solution, files);
   if (error.empty()) return result.solution.summary.exit_code;
   out.error(Code::cannot_write, {}, error);
   return kExitFailed;
+}
+
+/// Options that are of no use without others.
+void refuse_lonely(const CalibrationChoice& choice, Diagnostics& out) {
+  const auto refuse = [&](bool lonely, const char* option, const char* rule) {
+    if (lonely) out.add(error_at({}, Code::conflict, option, {}, rule));
+  };
+  refuse(!choice.zero_load.correction.empty() && choice.zero_load.poses.empty(), "--correction", "needs --zero-load");
+  refuse(!choice.narrow.empty() && choice.candidates.empty(), "--narrow", "needs --design");
+  refuse(!choice.held_out.empty() && choice.targets.empty(), "--predict", "needs --target");
+  refuse(!choice.predict_columns.empty() && choice.held_out.empty(), "--predict-columns", "needs --predict");
+}
+
+/// Ranks what could be measured, beside what is.
+void add_design(const CalibrationChoice& choice, const std::vector<CalibrationUnknown>& unknowns, const VecX& u,
+                const MatX& J, const std::vector<DesignCandidate>& candidates, Files& files,
+                CalibrationResult& result) {
+  if (candidates.empty()) return;
+  const MatX information = J.rows() > 0 ? MatX(J.transpose() * J) : MatX(MatX::Zero(u.size(), u.size()));
+  const CalibrationDesign design = rank_candidates(unknowns, u, information, candidates, choice.narrow);
+  result.text += design.text;
+  files.emplace_back("design.csv", design.ranked.to_csv());
+  files.emplace_back("design_order.csv", design.order.to_csv());
+}
+
+/// Nothing is followed: the rule's lengths, and what could be measured first.
+int without_fit(const Prepared& prepared, const std::optional<std::string>& folder, const CalibrationProblem& problem,
+                const CalibrationExperiments& experiments, const CalibrationChoice& choice, const RunOptions& options,
+                Files files, Diagnostics& out, CalibrationResult& result) {
+  const VecX u = VecX::Zero(static_cast<Eigen::Index>(problem.unknowns().size()));
+  const std::vector<NewNumber> numbers = numbers_at(problem.unknowns(), u);
+  const auto scene = with_numbers(prepared, numbers, out);
+  if (!scene) return kExitIncomplete;
+  add_design(choice, problem.unknowns(), u, problem.at(u, true).derivatives, experiments.candidates, files, result);
+  result.solution = solve_fitted(*scene, options);
+  RunSummary& s = result.solution.summary;
+  s.verdict.emplace_back(choice.zero_load.poses.empty()
+                             ? "Nothing is fitted."
+                             : "Zero-load lengths are those of the rule: longest length times correction.");
+  return folder ? write_calibration(*folder, options, *scene, numbers, files, {}, out, result) : s.exit_code;
+}
+
+/// The study's text for a scene's text; needs a fit of equilibria.
+std::function<std::string(const std::string&)> study_of(const Prepared& fitted,
+                                                        const std::vector<CalibrationUnknown>& unknowns,
+                                                        const CalibrationFindings& found) {
+  return [&](const std::string& scene) {
+    VecX deviations = found.covariance.diagonal().cwiseSqrt();
+    const auto& parameters = found.report.parameters;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      if (!std::isfinite(parameters[k].deviation)) deviations[static_cast<Eigen::Index>(k)] = parameters[k].deviation;
+    return sweep_study(fitted, "scene.toml", scene, unknowns, deviations, found.report.correlation);
+  };
 }
 
 }  // namespace
@@ -196,22 +136,32 @@ int write_calibration(const std::string& folder, const RunOptions& options, cons
 int run_calibration(const SceneSource& source, const std::optional<std::string>& folder,
                     const CalibrationChoice& choice, const RunOptions& options, Diagnostics& out,
                     CalibrationResult& result) {
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs = choice.candidates;
+  inputs.insert(inputs.end(), choice.zero_load.poses.begin(), choice.zero_load.poses.end());
   for (const auto* list : {&choice.targets, &choice.held_out})
-    for (const std::string& target : *list) inputs.push_back(parts_of(target).second);
+    for (const std::string& target : *list) inputs.push_back(parts_of_target(target).second);
   auto prepared = prepare_run(source, folder, out, inputs);
   if (!prepared) return kExitRefused;
   share_search(*prepared);
-  const std::vector<CalibrationUnknown> unknowns =
-      choose_unknowns(prepared->source, {choice.vary, choice.bounds, choice.priors}, out);
-  const Experiments experiments = ExperimentReader(*prepared, unknowns, choice, options, out).read();
+  refuse_lonely(choice, out);
+  std::vector<CalibrationUnknown> unknowns = choose_unknowns(prepared->source, {choice.vary, {}, {}}, out);
+  Files files;
+  if (!choice.zero_load.poses.empty() && !out.has_errors())
+    if (const auto table = start_at_zero_load(*prepared, choice.zero_load, unknowns, out)) {
+      files.emplace_back("zero_load.csv", table->to_csv());
+      result.text += to_text(*table, table->columns(), 3, table->rows()) + "\n";
+    }
+  set_limits(prepared->source, {{}, choice.bounds, choice.priors}, unknowns, out);
+  const CalibrationExperiments experiments = read_experiments(*prepared, unknowns, choice, options, out);
   if (out.has_errors() || !can_be_written(*prepared, unknowns, folder, out)) return kExitRefused;
   ContactField field = contact_field(*prepared);
   if (!check_start(*prepared, field, out)) return kExitRefused;
 
   // Where the errors of a central difference, one of its length and one of what it divides, are alike.
   const double error = prepared->scene.dynamics ? prepared->scene.dynamics->tolerance : 1e-12;
-  const CalibrationProblem problem(unknowns, experiments, std::clamp(std::cbrt(error), 1e-4, 1e-2));
+  const CalibrationProblem problem(unknowns, experiments.followed, std::clamp(std::cbrt(error), 1e-4, 1e-2));
+  if (choice.targets.empty() && !(files.empty() && experiments.candidates.empty()))
+    return without_fit(*prepared, folder, problem, experiments, choice, options, files, out, result);
   CalibrationProblem::At start;
   if (!can_be_fitted(problem, source.path, start, out)) return kExitRefused;
   const CalibrationSearch found =
@@ -227,6 +177,7 @@ int run_calibration(const SceneSource& source, const std::optional<std::string>&
   const CalibrationFindings findings = find_out(problem, found);
   result.report = findings.report;
   result.report.runs = problem.runs();
+  add_design(choice, unknowns, found.fit.x, found.jacobian, experiments.candidates, files, result);
   RunSummary& s = result.solution.summary;
   s.verdict.push_back(
       fmt::format("{} numbers fitted to {} values; {}.", unknowns.size(), problem.target_rows(), result.report.stop));
@@ -234,7 +185,17 @@ int run_calibration(const SceneSource& source, const std::optional<std::string>&
   const auto& parameters = result.report.parameters;
   if (!result.report.converged || std::any_of(parameters.begin(), parameters.end(), infinite))
     s.exit_code = kExitIncomplete;
-  return folder ? write_calibration(*folder, options, *fitted, numbers, findings, out, result) : s.exit_code;
+  if (!folder) return s.exit_code;
+  files.emplace_back("calibration.csv", calibration_table(result.report).to_csv());
+  files.emplace_back("comparison.csv", findings.comparison.to_csv());
+  files.emplace_back("starts.csv", starts_table(result.report).to_csv());
+  if (!fitted->scene.dynamics)
+    files.emplace_back("standard_errors.csv", result_errors(ScenesUnknowns(*prepared, unknowns), *fitted, found.fit.x,
+                                                            result.solution.records, findings.covariance)
+                                                  .to_csv());
+  files.insert(files.end(), findings.pictures.begin(), findings.pictures.end());
+  return write_calibration(*folder, options, *fitted, numbers, files, study_of(*fitted, unknowns, findings), out,
+                           result);
 }
 
 }  // namespace genu

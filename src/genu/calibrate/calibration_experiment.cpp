@@ -42,8 +42,8 @@ std::optional<Prepared> ScenesUnknowns::with(const VecX& u) const {
   return changed;
 }
 
-std::optional<MatX> ScenesUnknowns::derivatives(const Prepared& at_u, const VecX& u, const PosePoint& point,
-                                                const std::vector<Output>& outputs) const {
+std::optional<MatX> ScenesUnknowns::rates(const Prepared& at_u, const VecX& u, const PosePoint& point,
+                                          const std::vector<Output>& outputs) const {
   Sensitivity sensitivity(at_u.scene, at_u.model);
   if (!sensitivity.factor(point)) return std::nullopt;
   MatX out = MatX::Zero(static_cast<Eigen::Index>(outputs.size()), u.size());
@@ -56,7 +56,13 @@ std::optional<MatX> ScenesUnknowns::derivatives(const Prepared& at_u, const VecX
       for (std::size_t o = 0; o < outputs.size(); ++o)
         out(static_cast<Eigen::Index>(o), column) += outputs[o].rate(point, sensitivity) * outputs[o].shown * slope;
     }
-  if (!out.allFinite()) return std::nullopt;
+  return out;
+}
+
+std::optional<MatX> ScenesUnknowns::derivatives(const Prepared& at_u, const VecX& u, const PosePoint& point,
+                                                const std::vector<Output>& outputs) const {
+  auto out = rates(at_u, u, point, outputs);
+  if (out && !out->allFinite()) out.reset();
   return out;
 }
 

@@ -39,6 +39,9 @@ class ScenesUnknowns {
   /// Derivatives of outputs at a pose in the outputs' units, outputs by unknowns; empty where one does not exist.
   std::optional<MatX> derivatives(const Prepared& at_u, const VecX& u, const PosePoint& point,
                                   const std::vector<Output>& outputs) const;
+  /// The same with NaN where an output has none; empty where the pose has none.
+  std::optional<MatX> rates(const Prepared& at_u, const VecX& u, const PosePoint& point,
+                            const std::vector<Output>& outputs) const;
   /// Takes a pose into account.
   void note_stretch(const Prepared& at_u, const State& state, CalibrationPrediction& out) const;
   std::vector<std::vector<CalibrationPrediction::Stretch>> no_stretch() const;

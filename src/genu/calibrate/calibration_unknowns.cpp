@@ -255,13 +255,17 @@ std::vector<CalibrationUnknown> choose_unknowns(Scene& scene, const UnknownChoic
   UnknownChooser chooser(scene, out);
   for (const std::string& option : choice.vary) chooser.add(option);
   if (choice.vary.empty()) out.add(error_at({}, Code::missing_key, "--vary", {}, "names no parameter"));
+  set_limits(scene, choice, chooser.unknowns, out);
+  return std::move(chooser.unknowns);
+}
+
+void set_limits(const Scene& scene, const UnknownChoice& choice, std::vector<CalibrationUnknown>& unknowns,
+                Diagnostics& out) {
   for (const std::string& text : choice.bounds)
-    for_named(scene, "--bounds", text, "..", "NAME=LOW..HIGH with the start between them", chooser.unknowns, out,
-              set_bounds);
+    for_named(scene, "--bounds", text, "..", "NAME=LOW..HIGH with the start between them", unknowns, out, set_bounds);
   for (const std::string& text : choice.priors)
     for_named(scene, "--prior", text, "~", "NAME=MEAN~SD: MEAN a number or `start`, SD a number or a share as 5%",
-              chooser.unknowns, out, set_prior);
-  return std::move(chooser.unknowns);
+              unknowns, out, set_prior);
 }
 
 }  // namespace genu

@@ -59,6 +59,10 @@ struct UnknownChoice {
 /// In the order of the options. What is wrong is added to `out`, all of it.
 std::vector<CalibrationUnknown> choose_unknowns(Scene& scene, const UnknownChoice& choice, Diagnostics& out);
 
+/// Sets the bounds and priors of `choice` alone, which are about the starts that the members have now.
+void set_limits(const Scene& scene, const UnknownChoice& choice, std::vector<CalibrationUnknown>& unknowns,
+                Diagnostics& out);
+
 /// The numbers of all members at u.
 std::vector<NewNumber> numbers_at(const std::vector<CalibrationUnknown>& unknowns, const VecX& u);
 

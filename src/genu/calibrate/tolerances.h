@@ -40,6 +40,21 @@ inline constexpr int kTautRounds = 4;
 /// slack.
 inline constexpr double kWorthATautStart = 1e-6;
 
+// calibration_design
+
+/// [standard change] How well a number without a prior counts as known before anything is measured: 10 % of a length,
+/// 0.1 of strain. Fails first: if too small, tests that would determine such a number seem to be worth little.
+inline constexpr double kUnknownBefore = 10;
+
+/// [1] Tests that are chosen one after another. Fails first: nothing (words only).
+inline constexpr int kDesignSteps = 5;
+
+// calibration_forward
+
+/// [1] Samples of the study that draws fitted numbers. Fails first: nothing (the study's file says it and can be
+/// changed).
+inline constexpr int kForwardSamples = 200;
+
 // calibration_report
 
 /// [1] Component from which a parameter is named. Fails first: if too small, every parameter is named.

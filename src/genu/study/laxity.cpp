@@ -4,182 +4,21 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "genu/assemble/changed_scene.h"
+#include "genu/assemble/refuse_option.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
-#include "genu/equilibrium/sensitivity.h"
 #include "genu/results/summary.h"
+#include "genu/study/envelope_table.h"
 #include "genu/study/laxity_doubts.h"
+#include "genu/study/laxity_solve.h"
 #include "genu/study/laxity_table.h"
 #include "genu/study/run_scene.h"
-#include "genu/study/solve_path.h"
-#include "genu/study/tolerances.h"
 
 namespace genu {
-
-namespace {
-
-/// A part of a path: the load of the test from one value to another.
-struct Leg {
-  double from, to;  ///< N or N m
-  int increments;
-};
-
-class Tester {
- public:
-  Tester(const LaxityJoint& knee, const LaxityChoice& choice) : knee_(knee), choice_(choice) {}
-
-  LaxityAngle test(double flexion) const {
-    LaxityAngle angle;
-    angle.flexion = flexion;
-    Prepared own = knee_.prepared;
-    own.model.meter = std::make_shared<EffectMeter>();
-    own.steps = {step(flexion, -1, {0, 0, 1})};
-    ContactField field = contact_field(own);
-    const Solved solved = solve(own, field);
-    note_neutral(solved, angle);
-    if (!angle.solved) return angle;
-    angle.steps = own.steps;
-    angle.neutral = row_of(own, solved.records.back(), -1, 0);
-    const State& state = solved.records.back().point.pose.state;
-    for (std::size_t j = 0; j < own.model.joints.size(); ++j) own.model.joints[j].start = state.coordinates[j];
-    for (const LaxityTest& test : choice_.tests) angle.curves.push_back(curve(own, test, angle));
-    return angle;
-  }
-
- private:
-  StepPlan step(double flexion, int load, const Leg& leg) const {
-    return laxity_step(knee_, choice_.compression, flexion, load, leg.from, leg.to, leg.increments);
-  }
-
-  Solved solve(const Prepared& own, ContactField& field) const {
-    RunOptions options;
-    options.cancelled = choice_.cancelled;
-    return solve_path(own, field, options);
-  }
-
-  static void note_neutral(const Solved& solved, LaxityAngle& angle) {
-    angle.solved = !solved.records.empty() && solved.records.back().point.solved();
-    if (!angle.solved && !solved.records.empty()) {
-      const PoseReport& report = solved.records.back().point.report;
-      angle.notes.push_back(
-          fmt::format("no neutral pose: {}{}{}", to_string(report.status), report.why.empty() ? "" : ": ", report.why));
-    } else if (!angle.solved) {
-      angle.notes.emplace_back("no neutral pose: interrupted");
-    }
-    for (const PathEvent& event : solved.events)
-      if (event.begins_branch()) angle.notes.push_back("the joint snapped on its way to this angle: " + event.what);
-    if (!angle.solved) return;
-    const Stability& stability = solved.records.back().point.stability;
-    if (stability.verdict == Stability::Verdict::unstable)
-      angle.notes.emplace_back("the neutral pose is unstable");
-    else if (stability.complex_pair)
-      angle.notes.emplace_back("the neutral pose may begin to oscillate (flutter)");
-  }
-
-  /// `steps`: of the angle, before those of `own`.
-  LaxityRow row_of(const Prepared& own, const PoseRecord& record, int load, std::size_t steps) const {
-    LaxityRow row;
-    row.record = record;
-    row.record.point.step += static_cast<int>(steps);
-    const GroodSuntayDef& axes = *own.scene.joints[genu::at(knee_.joint)].grood_suntay;
-    const auto& poses = record.point.pose.state.poses;
-    if (const auto motion = grood_suntay(axes, poses[genu::at(axes.femur.body)], poses[genu::at(axes.tibia.body)]))
-      row.motion = *motion;
-    if (load >= 0) row.load = record.point.target.load_factors[genu::at(load)];
-    return row;
-  }
-
-  /// Poses of the legs in order, up to the first that is not solved or on another branch. `ended`: why there.
-  std::vector<LaxityRow> rows_of(Prepared& own, const LaxityTest& test, LaxityAngle& angle,
-                                 const std::vector<Leg>& legs, std::string& ended) const {
-    const int load = knee_.loads[static_cast<std::size_t>(test.kind)];
-    own.steps.clear();
-    for (const Leg& leg : legs) own.steps.push_back(step(angle.flexion, load, leg));
-    const std::size_t before = angle.steps.size();
-    angle.steps.insert(angle.steps.end(), own.steps.begin(), own.steps.end());
-    own.model.meter = std::make_shared<EffectMeter>();
-    ContactField field = contact_field(own);
-    const Solved solved = solve(own, field);
-    Sensitivity sensitivity(own.scene, own.model);
-    Parameter factor;
-    factor.kind = Parameter::Kind::factor;
-    factor.object = load;
-    std::vector<LaxityRow> rows;
-    for (const PoseRecord& record : solved.records) {
-      if (!record.point.solved() || record.point.branch != solved.records.front().point.branch) break;
-      rows.push_back(row_of(own, record, load, before));
-      if (!sensitivity.factor(rows.back().record.point)) continue;
-      sensitivity.differentiate(factor);
-      if (const auto rate = sensitivity.clinical(knee_.joint)) rows.back().compliance = test.displacement(*rate);
-    }
-    if (rows.size() < solved.records.size() || !solved.path.complete) ended = end_words(solved, test, load, rows);
-    return rows;
-  }
-
-  /// "anterior: ends at 80.4 N, 12.1 mm: the equilibrium path turns back (limit point)"
-  static std::string end_words(const Solved& solved, const LaxityTest& test, int load,
-                               const std::vector<LaxityRow>& rows) {
-    const PathEvent* event = nullptr;
-    for (const PathEvent& e : solved.events) {
-      const bool ends = e.begins_branch() || e.kind == PathEvent::Kind::turns_back ||
-                        e.kind == PathEvent::Kind::snaps || e.kind == PathEvent::Kind::jump ||
-                        e.kind == PathEvent::Kind::over_edge || e.kind == PathEvent::Kind::overlap ||
-                        e.kind == PathEvent::Kind::flawed_mesh || e.kind == PathEvent::Kind::stopped;
-      if (ends && event == nullptr && e.rows_before >= static_cast<int>(rows.size())) event = &e;
-    }
-    const double last = rows.empty() ? 0 : rows.back().load;
-    const double at = event ? event->target.load_factors[genu::at(load)] : last;
-    const std::size_t k = rows.size();
-    std::string why = event ? std::string(to_string(event->kind)) : "";
-    if (k < solved.records.size() && !solved.records[k].point.solved()) {
-      const PoseReport& report = solved.records[k].point.report;
-      why = report.why.empty() ? std::string(to_string(report.status)) : report.why;
-    } else if (event && !event->what.empty()) {
-      why += ": " + event->what;
-    }
-    if (rows.size() >= solved.records.size() && !event) why = "interrupted";
-    std::string pose;
-    if (!rows.empty()) {
-      const double shift = test.displacement(rows.back().motion) - test.displacement(rows.front().motion);
-      pose = fmt::format(", after {:.4g} {} at {:.4g} {}", test.shown() * shift, test.unit(), last, test.load_unit());
-    }
-    return fmt::format("{} ends at {:.4g} {}{}: {}", test.direction(at >= 0), at, test.load_unit(), pose, why);
-  }
-
-  LaxityCurve curve(Prepared& own, const LaxityTest& test, LaxityAngle& angle) const {
-    LaxityCurve made;
-    made.test = test;
-    const int n = choice_.increments;
-    const double full = test.load;
-    std::string ended;
-    made.rows = rows_of(own, test, angle, {{0, full, n}, {full, -full, 2 * n}, {-full, 0, n}}, ended);
-    if (!ended.empty()) made.ended.push_back(ended);
-    // A path that ended before it came back to zero has not seen the other direction.
-    if (ended.empty() || made.rows.empty() || made.rows.size() > 2 * static_cast<std::size_t>(n)) return made;
-    ended.clear();
-    const auto back = rows_of(own, test, angle, {{0, -full, n}, {-full, 0, n}}, ended);
-    if (!ended.empty()) made.ended.push_back(ended);
-    made.rows.insert(made.rows.end(), back.begin() + (back.empty() ? 0 : 1), back.end());
-    return made;
-  }
-
-  const LaxityJoint& knee_;
-  const LaxityChoice& choice_;
-};
-
-}  // namespace
-
-std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoice& choice) {
-  std::vector<LaxityAngle> angles(choice.flexions.size());
-  const Tester tester(knee, choice);
-  tbb::parallel_for(std::size_t{0}, angles.size(), [&](std::size_t k) { angles[k] = tester.test(choice.flexions[k]); });
-  return angles;
-}
 
 namespace {
 
@@ -193,6 +32,10 @@ void take_steps(LaxityOfScene& tested) {
       for (LaxityRow& row : curve.rows) row.record.point.step += before;
     all.insert(all.end(), angle.steps.begin(), angle.steps.end());
   }
+  for (EnvelopePath& path : tested.envelope) {
+    for (EnvelopePath::Row& row : path.rows) row.pose.record.point.step += static_cast<int>(all.size());
+    all.insert(all.end(), path.steps.begin(), path.steps.end());
+  }
   tested.knee.prepared.steps = std::move(all);
 }
 
@@ -200,11 +43,18 @@ std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::str
                                         Diagnostics& out) {
   ContactField field(prepared.model);
   if (!check_start(prepared, field, out)) return std::nullopt;
+  const auto [least, most] = std::minmax_element(choice.flexions.begin(), choice.flexions.end());
+  if (choice.envelope && !(*most > *least)) {
+    refuse_option(out, Code::conflict, "--envelope", "",
+                  "needs two angles or more in --at: the knee bends between them");
+    return std::nullopt;
+  }
   auto knee = with_laxity_loads(prepared, out);
   if (!knee) return std::nullopt;
   share_search(knee->prepared);
-  LaxityOfScene tested{name, std::move(*knee), {}};
+  LaxityOfScene tested{name, std::move(*knee), {}, {}};
   tested.angles = solve_laxity(tested.knee, choice);
+  if (choice.envelope) tested.envelope = solve_envelope(tested.knee, choice);
   take_steps(tested);
   return tested;
 }
@@ -215,6 +65,7 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
                                     int& code) {
   std::vector<std::string> sentences = {""};
   std::size_t asked = 0, whole = 0;
+  int cut = 0;  // paths of envelopes that end early
   for (const LaxityOfScene& s : scenes) {
     for (const LaxityAngle& angle : s.angles) {
       const std::string place = fmt::format("{}{:g} deg", scenes.size() > 1 ? s.name + ", " : "",
@@ -226,6 +77,8 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
         for (const std::string& ended : curve.ended) sentences.push_back(place + ", " + ended + ".");
       }
     }
+    for (const std::string& note : envelope_notes(s, cut))
+      sentences.push_back((scenes.size() > 1 ? s.name + ": " : "") + note);
     for (const std::string& doubt : laxity_doubts(s))
       sentences.push_back((scenes.size() > 1 ? s.name + ": " : "") + doubt + ".");
   }
@@ -238,10 +91,13 @@ std::vector<std::string> verdict_of(const std::vector<LaxityOfScene>& scenes, co
     sentences.emplace_back(
         "The varus moment acts about the tibia's anterior axis, not the floating axis: the joint's rotations are not "
         "flexion, adduction and rotation about the tibia's long axis, in this order.");
-  code = whole < asked ? kExitIncomplete : doubtful ? kExitDoubtful : kExitOk;
+  code = whole < asked || cut > 0 ? kExitIncomplete : doubtful ? kExitDoubtful : kExitOk;
   sentences.front() = whole < asked
                           ? fmt::format("{} of {} curves are complete.", whole, asked)
                           : fmt::format("All {} curves are complete{}.", asked, doubtful ? ", with doubts" : "");
+  if (cut > 0)
+    sentences.front() +=
+        fmt::format(" {} path{} of envelopes end{} early.", cut, cut == 1 ? "" : "s", cut == 1 ? "s" : "");
   return sentences;
 }
 
@@ -250,16 +106,22 @@ RunSummary summary_of(const LaxityResult& result, const LaxityChoice& choice, do
   RunSummary summary = begin_summary(last.knee.prepared);
   const std::size_t curves = result.scenes.size() * choice.flexions.size() * choice.tests.size();
   summary.poses_asked = static_cast<int>(curves) * (1 + 4 * choice.increments);  // up, down, further down, back
-  for (const LaxityOfScene& s : result.scenes)
+  const auto count = [&](const PosePoint& point) {
+    ++summary.poses_solved;
+    summary.poses_stable += point.stability.verdict == Stability::Verdict::stable ? 1 : 0;
+    summary.iterations += point.report.iterations;
+    summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
+  };
+  for (const LaxityOfScene& s : result.scenes) {
     for (const LaxityAngle& angle : s.angles)
       for (const LaxityCurve& curve : angle.curves)
-        for (const LaxityRow& row : curve.rows) {
-          const PosePoint& point = row.record.point;
-          ++summary.poses_solved;
-          summary.poses_stable += point.stability.verdict == Stability::Verdict::stable ? 1 : 0;
-          summary.iterations += point.report.iterations;
-          summary.worst_residual = std::max(summary.worst_residual, point.report.certificate.residual);
-        }
+        for (const LaxityRow& row : curve.rows) count(row.record.point);
+    for (const EnvelopePath& path : s.envelope) {
+      summary.poses_asked += 1;
+      for (std::size_t k = 1; k < path.steps.size(); ++k) summary.poses_asked += path.steps[k].increments;
+      for (const EnvelopePath::Row& row : path.rows) count(row.pose.record.point);
+    }
+  }
   summary.verdict = result.verdict;
   summary.verdict_class = exit_code == kExitOk         ? RunSummary::Class::solved
                           : exit_code == kExitDoubtful ? RunSummary::Class::doubtful
@@ -279,11 +141,16 @@ std::string write_laxity(const std::string& folder, const LaxityResult& result, 
   };
   write("laxity.csv", laxity_csv(result.scenes));
   write("laxity_summary.csv", laxity_summary(result.scenes).to_csv());
+  if (choice.envelope) write("envelope.csv", envelope_rows(result.scenes).to_csv());
   std::string pictures;
   for (const LaxityTest& test : choice.tests) {
     const std::string picture = to_svg(laxity_chart(result, choice, test));
     pictures += picture;
     write(std::string(test.name()) + ".svg", picture);
+    if (!choice.envelope) continue;
+    const std::string envelope = to_svg(envelope_chart(result, test));
+    pictures += envelope;
+    write(std::string("envelope-") + test.name() + ".svg", envelope);
   }
   write("laxity.html", laxity_page(result, pictures));
   write("summary.json", to_json(summary));
@@ -301,6 +168,7 @@ int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostic
   result.title = prepared.scene.title;
   result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
+  if (choice.envelope) result.text += "\n" + envelope_text(result.scenes, choice);
   return code == kExitDoubtful ? kExitOk : code;
 }
 
@@ -329,6 +197,7 @@ int run_laxity(const SceneSource& source, const std::optional<std::string>& fold
   result.title = prepared->scene.title;
   result.verdict = verdict_of(result.scenes, choice.tests, code);
   result.text = laxity_text(result.scenes);
+  if (choice.envelope) result.text += "\n" + envelope_text(result.scenes, choice);
   if (!folder) return code;
   RunSummary summary = summary_of(result, choice, timer.seconds(), code);
   RunOptions options;

@@ -10,9 +10,6 @@
 
 namespace genu {
 
-/// The same numbers on any number of threads.
-std::vector<LaxityAngle> solve_laxity(const LaxityJoint& knee, const LaxityChoice& choice);
-
 /// Tests one scene that is prepared, as it is. The exit code: refused, with the reasons in `out`, or as of
 /// run_laxity(); ok also where there are doubts, which the verdict says.
 [[nodiscard]] int test_laxity(const Prepared& prepared, const LaxityChoice& choice, Diagnostics& out,

@@ -12,8 +12,8 @@ namespace genu {
 namespace {
 
 /// "30 deg, 134 N anterior"
-std::string place_of(const LaxityAngle& angle, const LaxityTest& test, double load) {
-  const std::string flexion = fmt::format("{:.4g} deg", to::kDegree * angle.flexion);
+std::string place_of(double angle, const LaxityTest& test, double load) {
+  const std::string flexion = fmt::format("{:.4g} deg", to::kDegree * angle);
   if (std::abs(load) <= kSameLoad * test.load) return flexion + ", no load";
   return fmt::format("{}, {:.4g} {} {}", flexion, std::abs(load), test.load_unit(), test.direction(load > 0));
 }
@@ -28,8 +28,13 @@ std::vector<std::string> laxity_doubts(const LaxityOfScene& tested) {
     for (const LaxityCurve& curve : angle.curves)  // which begin with the neutral pose
       for (const LaxityRow& row : curve.rows) {
         records.push_back(row.record);
-        places.push_back(place_of(angle, curve.test, row.load));
+        places.push_back(place_of(angle.flexion, curve.test, row.load));
       }
+  for (const EnvelopePath& path : tested.envelope)
+    for (const EnvelopePath::Row& row : path.rows) {
+      records.push_back(row.pose.record);
+      places.push_back(place_of(row.flexion, path.test, path.held));
+    }
   const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, records);
   return implausible(prepared, records, table, [&](std::size_t row) { return places[row]; });
 }

@@ -25,4 +25,10 @@ double LaxityCurve::loop() const {
   return most;
 }
 
+const LaxityRow* EnvelopePath::at(double flexion) const {
+  const auto same = [&](const Row& row) { return std::abs(row.flexion - flexion) <= kSameFlexion; };
+  const auto found = std::find_if(rows.begin(), rows.end(), same);
+  return found == rows.end() ? nullptr : &found->pose;
+}
+
 }  // namespace genu

@@ -15,6 +15,7 @@ struct LaxityChoice {
   std::vector<LaxityTest> tests;  ///< at most one of each kind
   double compression = 0;         ///< N, in all poses
   int increments = 10;            ///< from 0 to the full load
+  bool envelope = false;          ///< the full loads are held while the knee bends as well
   Cancelled cancelled;
 };
 
@@ -49,10 +50,26 @@ struct LaxityAngle {
   std::vector<StepPlan> steps;  ///< that were solved: those of the neutral pose, then of each curve
 };
 
+/// A load that is held while the knee bends.
+struct EnvelopePath {
+  struct Row {
+    double flexion = 0;  ///< rad
+    LaxityRow pose;
+  };
+  LaxityTest test;        ///< of the load that is held; nothing where that is 0
+  double held = 0;        ///< N or N m; 0: the path without load
+  std::vector<Row> rows;  ///< solved, on the branch of the first pose; flexion grows
+  std::string ended;      ///< where and why it ends before the largest flexion
+  std::vector<StepPlan> steps;
+
+  const LaxityRow* at(double flexion) const;
+};
+
 struct LaxityOfScene {
   std::string name;  ///< "as written", "without ACL*"
   LaxityJoint knee;  ///< its steps are those of the test, angle by angle; each pose has the number of its own
   std::vector<LaxityAngle> angles;
+  std::vector<EnvelopePath> envelope = {};  ///< first the path without load; empty where it was not asked for
 };
 
 struct LaxityResult {

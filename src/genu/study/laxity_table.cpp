@@ -101,13 +101,6 @@ class Poses {
   ResultTable table_;
 };
 
-/// Columns of results.csv that are of use here: not steps, reactions, factors and what the solver counts.
-bool is_told(const std::string& column) {
-  for (const char* none : {"step", "increment", "time_s", "branch", "newton.iterations", "residual", "status"})
-    if (column == none) return false;
-  return column.find(".reaction_") == std::string::npos && !column.ends_with(".factor");
-}
-
 /// mm or deg from the neutral pose; NaN for none.
 double displacement(const LaxityCurve& curve, const LaxityRow* row) {
   if (row == nullptr || curve.rows.empty()) return kNone;
@@ -270,6 +263,12 @@ std::string status_of(const LaxityAngle& angle, const LaxityCurve* curve) {
 
 }  // namespace
 
+bool is_laxity_column(const std::string& column) {
+  for (const char* none : {"step", "increment", "time_s", "branch", "newton.iterations", "residual", "status"})
+    if (column == none) return false;
+  return column.find(".reaction_") == std::string::npos && !column.ends_with(".factor");
+}
+
 ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
   ResultTable out;
   for (const char* column : {"scene", "flexion_deg", "test", "load_N", "load_Nm", "displacement_mm", "displacement_deg",
@@ -278,7 +277,7 @@ ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
   for (const LaxityOfScene& s : scenes) {
     const Poses poses(s);
     for (const std::string& column : poses.table().columns())
-      if (is_told(column) && !out.has_column(column)) out.add_column(column);
+      if (is_laxity_column(column) && !out.has_column(column)) out.add_column(column);
     for (std::size_t k = 0; k < poses.rows().size(); ++k) {
       const Poses::Row& row = poses.rows()[k];
       out.add_row();
@@ -292,7 +291,7 @@ ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes) {
         out.set(turns ? "stiffness_Nm_per_deg" : "stiffness_N_per_mm", stiffness(row.curve->test, row.row));
       }
       for (std::size_t c = 0; c < poses.table().columns().size(); ++c)
-        if (const std::string& column = poses.table().columns()[c]; is_told(column))
+        if (const std::string& column = poses.table().columns()[c]; is_laxity_column(column))
           out.set(column, poses.table().at(k, c));
     }
   }

@@ -10,6 +10,9 @@
 
 namespace genu {
 
+/// Columns of results.csv that are of use here: not steps, reactions, factors and what the solver counts.
+bool is_laxity_column(const std::string& column);
+
 /// One row a pose: scene, flexion, test, leg's load, displacement from the neutral pose, stiffness, the clinical
 /// motion, the joint's coordinates, forces of contacts, bundles and fibres.
 ResultTable laxity_rows(const std::vector<LaxityOfScene>& scenes);

@@ -184,6 +184,12 @@ inline constexpr double kFlexionTilt = 0.1;
 /// [of the full load] Difference of two loads that are the same. Fails first: if too large, neighbouring rows are one.
 inline constexpr double kSameLoad = 1e-9;
 
+/// [rad] Difference of two angles that are the same. Fails first: if too large, neighbouring rows are one.
+inline constexpr double kSameFlexion = 1e-9;
+
+/// [rad] Most that the knee bends between two rows of an envelope, 2 deg. Fails first: nothing (rows only).
+inline constexpr double kEnvelopeStep = 0.0349065850398866;
+
 /// [m or rad] Distance between loading and unloading above which both are drawn. Fails first: nothing (pictures).
 inline constexpr double kVisibleLoop = 1e-6;
 
