@@ -82,9 +82,9 @@ void NpzFile::add(const std::string& name, const std::vector<std::string_view>& 
     member.size += piece.size();
   }
   member.crc = static_cast<std::uint32_t>(crc);
-  constexpr std::uint16_t kExtra = 20;
-  write("PK\x03\x04" + two(kVersion) + common_head(member.name, member.crc, kExtra) + member.name + two(1) +
-        two(kExtra - 4) + eight(member.size) + eight(member.size));
+  constexpr std::uint16_t kExtraOfMember = 20;
+  write("PK\x03\x04" + two(kVersion) + common_head(member.name, member.crc, kExtraOfMember) + member.name + two(1) +
+        two(kExtraOfMember - 4) + eight(member.size) + eight(member.size));
   for (const std::string_view piece : pieces) write(piece);
   members_.push_back(std::move(member));
 }
@@ -115,11 +115,11 @@ void NpzFile::add_words(const std::string& name, const std::vector<const std::ve
 
 std::string NpzFile::commit() {
   const std::uint64_t start = written_, count = members_.size();
-  constexpr std::uint16_t kExtra = 28;
+  constexpr std::uint16_t kExtraOfEntry = 28;
   for (const Member& m : members_)
-    write("PK\x01\x02" + two(kVersion) + two(kVersion) + common_head(m.name, m.crc, kExtra) + two(0) + two(0) + two(0) +
-          four(0) + four(kIn64Bits) + m.name + two(1) + two(kExtra - 4) + eight(m.size) + eight(m.size) +
-          eight(m.offset));
+    write("PK\x01\x02" + two(kVersion) + two(kVersion) + common_head(m.name, m.crc, kExtraOfEntry) + two(0) + two(0) +
+          two(0) + four(0) + four(kIn64Bits) + m.name + two(1) + two(kExtraOfEntry - 4) + eight(m.size) +
+          eight(m.size) + eight(m.offset));
   const std::uint64_t end = written_;
   constexpr std::uint64_t kEndSize = 44;
   write("PK\x06\x06" + eight(kEndSize) + two(kVersion) + two(kVersion) + four(0) + four(0) + eight(count) +
