@@ -18,6 +18,7 @@ unshare --pid --fork --mount-proc true 2>/dev/null || skip "no PID namespaces he
 work=$(mktemp -d)
 daemons=()
 stop() {
+  exec 2>/dev/null  # the shell tells of every process that is killed
   for pid in "${daemons[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
   wait 2>/dev/null || true
   rm -rf --one-file-system "$work"
