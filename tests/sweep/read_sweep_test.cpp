@@ -5,6 +5,7 @@
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
+#include "sweep/ball.h"
 
 namespace genu {
 namespace {
@@ -107,6 +108,23 @@ TEST(ReadSweep, RefusesKeysThatTheDesignDoesNotUse) {
   EXPECT_TRUE(test::contains(said, "samples = 5: has no effect")) << said;
   EXPECT_TRUE(test::contains(said, "belongs to the design points")) << said;
   EXPECT_TRUE(test::contains(said, "needs the design monte_carlo or sobol")) << said;
+}
+
+TEST(ReadSweep, SaysWhatIsWrongWithAnEvent) {
+  const test::TemporaryFolder folder;
+  const auto said = [&](const std::string& event) {
+    Diagnostics out;
+    EXPECT_FALSE(prepare_sweep(test::ball_study(folder, "samples = 2\n", test::kBallVary + event), out));
+    return test::messages(out);
+  };
+  for (const char* when : {"j.z", "j.z > ", "> 2", "j.z > two", "j.z >= 2"})
+    EXPECT_TRUE(test::contains(said(std::string("[event.e]\nwhen = \"") + when + "\"\n"),
+                               "must be a column, < or >, and a number"))
+        << when;
+  EXPECT_TRUE(test::contains(said("[event.e]\nwhen = \"j.zz > 2\"\n"), "is no column of results.csv"));
+  EXPECT_TRUE(test::contains(said("[event.e]\nwhen = \"j.z > 2\"\nat = \"all\"\n"), "must be one row"));
+  EXPECT_TRUE(test::contains(said("[event.e]\nwhen = \"j.z > 2\"\nat = 77\n"), "goes from 0 to 10"));
+  EXPECT_TRUE(test::contains(said("[event.jumped]\nwhen = \"j.z > 2\"\n"), "is an event that every study has"));
 }
 
 TEST(ReadSweep, TellsASceneFromAStudy) {

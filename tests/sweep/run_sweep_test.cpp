@@ -15,8 +15,8 @@
 namespace genu {
 namespace {
 
-const std::vector<std::string> kMerged = {"samples.csv",     "statistics.csv", "events.csv", "ranks.csv",
-                                          "convergence.csv", "summary.json",   "report.html"};
+const std::vector<std::string> kMerged = {"samples.csv", "samples.npz",     "statistics.csv", "events.csv",
+                                          "ranks.csv",   "convergence.csv", "summary.json",   "report.html"};
 
 std::string study_of(const test::TemporaryFolder& folder, const std::string& head = "samples = 23\n") {
   return test::ball_study(folder, head, test::kBallVary + "[what_if.heavy]\nset = \"pull.force.y=1\"\n");

@@ -58,9 +58,10 @@ TEST(ProbabilityInterval, IsWilsons) {
 
 TEST(RankCorrelation, GivesEqualNumbersTheirMeanRank) {
   // numpy.corrcoef of the ranks [1, 2.5, 2.5, 4, 5] and [2, 1, 3, 4.5, 4.5].
-  EXPECT_NEAR(rank_correlation({1, 2, 2, 4, 5}, {5, 3, 6, 7, 7}), 0.7894736842105264, 1e-15);
-  EXPECT_EQ(rank_correlation({1, 2, 3, kNoNumber}, {1, 8, 27, 0}), 1);
-  EXPECT_TRUE(std::isnan(rank_correlation({1, 1, 1}, {1, 2, 3})));
+  EXPECT_NEAR(rank_correlation(Ordered({1, 2, 2, 4, 5}), Ordered({5, 3, 6, 7, 7})), 0.7894736842105264, 1e-15);
+  EXPECT_EQ(rank_correlation(Ordered({1, 2, 3, kNoNumber}), Ordered({1, 8, 27, 0})), 1);
+  EXPECT_EQ(rank_correlation(Ordered({4, 3, 2, 9, 1}), Ordered({1, 2, 3, kNoNumber, 4})), -1);
+  EXPECT_TRUE(std::isnan(rank_correlation(Ordered({1, 1, 1}), Ordered({1, 2, 3}))));
 }
 
 /// Spearman's correlation of a bivariate normal distribution with Pearson's r.
@@ -78,7 +79,7 @@ TEST(RankCorrelationInterval, CoversTheTruthAsOftenAsItSays) {
         x.push_back(normal_quantile(monte_carlo_coordinate(t, i, 0)));
         y.push_back(r * x.back() + std::sqrt(1 - r * r) * normal_quantile(monte_carlo_coordinate(t, i, 1)));
       }
-      const Interval interval = rank_correlation_interval(rank_correlation(x, y), 100);
+      const Interval interval = rank_correlation_interval(rank_correlation(Ordered(x), Ordered(y)), 100);
       covered += interval.low <= spearman_of(r) && spearman_of(r) <= interval.high ? 1 : 0;
     }
     EXPECT_NEAR(covered, kTimes * 0.95, 4 * error) << r;

@@ -57,7 +57,7 @@ TEST_F(BallTables, ConvergenceEndsWithAllSamples) {
 }
 
 TEST_F(BallTables, ThePageNeedsNoNetwork) {
-  const std::string page = sweep_page(table_);
+  const std::string page = sweep_page(table_, tables_of(table_));
   EXPECT_FALSE(test::contains(page, "src="));
   EXPECT_FALSE(test::contains(page, "href="));
   EXPECT_TRUE(test::contains(page, "Rank correlations with j.z_mm@0"));
@@ -66,14 +66,63 @@ TEST_F(BallTables, ThePageNeedsNoNetwork) {
   EXPECT_FALSE(test::contains(page, "nan"));
 }
 
+TEST(EventProbabilities, CountSamplesBeyondALimit) {
+  // z = L0 (1 + F / K) at every row.
+  const test::TemporaryFolder folder;
+  const SweepTable t = table_of(
+      test::ready_sweep(test::ball_study(
+          folder, "samples = 200\n",
+          test::kBallVary + "[event.long]\nwhen = \"j.z_mm > 10.5\"\n[event.short]\nwhen = \"j.z < 10.5\"\nat = 7.5\n"
+                            "[what_if.free]\nwithout = \"pull\"\n")),
+      folder / "o");
+  ASSERT_EQ(t.record.events.size(), 2u);
+  EXPECT_EQ(t.record.kept.size(), 4u);  // the study's three, and the largest z
+  const ResultTable events = event_probabilities(t);
+  ASSERT_EQ(events.rows(), 12u);
+  double above = 0;
+  for (std::size_t s = 0; s < 200; ++s) above += 10 * (1 + t.draws[1][s] / (1000 * t.draws[0][s])) > 10.5 ? 1 : 0;
+  EXPECT_GT(above, 50);
+  EXPECT_EQ(std::get<std::string>(events.at(4, 2)), "long");
+  EXPECT_EQ(events.number(4, "count"), above);
+  EXPECT_EQ(events.number(5, "count"), 200 - above);
+  EXPECT_EQ(events.number(5, "n"), 200);
+  EXPECT_LT(events.number(4, "low"), above / 200);
+  EXPECT_GT(events.number(4, "high"), above / 200);
+}
+
+TEST(EventProbabilities, LeaveOutWhatIsNotKnown) {
+  SweepTable t;
+  t.record.samples = 3;
+  t.record.cases = {{"s", "as_is"}};
+  t.record.kept = {{"a", "a", false, 0}, {"b", "b", false, 0}};
+  t.record.events = {{"any", {0, 1}, true, 1}};
+  t.cases.push_back({{"solved", "solved", "not_solved"}, {"", "", ""}, {0, 0, 0}, {0, 0, 0}, {}});
+  t.cases[0].kept = {{0, 2, kNoNumber}, {kNoNumber, kNoNumber, kNoNumber}};
+  const ResultTable events = event_probabilities(t);
+  EXPECT_EQ(events.number(4, "n"), 2);  // a case without a ligament lacks its columns alone
+  EXPECT_EQ(events.number(4, "count"), 1);
+}
+
+TEST(Histograms, MoveWithTheSlider) {
+  const test::TemporaryFolder folder;
+  const std::string study = test::ball_study(folder, "samples = 40\n", test::kBallVary);
+  folder.write("study.toml", test::with_first(test::read_file(study), "[0, 7.5, \"last\"]", "\"all\""));
+  const SweepTable t = table_of(test::ready_sweep(study), folder / "o");
+  const std::string page = sweep_page(t, tables_of(t));
+  EXPECT_TRUE(test::contains(page, "max=\"2\" value=\"1\"")) << "three values of the main coordinate";
+  EXPECT_TRUE(test::contains(page, "data-h='{\"x\":[0,5,10],"));
+  EXPECT_EQ(test::occurrences(page, "class=\"b\""), 30);
+  EXPECT_FALSE(test::contains(page, "Samples by j.z_mm@")) << "one chart of a column";
+}
+
 TEST(Pictures, BandsNeedThreeValues) {
   const test::TemporaryFolder folder;
   const std::string study = test::ball_study(folder, "samples = 40\n", test::kBallVary);
   folder.write("study.toml", test::with_first(test::read_file(study), "[0, 7.5, \"last\"]", "\"all\""));
   const SweepTable t = table_of(test::ready_sweep(study), folder / "o");
   ASSERT_EQ(columns_with_bands(t), std::vector<std::string>{"j.z_mm"});
-  EXPECT_EQ(test::occurrences(bands_picture(t, "ball", "j.z_mm"), "fill-opacity:0."), 2);
-  EXPECT_EQ(pictured_numbers(t).size(), 1u);
+  EXPECT_EQ(test::occurrences(bands_picture(t, tables_of(t), "ball", "j.z_mm"), "fill-opacity:0."), 2);
+  EXPECT_EQ(pictured_numbers(t, tables_of(t)).size(), 1u);
 }
 
 TEST(Intervals, AreThoseOfRandomDesigns) {
@@ -93,7 +142,7 @@ TEST(Intervals, AreThoseOfRandomDesigns) {
     EXPECT_TRUE(std::isfinite(statistics.number(0, "p95")));
     EXPECT_EQ(events.number(0, "probability"), 0);
     EXPECT_TRUE(std::isfinite(ranks.number(0, "rank_correlation")));
-    EXPECT_FALSE(test::contains(sweep_page(t), "95 % intervals"));
+    EXPECT_FALSE(test::contains(sweep_page(t, tables_of(t)), "95 % intervals"));
   }
 }
 

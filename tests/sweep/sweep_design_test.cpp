@@ -77,6 +77,24 @@ TEST(SweepDesign, FactorialHasEveryCombinationOnce) {
   EXPECT_EQ(d.draws(4), (std::vector<double>{1200, 50}));
 }
 
+TEST(SweepDesign, AFractionHasTwoLevelsOfEveryFactor) {
+  const test::TemporaryFolder folder;
+  const std::string three = "\"spring.slack_length\" = { values = [10, 11] }\n";
+  const Sweep s = test::ready_sweep(
+      test::ball_study(folder, "design = \"fractional_factorial\"\nresolution = 3\n", test::kBallVary + three));
+  ASSERT_EQ(s.design.samples(), 4u);  // of 8
+  std::set<std::vector<double>> all;
+  for (std::uint64_t i = 0; i < 4; ++i) all.insert(s.design.draws(i));
+  EXPECT_EQ(all.size(), 4u);
+  EXPECT_EQ(s.design.draws(0)[2], 10);
+  Diagnostics out;
+  const std::string values = "\"spring.stiffness\" = { values = [900, 1000, 1100] }\n";
+  EXPECT_FALSE(
+      prepare_sweep(test::ball_study(folder, "design = \"fractional_factorial\"\n", "[vary]\n" + values), out));
+  EXPECT_TRUE(test::contains(test::messages(out), "study.toml:5:1: vary.spring.stiffness: must have two values"))
+      << test::messages(out);
+}
+
 TEST(SweepDesign, OneAtATimeStartsFromTheCentre) {
   const SweepDesign d = design("design = \"one_at_a_time\"\n", R"([vary]
 "spring.stiffness" = { values = [1000, 800, 1200] }

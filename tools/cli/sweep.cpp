@@ -4,6 +4,8 @@
 //   3. write samples.csv, statistics and report.html; print a summary
 // genu sweep study.toml --out out/study --shard 3/40      a part of it, in one file; then genu sweep merge out/study
 // genu sweep study.toml --sample 17 --out out/sample-17   one sample as a normal run
+#include <malloc.h>
+
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -64,7 +66,8 @@ int merge(const std::string& folder, bool quiet) {
   for (std::string line; std::getline(lines, line);) fmt::print("{}\n", printable(line));
   const bool indices = std::filesystem::exists(std::filesystem::path(folder) / "indices.csv");
   fmt::print(
-      "  {:<12}{}/samples.csv, statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, report.html\n",
+      "  {:<12}{}/samples.csv, samples.npz, statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, "
+      "report.html\n",
       "written", folder, indices ? "indices.csv, " : "");
   return code;
 }
@@ -175,7 +178,18 @@ std::string words_of(const SweepOutcome& outcome) {
   return words;
 }
 
+/// Keeps the memory that a sample gives back for the next one: returning it to the system takes a tenth of the time of
+/// small scenes.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kBytesKept = 1 << 28, kLargeBlock = 1 << 25;
+  mallopt(M_TRIM_THRESHOLD, kBytesKept);
+  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+#endif
+}
+
 int run_study(const SweepArguments& arguments, const Sweep& sweep) {
+  keep_freed_memory();
   SweepOptions options;
   if (!arguments.shard.empty()) {
     const auto shard = parse_shard(arguments.shard);

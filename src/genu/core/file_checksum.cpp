@@ -26,18 +26,27 @@ std::optional<FileChecksum> file_checksum(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
-  XXH3_128bits_reset(state.get());
-  FileChecksum sum;
+  RunningChecksum running;
   std::vector<char> block(kBytesAtOnce);
-  while (stream.read(block.data(), kBytesAtOnce) || stream.gcount() > 0) {
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    XXH3_128bits_update(state.get(), block.data(), count);
-    sum.bytes += count;
-  }
+  while (stream.read(block.data(), kBytesAtOnce) || stream.gcount() > 0)
+    running.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   if (stream.bad()) return std::nullopt;
-  sum.xxh128 = digits(XXH3_128bits_digest(state.get()));
-  return sum;
+  return running.sum();
 }
+
+struct RunningChecksum::State {
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash{XXH3_createState(), XXH3_freeState};
+  std::uintmax_t bytes = 0;
+};
+
+RunningChecksum::RunningChecksum() : state_(std::make_unique<State>()) { XXH3_128bits_reset(state_->hash.get()); }
+RunningChecksum::~RunningChecksum() = default;
+
+void RunningChecksum::add(std::string_view bytes) {
+  XXH3_128bits_update(state_->hash.get(), bytes.data(), bytes.size());
+  state_->bytes += bytes.size();
+}
+
+FileChecksum RunningChecksum::sum() const { return {state_->bytes, digits(XXH3_128bits_digest(state_->hash.get()))}; }
 
 }  // namespace genu

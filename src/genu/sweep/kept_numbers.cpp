@@ -63,21 +63,24 @@ double at_value(const std::vector<double>& x, const std::vector<double>& y, doub
 
 const char* word(RowKind kind) { return kind == RowKind::last ? "last" : kind == RowKind::max ? "max" : "min"; }
 
-void add(std::vector<KeptNumber>& kept, const std::string& column, RowKind row, double value) {
+/// Adds a number unless it is there; returns its place.
+std::size_t add_number(std::vector<KeptNumber>& kept, const std::string& column, RowKind row, double value) {
   const std::string name = column + "@" + (row == RowKind::value ? fmt::format("{}", value) : word(row));
-  const auto same = [&](const KeptNumber& k) { return k.name == name; };
-  if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back({name, column, row, value});
+  const auto same = std::find_if(kept.begin(), kept.end(), [&](const KeptNumber& k) { return k.name == name; });
+  const auto place = static_cast<std::size_t>(same - kept.begin());
+  if (same == kept.end()) kept.push_back({name, column, row, value});
+  return place;
 }
 
 /// Refuses values that the main coordinate of a scene does not reach; `first`: that of the first scene, whose rows
 /// "all" means.
-void check_row(const SweepDef& sweep, const KeepDef::Row& row, const Prepared& scene, const MainCoordinate& main,
-               const MainCoordinate& first, Diagnostics& out) {
+void check_row(const SweepDef& sweep, const std::string& key, const KeepDef::Row& row, const Prepared& scene,
+               const MainCoordinate& main, const MainCoordinate& first, Diagnostics& out) {
   if (row.kind != RowKind::value && row.kind != RowKind::all) return;
   const double beyond = kSameRow * (main.high - main.low);
   const auto reached = [&](double value) { return value >= main.low - beyond && value <= main.high + beyond; };
   const auto refuse = [&](Code code, const std::string& found, const std::string& rule) {
-    out.add(error_at({sweep.file, row.where}, code, "keep.at", found, rule));
+    out.add(error_at({sweep.file, row.where}, code, key + ".at", found, rule));
   };
   if (main.column.empty())
     refuse(Code::not_applicable, {},
@@ -95,6 +98,54 @@ void check_row(const SweepDef& sweep, const KeepDef::Row& row, const Prepared& s
     refuse(Code::out_of_range, fmt::format("{}", row.value),
            fmt::format("{} of {} goes from {:g} to {:g}", main.column, scene.source.file, main.low, main.high));
 }
+
+/// The scenes of a study, of whose columns its tables name some.
+class Scenes {
+ public:
+  Scenes(const SweepDef& sweep, const std::vector<const Prepared*>& scenes) : sweep_(sweep), scenes_(scenes) {
+    for (const Prepared* scene : scenes) {
+      columns_.push_back(known_columns(*scene));
+      mains_.push_back(main_coordinate(*scene));
+    }
+  }
+
+  /// Adds what `keep` names to `kept`, in order of first appearance; returns the places. `key`: of the table.
+  std::vector<std::size_t> add(const std::string& key, const KeepDef& keep, std::vector<KeptNumber>& kept,
+                               Diagnostics& out) const {
+    for (const KeepDef::Row& row : keep.rows)
+      for (std::size_t s = 0; s < scenes_.size(); ++s)
+        check_row(sweep_, key, row, *scenes_[s], mains_[s], mains_[0], out);
+    std::vector<std::size_t> places;
+    for (const KeepDef::Column& wanted : keep.columns) {
+      const std::size_t before = places.size();
+      for (const std::vector<std::string>& list : columns_)
+        for (const std::string& column : list)
+          if (matches(wanted.pattern, column) || matches(wanted.pattern, without_unit(column)))
+            add_rows(column, keep.rows, kept, places);
+      if (places.size() == before)
+        out.add(error_at({sweep_.file, wanted.where}, Code::unknown_column,
+                         key + (key == "keep" ? ".columns" : ".when"), with_quotes(wanted.pattern),
+                         "is no column of results.csv" + did_you_mean(wanted.pattern, columns_.front())));
+    }
+    return places;
+  }
+
+ private:
+  void add_rows(const std::string& column, const std::vector<KeepDef::Row>& rows, std::vector<KeptNumber>& kept,
+                std::vector<std::size_t>& places) const {
+    for (const KeepDef::Row& row : rows)
+      if (row.kind == RowKind::all)
+        for (const double value : mains_.front().rows)
+          places.push_back(add_number(kept, column, RowKind::value, value));
+      else
+        places.push_back(add_number(kept, column, row.kind, row.value));
+  }
+
+  const SweepDef& sweep_;
+  const std::vector<const Prepared*>& scenes_;
+  std::vector<std::vector<std::string>> columns_;
+  std::vector<MainCoordinate> mains_;
+};
 
 }  // namespace
 
@@ -132,34 +183,19 @@ std::vector<std::string> known_columns(const Prepared& p) {
 }
 
 std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const Prepared*>& scenes, Diagnostics& out) {
-  std::vector<std::vector<std::string>> columns;
-  std::vector<MainCoordinate> mains;
-  for (const Prepared* scene : scenes) {
-    columns.push_back(known_columns(*scene));
-    mains.push_back(main_coordinate(*scene));
-  }
+  const Scenes all(sweep, scenes);
   std::vector<KeptNumber> kept;
-  for (const KeepDef& keep : sweep.keep) {
-    for (const KeepDef::Row& row : keep.rows)
-      for (std::size_t s = 0; s < scenes.size(); ++s) check_row(sweep, row, *scenes[s], mains[s], mains[0], out);
-    for (const KeepDef::Column& wanted : keep.columns) {
-      bool found = false;
-      for (const std::vector<std::string>& list : columns)
-        for (const std::string& column : list) {
-          if (!matches(wanted.pattern, column) && !matches(wanted.pattern, without_unit(column))) continue;
-          found = true;
-          for (const KeepDef::Row& row : keep.rows)
-            if (row.kind == RowKind::all)
-              for (const double value : mains.front().rows) add(kept, column, RowKind::value, value);
-            else
-              add(kept, column, row.kind, row.value);
-        }
-      if (!found)
-        out.add(error_at({sweep.file, wanted.where}, Code::unknown_column, "keep.columns", with_quotes(wanted.pattern),
-                         "is no column of results.csv" + did_you_mean(wanted.pattern, columns.front())));
-    }
-  }
+  for (const KeepDef& keep : sweep.keep) all.add("keep", keep, kept, out);
   return kept;
+}
+
+std::vector<SweepEvent> find_events(const SweepDef& sweep, const std::vector<const Prepared*>& scenes,
+                                    std::vector<KeptNumber>& kept, Diagnostics& out) {
+  const Scenes all(sweep, scenes);
+  std::vector<SweepEvent> events;
+  for (const EventDef& event : sweep.events)
+    events.push_back({event.name, all.add("event." + event.name, event.keep, kept, out), event.above, event.limit});
+  return events;
 }
 
 std::vector<double> kept_values(const std::vector<KeptNumber>& kept, const MainCoordinate& main,

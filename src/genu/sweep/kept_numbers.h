@@ -33,6 +33,19 @@ struct KeptNumber {
 /// name no column of any scene, values that a scene's main coordinate does not reach.
 std::vector<KeptNumber> find_kept(const SweepDef& sweep, const std::vector<const Prepared*>& scenes, Diagnostics& out);
 
+/// An event of the study's own and the numbers that tell it.
+struct SweepEvent {
+  std::string name;
+  std::vector<std::size_t> kept;  ///< it happens where one of these is beyond the limit
+  bool above = true;
+  double limit = 0;
+};
+
+/// The events of a study. Numbers that they need and the study does not keep are added to `kept`. In `out`: as of
+/// find_kept().
+std::vector<SweepEvent> find_events(const SweepDef& sweep, const std::vector<const Prepared*>& scenes,
+                                    std::vector<KeptNumber>& kept, Diagnostics& out);
+
 /// The numbers of a scene's results; NaN where a row is not solved or a column is not there. Between two rows they are
 /// interpolated linearly. Extremes and the last row are numbers of a `complete` run alone: of a part of it they would
 /// be those of another range.

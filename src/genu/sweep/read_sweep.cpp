@@ -1,6 +1,7 @@
 #include "genu/sweep/read_sweep.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <set>
 
@@ -16,8 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kDesigns = {"monte_carlo", "latin_hypercube", "sobol",
-                                           "factorial",   "one_at_a_time",   "points"};
+constexpr std::size_t kTwoLevels = 2;
+constexpr int kLeastResolution = 3, kMostResolution = 5;
+
+const std::vector<std::string> kDesigns = {"monte_carlo",          "latin_hypercube", "sobol", "factorial",
+                                           "fractional_factorial", "one_at_a_time",   "points"};
 
 /// Files of a folder that a name with * or ? in its last part means, sorted; any other name as it is.
 std::vector<std::string> files_of(const fs::path& name) {
@@ -53,8 +57,8 @@ void read_probabilities(ReadContext& context, const Item& item, SweepDef& sweep)
   sweep.probabilities = {0.05, 0.95};
   if (sweep.design == DesignKind::factorial) sweep.probabilities = {0.05, 0.5, 0.95};
   if (!item || !is_array(context, item, "an array of numbers between 0 and 1")) return;
-  if (sweep.design != DesignKind::factorial && sweep.design != DesignKind::one_at_a_time)
-    refuse(context, item, Code::no_effect, "belongs to the designs factorial and one_at_a_time");
+  if (is_random(sweep.design) || sweep.design == DesignKind::points)
+    refuse(context, item, Code::no_effect, "belongs to the designs factorial, fractional_factorial and one_at_a_time");
   sweep.probabilities.clear();
   for (std::size_t k = 0; k < item.node->children.size(); ++k) {
     const auto p = read_number(context, item.element(k));
@@ -62,6 +66,8 @@ void read_probabilities(ReadContext& context, const Item& item, SweepDef& sweep)
     if (p) sweep.probabilities.push_back(*p);
   }
   if (sweep.probabilities.empty()) refuse(context, item, Code::missing_key, "names no probability");
+  if (sweep.design == DesignKind::fractional_factorial && item.node->children.size() != kTwoLevels)
+    refuse(context, item, Code::wrong_form, "must have two numbers: every factor has two levels");
 }
 
 void read_design(ReadContext& context, Section& root, SweepDef& sweep) {
@@ -81,6 +87,11 @@ void read_design(ReadContext& context, Section& root, SweepDef& sweep) {
   if (sweep.indices && sweep.design != DesignKind::monte_carlo && sweep.design != DesignKind::sobol)
     refuse(context, indices, Code::conflict, "needs the design monte_carlo or sobol (Saltelli's scheme)");
   read_probabilities(context, root.find("probabilities"), sweep);
+  const Item resolution = root.find("resolution");
+  if (resolution && sweep.design != DesignKind::fractional_factorial)
+    refuse(context, resolution, Code::no_effect, "belongs to the design fractional_factorial");
+  if (const auto r = read_integer(context, resolution, kLeastResolution, kMostResolution))
+    sweep.resolution = static_cast<int>(*r);
   if (sweep.design == DesignKind::points) {
     if (!points)
       root.error(Code::missing_key, "points", "must be given: a CSV file with a column for each varied number");
@@ -142,6 +153,43 @@ void read_keep(ReadContext& context, Section& root, SweepDef& sweep) {
   }
 }
 
+/// "ACL.force_N > 200"
+void read_condition(ReadContext& context, const Item& item, EventDef& event) {
+  const auto text = read_string(context, item);
+  if (!text) return;
+  const auto word = [](std::string_view part) {
+    const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
+    return first == std::string_view::npos ? std::string_view() : part.substr(first, last + 1 - first);
+  };
+  const std::size_t sign = text->find_first_of("<>");
+  const std::string_view column = word(std::string_view(*text).substr(0, sign)),
+                         limit = sign == std::string::npos ? std::string_view() : word(&(*text)[sign + 1]);
+  const auto [end, error] = std::from_chars(limit.data(), limit.data() + limit.size(), event.limit);
+  if (column.empty() || limit.empty() || error != std::errc() || end != limit.data() + limit.size())
+    return refuse(context, item, Code::wrong_form, R"(must be a column, < or >, and a number: "ACL.force_N > 200")");
+  event.above = (*text)[sign] == '>';
+  event.keep.columns.push_back({std::string(column), item.node->where});
+}
+
+void read_events(ReadContext& context, Section& root, SweepDef& sweep) {
+  std::set<std::string> names = {"jumped", "doubtful", "not_solved", "refused"};
+  for (const Item& item : named_tables(context, root, "event")) {
+    Section table(context, item, "an event");
+    EventDef event;
+    event.name = item.node->key;
+    read_condition(context, table.require("when"), event);
+    const Item at = table.find("at");
+    read_rows(context, at, event.keep);
+    table.finish();
+    using Row = KeepDef::Row;
+    if (!at) event.keep.rows.push_back({event.above ? Row::Kind::max : Row::Kind::min, 0, item.node->key_where});
+    if (event.keep.rows.size() > 1 || (event.keep.rows.size() == 1 && event.keep.rows[0].kind == Row::Kind::all))
+      refuse(context, at, Code::wrong_form, "must be one row; without `at` the event may happen at any row");
+    if (!names.insert(event.name).second) table.error(Code::duplicate, item.path, "is an event that every study has");
+    sweep.events.push_back(std::move(event));
+  }
+}
+
 }  // namespace
 
 const char* to_string(DesignKind design) { return kDesigns[static_cast<std::size_t>(design)].c_str(); }
@@ -167,6 +215,7 @@ std::optional<SweepDef> read_sweep(const std::string& path, InputFiles& files, D
   read_correlation(context, root.find("correlation"), sweep);
   read_what_ifs(context, root, sweep);
   read_keep(context, root, sweep);
+  read_events(context, root, sweep);
   root.finish();
   found.sort();
   for (const Diagnostic& d : found.items()) out.add(d);

@@ -12,7 +12,6 @@
 #include <tbb/task_arena.h>
 
 #include "genu/assemble/solution.h"
-#include "genu/core/atomic_output.h"
 #include "genu/core/timer.h"
 #include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
@@ -70,11 +69,7 @@ class Runs {
   int done_ = 0, asked_ = 0;
 };
 
-void count_class(std::string_view row, SweepOutcome& outcome) {
-  constexpr std::size_t kClass = 3;
-  const std::vector<std::string> cells = split_row(row);
-  if (cells.size() > kClass) ++outcome.classes[cells[kClass]];
-}
+void count_class(std::string_view row, SweepOutcome& outcome) { ++outcome.classes[class_of_row(row)]; }
 
 /// Whether the shard is there, counted in `outcome`. One that is cut short or changed is none: the folder belongs to
 /// this study, so it can be computed again.
@@ -124,7 +119,7 @@ int run_shard(const Sweep& sweep, const std::string& folder, const SweepOptions&
     outcome.interrupted = true;
     return kExitIncomplete;
   }
-  const std::string error = write_file_atomically(path, shard_text(record, options.shard, rows), Durable::yes);
+  const std::string error = write_shard(folder, record, options.shard, rows);
   if (!error.empty()) {
     finished.flush();
     out.error(Code::cannot_write, {}, error);

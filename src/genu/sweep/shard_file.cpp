@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 
 #include "genu/assemble/table_text.h"
+#include "genu/core/atomic_output.h"
 #include "genu/core/file_checksum.h"
 #include "genu/core/file_text.h"
 #include "genu/store/input_hash.h"
@@ -30,6 +32,37 @@ std::string as_cell(std::string text) {
 /// The head up to the program's hash, which may differ from shard to shard.
 std::string begin_of_head(const SweepRecord& record, ShardId id) {
   return fmt::format("# genu sweep {} shard {} of {} by ", record.hash, id.number, id.count);
+}
+
+std::string cell_of(const std::vector<std::string>& cells, std::size_t k) {
+  return k < cells.size() ? cells[k] : std::string();
+}
+
+/// What a shard's file is like, without its rows.
+struct WholeFile {
+  bool whole = false;  ///< ends with the line that every shard ends with
+  std::string head, columns, end;
+  std::uint64_t rows = 0;
+  std::string sum;  ///< of all before the end
+};
+
+WholeFile look_through(std::istream& in) {
+  WholeFile file;
+  RunningChecksum sum;
+  std::uint64_t lines = 0;
+  std::string line;
+  while (std::getline(in, line)) {
+    file.whole = !in.eof() && line.starts_with(kEnd);
+    file.end = line;
+    if (file.whole) continue;  // what follows an end belongs to no shard: then the last line is none
+    if (lines == 0) file.head = line;
+    if (lines == 1) file.columns = line;
+    sum.add(line.append("\n"));
+    ++lines;
+  }
+  file.rows = lines > 2 ? lines - 2 : 0;
+  file.sum = sum.sum().xxh128;
+  return file;
 }
 
 }  // namespace
@@ -59,41 +92,48 @@ std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleR
   return line + "," + as_cell(result.reason);
 }
 
-std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows) {
-  std::string text = begin_of_head(record, id) + program_hash() + "\n" + column_line(record) + "\n";
-  for (const std::string& row : rows) text.append(row).append("\n");
-  text += fmt::format("{}{} {}\n", kEnd, rows.size(), checksum(text).xxh128);
-  return text;
+std::string write_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                        const std::vector<std::string>& rows) {
+  StagedFile file(shard_path(folder, id), Durable::yes);
+  RunningChecksum sum;
+  const auto write = [&](std::string_view text) {
+    sum.add(text);
+    file.write(text);
+  };
+  write(begin_of_head(record, id) + program_hash() + "\n" + column_line(record) + "\n");
+  for (const std::string& row : rows) {
+    write(row);
+    write("\n");
+  }
+  file.write(fmt::format("{}{} {}\n", kEnd, rows.size(), sum.sum().xxh128));
+  return file.commit();
 }
 
 std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
                                       const EachRow& each, Diagnostics& out) {
   const std::string path = shard_path(folder, id);
-  const auto text = text_of_file(path, out);
-  if (!text) return std::nullopt;
   const auto refuse = [&](Code code, const char* why) {
     out.error(code, path, why);
     return std::nullopt;
   };
-  const std::string begin = begin_of_head(record, id), columns = "\n" + column_line(record) + "\n";
-  const std::size_t end = text->rfind(kEnd), head = text->find('\n');
-  const std::uint64_t rows = id.last(record.runs()) - id.first(record.runs());
-  if (end == std::string::npos || text->back() != '\n') return refuse(Code::broken_file, "is cut short");
-  if (!text->starts_with(begin) || text->compare(head, columns.size(), columns) != 0)
+  std::error_code ignored;
+  std::ifstream in;
+  if (fs::is_regular_file(path, ignored)) in.open(path, std::ios::binary);
+  if (!in.is_open()) return refuse(Code::no_such_file, "cannot be read");
+  const WholeFile file = look_through(in);
+  if (!file.whole) return refuse(Code::broken_file, "is cut short");
+  const std::string begin = begin_of_head(record, id);
+  if (!file.head.starts_with(begin) || file.columns != column_line(record))
     return refuse(Code::other_scene, "belongs to another study, or the study has changed");
-  const std::string expected =
-      fmt::format("{}{} {}\n", kEnd, rows, checksum(std::string_view(*text).substr(0, end)).xxh128);
-  if (text->compare(end, std::string::npos, expected) != 0)
+  const std::uint64_t rows = id.last(record.runs()) - id.first(record.runs());
+  if (file.end != fmt::format("{}{} {}", kEnd, rows, file.sum))
     return refuse(Code::results_changed, "has changed since it was written");
-  const std::string_view lines = std::string_view(*text).substr(0, end).substr(head + columns.size());
-  if (static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), '\n')) != rows)
-    return refuse(Code::broken_file, "has another number of rows than runs");
-  for (std::size_t at = 0; at < lines.size();) {
-    const std::size_t stop = lines.find('\n', at);
-    each(lines.substr(at, stop - at));
-    at = stop + 1;
-  }
-  return text->substr(begin.size(), head - begin.size());
+  if (file.rows != rows) return refuse(Code::broken_file, "has another number of rows than runs");
+  in.clear();
+  in.seekg(static_cast<std::streamoff>(file.head.size() + file.columns.size() + 2));
+  std::string row;
+  for (std::uint64_t k = 0; k < rows && std::getline(in, row); ++k) each(row);
+  return file.head.substr(begin.size());
 }
 
 std::vector<std::uint64_t> missing_shards(const std::string& folder, const SweepRecord& record, Diagnostics& out) {
@@ -121,6 +161,16 @@ std::string as_array_list(const std::vector<std::uint64_t>& numbers) {
     k = last + 1;
   }
   return list;
+}
+
+std::string class_of_row(std::string_view line) {
+  constexpr std::size_t kClass = 3;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < kClass; ++k) {
+    if (at >= line.size() || line[at] == '"') return cell_of(split_row(line), kClass);
+    at = std::min(line.size(), line.find(',', at)) + 1;
+  }
+  return std::string(line.substr(std::min(at, line.size()), line.find(',', at) - at));
 }
 
 std::vector<std::string> split_row(std::string_view line) {

@@ -35,13 +35,15 @@ std::string begin_of_row(const SweepRecord& record, std::uint64_t run);
 /// The row of a run, without the end of the line.
 std::string row_line(const SweepRecord& record, std::uint64_t run, const SampleResult& result);
 
-std::string shard_text(const SweepRecord& record, ShardId id, const std::vector<std::string>& rows);
+/// Writes the file of a shard. Returns what went wrong; an empty text where nothing did.
+[[nodiscard]] std::string write_shard(const std::string& folder, const SweepRecord& record, ShardId id,
+                                      const std::vector<std::string>& rows);
 
 using EachRow = std::function<void(std::string_view row)>;
 
-/// Calls `each` with the rows of a shard in order, once all of the file has been checked. Returns the program
-/// (store/input_hash.h) that computed them. Empty, with an error in `out` that names the file, where it is cut short,
-/// changed or of another study.
+/// Calls `each` with the rows of a shard in order, once all of the file has been checked; holds a row at a time.
+/// Returns the program (store/input_hash.h) that computed them. Empty, with an error in `out` that names the file,
+/// where it is cut short, changed or of another study.
 [[nodiscard]] std::optional<std::string> read_shard(const std::string& folder, const SweepRecord& record, ShardId id,
                                                     const EachRow& each, Diagnostics& out);
 
@@ -53,5 +55,8 @@ std::string as_array_list(const std::vector<std::uint64_t>& numbers);
 
 /// The cells of a line of CSV; none where a quote is not closed.
 std::vector<std::string> split_row(std::string_view line);
+
+/// The class in a row: its fourth cell.
+std::string class_of_row(std::string_view line);
 
 }  // namespace genu

@@ -2,22 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "genu/sweep/tolerances.h"
 
 namespace genu {
 namespace {
 
-/// From 1; equal numbers have the mean of their ranks.
-std::vector<double> ranks_of(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
+/// Ranks from 1 of the numbers whose partners are numbers too; equal ones have the mean of their ranks. NaN elsewhere.
+std::vector<double> ranks_of(const Ordered& of, const std::vector<double>& partners) {
+  std::vector<std::size_t> order;
+  for (const std::size_t k : of.order)
+    if (std::isfinite(partners[k])) order.push_back(k);
+  std::vector<double> ranks(of.values.size(), kNoNumber);
   for (std::size_t k = 0; k < order.size();) {
     std::size_t end = k;
-    while (end < order.size() && values[order[end]] == values[order[k]]) ++end;
+    while (end < order.size() && of.values[order[end]] == of.values[order[k]]) ++end;
     for (std::size_t i = k; i < end; ++i) ranks[order[i]] = 0.5 * static_cast<double>(k + 1 + end);
     k = end;
   }
@@ -85,16 +84,23 @@ Interval probability_interval(std::uint64_t count, std::uint64_t n) {
   return {count == 0 ? 0 : middle - half, count == n ? 1 : middle + half};
 }
 
-double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> a, b;
-  for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k)
-    if (std::isfinite(x[k]) && std::isfinite(y[k])) a.push_back(x[k]), b.push_back(y[k]);
-  if (a.size() < 2) return kNoNumber;
-  a = ranks_of(a);
-  b = ranks_of(b);
-  const double mean = 0.5 * static_cast<double>(a.size() + 1);
+std::vector<std::size_t> ascending(const std::vector<double>& values) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::isfinite(values[k])) order.push_back(k);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+double rank_correlation(const Ordered& x, const Ordered& y) {
+  const std::vector<double> a = ranks_of(x, y.values), b = ranks_of(y, x.values);
+  std::size_t pairs = 0;
+  for (const double rank : a) pairs += std::isfinite(rank) ? 1 : 0;
+  if (pairs < 2) return kNoNumber;
+  const double mean = 0.5 * static_cast<double>(pairs + 1);
   double ab = 0, aa = 0, bb = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
+    if (!std::isfinite(a[k])) continue;
     ab += (a[k] - mean) * (b[k] - mean);
     aa += (a[k] - mean) * (a[k] - mean);
     bb += (b[k] - mean) * (b[k] - mean);

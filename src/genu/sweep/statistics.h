@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace genu {
@@ -33,9 +34,19 @@ Interval quantile_interval(const std::vector<double>& sorted, double q);
 /// Wilson's 95 % interval of a probability of which `count` of `n` were seen.
 Interval probability_interval(std::uint64_t count, std::uint64_t n);
 
+/// The places of the numbers among `values`, those of smaller ones first.
+std::vector<std::size_t> ascending(const std::vector<double>& values);
+
+/// Samples with the order of their numbers, found once.
+struct Ordered {
+  explicit Ordered(std::vector<double> samples) : values(std::move(samples)), order(ascending(values)) {}
+  std::vector<double> values;
+  std::vector<std::size_t> order;
+};
+
 /// Spearman's rank correlation of the pairs in which both are numbers, equal numbers with their mean rank. NaN where
-/// one of the two does not vary.
-double rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
+/// one of the two does not vary. Linear in the number of pairs.
+double rank_correlation(const Ordered& x, const Ordered& y);
 /// Its 95 % interval by Fisher's transformation, n pairs; variance of ranks by Bonett and Wright (2000).
 Interval rank_correlation_interval(double correlation, std::size_t n);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,6 +71,18 @@ std::uint64_t count_jumped(const SweepTable::Case& in) {
   return static_cast<std::uint64_t>(std::count_if(in.jumps.begin(), in.jumps.end(), [](double j) { return j > 0; }));
 }
 
+/// Whether an event happens in a sample: one of its numbers is beyond the limit, or none of them is. Empty where there
+/// is none of them; a case without a ligament lacks its columns alone.
+std::optional<bool> happens_in(const SweepEvent& event, const SweepTable::Case& in, std::size_t sample) {
+  bool known = false;
+  for (const std::size_t k : event.kept) {
+    const double value = in.kept[k][sample];
+    if (event.above ? value > event.limit : value < event.limit) return true;
+    known = known || std::isfinite(value);
+  }
+  return known ? std::optional(false) : std::nullopt;
+}
+
 ordered_json rows_of(const ResultTable& table) {
   ordered_json rows = ordered_json::array();
   for (std::size_t r = 0; r < table.rows(); ++r) {
@@ -118,32 +131,38 @@ ResultTable event_probabilities(const SweepTable& sweep) {
   ResultTable table = table_with({"scene", "what_if", "event", "count", "n", "probability", "low", "high"});
   for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
     const SweepTable::Case& in = sweep.cases[c];
-    const auto add = [&](const char* event, const auto& has) {
+    const auto add = [&](const std::string& event, const auto& has) {  // has: whether it happens; empty: unknown
       std::uint64_t n = 0, count = 0;
-      for (std::size_t s = 0; s < in.classes.size(); ++s)
-        if (!sweep.repeats_draws(s)) ++n, count += has(s) ? 1 : 0;
+      for (std::size_t s = 0; s < in.classes.size(); ++s) {
+        const std::optional<bool> happens = sweep.repeats_draws(s) ? std::nullopt : has(s);
+        if (happens) ++n, count += *happens ? 1 : 0;
+      }
       set_case(table, sweep, c);
-      table.set("event", std::string(event));
+      table.set("event", event);
       table.set("count", static_cast<long>(count));
       table.set("n", static_cast<long>(n));
       table.set("probability", static_cast<double>(count) / static_cast<double>(n));
       set_interval(table, sweep, "", probability_interval(count, n));
     };
-    add("jumped", [&](std::size_t s) { return in.jumps[s] > 0; });
+    add("jumped", [&](std::size_t s) { return std::optional(in.jumps[s] > 0); });
     for (const char* name : {"doubtful", "not_solved", "refused"})
-      add(name, [&](std::size_t s) { return in.classes[s] == name; });
+      add(name, [&](std::size_t s) { return std::optional(in.classes[s] == name); });
+    for (const SweepEvent& event : sweep.record.events)
+      add(event.name, [&](std::size_t s) { return happens_in(event, in, s); });
   }
   return table;
 }
 
 ResultTable rank_table(const SweepTable& sweep) {
   ResultTable table = table_with({"scene", "what_if", "number", "factor", "n", "rank_correlation", "low", "high"});
+  std::vector<Ordered> draws;
+  for (const std::vector<double>& of_factor : sweep.draws) draws.emplace_back(sweep.independent(of_factor));
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
-    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
-      for (std::size_t f = 0; f < sweep.record.factors.size(); ++f) {
-        const std::vector<double> values = sweep.independent(sweep.cases[c].kept[k]);
-        const std::size_t n = finite_of(values).size();
-        const double rank = rank_correlation(sweep.independent(sweep.draws[f]), values);
+    for (std::size_t k = 0; k < sweep.record.kept.size(); ++k) {
+      const Ordered values(sweep.independent(sweep.cases[c].kept[k]));
+      for (std::size_t f = 0; f < draws.size(); ++f) {
+        const std::size_t n = values.order.size();
+        const double rank = rank_correlation(draws[f], values);
         set_case(table, sweep, c);
         table.set("number", sweep.record.kept[k].name);
         table.set("factor", sweep.record.factors[f]);
@@ -151,6 +170,7 @@ ResultTable rank_table(const SweepTable& sweep) {
         table.set("rank_correlation", rank);
         set_interval(table, sweep, "", rank_correlation_interval(rank, n));
       }
+    }
   return table;
 }
 
@@ -200,7 +220,20 @@ ResultTable convergence_table(const SweepTable& sweep) {
   return table;
 }
 
-std::string summary_json(const SweepTable& sweep) {
+SweepTables tables_of(const SweepTable& sweep) {
+  return {statistics_table(sweep), event_probabilities(sweep), rank_table(sweep), index_table(sweep),
+          convergence_table(sweep)};
+}
+
+std::size_t SweepTables::statistics_row(const SweepTable& sweep, std::size_t c, std::size_t k) {
+  return c * sweep.record.kept.size() + k;
+}
+
+std::size_t SweepTables::factor_row(const SweepTable& sweep, std::size_t c, std::size_t k, std::size_t f) {
+  return statistics_row(sweep, c, k) * sweep.record.factors.size() + f;
+}
+
+std::string summary_json(const SweepTable& sweep, const SweepTables& tables) {
   const SweepRecord& r = sweep.record;
   ordered_json j = {{"study", r.study},   {"title", r.title}, {"version", r.version}, {"hash", r.hash},
                     {"design", r.design}, {"seed", r.seed},   {"samples", r.samples}, {"factors", r.factors}};
@@ -213,13 +246,13 @@ std::string summary_json(const SweepTable& sweep) {
                           {"not_solved", count_class(sweep.cases[c], "not_solved")},
                           {"refused", count_class(sweep.cases[c], "refused")},
                           {"jumped", count_jumped(sweep.cases[c])}});
-  j["events"] = rows_of(event_probabilities(sweep));
-  j["statistics"] = rows_of(statistics_table(sweep));
-  if (r.block > 1) j["sobol_indices"] = rows_of(index_table(sweep));
+  j["events"] = rows_of(tables.events);
+  j["statistics"] = rows_of(tables.statistics);
+  if (r.block > 1) j["sobol_indices"] = rows_of(tables.indices);
   return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string summary_text(const SweepTable& sweep) {
+std::string summary_text(const SweepTable& sweep, const SweepTables& tables) {
   constexpr std::size_t kRowsShown = 12;
   std::string text;
   for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
@@ -229,7 +262,7 @@ std::string summary_text(const SweepTable& sweep) {
                     sweep.case_name(c), sweep.record.samples, count_class(in, "solved"), count_class(in, "doubtful"),
                     count_class(in, "not_solved"), count_class(in, "refused"), count_jumped(in));
   }
-  const ResultTable table = statistics_table(sweep);
+  const ResultTable& table = tables.statistics;
   std::vector<std::string> columns = {"number", "n", "mean", "sd", "p5", "p50", "p95"};
   if (sweep.cases.size() > 1) columns.insert(columns.begin(), {"scene", "what_if"});
   text += "\n" + to_text(table, columns, 3, kRowsShown);

@@ -155,7 +155,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
   std::string hashed = std::string(GENU_VERSION) + "\n" + files.checksum(path)->xxh128 + "\n";
   if (!def->points.empty())
     if (const auto sum = files.checksum(def->points)) hashed += sum->xxh128 + "\n";
-  Sweep sweep{std::move(*def), {}, {}, {}, {}, {}};
+  Sweep sweep{std::move(*def), {}, {}, {}, {}, {}, {}};
   const std::vector<std::string> names = scene_names(sweep.def);
   for (std::size_t k = 0; k < names.size(); ++k) add_scene(sweep, sweep.def.scenes[k], names[k], hashed, out);
   if (sweep.cases.empty()) return std::nullopt;
@@ -166,6 +166,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
   for (const SweepCase& in : sweep.cases)
     if (in.what_if == kAsItIs) scenes.push_back(&in.prepared);
   sweep.kept = find_kept(sweep.def, scenes, out);
+  sweep.events = find_events(sweep.def, scenes, sweep.kept, out);
   const bool numbers_found = !out.has_errors();
   auto design = numbers_found ? SweepDesign::make(sweep.def, sweep.factors, files, out) : std::nullopt;
   if (!design) return std::nullopt;

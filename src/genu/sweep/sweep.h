@@ -30,6 +30,7 @@ struct Sweep {
   std::vector<Factor> factors;
   std::vector<SweepCase> cases;
   std::vector<KeptNumber> kept;
+  std::vector<SweepEvent> events;
   SweepDesign design;
   std::string hash;  ///< of the study, its scenes, meshes and points, and genu's version
 

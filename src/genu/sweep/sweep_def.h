@@ -13,7 +13,7 @@
 
 namespace genu {
 
-enum class DesignKind { monte_carlo, latin_hypercube, sobol, factorial, one_at_a_time, points };
+enum class DesignKind { monte_carlo, latin_hypercube, sobol, factorial, fractional_factorial, one_at_a_time, points };
 
 /// An entry of [vary].
 struct VaryDef {
@@ -60,6 +60,15 @@ struct KeepDef {
   std::vector<Row> rows;
 };
 
+/// Something that happens in a sample or not: a column beyond a limit at a row; at any row where `keep` names its
+/// extreme.
+struct EventDef {
+  std::string name;
+  KeepDef keep;       ///< one pattern, one row
+  bool above = true;  ///< beyond the limit is above it
+  double limit = 0;   ///< in the column's unit
+};
+
 struct SceneFileDef {
   std::string path;
   SourceLocation where;
@@ -73,12 +82,14 @@ struct SweepDef {
   std::uint64_t seed = 1;
   bool indices = false;               ///< Saltelli's scheme: Sobol indices of every factor
   std::vector<double> probabilities;  ///< levels of distributions in a factorial or one-at-a-time design
+  int resolution = 4;                 ///< of a fractional factorial design
   std::string points;                 ///< CSV file of the design `points`
   SourceLocation points_where;
   std::vector<VaryDef> vary;
   std::optional<CorrelationDef> correlation;
   std::vector<WhatIfDef> what_ifs;  ///< the first: the scene as it is
   std::vector<KeepDef> keep;
+  std::vector<EventDef> events;
 };
 
 inline constexpr const char* kAsItIs = "as_is";

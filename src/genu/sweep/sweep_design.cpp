@@ -10,6 +10,7 @@
 #include "genu/assemble/long_errors.h"
 #include "genu/assemble/pose_file.h"
 #include "genu/scene/words.h"
+#include "genu/sweep/fraction.h"
 #include "genu/sweep/normal_quantile.h"
 #include "genu/sweep/sobol_numbers.h"
 #include "genu/sweep/tolerances.h"
@@ -131,6 +132,7 @@ std::optional<SweepDesign> SweepDesign::make(const SweepDef& sweep, const std::v
     d.points_ = read_points(sweep, factors, files, out);
     d.samples_ = d.points_.size();
   }
+  if (sweep.design == DesignKind::fractional_factorial) d.divide(sweep, factors, out);
   if (sweep.design == DesignKind::factorial || sweep.design == DesignKind::one_at_a_time) {
     const bool centre = sweep.design == DesignKind::one_at_a_time;
     double product = 1, sum = 1;
@@ -189,6 +191,32 @@ std::vector<double> SweepDesign::factorial_draws(std::uint64_t sample) const {
   return draws;
 }
 
+void SweepDesign::divide(const SweepDef& sweep, const std::vector<Factor>& factors, Diagnostics& out) {
+  for (std::size_t f = 0; f < factors.size(); ++f) {
+    levels_.push_back(levels_of(distributions_[f], sweep.probabilities, false));
+    if (levels_.back().size() == 2) continue;
+    const VaryDef& vary = sweep.vary[factors[f].vary];
+    out.add(error_at({sweep.file, vary.where}, Code::wrong_form, "vary." + vary.name, {},
+                     "must have two values: every factor of a fractional factorial design has two levels"));
+  }
+  if (const auto fraction = find_fraction(factors.size(), sweep.resolution)) {
+    words_ = fraction->words;
+    samples_ = std::uint64_t{1} << fraction->bits;
+  } else {
+    out.error(
+        Code::too_large, sweep.file,
+        fmt::format("has {} factors, and a fraction of resolution {} for them has more than {} samples: ask for a "
+                    "lower resolution, or move numbers :together",
+                    factors.size(), sweep.resolution, 1 << kMostFractionBits));
+  }
+}
+
+std::vector<double> SweepDesign::fractional_draws(std::uint64_t sample) const {
+  std::vector<double> draws;
+  for (std::size_t f = 0; f < levels_.size(); ++f) draws.push_back(levels_[f][second_level(words_[f], sample) ? 1 : 0]);
+  return draws;
+}
+
 std::vector<double> SweepDesign::one_at_a_time_draws(std::uint64_t sample) const {
   std::vector<double> draws;
   std::uint64_t first = 1;  // the sample with this factor's second level
@@ -204,6 +232,7 @@ std::vector<double> SweepDesign::one_at_a_time_draws(std::uint64_t sample) const
 std::vector<double> SweepDesign::draws(std::uint64_t sample) const {
   if (kind_ == DesignKind::points) return points_[sample];
   if (kind_ == DesignKind::factorial) return factorial_draws(sample);
+  if (kind_ == DesignKind::fractional_factorial) return fractional_draws(sample);
   if (kind_ == DesignKind::one_at_a_time) return one_at_a_time_draws(sample);
   return block_ > 1 ? scheme_draws(sample) : random_draws(sample);
 }

@@ -28,16 +28,19 @@ class SweepDesign {
   std::vector<double> draws(std::uint64_t sample) const;
 
  private:
+  void divide(const SweepDef& sweep, const std::vector<Factor>& factors, Diagnostics& out);
   double unit(std::uint64_t sample, std::uint32_t dimension) const;
   std::vector<double> random_draws(std::uint64_t sample) const;
   std::vector<double> scheme_draws(std::uint64_t sample) const;
   std::vector<double> factorial_draws(std::uint64_t sample) const;
+  std::vector<double> fractional_draws(std::uint64_t sample) const;
   std::vector<double> one_at_a_time_draws(std::uint64_t sample) const;
 
   DesignKind kind_ = DesignKind::monte_carlo;
   std::uint64_t samples_ = 1, block_ = 1, seed_ = 1;
   std::vector<Distribution> distributions_;  // of each factor
   std::vector<std::vector<double>> levels_;  // of each factor, in a factorial or one-at-a-time design
+  std::vector<std::uint32_t> words_;         // of each factor, in a fractional factorial (fraction.h)
   std::vector<std::size_t> correlated_;      // factors
   MatX cholesky_;                            // of their correlations
   std::vector<std::vector<double>> points_;

@@ -8,46 +8,15 @@
 
 #include "genu/core/file_text.h"
 #include "genu/results/svg_text.h"
+#include "genu/sweep/histograms.h"
+#include "genu/sweep/page_parts.h"
 #include "genu/sweep/pictures.h"
 #include "genu/sweep/summary_tables.h"
 
 namespace genu {
 namespace {
 
-constexpr const char* kStyle =
-    "body{font:15px/1.5 'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif;margin:2em auto;max-width:1340px;"
-    "padding:0 1em;color:#222}table{border-collapse:collapse;font-size:13px}td,th{padding:2px 10px;border-bottom:1px "
-    "solid #ddd;text-align:right}td.w,th.w{text-align:left}code{font-size:12px}svg{max-width:100%;height:auto}"
-    ".p{display:flex;flex-wrap:wrap;gap:12px}";
-
-constexpr std::size_t kMostPictures = 24, kMostListed = 50;
-
-std::string html_cell(const std::string& text, bool words = false) {
-  return fmt::format("<td{}>{}</td>", words ? " class=\"w\"" : "", svg_escaped(text));
-}
-
-std::string html_number(const Cell& cell, int digits) {
-  if (const auto* value = std::get_if<double>(&cell)) return fmt::format("{:.{}g}", *value, digits);
-  if (const auto* count = std::get_if<long>(&cell)) return fmt::format("{}", *count);
-  const auto* word = std::get_if<std::string>(&cell);
-  return word != nullptr ? *word : std::string();
-}
-
-/// Some columns of a table, its first `most` rows.
-std::string html_table(const ResultTable& table, const std::vector<std::string>& columns, std::size_t most) {
-  std::string out = "<table><tr>";
-  for (const std::string& column : columns) out += "<th>" + svg_escaped(column) + "</th>";
-  out += "</tr>\n";
-  for (std::size_t r = 0; r < std::min(most, table.rows()); ++r) {
-    out += "<tr>";
-    for (const std::string& column : columns) {
-      const Cell& value = table.at(r, table.column_index(column));
-      out += html_cell(html_number(value, 4), std::holds_alternative<std::string>(value));
-    }
-    out += "</tr>\n";
-  }
-  return out + "</table>\n";
-}
+constexpr std::size_t kMostListed = 50;
 
 std::vector<std::string> scenes_of(const SweepTable& sweep) {
   std::vector<std::string> scenes;
@@ -56,27 +25,25 @@ std::vector<std::string> scenes_of(const SweepTable& sweep) {
   return scenes;
 }
 
-std::string pictures(const SweepTable& sweep) {
-  std::vector<std::string> bands, histograms, tornados;
+std::string pictures(const SweepTable& sweep, const SweepTables& tables) {
+  std::vector<std::string> bands, moving, histograms, tornados;
+  const std::vector<std::string> columns = columns_with_bands(sweep);
+  const std::vector<std::size_t> pictured = pictured_numbers(sweep, tables);
   for (const std::string& scene : scenes_of(sweep)) {
-    for (const std::string& column : columns_with_bands(sweep)) bands.push_back(bands_picture(sweep, scene, column));
-    for (const std::size_t k : pictured_numbers(sweep)) histograms.push_back(histogram_picture(sweep, scene, k));
+    for (const std::string& column : columns) {
+      bands.push_back(bands_picture(sweep, tables, scene, column));
+      moving.push_back(moving_histogram(sweep, scene, column));
+    }
+    for (const std::size_t k : pictured)
+      if (std::find(columns.begin(), columns.end(), sweep.record.kept[k].column) == columns.end() ||
+          !sweep.record.kept[k].at_value)
+        histograms.push_back(histogram_picture(sweep, scene, k));
   }
-  for (const std::size_t k : pictured_numbers(sweep))
-    for (std::size_t c = 0; c < sweep.cases.size(); ++c) tornados.push_back(tornado_picture(sweep, c, k));
-  std::string out;
-  const auto add = [&](const char* title, std::vector<std::string>& list) {
-    std::erase(list, std::string());
-    if (list.empty()) return;
-    out += fmt::format("<h2>{}</h2>\n<div class=\"p\">\n", title);
-    for (std::size_t k = 0; k < std::min(kMostPictures, list.size()); ++k) out += list[k];
-    out += "</div>\n";
-    if (list.size() > kMostPictures) out += fmt::format("<p>{} of {} charts.</p>\n", kMostPictures, list.size());
-  };
-  add("Over the main coordinate", bands);
-  add("What matters most", tornados);
-  add("Distributions", histograms);
-  return out;
+  for (const std::size_t k : pictured)
+    for (std::size_t c = 0; c < sweep.cases.size(); ++c) tornados.push_back(tornado_picture(sweep, tables, c, k));
+  return page_charts("Over the main coordinate", {}, bands) + page_charts("What matters most", {}, tornados) +
+         page_charts("Distributions over the main coordinate", histogram_slider(sweep), moving) +
+         page_charts("Distributions", {}, histograms);
 }
 
 /// The command that solves a sample by itself.
@@ -95,10 +62,10 @@ std::string listed(const SweepTable& sweep, const char* title, const F& wanted) 
     for (std::size_t s = 0; s < sweep.cases[c].classes.size(); ++s) {
       const SweepTable::Case& in = sweep.cases[c];
       if (!wanted(in, s) || ++count > kMostListed) continue;
-      rows += "<tr>" + html_cell(sweep.case_name(c), true) + html_cell(std::to_string(s)) +
-              html_cell(in.classes[s], true) +
-              html_cell(std::isfinite(in.jump_at[s]) ? fmt::format("{:.5g}", in.jump_at[s]) : std::string()) +
-              html_cell(in.reasons[s], true) + "<td class=\"w\"><code>" + svg_escaped(command_of(sweep, c, s)) +
+      rows += "<tr>" + page_cell(sweep.case_name(c), true) + page_cell(std::to_string(s)) +
+              page_cell(in.classes[s], true) +
+              page_cell(std::isfinite(in.jump_at[s]) ? fmt::format("{:.5g}", in.jump_at[s]) : std::string()) +
+              page_cell(in.reasons[s], true) + "<td class=\"w\"><code>" + svg_escaped(command_of(sweep, c, s)) +
               "</code></td></tr>\n";
     }
   if (count == 0) return fmt::format("<h2>{}</h2>\n<p>None.</p>\n", title);
@@ -110,19 +77,17 @@ std::string listed(const SweepTable& sweep, const char* title, const F& wanted) 
 
 }  // namespace
 
-std::string sweep_page(const SweepTable& sweep) {
+std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
   const SweepRecord& r = sweep.record;
   const std::string name = std::filesystem::path(r.study).filename().string();
-  const std::string title = svg_escaped(r.title.empty() ? name : r.title);
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
-      "<body>\n<h1>{}</h1>\n<p>{} samples of {} numbers in {} case{}; design {}, seed {}; genu {}, study {}.</p>\n",
-      title, kStyle, title, r.samples, r.factors.size(), r.cases.size(), r.cases.size() == 1 ? "" : "s", r.design,
-      r.seed, svg_escaped(r.version), svg_escaped(name));
+  std::string out =
+      fmt::format("{}<p>{} samples of {} numbers in {} case{}; design {}, seed {}; genu {}, study {}.</p>\n",
+                  page_head(r.title.empty() ? name : r.title), r.samples, r.factors.size(), r.cases.size(),
+                  r.cases.size() == 1 ? "" : "s", r.design, r.seed, svg_escaped(r.version), svg_escaped(name));
   std::vector<std::string> event_columns = {"scene", "what_if", "event", "count", "n", "probability"};
   if (r.random) event_columns.insert(event_columns.end(), {"low", "high"});
-  out += "<h2>Events</h2>\n" + html_table(event_probabilities(sweep), event_columns, kMostListed);
-  out += pictures(sweep);
+  out += "<h2>Events</h2>\n" + page_table(tables.events, event_columns, kMostListed);
+  out += pictures(sweep, tables);
   constexpr std::size_t kMostRows = 200;
   std::vector<std::string> columns = {"scene", "what_if", "number", "n",   "mean", "sd",
                                       "min",   "max",     "p5",     "p50", "p95"};
@@ -132,7 +97,7 @@ std::string sweep_page(const SweepTable& sweep) {
                "sd",    "p5",      "p50",    "p95", "p95_low", "p95_high"};
     words = "mean_low to p95_high: 95 % intervals. " + words;
   }
-  out += "<h2>Statistics</h2>\n<p>" + words + "</p>\n" + html_table(statistics_table(sweep), columns, kMostRows);
+  out += "<h2>Statistics</h2>\n<p>" + words + "</p>\n" + page_table(tables.statistics, columns, kMostRows);
   out += listed(sweep, "Samples that jumped", [](const auto& in, std::size_t s) { return in.jumps[s] > 0; });
   out += listed(sweep, "Samples without an answer", [](const auto& in, std::size_t s) {
     return in.classes[s] == "not_solved" || in.classes[s] == "refused";

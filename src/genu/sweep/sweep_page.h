@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "genu/sweep/sweep_table.h"
+#include "genu/sweep/summary_tables.h"
 
 namespace genu {
 
-std::string sweep_page(const SweepTable& sweep);
+std::string sweep_page(const SweepTable& sweep, const SweepTables& tables);
 
 }  // namespace genu

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kRecordFormat = 1;
+constexpr int kRecordFormat = 2;
 
 std::string to_json(const SweepRecord& r) {
   ordered_json j = {{"genu_sweep", kRecordFormat},
@@ -42,6 +42,9 @@ std::string to_json(const SweepRecord& r) {
     j["kept"].push_back({{"name", k.name}, {"column", k.column}});
     if (k.at_value) j["kept"].back()["value"] = k.value;
   }
+  j["events"] = ordered_json::array();
+  for (const SweepEvent& e : r.events)
+    j["events"].push_back({{"name", e.name}, {"kept", e.kept}, {"above", e.above}, {"limit", e.limit}});
   return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -54,6 +57,10 @@ SweepRecord from_json(const ordered_json& j) {
   for (const auto& f : j.at("factors")) r.factors.push_back(f);
   for (const auto& k : j.at("kept"))
     r.kept.push_back({k.at("name"), k.at("column"), k.contains("value"), k.value("value", 0.0)});
+  for (const auto& e : j.at("events")) {
+    r.events.push_back({e.at("name"), e.at("kept"), e.at("above"), e.at("limit")});
+    for (const std::size_t k : r.events.back().kept) j.at("kept").at(k);  // throws where there is none
+  }
   return r;
 }
 
@@ -108,6 +115,7 @@ SweepRecord record_of(const Sweep& sweep, std::uint64_t shards) {
   for (const Factor& factor : sweep.factors) r.factors.push_back(factor.name);
   for (const KeptNumber& k : sweep.kept)
     r.kept.push_back({k.name, k.column, k.row == KeepDef::Row::Kind::value, k.value});
+  r.events = sweep.events;
   r.main = sweep.cases.front().main.column;
   return r;
 }

@@ -28,7 +28,8 @@ struct SweepRecord {
     double value = 0;
   };
   std::vector<Kept> kept;
-  std::string main;  ///< column of the main coordinate
+  std::vector<SweepEvent> events;  ///< of the study's own
+  std::string main;                ///< column of the main coordinate
 
   std::uint64_t runs() const { return cases.size() * samples; }
 };

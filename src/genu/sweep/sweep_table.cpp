@@ -15,16 +15,49 @@
 namespace genu {
 namespace {
 
-double number_of(const std::string& cell) {
+double number_of(std::string_view cell) {
   double value = kNoNumber;
   std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return value;
 }
 
-void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string>& cells) {
+/// The cells of a line; where none is in quotes they are parts of it, else of `texts`. None where a quote is not
+/// closed.
+void find_cells(std::string_view line, std::vector<std::string_view>& cells, std::vector<std::string>& texts) {
+  cells.clear();
+  if (line.find('"') != std::string_view::npos) {
+    texts = split_row(line);
+    cells.assign(texts.begin(), texts.end());
+    return;
+  }
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t stop = std::min(line.size(), line.find(',', at));
+    cells.push_back(line.substr(at, stop - at));
+    at = stop + 1;
+  }
+}
+
+SweepTable empty_table(const SweepRecord& record) {
+  SweepTable table;
+  table.record = record;
+  table.draws.resize(record.factors.size());
+  table.cases.resize(record.cases.size());
+  for (std::vector<double>& draws : table.draws) draws.reserve(record.samples);
+  for (SweepTable::Case& in : table.cases) {
+    in.kept.resize(record.kept.size());
+    for (std::vector<double>& kept : in.kept) kept.reserve(record.samples);
+    in.jumps.reserve(record.samples);
+    in.jump_at.reserve(record.samples);
+    in.classes.reserve(record.samples);
+    in.reasons.reserve(record.samples);
+  }
+  return table;
+}
+
+void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string_view>& cells) {
   SweepTable::Case& in = table.cases[run / table.record.samples];
   std::size_t c = 3;  // behind sample, scene and what-if
-  in.classes.push_back(cells[c++]);
+  in.classes.emplace_back(cells[c++]);
   in.jumps.push_back(number_of(cells[c++]));
   in.jump_at.push_back(number_of(cells[c++]));
   const bool first_case = run < table.record.samples;
@@ -33,7 +66,7 @@ void add_row(SweepTable& table, std::uint64_t run, const std::vector<std::string
     ++c;
   }
   for (std::vector<double>& kept : in.kept) kept.push_back(number_of(cells[c++]));
-  in.reasons.push_back(cells[c]);
+  in.reasons.emplace_back(cells[c]);
 }
 
 }  // namespace
@@ -73,11 +106,9 @@ std::optional<SweepTable> read_sweep_table(const std::string& folder, const Each
               fmt::format("lacks {} of {} shards: {}", missing.size(), record->shards, as_array_list(missing)));
     return std::nullopt;
   }
-  SweepTable table;
-  table.record = *record;
-  table.draws.resize(record->factors.size());
-  table.cases.resize(record->cases.size());
-  for (SweepTable::Case& in : table.cases) in.kept.resize(record->kept.size());
+  SweepTable table = empty_table(*record);
+  std::vector<std::string_view> cells;
+  std::vector<std::string> texts;
   row(column_line(*record));
   const std::size_t width = split_row(column_line(*record)).size();
   std::set<std::string> programs;
@@ -87,7 +118,7 @@ std::optional<SweepTable> read_sweep_table(const std::string& folder, const Each
     std::uint64_t run = id.first(record->runs());
     const auto add = [&](std::string_view line) {
       if (out.count(Diagnostic::Severity::error) > errors) return;  // of a row before
-      const std::vector<std::string> cells = split_row(line);
+      find_cells(line, cells, texts);
       if (cells.size() != width || !line.starts_with(begin_of_row(*record, run)))
         return out.error(Code::broken_file, shard_path(folder, id),
                          fmt::format("has a row {} that is none of this sweep", run - id.first(record->runs()) + 1));

@@ -30,6 +30,12 @@ inline constexpr double kLeastCorrelationEigenvalue = 1e-9;
 /// printed digits are refused.
 inline constexpr double kCorrelationRounding = 1e-9;
 
+// fraction
+
+/// [1] Most bits of the number of samples of a fractional factorial design. Fails first: if too large, the search for
+/// its words takes seconds.
+inline constexpr int kMostFractionBits = 16;
+
 // kept_numbers
 
 /// [1] Distance of a row from a main-coordinate value, over the coordinate's range, that is rounding. Fails first: if
