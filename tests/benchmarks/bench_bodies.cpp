@@ -41,7 +41,7 @@ std::string free_body(int i, const std::string& parent, const std::string& refer
 
 std::string bushing(const std::string& name, const std::string& from, const std::string& to, double stiffness) {
   return fmt::format(
-      "[bushing.{}]\nfrom = {{ body = \"{}\" }}\nto = {{ body = \"{}\" }}\nstiffness = [{3}, {3}, {3}]\n"
+      "[bushing.{0}]\nfrom = {{ body = \"{1}\" }}\nto = {{ body = \"{2}\" }}\nstiffness = [{3}, {3}, {3}]\n"
       "rotation_stiffness = [1, 1, 1]\n",
       name, from, to, stiffness);
 }

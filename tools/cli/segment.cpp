@@ -35,15 +35,17 @@ struct SegmentOptions {
   SegmentsText text{.name = "", .parent = "tibia", .density = 1100};
 };
 
-std::string piece_path(const SegmentOptions& options, int piece) {
-  return options.folder + "/" + piece_name(options.text.name, piece, options.pieces) + ".stl";
+/// `what`: nothing for the closed piece, "_above" or "_below" for a side.
+std::string piece_path(const SegmentOptions& options, int piece, const char* what) {
+  return options.folder + "/" + piece_name(options.text.name, piece, options.pieces) + what + ".stl";
 }
 
 std::string scene_path(const SegmentOptions& options) { return options.folder + "/" + options.text.name + ".toml"; }
 
 void check_segment_names(const SegmentOptions& options, Diagnostics& out) {
   std::vector<std::string> names{options.text.name, options.text.parent};
-  names.insert(names.end(), options.text.against.begin(), options.text.against.end());
+  for (const std::string& bone : {options.text.above, options.text.below})
+    if (!bone.empty()) names.push_back(bone);
   for (const std::string& name : names)
     if (!is_name(name))
       out.error(Code::usage, "genu segment", "\"" + name + "\" is no name of a scene: letters, digits, _ and -");
@@ -51,13 +53,15 @@ void check_segment_names(const SegmentOptions& options, Diagnostics& out) {
 
 /// Files that somebody else wrote are not replaced.
 void check_segment_files(const SegmentOptions& options, Diagnostics& out) {
-  for (int k = 0; k < options.pieces; ++k) {
-    const std::string path = piece_path(options, k);
-    std::error_code code;
-    if (std::filesystem::exists(std::filesystem::symlink_status(path, code)) && !has_title(path, kPieceTitle))
-      out.error(Code::would_overwrite, path,
-                "is there already and was not written by genu segment: it will not be replaced; choose another folder");
-  }
+  for (int k = 0; k < options.pieces; ++k)
+    for (const char* what : {"", "_above", "_below"}) {
+      const std::string path = piece_path(options, k, what);
+      std::error_code code;
+      if (std::filesystem::exists(std::filesystem::symlink_status(path, code)) && !has_title(path, kPieceTitle))
+        out.error(Code::would_overwrite, path,
+                  "is there already and was not written by genu segment: it will not be replaced; choose another "
+                  "folder");
+    }
   if (const auto why = why_not_replaced(scene_path(options), kSegmentsTitle))
     out.error(why->code, options.folder, why->text);
 }
@@ -80,17 +84,21 @@ std::optional<MeshSegments> cut_meniscus(const SegmentOptions& options, Diagnost
   return segments;
 }
 
-/// Why a file could not be written; empty where all are.
+/// About the piece's centroid. Why it could not be written; empty where it was.
+std::string write_about(const Vec3& centroid, Mesh mesh, const std::string& path) {
+  for (Vec3& v : mesh.vertices) v -= centroid;
+  return write_mesh(mesh, path, units::kMillimetre, kPieceTitle + std::filesystem::path(path).stem().string());
+}
+
 std::string write_pieces(const MeshSegments& segments, const SegmentOptions& options) {
   for (int k = 0; k < options.pieces; ++k) {
     const MeshPiece& piece = segments.pieces[at(k)];
-    Mesh mesh = piece.mesh;
-    for (Vec3& v : mesh.vertices) v -= piece.centroid;
-    const std::string name = piece_name(options.text.name, k, options.pieces);
-    if (std::string why = write_mesh(mesh, piece_path(options, k), units::kMillimetre, kPieceTitle + name);
-        !why.empty())
-      return why;
-    fmt::print("{}: {} triangles, {:.4g} mm3, {:.4g} g\n", printable(piece_path(options, k)), mesh.triangles.size(),
+    const std::string path = piece_path(options, k, "");
+    std::string why = write_about(piece.centroid, piece.mesh, path);
+    if (why.empty()) why = write_about(piece.centroid, piece.above, piece_path(options, k, "_above"));
+    if (why.empty()) why = write_about(piece.centroid, piece.below, piece_path(options, k, "_below"));
+    if (!why.empty()) return why;
+    fmt::print("{}: {} triangles, {:.4g} mm3, {:.4g} g\n", printable(path), piece.mesh.triangles.size(),
                1e9 * piece.volume, 1e3 * options.text.density * piece.volume);
   }
   return write_file_atomically(scene_path(options), segments_text(segments, options.text));
@@ -146,12 +154,15 @@ void add_segment(CLI::App& command, int& exit_code) {
   command.add_option("--density", options->text.density, "kg/m3, for the masses")
       ->check(number_within(1, 1e5))
       ->capture_default_str();
-  command.add_option("--against", options->text.against, "surfaces of the scene that every piece is in contact with");
+  command.add_option(
+      "--above", options->text.above,
+      "surface of the scene that the pieces' upper sides touch; up is the axis, toward + of its largest part");
+  command.add_option("--below", options->text.below, "that their lower sides touch");
   command.add_option("--out", options->folder, "folder for the pieces and NAME.toml, made if need be")
       ->required()
       ->check(not_empty());
   command.footer(
-      "Example: genu segment meniscus.stl --pieces 10 --against femur_cartilage tibia_cartilage --out pieces");
+      "Example: genu segment meniscus.stl --pieces 10 --above femur_cartilage --below tibia_cartilage --out pieces");
   command.callback([options, &exit_code] { exit_code = segment_meniscus(*options); });
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/tolerances.h"
@@ -30,7 +32,9 @@ bool factor_block(int n, double* a, int* exchanged) {
   return true;
 }
 
-void solve_block(int n, const double* a, const int* exchanged, double* v) {
+/// Bodies without further rows, which most are, have loops of known length.
+template <typename Size>
+void solve_block_of(Size n, const double* a, const int* exchanged, double* v) {
   for (int k = 0; k < n; ++k) std::swap(v[k], v[exchanged[k]]);
   for (int k = 0; k < n; ++k)
     for (int i = k + 1; i < n; ++i) v[i] -= a[k * n + i] * v[k];
@@ -38,6 +42,13 @@ void solve_block(int n, const double* a, const int* exchanged, double* v) {
     v[k] /= a[k * n + k];
     for (int i = 0; i < k; ++i) v[i] -= a[k * n + i] * v[k];
   }
+}
+
+void solve_block(int n, const double* a, const int* exchanged, double* v) {
+  if (n == 6)
+    solve_block_of(std::integral_constant<int, 6>(), a, exchanged, v);
+  else
+    solve_block_of(n, a, exchanged, v);
 }
 
 void solve_block_transposed(int n, const double* a, const int* exchanged, double* v) {
@@ -50,12 +61,21 @@ void solve_block_transposed(int n, const double* a, const int* exchanged, double
   for (int k = n - 1; k >= 0; --k) std::swap(v[k], v[exchanged[k]]);
 }
 
-/// out += factor A x, A m x n.
-void add_product(int m, int n, double factor, const double* a, const double* x, double* out) {
+template <typename Size>
+void add_product_of(Size m, Size n, double factor, const double* a, const double* x, double* out) {
   for (int j = 0; j < n; ++j) {
     const double by = factor * x[j];
     for (int i = 0; i < m; ++i) out[i] += a[j * m + i] * by;
   }
+}
+
+/// out += factor A x, A m x n.
+void add_product(int m, int n, double factor, const double* a, const double* x, double* out) {
+  using Six = std::integral_constant<int, 6>;
+  if (m == 6 && n == 6)
+    add_product_of(Six(), Six(), factor, a, x, out);
+  else
+    add_product_of(m, n, factor, a, x, out);
 }
 
 /// out -= A^T x, A m x n.

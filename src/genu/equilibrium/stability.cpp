@@ -155,14 +155,13 @@ const char* to_string(const Stability& stability) {
   return stability.complex_pair && !falls ? "flutter" : to_string(stability.verdict);
 }
 
-FreeStiffness tangent_stiffness(const Linearization& at, double length_scale, double cancelled) {
-  FreeStiffness out;
+void tangent_stiffness(const Linearization& at, double length_scale, double cancelled, FreeStiffness& out) {
   out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
-  return out;
 }
 
 FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled) {
-  FreeStiffness out = tangent_stiffness(at, length_scale, cancelled);
+  FreeStiffness out;
+  tangent_stiffness(at, length_scale, cancelled, out);
   MatX fixed = out.held;
   for (const auto& column : at.load_columns) fixed.row(column.row).setZero();  // a dead load holds nothing
   out.basis = null_space(fixed, kDependentRow);

@@ -11,16 +11,23 @@
 namespace genu {
 namespace {
 
+/// Matrices of hundreds of rows, for pose after pose.
+struct Memory {
+  FreeStiffness of;
+  MatX matrix, basis;
+  BlockLu factors;
+};
+
 /// [K A^T; A 0] of the rows that hold something, A in the size of K, K made symmetric. Loads that drive a coordinate
 /// hold nothing. `skew`: twice the norm of the part of K that is not symmetric.
-MatX bordered(const Linearization& at, const FreeStiffness& of, double& skew) {
+void set_bordered(const Linearization& at, const FreeStiffness& of, MatX& out, double& skew) {
   const Eigen::Index n = of.stiffness.rows();
   MatX held = of.held;
   for (const auto& column : at.load_columns) held.row(column.row).setZero();
   Eigen::Index rows = 0;
   for (Eigen::Index i = 0; i < held.rows(); ++i)
     if (held.row(i).norm() > 0) held.row(rows++) = held.row(i);
-  MatX out = MatX::Zero(n + rows, n + rows);
+  out.setZero(n + rows, n + rows);
   double squares = 0, size = 0;
   for (Eigen::Index i = 0; i < n; i += 6)
     for (Eigen::Index j = 0; j <= i; j += 6) {
@@ -34,7 +41,6 @@ MatX bordered(const Linearization& at, const FreeStiffness& of, double& skew) {
   skew = std::sqrt(squares);
   out.bottomLeftCorner(rows, n) = size * held.topRows(rows);
   out.topRightCorner(n, rows) = out.bottomLeftCorner(rows, n).transpose();
-  return out;
 }
 
 /// The transpose of about_own_origins().
@@ -72,20 +78,21 @@ struct Softest {
 };
 
 /// The largest eigenvalue of a positive semidefinite operator, with full reorthogonalization.
-std::optional<Softest> softest(Flexibility flexibility) {
+std::optional<Softest> softest(Flexibility flexibility, MatX& basis) {
   VecX v(flexibility.size());
   // No motion of a body, and no sum of motions, is left out.
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = std::sin(1.0 + 1.7 * static_cast<double>(i));
   v = flexibility(v);
   if (!(v.norm() > 0) || !v.allFinite()) return std::nullopt;
-  MatX basis(v.size(), kMostLanczosSteps);
+  basis.resize(v.size(), kMostLanczosSteps);
   MatX T = MatX::Zero(kMostLanczosSteps, kMostLanczosSteps);
   basis.col(0) = v.normalized();
   for (int k = 0; k < kMostLanczosSteps; ++k) {
     VecX w = flexibility(basis.col(k));
     T(k, k) = basis.col(k).dot(w);
     const auto known = basis.leftCols(k + 1);
-    for (int again = 0; again < 2; ++again) w -= known * (known.transpose() * w);
+    w -= known * (known.transpose() * w);
+    w -= known * (known.transpose() * w);  // once is not orthogonal to rounding
     const double next = w.norm();
     const bool look = k % 4 == 3 || !(next > 0);
     if (look) {
@@ -105,16 +112,17 @@ std::optional<Softest> softest(Flexibility flexibility) {
 }  // namespace
 
 std::optional<Stability> stable_by_blocks(const Linearization& at, double length_scale) {
-  const FreeStiffness of = tangent_stiffness(at, length_scale);
+  thread_local Memory memory;
+  auto& [of, matrix, basis, factors] = memory;
+  tangent_stiffness(at, length_scale, 0, of);
   const Eigen::Index n = at.wrench.size();
   double skew = 0;
-  const MatX matrix = bordered(at, of, skew);
+  set_bordered(at, of, matrix, skew);
   if (!(skew <= 2 * of.known_to)) return std::nullopt;
   const Eigen::Index constraints = matrix.rows() - n;
-  BlockLu factors;
   if (!factors.factor(matrix, static_cast<int>(n / 6)) || !(factors.rcond() > kTrustLu)) return std::nullopt;
   if (factors.negative_eigenvalues() != constraints) return std::nullopt;
-  const auto found = softest({at, factors, constraints, false});
+  const auto found = softest({at, factors, constraints, false}, basis);
   if (!found || !(1 / found->flexibility > std::max(kNeutralShare * of.stiffness.norm(), of.known_to)))
     return std::nullopt;
   Stability out;
@@ -124,7 +132,7 @@ std::optional<Stability> stable_by_blocks(const Linearization& at, double length
   out.neutral.resize(n, 0);
   if (of.held.rows() > constraints) out.redundant = taking_part(self_stresses(at, length_scale));
   if (at.own_origins.size() == 0) return out;
-  const auto own = softest({at, factors, constraints, true});
+  const auto own = softest({at, factors, constraints, true}, basis);
   if (!own) return std::nullopt;
   out.smallest = 1 / own->flexibility;
   return out;

@@ -366,6 +366,6 @@ inline constexpr double kSingularOfResidual = 100;
 inline constexpr int kMostLanczosSteps = 100;
 
 /// [eigenvalue] Residual of the softest motion. Its eigenvalue has the square of it. Fails first: if too small, time.
-inline constexpr double kLanczosResidual = 1e-9;
+inline constexpr double kLanczosResidual = 1e-7;
 
 }  // namespace genu

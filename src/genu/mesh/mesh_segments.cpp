@@ -1,6 +1,7 @@
 #include "genu/mesh/mesh_segments.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -188,36 +189,65 @@ Centreline centreline_of(const Mesh& mesh, const Round& round, const Span& span,
   return out;
 }
 
-/// The part in front of a plane through the axis, closed by a face. Says in `problem` what cannot be closed.
-Mesh in_front(const Mesh& mesh, const Round& round, const Vec3& normal, std::string& problem) {
+/// The part in front of a plane through the axis, open where it is cut.
+Mesh in_front(const Mesh& mesh, const Round& round, const Vec3& normal) {
   const auto side = [&](const Vec3& p) { return normal.dot(p - round.middle); };
-  const auto crossing = [&](const Vec3& a, const Vec3& b) -> Vec3 {
+  return cut_mesh(mesh, side, [&](const Vec3& a, const Vec3& b) -> Vec3 {
     const double in = side(a), out = side(b);
     return (in * b - out * a) / (in - out);
-  };
-  Mesh out = cut_mesh(mesh, side, crossing);
+  });
+}
+
+/// Closes it by faces across `normal`. Says in `problem` what cannot be closed.
+Mesh closed(Mesh mesh, const Vec3& normal, std::string& problem) {
   std::vector<Fan> fans;
-  for (std::vector<int> loop : boundary_loops(out, mesh_edges(out))) {
+  for (std::vector<int> loop : boundary_loops(mesh, mesh_edges(mesh))) {
     Vec3 twice_area = Vec3::Zero();
-    const Vec3 first = out.vertices[at(loop[0])];
+    const Vec3 first = mesh.vertices[at(loop[0])];
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-      twice_area += (out.vertices[at(loop[k])] - first).cross(out.vertices[at(loop[k + 1])] - first);
+      twice_area += (mesh.vertices[at(loop[k])] - first).cross(mesh.vertices[at(loop[k + 1])] - first);
     // With the surface on the left the loop turns about the normal; one the other way is a hole in the face.
     if (normal.dot(twice_area) < 0) problem = "is hollow where it is to be cut";
     std::reverse(loop.begin(), loop.end());
-    add_polygon(loop, out, fans);
+    add_polygon(loop, mesh, fans);
   }
-  if (cut_concave(out, fans) > 0 && problem.empty()) problem = "has a section that crosses itself";
+  if (cut_concave(mesh, fans) > 0 && problem.empty()) problem = "has a section that crosses itself";
+  return mesh;
+}
+
+/// The triangles that face along `direction`, with the vertices that they use.
+Mesh facing(const Mesh& mesh, const Vec3& direction) {
+  Mesh out;
+  std::vector<int> kept(mesh.vertices.size(), -1);
+  for (const auto& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
+    const Vec3 normal = (b - a).cross(c - a);
+    if (!(direction.dot(normal) > kSteepestSide * normal.norm())) continue;
+    std::array<int, 3>& added = out.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      int& index = kept[at(t[k])];
+      if (index < 0) {
+        index = static_cast<int>(out.vertices.size());
+        out.vertices.push_back(mesh.vertices[at(t[k])]);
+      }
+      added[k] = index;
+    }
+  }
   return out;
 }
 
 MeshPiece piece_between(const Mesh& mesh, const Round& round, double from, double to, std::string& problem) {
   MeshPiece out;
-  out.mesh = in_front(in_front(mesh, round, round.tangent(from), problem), round, -round.tangent(to), problem);
+  const Vec3 behind = round.tangent(from), ahead = -round.tangent(to);
+  const Mesh surface = in_front(in_front(mesh, round, behind), round, ahead);
+  out.above = facing(surface, round.axis);
+  out.below = facing(surface, -round.axis);
+  out.mesh = closed(in_front(closed(in_front(mesh, round, behind), behind, problem), round, ahead), ahead, problem);
   const SolidInertia solid = solid_inertia(out.mesh);
   out.volume = solid.volume;
   out.centroid = solid.centroid;
-  if (problem.empty() && (out.mesh.empty() || !(solid.volume > 0))) problem = "leaves nothing of one piece";
+  if (problem.empty() && (out.above.empty() || out.below.empty() || !(solid.volume > 0)))
+    problem = "leaves nothing of one piece";
   return out;
 }
 

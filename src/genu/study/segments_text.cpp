@@ -15,22 +15,29 @@ std::string numbers(const Vec3& v) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}
 
 std::string in_mm(const Vec3& p) { return numbers(1e3 * p); }
 
+/// The side of a piece that touches a bone's surface.
+std::string side_text(const std::string& piece, const std::string& side, const std::string& bone) {
+  std::string out = fmt::format(
+      "\n[surface.{0}_{1}]\nbody = \"{0}\"\nshape = \"mesh\"\nfile = \"{0}_{1}.stl\"\nunits = \"mm\"\n", piece, side);
+  if (bone.empty()) return out;
+  return out + fmt::format(
+                   "\n[contact.{0}_{1}]\nsurfaces = [\"{2}\", \"{0}_{1}\"]\nmodel = \"cartilage\"\nmodulus = 3\n"
+                   "poisson = 0.45\nthickness = 6\nlaw = \"linear\"\nquadrature = \"triangles\"\n"
+                   "cast_from = \"{0}_{1}\"\nsearch_depth = 10\n",
+                   piece, side, bone);
+}
+
 std::string piece_text(const MeshSegments& segments, int piece, const SegmentsText& of) {
   const MeshPiece& p = segments.pieces[at(piece)];
   const std::string name = piece_name(of.name, piece, static_cast<int>(segments.pieces.size()));
   const Vec3 c = 1e3 * p.centroid;
-  std::string out = fmt::format(
-      "\n[body.{0}]  # {1:.4g} mm3, {2:.4g} g\n\n[joint.{0}]\ntype = \"free\"\nparent = \"{3}\"\nchild = \"{0}\"\n"
-      "rotations = [\"about_z -z\", \"about_x x\", \"about_y y\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
-      "reference = {{ x = {4:.9g}, y = {5:.9g}, z = {6:.9g} }}\n\n"
-      "[surface.{0}]\nbody = \"{0}\"\nshape = \"mesh\"\nfile = \"{0}.stl\"\nunits = \"mm\"\n",
-      name, 1e9 * p.volume, 1e3 * of.density * p.volume, of.parent, c.x(), c.y(), c.z());
-  for (const std::string& surface : of.against)
-    out += fmt::format(
-        "\n[contact.{0}_on_{1}]\nsurfaces = [\"{1}\", \"{0}\"]\nmodel = \"cartilage\"\nmodulus = 3\npoisson = 0.45\n"
-        "thickness = 6\nlaw = \"linear\"\nquadrature = \"triangles\"\ncast_from = \"{0}\"\n",
-        name, surface);
-  return out;
+  return fmt::format(
+             "\n[body.{0}]  # {1:.4g} mm3, {2:.4g} g\n\n[joint.{0}]\ntype = \"free\"\nparent = \"{3}\"\nchild = "
+             "\"{0}\"\n"
+             "rotations = [\"about_z -z\", \"about_x x\", \"about_y y\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
+             "reference = {{ x = {4:.9g}, y = {5:.9g}, z = {6:.9g} }}\n",
+             name, 1e9 * p.volume, 1e3 * of.density * p.volume, of.parent, c.x(), c.y(), c.z()) +
+         side_text(name, "above", of.above) + side_text(name, "below", of.below);
 }
 
 std::string bushing_text(const MeshSegments& segments, int section, const SegmentsText& of) {

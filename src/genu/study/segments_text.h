@@ -13,12 +13,12 @@
 namespace genu {
 
 struct SegmentsText {
-  std::string name;                    ///< of the meniscus: pieces are NAME_01, NAME_02, ...
-  std::string parent;                  ///< body in whose frame the mesh is given
-  double modulus = 0;                  ///< Pa, along the centreline
-  double shear_modulus = 0;            ///< Pa
-  double density = 0;                  ///< kg/m^3, for the masses
-  std::vector<std::string> against{};  ///< surfaces that every piece is in contact with
+  std::string name;              ///< of the meniscus: pieces are NAME_01, NAME_02, ...
+  std::string parent;            ///< body in whose frame the mesh is given
+  double modulus = 0;            ///< Pa, along the centreline
+  double shear_modulus = 0;      ///< Pa
+  double density = 0;            ///< kg/m^3, for the masses
+  std::string above{}, below{};  ///< surfaces of bones that the pieces' two sides are in contact with; may be empty
 };
 
 /// "NAME_07" of the piece with index 6.
@@ -31,7 +31,8 @@ Vec6 section_stiffness(const MeshSegments& segments, int section, const Segments
 /// What stands in front of each such text, and by which it is known again.
 inline constexpr char kSegmentsTitle[] = "# genu segment: ";
 
-/// For a scene in mm and deg, beside the meshes FILE.stl of the pieces about their centroids.
+/// For a scene in mm and deg, beside the meshes NAME_01_above.stl and NAME_01_below.stl of the pieces' sides about
+/// their centroids.
 std::string segments_text(const MeshSegments& segments, const SegmentsText& of);
 
 }  // namespace genu
