@@ -8,6 +8,7 @@
 #include "genu/core/decompositions.h"
 #include "genu/mesh/mesh_cut.h"
 #include "genu/mesh/mesh_topology.h"
+#include "genu/mesh/mesh_weld.h"
 #include "genu/mesh/polygon_cut.h"
 #include "genu/mesh/solid_inertia.h"
 #include "genu/mesh/tolerances.h"
@@ -215,24 +216,35 @@ Mesh closed(Mesh mesh, const Vec3& normal, std::string& problem) {
   return mesh;
 }
 
-/// The triangles that face along `direction`, with the vertices that they use.
-Mesh facing(const Mesh& mesh, const Vec3& direction) {
+/// The triangles of one side, with all vertices.
+Mesh part_of(const Mesh& mesh, const std::vector<char>& above, char side) {
   Mesh out;
-  std::vector<int> kept(mesh.vertices.size(), -1);
+  out.vertices = mesh.vertices;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
+    if (above[k] == side) out.triangles.push_back(mesh.triangles[k]);
+  return out;
+}
+
+/// Only the largest connected part of a side stays one: scraps of a rim, and holes, go to the other.
+void turn_scraps(const Mesh& mesh, char side, std::vector<char>& above) {
+  const Components parts = connected_components(part_of(mesh, above, side));
+  std::vector<long> sizes(at(parts.count), 0);
+  for (const int part : parts.of_triangle) ++sizes[at(part)];
+  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+  auto part = parts.of_triangle.begin();
+  for (char& is : above)
+    if (is == side && *part++ != largest) is = side != 0 ? 0 : 1;
+}
+
+/// For each triangle whether it belongs to the side that faces along `direction`.
+std::vector<char> upper_side(const Mesh& mesh, const Vec3& direction) {
+  std::vector<char> out;
   for (const auto& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
-    const Vec3 normal = (b - a).cross(c - a);
-    if (!(direction.dot(normal) > kSteepestSide * normal.norm())) continue;
-    std::array<int, 3>& added = out.triangles.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      int& index = kept[at(t[k])];
-      if (index < 0) {
-        index = static_cast<int>(out.vertices.size());
-        out.vertices.push_back(mesh.vertices[at(t[k])]);
-      }
-      added[k] = index;
-    }
+    out.push_back(direction.dot((b - a).cross(c - a)) > 0 ? 1 : 0);
   }
+  turn_scraps(mesh, 1, out);
+  turn_scraps(mesh, 0, out);
   return out;
 }
 
@@ -240,8 +252,11 @@ MeshPiece piece_between(const Mesh& mesh, const Round& round, double from, doubl
   MeshPiece out;
   const Vec3 behind = round.tangent(from), ahead = -round.tangent(to);
   const Mesh surface = in_front(in_front(mesh, round, behind), round, ahead);
-  out.above = facing(surface, round.axis);
-  out.below = facing(surface, -round.axis);
+  const std::vector<char> above = upper_side(surface, round.axis);
+  out.above = part_of(surface, above, 1);
+  out.below = part_of(surface, above, 0);
+  drop_unused_vertices(out.above);
+  drop_unused_vertices(out.below);
   out.mesh = closed(in_front(closed(in_front(mesh, round, behind), behind, problem), round, ahead), ahead, problem);
   const SolidInertia solid = solid_inertia(out.mesh);
   out.volume = solid.volume;

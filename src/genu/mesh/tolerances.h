@@ -68,10 +68,6 @@ inline constexpr double kCutSnapShare = 0.1;
 /// seen.
 inline constexpr int kSpanBins = 1440;
 
-/// [1] Least cosine to the axis of what belongs to the upper or the lower side. Fails first: if too small, rims and flat
-/// ends belong to sides at random.
-inline constexpr double kSteepestSide = 0.1;
-
 /// [points] Of the centreline. Fails first: if too small, pieces differ in length.
 inline constexpr int kCentrelinePoints = 180;
 
