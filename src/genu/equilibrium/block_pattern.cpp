@@ -90,9 +90,10 @@ std::vector<std::vector<int>> nodes_of(const Coupling& coupled, const std::vecto
 Coupling::Coupling(int bodies, int others)
     : bodies_(bodies), groups_(bodies + others), coupled_(at(groups_) * at(groups_), 2) {}
 
+/// What is no number counts as an entry.
 bool Coupling::any(const MatX& matrix, int a, int b) const {
-  if (a < bodies_ && b < bodies_) return (matrix.block<6, 6>(6 * a, 6 * b).array() != 0).any();
-  return (matrix.block(first(a), first(b), count(a), count(b)).array() != 0).any();
+  if (a < bodies_ && b < bodies_) return matrix.block<6, 6>(6 * a, 6 * b).cwiseAbs().sum() != 0;
+  return matrix.block(first(a), first(b), count(a), count(b)).cwiseAbs().sum() != 0;
 }
 
 bool Coupling::look_at(const MatX& matrix) {

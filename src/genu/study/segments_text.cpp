@@ -77,7 +77,7 @@ std::string segments_text(const MeshSegments& segments, const SegmentsText& of) 
       "# For a scene in mm and deg with a body \"{}\", in whose frame the mesh was given. What ties the meniscus to "
       "bone\n"
       "# (horns, coronary ligaments) is to be added.\n"
-      "# {}_hoop_NN.force_x_N in the results is the tension in a section.\n",
+      "# {}_hoop_NN.force_x_N in the results is minus the tension in a section: the pull on the next piece.\n",
       kSegmentsTitle, of.name, segments.pieces.size(), 1e-6 * of.modulus, 1e-6 * of.shear_modulus, of.parent, of.name);
   for (int k = 0; k < static_cast<int>(segments.pieces.size()); ++k) out += piece_text(segments, k, of);
   for (int k = 0; k < static_cast<int>(segments.sections.size()); ++k) out += bushing_text(segments, k, of);
