@@ -1,5 +1,8 @@
 #include "genu/equilibrium/state_difference.h"
 
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "support/solved.h"
@@ -23,6 +26,30 @@ TEST(StateDifference, DistancesAddUpOverTheBodiesInCharacteristicLengths) {
   const auto [metres, radians] = largest_motion(a, b);
   EXPECT_NEAR(metres, 0.005, 1e-16);
   EXPECT_NEAR(radians, 0.25, 1e-14);
+}
+
+// A chain of many bodies that turns as a whole about its first joint: only that one moves in its parent.
+TEST(StateDifference, OfManyBodiesTheLargestMotionInAParentCounts) {
+  std::string text = "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.b0]\nfixed = true\n";
+  for (int i = 1; i <= 12; ++i) {
+    const std::string k = std::to_string(i);
+    text += "[body.b" + k + "]\n[joint.j" + k + "]\ntype = \"free\"\nparent = \"b" + std::to_string(i - 1) +
+            "\"\nchild = \"b" + k +
+            "\"\nrotations = [\"a z\", \"b x\", \"c y\"]\ntranslations = [\"x\", \"y\", \"z\"]\n"
+            "reference = { x = 50 }\n";
+  }
+  JointModel model = test::scene_model(text).model;
+  model.scales.length = 0.02;
+  const State straight = reference_state(model);
+  State turned = straight;
+  VecX twist(72);
+  for (int k = 1; k < 13; ++k) {
+    const Vec3& p = straight.poses[at(k)].p;
+    turned.poses[at(k)] = Pose{exp_rotation(Vec3(0, 0, 0.1)), Vec3::Zero()} * straight.poses[at(k)];
+    twist.segment<6>(6 * (k - 1)) << Vec3(0, 0, 0.1).cross(p), 0, 0, 0.1;
+  }
+  EXPECT_NEAR(distance(model, straight, turned), 0.1 + 2 * std::sin(0.05) * 0.05 / 0.02, 1e-13);
+  EXPECT_NEAR(speed(model, straight, twist), 0.1 + 0.1 * 0.05 / 0.02, 1e-13);
 }
 
 TEST(StateDifference, SaysWhichContactsCameAndWent) {

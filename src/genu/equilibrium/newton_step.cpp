@@ -108,8 +108,9 @@ bool NewtonStep::factor(const Linearization& at, const Target& target, Route rou
   for (const auto& column : at.load_columns) matrix_.col(twists_ + column.row).head(twists_) = column.wrench;
   route_ == Route::dense ? assemble_dense(at) : assemble_eliminated(at);
   if (bordered_) add_border(*border);
-  matrix_ = row_scale_.asDiagonal() * matrix_ * column_scale_.asDiagonal();
-  return solver_.factor(matrix_);
+  for (Eigen::Index j = 0; j < matrix_.cols(); ++j)
+    matrix_.col(j) = matrix_.col(j).cwiseProduct(row_scale_) * column_scale_[j];
+  return solver_.factor(matrix_, route_ == Route::dense ? 0 : twists_ / 6);
 }
 
 void NewtonStep::solve(const Linearization& at, Correction& out) {

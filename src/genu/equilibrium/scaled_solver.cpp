@@ -4,13 +4,19 @@
 
 namespace genu {
 
-bool ScaledSolver::factor(const MatX& matrix) {
+bool ScaledSolver::factor(const MatX& matrix, int bodies) {
   rank_ = matrix.rows();
-  minimum_norm_ = surely_regular_ = false;
+  minimum_norm_ = surely_regular_ = by_blocks_ = false;
   if (matrix.rows() == 0) {
     rcond_ = 1;
     return true;
   }
+  by_blocks_ = bodies >= kManyBodies && blocks_.factor(matrix, bodies);
+  if (by_blocks_) {
+    rcond_ = blocks_.rcond();
+    by_blocks_ = rcond_ > kTrustLu;
+  }
+  if (by_blocks_) return true;
   rcond_ = small_.factor(matrix);
   surely_regular_ = rcond_ > kSurelyRegular;
   if (surely_regular_) return true;
@@ -27,9 +33,11 @@ bool ScaledSolver::factor(const MatX& matrix) {
   return true;
 }
 
-void ScaledSolver::solve(const VecX& rhs, VecX& x) const {
+void ScaledSolver::solve(const VecX& rhs, VecX& x) {
   if (rhs.size() == 0) {
     x.resize(0);
+  } else if (by_blocks_) {
+    blocks_.solve(rhs, x);
   } else if (surely_regular_) {
     small_.solve(rhs, x);
   } else if (minimum_norm_) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "genu/core/decompositions.h"
 #include "genu/equilibrium/moving_blocks.h"
+#include "genu/equilibrium/stability_by_blocks.h"
 #include "genu/equilibrium/tolerances.h"
 
 namespace genu {
@@ -59,7 +61,7 @@ double tangent(const Linearization& at, double length_scale, double cancelled, M
     rows += more;
   }
   const VecX unit = stability_metric(n);
-  stiffness = -(unit.asDiagonal() * stiffness * unit.asDiagonal());
+  for (Eigen::Index j = 0; j < n; ++j) stiffness.col(j) = -(stiffness.col(j).cwiseProduct(unit) * unit[j]);
   held = held * unit.asDiagonal();
   for (Eigen::Index i = 0; i < held.rows(); ++i) {
     const double norm = held.row(i).norm();
@@ -153,9 +155,13 @@ const char* to_string(const Stability& stability) {
   return stability.complex_pair && !falls ? "flutter" : to_string(stability.verdict);
 }
 
+void tangent_stiffness(const Linearization& at, double length_scale, double cancelled, FreeStiffness& out) {
+  out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
+}
+
 FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled) {
   FreeStiffness out;
-  out.known_to = tangent(at, length_scale, cancelled, out.stiffness, out.held);
+  tangent_stiffness(at, length_scale, cancelled, out);
   MatX fixed = out.held;
   for (const auto& column : at.load_columns) fixed.row(column.row).setZero();  // a dead load holds nothing
   out.basis = null_space(fixed, kDependentRow);
@@ -163,6 +169,8 @@ FreeStiffness free_stiffness(const Linearization& at, double length_scale, doubl
 }
 
 Stability assess_stability(const Linearization& at, double length_scale) {
+  if (at.wrench.size() >= Eigen::Index{6} * kManyBodies)
+    if (auto stable = stable_by_blocks(at, length_scale)) return std::move(*stable);
   Stability out;
   const auto [stiffness, held, basis, known_to] = free_stiffness(at, length_scale);
   out.free_motions = static_cast<int>(basis.cols());

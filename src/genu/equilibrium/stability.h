@@ -54,6 +54,9 @@ struct FreeStiffness {
 /// `cancelled` (J, in the metric): size of terms that were removed from the stiffness. Their rounding remains in it.
 FreeStiffness free_stiffness(const Linearization& at, double length_scale, double cancelled = 0);
 
+/// The same without the basis, whose cost grows with the cube of the number of bodies. `out` keeps its memory.
+void tangent_stiffness(const Linearization& at, double length_scale, double cancelled, FreeStiffness& out);
+
 /// `motions` (columns, in the metric), with twists taken about the bodies' own origins in the file.
 MatX about_own_origins(const Linearization& at, MatX motions);
 

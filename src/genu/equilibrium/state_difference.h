@@ -10,8 +10,13 @@
 
 namespace genu {
 
-/// Characteristic lengths plus rad, summed over the bodies.
+/// Characteristic lengths plus rad, summed over the bodies. Of many bodies (kManyBodies) the largest motion of any in
+/// its parent: at the end of a chain a body moves far where each joint hardly moves, and only the latter changes
+/// forces.
 double distance(const JointModel& model, const State& a, const State& b);
+
+/// The same of the bodies' motion `twist` (6B) at a state, per unit of t.
+double speed(const JointModel& model, const State& state, const VecX& twist);
 
 /// Largest translation (m) and rotation (rad) of any body.
 std::pair<double, double> largest_motion(const State& from, const State& to);

@@ -216,6 +216,28 @@ inline constexpr double kSurelyRegular = 1e-12;
 /// stalls.
 inline constexpr double kRankThreshold = 1e-10;
 
+/// [bodies] From here on bodies are many: matrices are factored by blocks, and motions are measured from body to
+/// body. Fails first: if too large, time; if too small, the last digits of joints of few bodies change.
+inline constexpr int kManyBodies = 10;
+
+// block_pattern
+
+/// [bodies] Of a constraint or contact that is eliminated with one of its bodies. Fails first: if too small, the last
+/// node grows with the number of contacts (time).
+inline constexpr std::size_t kBodiesOfNarrowRow = 3;
+
+// block_lu
+
+/// [pivot block] Entry of a pivot that is too small for one. Fails first: if too small, the pose is inaccurate; if too
+/// large, the dense matrix is factored for nothing (time).
+inline constexpr double kLeastBlockPivot = 1e-13;
+
+/// [block] Growth of a pivot block by elimination. Fails first: as the one before.
+inline constexpr double kLargestGrowth = 1e6;
+
+/// [solves] To estimate a condition. Fails first: if too small, it is underestimated.
+inline constexpr int kConditionSolves = 5;
+
 // self_stress
 
 /// [1] Component of a unit self-stress that is round-off. Fails first: if too small, all forces are called
@@ -337,5 +359,13 @@ inline constexpr double kSingularStep = 1e-13;
 
 /// [1] The same over the scaled residual. Fails first: if too small, coarse tolerances hide non-unique poses.
 inline constexpr double kSingularOfResidual = 100;
+
+// stability_by_blocks
+
+/// [steps] Of Lanczos' method. Fails first: if too small, all eigenvalues are computed instead (time).
+inline constexpr int kMostLanczosSteps = 100;
+
+/// [eigenvalue] Residual of the softest motion. Its eigenvalue has the square of it. Fails first: if too small, time.
+inline constexpr double kLanczosResidual = 1e-7;
 
 }  // namespace genu

@@ -62,6 +62,15 @@ inline constexpr double kCoarsenMinCosine = 0.5;
 /// for the closest triangle fail there.
 inline constexpr double kCutSnapShare = 0.1;
 
+// mesh_segments
+
+/// [bins] Of the whole turn, to find the gap between a meniscus' horns. Fails first: if too small, a narrow gap is not
+/// seen.
+inline constexpr int kSpanBins = 1440;
+
+/// [points] Of the centreline. Fails first: if too small, pieces differ in length.
+inline constexpr int kCentrelinePoints = 180;
+
 // mesh_weld
 
 /// [1] Vertices nearer than this share of the box's diagonal are welded. Fails first: if too large, thin sheets stick

@@ -110,12 +110,13 @@ PathFollower::Attempt PathFollower::attempt(double t) {
   return out;
 }
 
-bool PathFollower::passes_a_fold(const Tangent& next, double h) const {
+bool PathFollower::passes_a_fold(const Tangent& next, const State& there, double h) const {
   // Beyond a limit point, on another branch, the bodies soon move as slowly as before it. A step across which the speed
   // changes by more than kRatio is halved; a very short one is accepted, because a nonsmooth point of a law changes the
   // speed too. Past two neighbouring limit points both prediction and speed may agree by chance. With this ratio one of
   // the two tests fails there if the path is a cubic.
-  const double before = path_speed(solver_.model(), tangent_.motion), after = path_speed(solver_.model(), next.motion);
+  const double before = speed(solver_.model(), pose_.state, tangent_.motion.twist);
+  const double after = speed(solver_.model(), there, next.motion.twist);
   if (h <= kShortestSpeedStep || h * std::max(before, after) <= kStillMotion) return false;
   return std::max(before, after) > kSpeedRatio * std::min(before, after);
 }
@@ -130,7 +131,8 @@ bool PathFollower::far_from_predicted(const Attempt& attempt) const {
 bool PathFollower::jumped(const State& state, double h) const {
   // A pose much farther away than the tangent predicts lies on another branch.
   return distance(solver_.model(), pose_.state, state) >
-         std::min(kMotionFactor * h * path_speed(solver_.model(), tangent_.motion), kLongestMotion) + kMotionSlack;
+         std::min(kMotionFactor * h * speed(solver_.model(), pose_.state, tangent_.motion.twist), kLongestMotion) +
+             kMotionSlack;
 }
 
 bool PathFollower::passes_through(const Attempt& trial) {
@@ -143,7 +145,8 @@ bool PathFollower::advance_to(double t_end) {
   law_jump_.clear();
   double h = t_end - t_;
   while (t_ < t_end) {
-    h = std::min({h, kLongestSubstep, kLongestMotion / std::max(path_speed(solver_.model(), tangent_.motion), 1e-300)});
+    const double fastest = speed(solver_.model(), pose_.state, tangent_.motion.twist);
+    h = std::min({h, kLongestSubstep, kLongestMotion / std::max(fastest, 1e-300)});
     if (h < options_.smallest_increment) {
       failure_ = {};
       failure_.why = "the path becomes infinitely steep";
@@ -155,7 +158,7 @@ bool PathFollower::advance_to(double t_end) {
     const bool followed = solved && !far_from_predicted(trial) && !passes_through(trial);
     if (followed && trial.valid()) {
       compute_tangent_of_last(trial.pose.state, t, next_);
-      if (!passes_a_fold(next_, t - t_)) {
+      if (!passes_a_fold(next_, trial.pose.state, t - t_)) {
         const double inside = trial.findings.worst;
         if (pass(t, trial)) {
           inside_ = inside;

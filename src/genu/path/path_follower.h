@@ -101,7 +101,7 @@ class PathFollower {
 
   Attempt attempt(double t);
   void accept(double t, Balanced pose, const PoseReport& report, bool leaps = false);
-  bool passes_a_fold(const Tangent& next, double h) const;
+  bool passes_a_fold(const Tangent& next, const State& there, double h) const;
   bool far_from_predicted(const Attempt& attempt) const;
   bool passes_through(const Attempt& trial);
   bool jumped(const State& state, double h) const;
