@@ -29,12 +29,12 @@ std::string pull(int n, const std::string& force) {
 }
 
 /// At the last pose of a path.
-struct Solved {
+struct SolvedChain {
   test::SceneModel scene;
   test::Followed path;
   Linearization at;
 
-  explicit Solved(const std::string& text) : scene(test::scene_model(text)), path(test::follow(scene)) {
+  explicit SolvedChain(const std::string& text) : scene(test::scene_model(text)), path(test::follow(scene)) {
     EXPECT_TRUE(path.result.complete) << path.story();
     linearize(scene.model, path.points.back().pose.state, path.points.back().target, at);
   }
@@ -43,7 +43,7 @@ struct Solved {
 
 TEST(StabilityByBlocks, GivesTheSmallestOfAllEigenvalues) {
   for (const char* step : {"", "prescribe = { \"j7.a\" = 0.5, \"j12.b\" = 0.1 }\n"}) {
-    const Solved s(chain(14, pull(14, "[0, 0.1, 0.05]") + step));
+    const SolvedChain s(chain(14, pull(14, "[0, 0.1, 0.05]") + step));
     const auto found = stable_by_blocks(s.at, s.length());
     ASSERT_TRUE(found);
     const FreeStiffness free = free_stiffness(s.at, s.length());
@@ -81,7 +81,7 @@ TEST(StabilityByBlocks, SaysNothingOfOtherPoses) {
 }
 
 TEST(StabilityByBlocks, LoadsWithoutAPotentialAreLeftToAllEigenvalues) {
-  const Solved s(chain(12, "[load.follower]\nbody = \"b12\"\nframe = \"body\"\nforce = [0, 0.2, 0]\n"));
+  const SolvedChain s(chain(12, "[load.follower]\nbody = \"b12\"\nframe = \"body\"\nforce = [0, 0.2, 0]\n"));
   EXPECT_FALSE(stable_by_blocks(s.at, s.length()));
 }
 

@@ -116,7 +116,7 @@ TEST(NewLigaments, MakeAKneeThatBends) {
     EXPECT_EQ(report->poses_solved, 130);
     Diagnostics said;
     Solution found;
-    run_scene(report->file, folder / "out", {}, said, &found);
+    EXPECT_EQ(run_scene(report->file, folder / "out", {}, said, &found), kExitOk) << name;
     ASSERT_EQ(found.poses.rows(), 130u);
     EXPECT_EQ(found.summary.poses_stable, 130);
     for (std::size_t row = 0; row < 130; ++row) {

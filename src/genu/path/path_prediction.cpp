@@ -5,9 +5,7 @@
 #include "genu/path/tolerances.h"
 
 namespace genu {
-namespace {
 
-/// Sum of the bodies' speeds, in characteristic lengths and rad per unit of t.
 double path_speed(const JointModel& model, const Correction& tangent) {
   const VecX& twist = tangent.twist;
   double sum = 0;
@@ -15,8 +13,6 @@ double path_speed(const JointModel& model, const Correction& tangent) {
     sum += twist.segment<3>(i).norm() / model.scales.length + twist.segment<3>(i + 3).norm();
   return sum;
 }
-
-}  // namespace
 
 /// A divided difference is known as long as it is small beside the one before it, over the span. Otherwise the path is
 /// nonsmooth or near a limit point, and earlier poses do not predict it.

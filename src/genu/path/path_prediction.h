@@ -10,6 +10,9 @@
 
 namespace genu {
 
+/// Speed of the bodies along a path: sum of their speeds, in characteristic lengths and rad per unit of t.
+double path_speed(const JointModel& model, const Correction& tangent);
+
 class PathPrediction {
  public:
   explicit PathPrediction(const JointModel& model) : model_(&model) {}
