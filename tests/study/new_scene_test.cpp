@@ -24,7 +24,7 @@ using test::TemporaryFolder;
 const std::string kBones = genu::test::source_folder() + "/meshes/leskovar2019/";
 
 /// Writes it, checks it as `genu check` does, and runs it as a user would.
-Solution written_and_run(const NewScene& asked, const TemporaryFolder& folder) {
+Solution written_and_run(const NewScene& asked, const TemporaryFolder& folder, int code = kExitOk) {
   Diagnostics out;
   const auto report = write_new_scene(asked, out);
   EXPECT_TRUE(report.has_value()) << (out.items().empty() ? "" : to_string(out.items().front()));
@@ -33,7 +33,7 @@ Solution written_and_run(const NewScene& asked, const TemporaryFolder& folder) {
   EXPECT_EQ(report->poses_solved, report->poses_asked);
   EXPECT_TRUE(report->verdict.empty());
   Diagnostics said;
-  EXPECT_EQ(run_scene(report->file, folder / "out", {}, said, &found), kExitOk);
+  EXPECT_EQ(run_scene(report->file, folder / "out", {}, said, &found), code);
   EXPECT_TRUE(said.items().empty()) << to_string(said.items().front());
   EXPECT_EQ(found.summary.poses_solved, report->poses_solved);
   return found;
@@ -62,12 +62,13 @@ TEST(NewScene, OfTwoMeshesRunsAndPressesAsItSays) {
                        .folder = folder / "knee",
                        .femur = kBones + "femur.stl",
                        .tibia = kBones + "tibia.stl"};
-  const Solution found = written_and_run(asked, folder);
-  EXPECT_EQ(found.summary.poses_stable, 40);
-  ASSERT_EQ(found.poses.rows(), 40u);
-  EXPECT_NEAR(found.poses.number(39, "knee.flexion_deg"), 30, 1e-9);
-  EXPECT_GT(found.poses.number(39, "tibiofemoral.force_N"), 100);  // the load and the ligaments' pull
-  EXPECT_NEAR(found.poses.number(39, "knee.gs.flexion_deg"), 30, 5);
+  // These bones are drawn by formulas: they snap by 0.9 mm once, which is said.
+  const Solution found = written_and_run(asked, folder, kExitDoubtful);
+  EXPECT_EQ(found.summary.poses_stable, 130);
+  ASSERT_EQ(found.poses.rows(), 130u);
+  EXPECT_NEAR(found.poses.number(129, "knee.flexion_deg"), 120, 1e-9);
+  EXPECT_GT(found.poses.number(129, "tibiofemoral.force_N"), 100);  // the load and the ligaments' pull
+  EXPECT_NEAR(found.poses.number(129, "knee.gs.flexion_deg"), 120, 5);
   const std::string text = read_file(folder / "knee/knee.toml");
   EXPECT_FALSE(contains(text, "@"));
   for (const char* said : {"femur.stl", "tibia.stl", "CHOSEN", "GUESSED", "regions = { medial = \"z < "})
@@ -145,7 +146,7 @@ TEST(NewScene, OfMeasuredKnees) {
         {.kind = NewScene::Kind::stl, .folder = folder / "knee", .femur = data_path(femur), .tibia = data_path(tibia)},
         out);
     ASSERT_TRUE(report.has_value()) << femur;
-    EXPECT_EQ(report->poses_solved, 40) << femur;
+    EXPECT_EQ(report->poses_solved, 130) << femur;
   }
 }
 

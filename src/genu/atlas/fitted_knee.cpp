@@ -112,10 +112,10 @@ FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAx
   const ReferenceKnee& knee = reference_knee();
   return {fit_bone(femur, knee.femur, axes, axes.gap, &ReferenceFibre::femur),
           fit_bone(tibia, knee.tibia, axes, 0, &ReferenceFibre::tibia),
-          axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0};
+          axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0, axes.gap * axes.proximal};
 }
 
-std::vector<double> slack_lengths(const FittedKnee& fitted) {
+std::vector<double> slack_lengths(const FittedKnee& fitted, double closer) {
   const ReferenceKnee& knee = reference_knee();
   std::vector<Vec3> from[2], to[2];  // femur, tibia
   for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
@@ -127,10 +127,11 @@ std::vector<double> slack_lengths(const FittedKnee& fitted) {
   const Affine femur = similarity(from[0], to[0], fitted.reflected),
                tibia = similarity(from[1], to[1], fitted.reflected);
   const Mat3 back = tibia.linear.inverse();
+  const double nearer = closer / tibia.linear.col(1).norm();
   std::vector<double> out;
   for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
     const ReferenceFibre& fibre = knee.fibres[i];
-    const Vec3 end = back * (to[1][i] - tibia.shift);
+    const Vec3 end = back * (to[1][i] - tibia.shift) + nearer * Vec3::UnitY();
     double longest = 0, most = -1, up = 0, down = 0;
     for (const Eigen::Isometry3d& pose : knee.flexion) {
       const double length = (femur(pose * end) - to[0][i]).norm();
@@ -141,7 +142,10 @@ std::vector<double> slack_lengths(const FittedKnee& fitted) {
       up += weight * length * length;
       down += weight * length * (1 + strain);
     }
-    out.push_back(down > 0 ? up / down : longest / (1 + most));  // never taut: nor here
+    // Never taut: nor here. Where it begins, not much more taut than the reference ever is.
+    const double start = (to[1][i] + fitted.start - to[0][i]).norm();
+    out.push_back(down > 0 ? std::max(up / down, start / (1 + most + kMoreTaut))
+                           : std::max(longest, start) / (1 + most));
   }
   return out;
 }

@@ -34,15 +34,17 @@ struct FittedBone {
 
 struct FittedKnee {
   FittedBone femur, tibia;
-  bool reflected = false;  ///< a left knee
+  bool reflected = false;     ///< a left knee
+  Vec3 start = Vec3::Zero();  ///< m: how the tibia moves until the meshes touch
 };
 
 /// Lays the reference knee on both meshes, of bones or of their cartilage.
 FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes);
 
 /// Slack lengths (m) of the fibres of reference_knee(), in their order: such that along its flexion, laid on these
-/// bones, each strains as it does there (least squares; the more taut, the more a pose counts).
-std::vector<double> slack_lengths(const FittedKnee& fitted);
+/// bones, each strains as it does there (least squares; the more taut, the more a pose counts). `closer`, m: how much
+/// nearer the tibia is to the femur here, as where cartilage is missing between them.
+std::vector<double> slack_lengths(const FittedKnee& fitted, double closer = 0);
 
 /// The point of a mesh that is nearest to x. m.
 Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x);

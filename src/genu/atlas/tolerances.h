@@ -88,4 +88,8 @@ inline constexpr double kBetterMisfit = 0.5;
 /// length hangs on few poses; if too large, on poses in which it carries nothing.
 inline constexpr double kNearlyTaut = 0.01;
 
+/// [1] How much more a fibre may strain than that of the reference does at most. Fails first: if too small, fibres are
+/// slack where the reference's are taut; if too large, single fibres carry what their bundle should.
+inline constexpr double kMoreTaut = 0.15;
+
 }  // namespace genu

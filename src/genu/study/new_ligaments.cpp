@@ -77,11 +77,12 @@ std::string insertion_text(const Insertion& insertion) {
                      insertion.on_mesh ? "" : ", beside the mesh");
 }
 
+/// The word in a text of ligaments for the length of one.
+std::string word_of(const std::string& fibre) { return "length of " + fibre; }
+std::string slack_text(double slack) { return fmt::format("slack_length = {:.2f}", 1e3 * slack); }
+
 std::string of_reference(const FittedKnee& fitted) {
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
-  // Of cartilage alone insertions are too uncertain for lengths along the whole flexion.
-  const bool bones = !fitted.femur.cartilage && !fitted.tibia.cartilage;
-  const std::vector<double> slack = slack_lengths(fitted);
   std::string out;
   for (const BundleName& bundle : kBundles) {
     out += fmt::format("# {}\n[bundle.{}]\nfibres = \"{}*\"\n\n", bundle.words, bundle.name, bundle.name);
@@ -89,9 +90,20 @@ std::string of_reference(const FittedKnee& fitted) {
       if (fibres[i].bundle == bundle.name)
         out += ligament_text(fibres[i].name, insertion_text(fitted.femur.insertions[i]),
                              insertion_text(fitted.tibia.insertions[i]), fibres[i].stiffness, fibres[i].transition,
-                             bones ? fmt::format("slack_length = {:.2f}", 1e3 * slack[i])
-                                   : fmt::format("reference_strain = {:g}", fibres[i].strain));
+                             "@" + word_of(fibres[i].name) + "@");
   }
+  return out;
+}
+
+std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double closer) {
+  // Of cartilage alone insertions are too uncertain for lengths along the whole flexion.
+  const bool bones = !fitted.femur.cartilage && !fitted.tibia.cartilage;
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  const std::vector<double> slack = slack_lengths(fitted, closer);
+  std::map<std::string, std::string> out;
+  for (std::size_t i = 0; i < fibres.size(); ++i)
+    out[word_of(fibres[i].name)] =
+        bones ? slack_text(slack[i]) : fmt::format("reference_strain = {:g}", fibres[i].strain);
   return out;
 }
 
@@ -115,25 +127,44 @@ std::string point_text(const Vec3& p) {
   return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
 }
 
-NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left) {
+NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare) {
   const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
   const std::string fit = fmt::format("misfit {:.2g} mm on the femur, {:.2g} mm on the tibia",
                                       1e3 * fitted.femur.median, 1e3 * fitted.tibia.median);
   if (fitted.femur.poor() || fitted.tibia.poor())
     return {
-        of_proportions(knee, left), "Anatomy of common proportions, scaled to the width of your tibia.",
+        of_proportions(knee, left),
+        {},
+        "Anatomy of common proportions, scaled to the width of your tibia.",
         "of common proportions, scaled to the tibia",
         fmt::format("the reference knee does not fit on these bones ({}; {:.0f} and {:.0f} % of it near them), so its "
                     "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched)};
   const auto [low, high] = errors_of(fitted);
   return {of_reference(fitted),
+          lengths_of(fitted, bare ? std::max(0.0, knee.gap) : 0),
           fmt::format("Those of a measured knee (Lenhart et al. 2015), laid on your bones: {}.\n# Each end has its "
                       "error (standard deviation) beside it, {} to {} mm.",
                       fit, tenths(low), tenths(high)),
           fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm",
                       reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
           {}};
+}
+
+bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths) {
+  bool any = false;
+  for (const ReferenceFibre& fibre : reference_knee().fibres) {
+    if (!lengths.contains(word_of(fibre.name)) || !poses.has_column(fibre.name + ".length_mm")) continue;
+    double longest = 0, most = 0;
+    for (std::size_t row = 0; row < poses.rows(); ++row) {
+      longest = std::max(longest, 1e-3 * poses.number(row, fibre.name + ".length_mm"));
+      most = std::max(most, poses.number(row, fibre.name + ".strain"));
+    }
+    if (!(most > kMostNewStrain)) continue;
+    lengths[word_of(fibre.name)] = slack_text(longest / (1 + kRelaxedStrain));
+    any = true;
+  }
+  return any;
 }
 
 std::optional<bool> fits_left(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {

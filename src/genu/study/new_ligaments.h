@@ -1,24 +1,32 @@
 // The ligaments that `genu new` writes for two meshes.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
 #include "genu/atlas/fitted_knee.h"
+#include "genu/results/result_table.h"
 #include "genu/study/knee_layout.h"
 
 namespace genu {
 
 struct NewLigaments {
-  std::string text;                  ///< tables of a scene, in the frame of the meshes
-  std::string note;                  ///< where they are from, for the scene's comment
-  std::string choice;                ///< the same for the terminal
-  std::optional<std::string> doubt;  ///< why the reference knee could not be laid on the bones
+  std::string text;  ///< tables of a scene, in the frame of the meshes; lengths are words between @
+  std::map<std::string, std::string> lengths;  ///< what stands for these words
+  std::string note;                            ///< where they are from, for the scene's comment
+  std::string choice;                          ///< the same for the terminal
+  std::optional<std::string> doubt;            ///< why the reference knee could not be laid on the bones
 };
 
 /// Those of the reference knee where it fits on both meshes (bones where there are some, else cartilage), a fibre each
-/// with the error of its insertions beside it; else five of common proportions.
-NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left);
+/// with the error of its insertions beside it; else five of common proportions. `bare`: what touches are these meshes
+/// themselves, so that bones have no cartilage between them.
+NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare);
+
+/// Makes fibres longer that stand under more than kMostNewStrain anywhere along the poses that were found with them, so
+/// that they would not. Whether there were some.
+bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths);
 
 /// Which knee it is by what the reference knee fits better, as itself or mirrored: true for a left one. Empty where
 /// neither is much better.

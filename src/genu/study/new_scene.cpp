@@ -171,6 +171,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
 
 constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
 constexpr int kWholeFlexion = 120;  // deg: with it
+constexpr int kRelaxRounds = 4;     // trials after which ligaments stay as they are
 constexpr int kSettlingRows = 10;   // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
@@ -266,6 +267,13 @@ struct Composed {
   std::string text;
   Words words;
   std::vector<std::string> choices;
+  std::string ligaments{};  ///< of kind stl: their text, and what stands for its words
+  Words lengths{};
+
+  std::string whole() {
+    words["ligaments"] = filled_in(ligaments, lengths);
+    return filled_in(text, words);
+  }
 };
 
 std::optional<Composed> compose(const NewScene& asked, const std::string& name, Diagnostics& out) {
@@ -287,12 +295,13 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (!check_layout(femur, tibia, *knee, asked, out)) return std::nullopt;
   const Side side = side_of(asked, *knee, *bones);
   words.merge(words_of_knee(asked, *knee, side.left, bones->femur, bones->tibia));
-  const NewLigaments ligaments = ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left);
+  const NewLigaments ligaments =
+      ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
   if (ligaments.doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *ligaments.doubt);
-  words["ligaments"] = ligaments.text;
   words["ligaments_note"] = ligaments.note;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
-  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words)};
+  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words), ligaments.text,
+                  ligaments.lengths};
 }
 
 }  // namespace
@@ -314,11 +323,15 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   report.file = (folder / (name + ".toml")).string();
   report.choices = composed->choices;
   const std::string staged_file = (staged.path() / (name + ".toml")).string();
-  const auto write = [&] { error = write_file_atomically(staged_file, filled_in(composed->text, composed->words)); };
+  const auto write = [&] { error = write_file_atomically(staged_file, composed->whole()); };
   write();
   if (error.empty()) {
     auto found = try_out(staged_file, report.file, asked, true, out);
     const bool stl = asked.kind == NewScene::Kind::stl;
+    for (int round = 0; round < kRelaxRounds && found && relax_ligaments(found->poses, composed->lengths); ++round) {
+      write();
+      if (error.empty()) found = try_out(staged_file, report.file, asked, false, out);
+    }
     if (found && stl && !all_solved(found->summary.exit_code) && found->summary.poses_solved > kSettlingRows) {
       ask_for_flexion(composed->words, found->summary.poses_solved - kSettlingRows, true);
       write();
