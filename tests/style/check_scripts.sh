@@ -10,7 +10,8 @@ for file in "$1"/.ci/* "$1"/tools/*; do
   case $(head -1 "$file") in
     '#!/usr/bin/env bash') bash -n "$file" ;;
     '#!/usr/bin/env node') node --check "$file" ;;
-    *) echo "$file: begins with neither #!/usr/bin/env bash nor #!/usr/bin/env node"; exit 1 ;;
+    '#!/usr/bin/env python3') python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$file" ;;
+    *) echo "$file: begins with none of #!/usr/bin/env bash, node and python3"; exit 1 ;;
   esac
 done
 mapfile -t scripts < <(grep -rlE '^#!.*bash' "$1"/.ci "$1"/tools "$1"/tests --include='*' --exclude='*.cpp')

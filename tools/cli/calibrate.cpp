@@ -41,8 +41,7 @@ int calibrate(const CalibrateArguments& arguments) {
   print(diagnostics, code != kExitRefused);
   const bool fitted = !result.report.parameters.empty();
   if (code == kExitRefused || (!fitted && result.text.empty())) return code;
-  fmt::print("{}\n\n{}{}", printable(result.solution.summary.title), fitted ? to_text(result.report) : "",
-             result.text);
+  fmt::print("{}\n\n{}{}", printable(result.solution.summary.title), fitted ? to_text(result.report) : "", result.text);
   if (code != kExitFailed && arguments.folder)
     fmt::print(
         "  {:<12}{}/scene.toml, {}and the scene's results\n", "written", result.solution.folder,

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "genu/calibrate/calibrate.h"
+#include "genu/calibrate/calibration_choice.h"
 #include "genu/calibrate/calibration_design.h"
 
 namespace genu {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "genu/core/decompositions.h"
@@ -16,7 +17,7 @@
 namespace genu {
 namespace {
 
-constexpr double kTurn = 2 * M_PI;
+constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The frame of the cuts: x and y across the axis.
 struct Round {
@@ -65,14 +66,14 @@ double turn_between(double a, double b) { return std::remainder(a - b, kTurn); }
 
 /// Where the solid begins and ends, as angles; a ring from -pi to pi.
 struct Span {
-  double first = -M_PI, last = M_PI;
+  double first = -std::numbers::pi, last = std::numbers::pi;
   bool ring = true;
 };
 
 Span span_of(const Mesh& mesh, const Round& round) {
   std::vector<char> covered(kSpanBins, 0);
   const auto bin = [](double angle) {
-    return static_cast<int>(std::floor((angle + M_PI) / kTurn * kSpanBins) + 2 * kSpanBins) % kSpanBins;
+    return static_cast<int>(std::floor((angle + std::numbers::pi) / kTurn * kSpanBins) + 2 * kSpanBins) % kSpanBins;
   };
   for (const auto& t : mesh.triangles) {
     const double from = round.angle(mesh.vertices[at(t[0])]);
@@ -94,7 +95,7 @@ Span span_of(const Mesh& mesh, const Round& round) {
   }
   if (longest == 0) return {};
   // The span begins behind the gap and ends before it.
-  const double step = kTurn / kSpanBins, first = -M_PI + (end + 1) * step;
+  const double step = kTurn / kSpanBins, first = -std::numbers::pi + (end + 1) * step;
   return {first, first + kTurn - longest * step, false};
 }
 

@@ -133,8 +133,8 @@ inline constexpr std::size_t kFewKneeTriangles = 100;
 /// [1] Transition strain of ligaments of common proportions. Fails first: nothing (chosen, and said to be).
 inline constexpr double kProportionTransition = 0.06;
 
-/// [1] Strain above which a fibre of a new scene is made longer. Fails first: if too small, the knee becomes lax; if too
-/// large, single fibres stand at strains at which they fail.
+/// [1] Strain above which a fibre of a new scene is made longer. Fails first: if too small, the knee becomes lax; if
+/// too large, single fibres stand at strains at which they fail.
 inline constexpr double kMostNewStrain = 0.25;
 
 /// [1] The largest strain that it then has along the same poses. Fails first: as kMostNewStrain.
