@@ -54,7 +54,8 @@ TEST(FittedKnee, OfItselfIsItself) {
       EXPECT_GE(femur.error, kPeopleDiffer);
       if (off > 2e-3) continue;  // put onto the bone from further off: another fibre
       ++compared;
-      EXPECT_NEAR(slack[i], scale * knee.fibres[i].slack, off + 0.04 * scale * knee.fibres[i].slack)
+      // This bone is its articular part alone, so that some insertions were put 8 mm off: 5 % of scale.
+      EXPECT_NEAR(slack[i], scale * knee.fibres[i].slack, off + 0.06 * scale * knee.fibres[i].slack)
           << knee.fibres[i].name;
     }
     EXPECT_GT(compared, 10);
