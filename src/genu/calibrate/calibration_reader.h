@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/assemble/solution.h"
 #include "genu/calibrate/calibration_choice.h"
 #include "genu/calibrate/calibration_design.h"
 
