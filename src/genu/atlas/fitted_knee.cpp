@@ -60,10 +60,11 @@ Surroundings around(const Registration& r, const Vec3& x) {
   return out;
 }
 
-/// Bone and cartilage are alike near the joint, so that either fits there: the shaft and the fit's quality decide.
-bool is_cartilage(const Registration& as_bone, const Registration& as_cartilage) {
-  const double more = as_cartilage.matched - as_bone.matched;
-  return std::abs(more) > kMoreMatched ? more > 0 : as_cartilage.median < kBetterMisfit * as_bone.median;
+Insertion insertion_at(const Vec3& place, const Registration& found, const Mesh& mesh, bool articular) {
+  const Surroundings near = around(found, place);
+  const Vec3 foot = nearest_on_mesh(mesh, place);
+  const bool onto = !articular && (foot - place).norm() <= kOntoMesh;
+  return {onto ? foot : place, std::hypot(kPeopleDiffer, near.misfit, kErrorBeyond * near.distance), onto};
 }
 
 FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, const KneeAxes& axes, double up,
@@ -73,20 +74,18 @@ FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, cons
   Registration best = register_points(reference.bone, target, starts_of(axes, knee.bone, up));
   Registration other = register_points(reference.cartilage, target, starts_of(axes, knee.cartilage, up));
   FittedBone out;
-  out.cartilage = is_cartilage(best, other);
-  if (out.cartilage) best = std::move(other);
+  out.articular = explained(other, target) > kAllArticular;
+  const bool both = explained(best, target) > kAllArticular;  // articular bone of the femur is like its cartilage
+  if (out.articular && (!both || other.median < best.median)) best = std::move(other);
   out.median = best.median;
   out.matched = best.matched;
+  std::vector<Vec3> from, to;
   for (const ReferenceFibre& fibre : knee.fibres) {
-    Insertion insertion;
-    insertion.at = best.map(fibre.*end);
-    const Surroundings found = around(best, insertion.at);
-    insertion.error = std::hypot(kPeopleDiffer, found.misfit, kErrorBeyond * found.distance);
-    const Vec3 foot = nearest_on_mesh(mesh, insertion.at);
-    insertion.on_mesh = !out.cartilage && (foot - insertion.at).norm() <= kOntoMesh;
-    if (insertion.on_mesh) insertion.at = foot;
-    out.insertions.push_back(insertion);
+    from.push_back(fibre.*end);
+    to.push_back(best.map(from.back()));
+    out.insertions.push_back(insertion_at(to.back(), best, mesh, out.articular));
   }
+  out.placed = similarity(from, to, best.map.affine.linear.determinant() < 0);
   return out;
 }
 
@@ -115,26 +114,30 @@ FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAx
           axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0, axes.gap * axes.proximal};
 }
 
+double turned_against(const FittedKnee& fitted, const KneeAxes& axes) {
+  Mat3 frame;
+  frame << axes.anterior, axes.proximal, axes.lateral;
+  double least = std::numeric_limits<double>::infinity();
+  for (const FittedBone* bone : {&fitted.femur, &fitted.tibia}) {
+    const Mat3 turn = frame.transpose() * bone->placed.linear / std::cbrt(std::abs(bone->placed.linear.determinant()));
+    least = std::min(least, std::abs(Eigen::AngleAxisd(turn).angle()));
+  }
+  return least;
+}
+
 std::vector<double> slack_lengths(const FittedKnee& fitted, double closer) {
   const ReferenceKnee& knee = reference_knee();
-  std::vector<Vec3> from[2], to[2];  // femur, tibia
-  for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
-    from[0].push_back(knee.fibres[i].femur);
-    from[1].push_back(knee.fibres[i].tibia);
-    to[0].push_back(fitted.femur.insertions[i].at);
-    to[1].push_back(fitted.tibia.insertions[i].at);
-  }
-  const Affine femur = similarity(from[0], to[0], fitted.reflected),
-               tibia = similarity(from[1], to[1], fitted.reflected);
+  const Affine &femur = fitted.femur.placed, &tibia = fitted.tibia.placed;
   const Mat3 back = tibia.linear.inverse();
   const double nearer = closer / tibia.linear.col(1).norm();
   std::vector<double> out;
   for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
     const ReferenceFibre& fibre = knee.fibres[i];
-    const Vec3 end = back * (to[1][i] - tibia.shift) + nearer * Vec3::UnitY();
+    const Vec3 &from = fitted.femur.insertions[i].at, &to = fitted.tibia.insertions[i].at;
+    const Vec3 end = back * (to - tibia.shift) + nearer * Vec3::UnitY();
     double longest = 0, most = -1, up = 0, down = 0;
     for (const Eigen::Isometry3d& pose : knee.flexion) {
-      const double length = (femur(pose * end) - to[0][i]).norm();
+      const double length = (femur(pose * end) - from).norm();
       const double strain = (pose * fibre.tibia - fibre.femur).norm() / fibre.slack - 1;
       const double weight = std::max(0.0, strain + kNearlyTaut);
       longest = std::max(longest, length);
@@ -143,7 +146,7 @@ std::vector<double> slack_lengths(const FittedKnee& fitted, double closer) {
       down += weight * length * (1 + strain);
     }
     // Never taut: nor here. Where it begins, not much more taut than the reference ever is.
-    const double start = (to[1][i] + fitted.start - to[0][i]).norm();
+    const double start = (to + fitted.start - from).norm();
     out.push_back(down > 0 ? std::max(up / down, start / (1 + most + kMoreTaut))
                            : std::max(longest, start) / (1 + most));
   }

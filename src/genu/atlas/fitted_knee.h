@@ -25,11 +25,12 @@ struct Insertion {
 
 /// A bone of the reference knee laid on a mesh.
 struct FittedBone {
-  bool cartilage = false;             ///< whether the mesh was taken for cartilage, by what fits better
+  bool articular = false;             ///< the mesh is a joint surface alone, of cartilage or of bone
   double median = 0;                  ///< m: misfit
   double matched = 0;                 ///< part of the reference that has a partner
   bool poor() const;                  ///< too far off to tell where ligaments insert
   std::vector<Insertion> insertions;  ///< of the fibres of reference_knee(), in their order
+  Affine placed;                      ///< the similarity nearest to the map, by the fibres' ends
 };
 
 struct FittedKnee {
@@ -38,8 +39,12 @@ struct FittedKnee {
   Vec3 start = Vec3::Zero();  ///< m: how the tibia moves until the meshes touch
 };
 
-/// Lays the reference knee on both meshes, of bones or of their cartilage.
+/// Lays the reference knee on both meshes, of bones or of their cartilage, which the fit tells; `bones`: they are
+/// bones.
 FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes);
+
+/// rad: how far both bones are turned against `axes`, at least.
+double turned_against(const FittedKnee& fitted, const KneeAxes& axes);
 
 /// Slack lengths (m) of the fibres of reference_knee(), in their order: such that along its flexion, laid on these
 /// bones, each strains as it does there (least squares; the more taut, the more a pose counts). `closer`, m: how much

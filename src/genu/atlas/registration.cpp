@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -155,7 +156,7 @@ MatX bells(std::span<const Vec3> at, std::span<const Vec3> places, double reach)
 }
 
 /// The smooth field on top of the affine map: `found` are the partners where it ends.
-void bend(Registration& out, std::span<const Vec3> start, std::span<const Vec3> normals, const PointTree& target) {
+void bend(Registration& out, std::span<const Vec3> start, const PointTree& target) {
   BoneMap& map = out.map;
   map.reach = kFieldReach;
   map.places = some_of(start, kFieldPlaces);
@@ -164,7 +165,7 @@ void bend(Registration& out, std::span<const Vec3> start, std::span<const Vec3> 
   const auto n = static_cast<Eigen::Index>(start.size());
   MatX w = MatX::Zero(static_cast<Eigen::Index>(map.places.size()), 3);
   for (int i = 0; i < kMapIterations / 2; ++i) {
-    const Partners found = partners_of(out.mapped, normals, target, kPartnerAside);
+    const Partners found = partners_of(out.mapped, out.normals, target, kPartnerAside);
     MatX to(n, 3);
     VecX weight(n);
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -192,6 +193,21 @@ Vec3 BoneMap::operator()(const Vec3& p) const {
   return y;
 }
 
+double explained(const Registration& found, const PointTree& target) {
+  std::vector<FacingPoint> mapped;
+  for (std::size_t i = 0; i < found.mapped.size(); ++i) mapped.push_back({found.mapped[i], found.normals[i]});
+  const PointTree tree(std::move(mapped));
+  const std::vector<FacingPoint>& points = target.points();
+  const std::size_t count = std::min(kAskedTargets, points.size());
+  if (tree.points().empty() || count == 0) return 0;
+  std::size_t near = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const FacingPoint& p = points[k * points.size() / count];
+    if ((tree.points()[at(tree.nearest(p))].at - p.at).norm() <= kPartnerAside) ++near;
+  }
+  return static_cast<double>(near) / static_cast<double>(count);
+}
+
 Affine similarity(std::span<const Vec3> from, std::span<const Vec3> to, bool reflects) {
   return fitted(from, to, std::vector<double>(from.size(), 1), Kind::similarity, reflects);
 }
@@ -213,11 +229,10 @@ Registration register_points(std::span<const FacingPoint> points, const PointTre
   fit.iterate(out.map.affine, Kind::rigid, kMapIterations, {kStartAside / 2, kPartnerAside});
   for (const Kind kind : {Kind::similarity, Kind::affine})
     fit.iterate(out.map.affine, kind, kMapIterations, {kPartnerAside, kPartnerAside});
-  std::vector<Vec3> normals;
-  fit.place(out.map.affine, out.mapped, normals);
+  fit.place(out.map.affine, out.mapped, out.normals);
   const std::vector<Vec3> start = out.mapped;
-  bend(out, start, normals, target);
-  out.misfits = partners_of(out.mapped, normals, target, kPartnerAside).misfit;
+  bend(out, start, target);
+  out.misfits = partners_of(out.mapped, out.normals, target, kPartnerAside).misfit;
   out.median = median_of(out.misfits);
   const auto matched = std::count_if(out.misfits.begin(), out.misfits.end(), [](double d) { return d < kMatched; });
   out.matched = static_cast<double>(matched) / static_cast<double>(points.size());

@@ -31,10 +31,15 @@ Affine similarity(std::span<const Vec3> from, std::span<const Vec3> to, bool ref
 struct Registration {
   BoneMap map;
   std::vector<Vec3> mapped;     ///< m: the points, where the map takes them
+  std::vector<Vec3> normals;    ///< there, unit
   std::vector<double> misfits;  ///< m: of each its distance from its partner's tangent plane, or from a partner far off
   double median = 0;            ///< m: misfit
   double matched = 0;           ///< part of the points whose misfit is below kMatched
 };
+
+/// Part of the target's points (of some hundreds, evenly) that have a mapped point as near as partners must be: little
+/// where the reference is a piece of what the mesh shows.
+double explained(const Registration& found, const PointTree& target);
 
 /// Lays `points` on `target` by iterated closest points (README): from the best of `starts`, which may have a
 /// reflection each.

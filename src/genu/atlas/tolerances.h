@@ -34,6 +34,9 @@ inline constexpr double kStartAside = 0.03;
 /// not pulls at its rim.
 inline constexpr double kPartnerAside = 6e-3;
 
+/// [1] Points of a mesh that are asked whether the reference shows them. Fails first: if too small, chance.
+inline constexpr std::size_t kAskedTargets = 1000;
+
 /// [1] Partners below which a map is left as it is. Fails first: if too small, singular equations.
 inline constexpr std::ptrdiff_t kFewPartners = 30;
 
@@ -76,13 +79,10 @@ inline constexpr double kPoorMisfit = 2.5e-3;
 /// [1] Least part of the reference that is matched. Fails first: if too large, bones cut short are refused.
 inline constexpr double kLeastMatched = 0.5;
 
-/// [1] Difference of the matched parts that tells bone from cartilage. Fails first: if too large, a plateau's cartilage
-/// is taken for bone.
-inline constexpr double kMoreMatched = 0.1;
-
-/// [1] Ratio of the misfits from which a mesh without a shaft is cartilage. Fails first: if too large, articular bone
-/// is taken for cartilage, and insertions are not put onto it.
-inline constexpr double kBetterMisfit = 0.5;
+/// [1] Part of a mesh that cartilage of the reference shows, from which it is a joint surface alone (sheets: 0.97 to 1;
+/// bones: at most 0.67, of a femur cut 25 mm above its notch). Fails first: if too large, cartilage is taken for bone
+/// and insertions are put onto it; if too small, bones cut very short are taken for cartilage.
+inline constexpr double kAllArticular = 0.85;
 
 /// [1] How much less than taut a fibre of the reference counts in its slack length. Fails first: if too small, the
 /// length hangs on few poses; if too large, on poses in which it carries nothing.

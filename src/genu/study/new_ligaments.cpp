@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ std::string of_reference(const FittedKnee& fitted) {
 
 std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double closer) {
   // Of cartilage alone insertions are too uncertain for lengths along the whole flexion.
-  const bool bones = !fitted.femur.cartilage && !fitted.tibia.cartilage;
+  const bool bones = !fitted.femur.articular && !fitted.tibia.articular;
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   const std::vector<double> slack = slack_lengths(fitted, closer);
   std::map<std::string, std::string> out;
@@ -105,6 +106,15 @@ std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double c
     out[word_of(fibres[i].name)] =
         bones ? slack_text(slack[i]) : fmt::format("reference_strain = {:g}", fibres[i].strain);
   return out;
+}
+
+std::optional<std::string> turned_doubt(const FittedKnee& fitted, const KneeAxes& axes) {
+  const double turned = turned_against(fitted, axes) * 180 / std::numbers::pi;
+  if (turned <= kMostTurned) return std::nullopt;
+  return fmt::format(
+      "are turned by about {:.0f} deg against the axes of their files, by how the reference knee fits, and "
+      "the scene bends the knee about those axes: turn the meshes first",
+      turned);
 }
 
 /// Least and largest error of all insertions. m
@@ -137,6 +147,7 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
         {},
         "Anatomy of common proportions, scaled to the width of your tibia.",
         "of common proportions, scaled to the tibia",
+        {},
         fmt::format("the reference knee does not fit on these bones ({}; {:.0f} and {:.0f} % of it near them), so its "
                     "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched)};
@@ -148,6 +159,7 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
                       fit, tenths(low), tenths(high)),
           fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm",
                       reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
+          turned_doubt(fitted, axes_of(knee, left)),
           {}};
 }
 

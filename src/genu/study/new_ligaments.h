@@ -16,6 +16,7 @@ struct NewLigaments {
   std::map<std::string, std::string> lengths;  ///< what stands for these words
   std::string note;                            ///< where they are from, for the scene's comment
   std::string choice;                          ///< the same for the terminal
+  std::optional<std::string> turned;           ///< that the bones stand askew to the axes of their files
   std::optional<std::string> doubt;            ///< why the reference knee could not be laid on the bones
 };
 

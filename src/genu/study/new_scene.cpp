@@ -297,7 +297,8 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   words.merge(words_of_knee(asked, *knee, side.left, bones->femur, bones->tibia));
   const NewLigaments ligaments =
       ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
-  if (ligaments.doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *ligaments.doubt);
+  for (const auto& doubt : {ligaments.turned, ligaments.doubt})
+    if (doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *doubt);
   words["ligaments_note"] = ligaments.note;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
   return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words), ligaments.text,

@@ -140,6 +140,10 @@ inline constexpr double kMostNewStrain = 0.25;
 /// [1] The largest strain that it then has along the same poses. Fails first: as kMostNewStrain.
 inline constexpr double kRelaxedStrain = 0.2;
 
+/// [deg] Turn of bones against the axes of their files that gets a warning (knees whose files have the axes of the
+/// body: 3 to 7, drawn bones: 10). Fails first: if too large, flexion is about an axis that is none, in silence.
+inline constexpr double kMostTurned = 15;
+
 /// [1] Ratio of misfits of a knee and its mirror image that tells which it is. Fails first: if too large, chance
 /// decides.
 inline constexpr double kSideFits = 0.8;
