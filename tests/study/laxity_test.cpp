@@ -14,6 +14,7 @@
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
+#include "support/wheel_knee.h"
 
 namespace genu {
 namespace {
@@ -30,40 +31,8 @@ std::string spring_between(const std::string& name, const std::string& from, con
 
 /// A wheel (a torus) of the femur that rolls on the flat tibia. x is anterior, z proximal, y to the left.
 std::string wheel(const std::string& side, const std::string& springs) {
-  return R"(format = 1
-title = "wheel on a plate"
-units = { length = "mm", angle = "deg" }
-[body.femur]
-fixed = true
-[body.tibia]
-[joint.knee]
-type = "free"
-parent = "femur"
-child = "tibia"
-rotations = ["flexion y", "adduction x", "rotation -z"]
-translations = ["x", "y", "z"]
-reference = { z = -20 }
-grood_suntay = { side = ")" +
-         side +
-         R"(", femur = { body = "femur", proximal = "z", anterior = "x" }, tibia = { body = "tibia", proximal = "z", anterior = "x" } }
-[surface.wheel]
-body = "femur"
-shape = "torus"
-major_radius = 12
-minor_radius = 8
-z_axis = [0, 1, 0]
-x_axis = [1, 0, 0]
-[surface.plate]
-body = "tibia"
-shape = "plane"
-[contact.medial]
-surfaces = ["wheel", "plate"]
-model = "rigid"
-)" + springs +
-         R"([[step]]
-prescribe = { "knee.flexion" = [0, 10] }
-increments = 5
-)";
+  return test::wheel_on_plate(side) + springs +
+         "[[step]]\nprescribe = { \"knee.flexion\" = [0, 10] }\nincrements = 5\n";
 }
 
 /// One spring ahead, slack without load, and two upright ones, symmetric: in a drawer test the tibia only slides.

@@ -9,9 +9,9 @@
 
 namespace genu::test {
 
-/// Ligaments without symmetry, with these slack lengths in mm; all are taut without load.
-inline std::string wheel_knee(const std::array<double, 5>& slack = {25, 20, 19.2, 24, 24}) {
-  std::string out = R"(format = 1
+/// The wheel on its plate without springs; side: "right" or "left".
+inline std::string wheel_on_plate(const std::string& side) {
+  return R"(format = 1
 title = "wheel on a plate"
 units = { length = "mm", angle = "deg" }
 [body.femur]
@@ -24,7 +24,9 @@ child = "tibia"
 rotations = ["flexion y", "adduction x", "rotation -z"]
 translations = ["x", "y", "z"]
 reference = { z = -20 }
-grood_suntay = { side = "right", femur = { body = "femur", proximal = "z", anterior = "x" }, tibia = { body = "tibia", proximal = "z", anterior = "x" } }
+grood_suntay = { side = ")" +
+         side +
+         R"(", femur = { body = "femur", proximal = "z", anterior = "x" }, tibia = { body = "tibia", proximal = "z", anterior = "x" } }
 [surface.wheel]
 body = "femur"
 shape = "torus"
@@ -39,6 +41,11 @@ shape = "plane"
 surfaces = ["wheel", "plate"]
 model = "rigid"
 )";
+}
+
+/// Ligaments without symmetry, with these slack lengths in mm; all are taut without load.
+inline std::string wheel_knee(const std::array<double, 5>& slack = {25, 20, 19.2, 24, 24}) {
+  std::string out = wheel_on_plate("right");
   struct Spring {
     const char *name, *from, *to;
     double stiffness;  ///< N
