@@ -106,7 +106,7 @@ class UnknownChooser {
     }
     if (found.empty() && fixed)
       refuse_option(out_, Code::not_applicable, "--vary", pattern,
-                    "cannot be fitted: numbers of ligaments, loads, bodies and joints can, as they stand in the scene");
+                    "cannot be fitted: numbers of ligaments, loads, bodies and joints can, if the scene gives them");
     else if (found.empty())
       refuse_option(out_, Code::unknown_name, "--vary", pattern,
                     "is no parameter of this scene" + did_you_mean(pattern, known_));

@@ -229,7 +229,7 @@ inline constexpr std::size_t kBodiesOfNarrowRow = 3;
 // block_lu
 
 /// [pivot block] Entry of a pivot that is too small for one. Fails first: if too small, the pose is inaccurate; if too
-/// large, the dense matrix is factored for nothing (time).
+/// large, the dense matrix is factored without need (time).
 inline constexpr double kLeastBlockPivot = 1e-13;
 
 /// [block] Growth of a pivot block by elimination. Fails first: as the one before.

@@ -1,6 +1,6 @@
 // A solid that runs round a middle, as a meniscus does, cut across into pieces.
 //
-// The axis is that of the largest principal moment of inertia; it stands in the middle of the circle that fits the
+// The axis is that of the largest principal moment of inertia; it goes through the middle of the circle that fits the
 // surface best. Cuts are half-planes of the axis, each across the solid's own curved centreline (the centroids of its
 // sections), at equal distances along it.
 #pragma once

@@ -28,7 +28,7 @@ std::string piece_name(const std::string& name, int piece, int pieces);
 /// about them.
 Vec6 section_stiffness(const MeshSegments& segments, int section, const SegmentsText& of);
 
-/// What stands in front of each such text, and by which it is known again.
+/// The beginning of each such text, by which it is recognised.
 inline constexpr char kSegmentsTitle[] = "# genu segment: ";
 
 /// For a scene in mm and deg, beside the meshes NAME_01_above.stl and NAME_01_below.stl of the pieces' sides about

@@ -21,7 +21,7 @@ std::string two(std::uint16_t value) { return little_endian(value); }
 std::string four(std::uint32_t value) { return little_endian(value); }
 std::string eight(std::uint64_t value) { return little_endian(value); }
 
-constexpr std::uint32_t kIn64Bits = 0xffffffff;  // the size stands in the extra field
+constexpr std::uint32_t kIn64Bits = 0xffffffff;  // the extra field has the size
 constexpr std::uint16_t kVersion = 45, kUtf8Names = 1 << 11, kEarliestDate = 1 << 5 | 1;
 
 /// What every entry of a member begins with, behind its signature and versions.
