@@ -104,6 +104,17 @@ TEST_F(CalibrationDesigns, BeforeAnythingIsMeasured) {
   EXPECT_TRUE(test::contains(result_.text, "each the best beside those before")) << result_.text;
 }
 
+/// A test that ends before its load is not ranked as one that tells nothing.
+TEST_F(CalibrationDesigns, WhatCannotBeMadeIsNotRanked) {
+  CalibrationChoice choice;
+  choice.errors = {"displacement_*=0.3"};
+  choice.candidates = {
+      folder_.write("far.csv", "flexion_deg,test,load_N,displacement_mm\n0,drawer,1e9,0\n5,drawer,50,0\n")};
+  ASSERT_EQ(calibrate(choice), kExitOk) << test::messages(out_);
+  EXPECT_EQ(csv("design.csv").rows(), 2u) << result_.text;
+  EXPECT_TRUE(test::contains(result_.text, "not ranked")) << result_.text;
+}
+
 TEST_F(CalibrationDesigns, WhatCannotBeRankedIsRefused) {
   const auto refused = [&](const CalibrationChoice& choice, const std::string& said) {
     EXPECT_EQ(calibrate(choice), kExitRefused) << said;
@@ -114,6 +125,15 @@ TEST_F(CalibrationDesigns, WhatCannotBeRankedIsRefused) {
   refused(choice, "--design needs them");
   choice.candidates = {folder_.write("run.csv", "time_s,knee.x_mm\n0,1\n")};
   refused(choice, "must be a laxity table");
+  choice.candidates = {folder_ / "none.csv"};
+  refused(choice, "none.csv");
+  choice.errors = {"displacement_*=0.3"};
+  choice.candidates = {folder_.write("candidates.csv", table({0}, "drawer"))};
+  choice.narrow = {"ZZ*"};
+  refused(choice, "is no number that --vary names: those are ahead.slack_length");
+  choice.errors = {"displacement_*=1e-154"};
+  refused(choice, "SIGMA with a number from 1e-12");
+  choice.errors = {};
   choice.candidates = {};
   choice.narrow = {"ahead.*"};
   refused(choice, "needs --design");

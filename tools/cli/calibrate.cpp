@@ -41,7 +41,12 @@ int calibrate(const CalibrateArguments& arguments) {
   print(diagnostics, code != kExitRefused);
   const bool fitted = !result.report.parameters.empty();
   if (code == kExitRefused || (!fitted && result.text.empty())) return code;
+  if (!fitted)
+    advice().hint("calibrate", "nothing was fitted: the verdict says what the scene with the written numbers does");
   fmt::print("{}\n\n{}{}", printable(result.solution.summary.title), fitted ? to_text(result.report) : "", result.text);
+  if (!fitted)
+    for (const std::string& line : result.solution.summary.verdict)
+      fmt::print("  {:<12}{}\n", &line == &result.solution.summary.verdict.front() ? "verdict" : "", printable(line));
   if (code != kExitFailed && arguments.folder)
     fmt::print(
         "  {:<12}{}/scene.toml, {}and the scene's results\n", "written", result.solution.folder,

@@ -89,6 +89,19 @@ void refuse_lonely(const CalibrationChoice& choice, Diagnostics& out) {
   refuse(!choice.predict_columns.empty() && choice.held_out.empty(), "--predict-columns", "needs --predict");
 }
 
+/// Names of --narrow that are none of the unknowns.
+void refuse_unknown_names(const CalibrationChoice& choice, const std::vector<CalibrationUnknown>& unknowns,
+                          Diagnostics& out) {
+  std::vector<std::string> known;
+  for (const CalibrationUnknown& u : unknowns) known.push_back(u.name);
+  for (const std::string& name : choice.narrow) {
+    const auto same = [&](const std::string& k) { return name == k || matches(name, k); };
+    if (std::none_of(known.begin(), known.end(), same))
+      refuse_option(out, Code::unknown_name, "--narrow", name,
+                    "is no number that --vary names: those are " + fmt::format("{}", fmt::join(known, ", ")));
+  }
+}
+
 /// Ranks what could be measured, beside what is.
 void add_design(const CalibrationChoice& choice, const std::vector<CalibrationUnknown>& unknowns, const VecX& u,
                 const MatX& J, const std::vector<DesignCandidate>& candidates, Files& files,
@@ -145,6 +158,7 @@ int run_calibration(const SceneSource& source, const std::optional<std::string>&
   share_search(*prepared);
   refuse_lonely(choice, out);
   std::vector<CalibrationUnknown> unknowns = choose_unknowns(prepared->source, {choice.vary, {}, {}}, out);
+  if (!unknowns.empty()) refuse_unknown_names(choice, unknowns, out);
   Files files;
   if (!choice.zero_load.poses.empty() && !out.has_errors())
     if (const auto table = start_at_zero_load(*prepared, choice.zero_load, unknowns, out)) {

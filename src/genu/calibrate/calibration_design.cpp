@@ -54,9 +54,9 @@ class DesignRanker {
     tbb::parallel_for(std::size_t{0}, candidates_.size(), [&](std::size_t k) {
       const CalibrationExperiment& e = *candidates_[k].experiment;
       const CalibrationPrediction p = e.predict(u_, true);
-      if (p.derivatives.size() == 0)
-        failed[k] = p.failed.empty() ? "its columns have no exact derivatives" : p.failed;
-      else
+      failed[k] = p.failed;
+      if (failed[k].empty() && p.derivatives.size() == 0) failed[k] = "its columns have no exact derivatives";
+      if (failed[k].empty())
         information_[k] = (e.scales().cwiseInverse().asDiagonal() * p.derivatives).transpose() *
                           (e.scales().cwiseInverse().asDiagonal() * p.derivatives);
     });

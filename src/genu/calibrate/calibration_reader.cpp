@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
+#include "genu/assemble/pose_file.h"
 #include "genu/assemble/refuse_option.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/calibrate/finite_number.h"
 #include "genu/calibrate/laxity_experiment.h"
 #include "genu/calibrate/run_experiment.h"
+#include "genu/calibrate/tolerances.h"
 #include "genu/results/motion_table.h"
 #include "genu/scene/words.h"
 
@@ -38,10 +42,11 @@ std::vector<std::pair<std::string, double>> errors_of(const std::vector<std::str
   for (const std::string& text : texts) {
     const std::size_t equals = text.rfind('=');
     const auto value = equals == std::string::npos ? std::nullopt : finite_number(text.substr(equals + 1));
-    if (value && *value > 0)
+    if (value && *value >= kLeastError)
       errors.emplace_back(text.substr(0, equals), *value);
     else
-      refuse_option(out, Code::out_of_range, "--error", text, "must be COLUMN=SIGMA with a number above 0");
+      refuse_option(out, Code::out_of_range, "--error", text,
+                    fmt::format("must be COLUMN=SIGMA with a number from {:g} to {:g}", kLeastError, kMaxNumber));
   }
   return errors;
 }
@@ -97,6 +102,7 @@ class ExperimentReader {
 
   /// Each curve of a laxity table is one measurement that could be made, each of its loads once.
   void add_candidates(const std::string& file) {
+    if (!read_pose_file(file, out_)) return;
     if (!is_laxity_table(file)) {
       refuse_option(out_, Code::wrong_form, "--design", file,
                     "must be a laxity table: columns flexion_deg, test, load_N or load_Nm, displacement_mm or "

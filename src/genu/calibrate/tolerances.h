@@ -40,6 +40,11 @@ inline constexpr int kTautRounds = 4;
 /// slack.
 inline constexpr double kWorthATautStart = 1e-6;
 
+// calibration_reader
+
+/// [column's unit] Least error of measurement that can be stated. Fails first: if too small, its square is 0.
+inline constexpr double kLeastError = 1e-12;
+
 // calibration_design
 
 /// [standard change] How well a number without a prior counts as known before anything is measured: 10 % of a length,
