@@ -110,6 +110,17 @@ TEST(ReadSweep, RefusesKeysThatTheDesignDoesNotUse) {
   EXPECT_TRUE(test::contains(said, "needs the design monte_carlo or sobol")) << said;
 }
 
+TEST(ReadSweep, RefusesDesignsThatHaveNothingToCombine) {
+  const test::TemporaryFolder folder;
+  const std::string head = "format = 1\nscene = \"a\"\ndesign = \"factorial\"\n";
+  const std::string tail = "[[keep]]\ncolumns = \"x\"\nat = \"last\"\n";
+  std::string said;
+  EXPECT_FALSE(read(folder, head + tail, said));
+  EXPECT_TRUE(test::contains(said, "vary must be given: the design combines values of varied numbers")) << said;
+  EXPECT_FALSE(read(folder, head + "probabilities = [0.5, 0.5]\n" + tail, said));
+  EXPECT_TRUE(test::contains(said, "must rise from one to the next")) << said;
+}
+
 TEST(ReadSweep, SaysWhatIsWrongWithAnEvent) {
   const test::TemporaryFolder folder;
   const auto said = [&](const std::string& event) {
@@ -117,7 +128,7 @@ TEST(ReadSweep, SaysWhatIsWrongWithAnEvent) {
     EXPECT_FALSE(prepare_sweep(test::ball_study(folder, "samples = 2\n", test::kBallVary + event), out));
     return test::messages(out);
   };
-  for (const char* when : {"j.z", "j.z > ", "> 2", "j.z > two", "j.z >= 2"})
+  for (const char* when : {"j.z", "j.z > ", "> 2", "j.z > two", "j.z >= 2", "j.z > nan", "j.z < inf"})
     EXPECT_TRUE(test::contains(said(std::string("[event.e]\nwhen = \"") + when + "\"\n"),
                                "must be a column, < or >, and a number"))
         << when;

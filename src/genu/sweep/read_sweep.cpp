@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include <fmt/format.h>
@@ -66,6 +68,9 @@ void read_probabilities(ReadContext& context, const Item& item, SweepDef& sweep)
     if (p) sweep.probabilities.push_back(*p);
   }
   if (sweep.probabilities.empty()) refuse(context, item, Code::missing_key, "names no probability");
+  if (std::adjacent_find(sweep.probabilities.begin(), sweep.probabilities.end(), std::greater_equal<>()) !=
+      sweep.probabilities.end())
+    refuse(context, item, Code::wrong_form, "must rise from one to the next");
   if (sweep.design == DesignKind::fractional_factorial && item.node->children.size() != kTwoLevels)
     refuse(context, item, Code::wrong_form, "must have two numbers: every factor has two levels");
 }
@@ -112,8 +117,8 @@ void read_what_ifs(ReadContext& context, Section& root, SweepDef& sweep) {
     for (auto& [text, where] : read_texts(context, table.find("without"))) what_if.changes.without.push_back(text);
     for (auto& [text, where] : read_texts(context, table.find("set"))) what_if.changes.set.push_back(text);
     table.finish();
-    if (what_if.changes.empty()) table.error(Code::missing_key, item.path, "changes nothing: give `without` or `set`");
-    if (what_if.name == kAsItIs) table.error(Code::duplicate, item.path, "is the name of the scene as it is");
+    if (what_if.changes.empty()) table.error(Code::missing_key, "", "changes nothing: give `without` or `set`");
+    if (what_if.name == kAsItIs) table.error(Code::duplicate, "", "is the name of the scene as it is");
     sweep.what_ifs.push_back(std::move(what_if));
   }
 }
@@ -165,7 +170,8 @@ void read_condition(ReadContext& context, const Item& item, EventDef& event) {
   const std::string_view column = word(std::string_view(*text).substr(0, sign)),
                          limit = sign == std::string::npos ? std::string_view() : word(&(*text)[sign + 1]);
   const auto [end, error] = std::from_chars(limit.data(), limit.data() + limit.size(), event.limit);
-  if (column.empty() || limit.empty() || error != std::errc() || end != limit.data() + limit.size())
+  const bool number = error == std::errc() && end == limit.data() + limit.size() && std::isfinite(event.limit);
+  if (column.empty() || limit.empty() || !number)
     return refuse(context, item, Code::wrong_form, R"(must be a column, < or >, and a number: "ACL.force_N > 200")");
   event.above = (*text)[sign] == '>';
   event.keep.columns.push_back({std::string(column), item.node->where});
@@ -185,7 +191,7 @@ void read_events(ReadContext& context, Section& root, SweepDef& sweep) {
     if (!at) event.keep.rows.push_back({event.above ? Row::Kind::max : Row::Kind::min, 0, item.node->key_where});
     if (event.keep.rows.size() > 1 || (event.keep.rows.size() == 1 && event.keep.rows[0].kind == Row::Kind::all))
       refuse(context, at, Code::wrong_form, "must be one row; without `at` the event may happen at any row");
-    if (!names.insert(event.name).second) table.error(Code::duplicate, item.path, "is an event that every study has");
+    if (!names.insert(event.name).second) table.error(Code::duplicate, "", "is an event that every study has");
     sweep.events.push_back(std::move(event));
   }
 }
@@ -212,6 +218,8 @@ std::optional<SweepDef> read_sweep(const std::string& path, InputFiles& files, D
   read_scenes(context, root, sweep);
   read_design(context, root, sweep);
   read_vary(context, root.find("vary"), sweep);
+  if (!root.has("vary") && !is_random(sweep.design))
+    root.error(Code::missing_key, "vary", "must be given: the design combines values of varied numbers");
   read_correlation(context, root.find("correlation"), sweep);
   read_what_ifs(context, root, sweep);
   read_keep(context, root, sweep);

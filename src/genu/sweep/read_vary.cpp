@@ -82,7 +82,7 @@ void read_how(ReadContext& context, Section& table, VaryDef& vary) {
   const bool relative = read_bool(context, table.find("relative")).value_or(false);
   const bool add = read_bool(context, table.find("add")).value_or(false);
   if (relative && add)
-    table.error(Code::conflict, table.path("add"), "excludes `relative`: the draw multiplies the number, or is added");
+    table.error(Code::conflict, "add", "excludes `relative`: the draw multiplies the number, or is added");
   vary.how = relative ? VaryDef::How::relative : add ? VaryDef::How::added : VaryDef::How::absolute;
 }
 
@@ -98,9 +98,9 @@ VaryDef read_entry(ReadContext& context, const Item& item, bool from_points) {
     if (table.has(kind)) kinds.emplace_back(kind);
   read_how(context, table, vary);
   if (from_points && !kinds.empty())
-    table.error(Code::conflict, table.path(kinds.front()), "has no effect: the design `points` has the numbers");
+    table.error(Code::conflict, kinds.front(), "has no effect: the design `points` has the numbers");
   else if (!from_points && kinds.size() != 1)
-    table.error(kinds.empty() ? Code::missing_key : Code::conflict, item.path,
+    table.error(kinds.empty() ? Code::missing_key : Code::conflict, "",
                 "must have one of normal, lognormal, uniform, values");
   if (kinds.size() == 1 && !from_points) {
     if (kinds[0] == "normal" || kinds[0] == "lognormal") read_normal(context, table, kinds[0] == "lognormal", vary);
