@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/core/units.h"
 #include "support/solved.h"
 
 namespace genu {
@@ -157,6 +158,40 @@ TEST(Newton, BallInASocketOfLittleClearance) {
     const State state = expect_degenerate(s, {1e-3, 0, -0.02}, load.norm());
     const Vec3 expected = 1e-3 * slack * load.normalized();
     EXPECT_LT((state.poses[1].p - expected).norm(), 1e-6 * expected.norm() + 1e-15) << state.poses[1].p.transpose();
+  }
+}
+
+/// Links on bushings, bent to an arch that a load presses down in long steps.
+std::string pressed_arch(int links) {
+  std::string text = "format = 1\nunits = { length = \"mm\", angle = \"deg\" }\n[body.b0]\nfixed = true\n";
+  const auto bushing = [](const std::string& name, const std::string& from, const std::string& to) {
+    return "[bushing." + name + "]\nfrom = { body = \"" + from + "\" }\nto = { body = \"" + to +
+           "\" }\nstiffness = [500, 500, 500]\nrotation_stiffness = [0.002, 0.002, 0.002]\n";
+  };
+  double before = 0;
+  for (int i = 1; i <= links; ++i) {
+    const std::string k = std::to_string(i), parent = "b" + std::to_string(i - 1);
+    const double slope = std::atan(16.0 / 60 * (1 - 2 * (i - 0.5) / links)) / units::kDegree, turn = slope - before,
+                 length = 60.0 / links;
+    before = slope;
+    text += "[body.b" + k + "]\n[joint.j" + k + "]\ntype = \"free\"\nparent = \"" + parent + "\"\nchild = \"b" + k +
+            "\"\nrotations = [\"a z\", \"b x\", \"c y\"]\ntranslations = [\"x\", \"y\", \"z\"]\nreference = { a = " +
+            std::to_string(turn) + ", x = " + std::to_string(length * std::cos(turn * units::kDegree)) +
+            ", y = " + std::to_string(length * std::sin(turn * units::kDegree)) + " }\n" +
+            bushing("k" + k, parent, "b" + k);
+  }
+  return text + bushing("tip", "b0", "b" + std::to_string(links)) + "[load.pull]\nbody = \"b" +
+         std::to_string(links / 2) + "\"\nforce = [0, -20, 0]\n[[step]]\nload = { pull = [0, 1] }\nincrements = 200\n";
+}
+
+/// One lucky step with a Jacobian does not make it good for the next ones.
+TEST(Newton, PosesOfManyBodiesAreAsAccurateAsTheirTolerance) {
+  for (const int links : {9, 12, 20}) {
+    const test::Followed path = test::follow(pressed_arch(links));
+    ASSERT_TRUE(path.result.complete) << path.story();
+    double worst = 0;
+    for (const PosePoint& point : path.points) worst = std::max(worst, point.report.residual);
+    EXPECT_LT(worst, 1e-11) << links;
   }
 }
 

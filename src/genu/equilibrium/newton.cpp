@@ -168,13 +168,14 @@ void Newton::solve_as_fine(const NewtonOptions& options, NewtonReport& report) {
       break;
     }
     // Rounding ends convergence: below the floor, a step that does not halve the residual is the last one.
-    if (next > 0.5 * residual && next <= options.residual_floor) {
+    if (!same_again && next > 0.5 * residual && next <= options.residual_floor) {
       report.residual = next;
       ++report.iterations;
       if (!factor(options, report)) return;
       break;
     }
-    if (!same_again) fall = jacobian_error_ = next / residual;
+    // A step with the same Jacobian that reduces it less than was expected says that the first one was lucky.
+    if (!same_again || next > again * residual) fall = jacobian_error_ = next / residual;
     residual = next;
   }
   if (residual <= options.residual_tolerance) polish(options, report);

@@ -19,10 +19,10 @@ class ScaledSolver {
   [[nodiscard]] bool factor(const MatX& matrix, int bodies = 0);
   void solve(const VecX& rhs, VecX& x);
 
-  /// Reciprocal condition. Where it is surely above kSurelyRegular, a lower bound of it.
+  /// Reciprocal condition: an estimate from above; a lower bound where it is surely above kSurelyRegular and bodies are
+  /// few.
   double rcond() const { return rcond_; }
   Eigen::Index rank() const { return rank_; }
-  bool by_blocks() const { return by_blocks_; }
   bool full_rank() const { return !minimum_norm_ || rank_ == cod_.cols(); }
   bool minimum_norm() const { return minimum_norm_; }
 

@@ -11,8 +11,8 @@
 namespace genu {
 
 /// Characteristic lengths plus rad, summed over the bodies. Of many bodies (kManyBodies) the largest motion of any in
-/// its parent: at the end of a chain a body moves far where each joint hardly moves, and only the latter changes
-/// forces.
+/// its parent: at the end of a chain a body moves far where each joint hardly moves. It does not bound the motion of
+/// bodies that a ligament, contact or bushing connects across several joints.
 double distance(const JointModel& model, const State& a, const State& b);
 
 /// The same of the bodies' motion `twist` (6B) at a state, per unit of t.
