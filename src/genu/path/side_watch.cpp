@@ -38,16 +38,16 @@ bool same_way(const LigamentPath& path, const Wraps& a, const Wraps& b) {
 SideWatch::SideWatch(const JointModel& model) {
   if (model.reference_wraps.empty()) return;
   for_each_path(model, [&](const LigamentPath& path, const std::string& name) {
-    if (may_choose(path)) watched_.push_back({&path, name});
+    if (!may_choose(path)) return;
+    for (std::size_t k = 0; k < path.obstacles().size(); ++k) watched_.push_back({&path, k, name});
   });
 }
 
 bool SideWatch::seek(Watched& w, const State& state) const {
   std::vector<LigamentPath::Obstacle> obstacles = w.path->obstacles();
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    const WrapTouch& touch = state.wraps[w.path->touch_index(i)];
-    if (touch.touching) obstacles[i].side = WrapSide(-(touch.arc.begin.n + touch.arc.end.n));
-  }
+  const WrapTouch& touch = state.wraps[w.path->touch_index(w.surface)];
+  if (!touch.touching) return false;
+  obstacles[w.surface].side = WrapSide(-(touch.arc.begin.n + touch.arc.end.n));
   LigamentPath opposite = *w.path;
   opposite.set_obstacles(std::move(obstacles), w.path->touch_index(0));
   w.other = state.wraps;
@@ -63,6 +63,7 @@ bool SideWatch::carry(std::size_t i, const State& state) {
               !same_way(*w.path, state.wraps, w.other);
   }
   const double share = straight_share(*w.path, state);
+  w.sought_at = std::max(w.sought_at, share);
   if (w.known || !(share < 1 - kShorterShare) || !(share < w.sought_at - kSidesSoughtAgain)) return w.known;
   w.sought_at = share;
   w.known = seek(w, state);
@@ -78,9 +79,8 @@ double SideWatch::excess(std::size_t i, const State& state) const {
 }
 
 std::string SideWatch::what(std::size_t i) const {
-  std::string out = watched_[i].name + " round";
-  for (const LigamentPath::Obstacle& o : watched_[i].path->obstacles()) out += " " + o.name;
-  return out + ": 1 % shorter round the other side";
+  const Watched& w = watched_[i];
+  return w.name + " round " + w.path->obstacles()[w.surface].name + ": 1 % shorter round the other side";
 }
 
 }  // namespace genu

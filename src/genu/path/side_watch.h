@@ -5,6 +5,7 @@
 // all, and is then carried on from pose to pose beside the path's own.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,22 +18,23 @@ class SideWatch {
  public:
   explicit SideWatch(const JointModel& model);
 
-  /// Whether no path may choose its side: the calls below then do nothing.
-  bool none() const { return watched_.empty(); }
+  /// Pairs of a path that may choose its side and one of its surfaces.
   std::size_t count() const { return watched_.size(); }
 
-  /// Carries the other way of path i on to a state, or seeks it. False where none is known.
+  /// Carries the other way of pair i on to a state, or seeks it. False where none is known.
   bool carry(std::size_t i, const State& state);
-  /// Whether the other way of path i was shorter by more than kShorterShare at the last call of passed().
+  /// Whether the other way of pair i has become shorter by more than kShorterShare since the last call. `excess`: that
+  /// of excess(); NaN tells nothing.
   bool passed(std::size_t i, double excess) {
+    if (std::isnan(excess)) return false;
     const bool before = watched_[i].shorter;
     watched_[i].shorter = excess > 0;
     return !before && watched_[i].shorter;
   }
-  /// How much shorter the other way of path i is at a state near the last one carried to, over the path's length, less
+  /// How much shorter the other way of pair i is at a state near the last one carried to, over the path's length, less
   /// kShorterShare. NaN where it is not found.
   double excess(std::size_t i, const State& state) const;
-  /// The path and its surfaces, in words.
+  /// The path and the surface, in words.
   std::string what(std::size_t i) const;
 
   template <typename Archive>
@@ -43,6 +45,7 @@ class SideWatch {
  private:
   struct Watched {
     const LigamentPath* path;
+    std::size_t surface;  ///< index into its obstacles: the one that is passed on the other side
     std::string name;
     Wraps other = {};
     bool known = false, shorter = false;
