@@ -114,7 +114,8 @@ void LayerRays::begin(const Pose& X_TC, Memory& memory) const {
     memory.cast = i;
     return;
   }
-  memory.cast = (memory.cast + 1) % Memory::kCasts;
+  memory.cast = memory.oldest;
+  memory.oldest = (memory.oldest + 1) % Memory::kCasts;
   Memory::Cast& cast = memory.casts[memory.cast];
   cast.at = X_TC;
   cast.found.resize(parts_.size());
@@ -206,7 +207,7 @@ bool LayerRays::enters_before(const Ray& ray, const TriangleTree::Hit& hit, cons
                               Memory::AtRay& known) const {
   if (block.path < known.unentered_until && hit.distance <= known.unentered) return false;
   if (!(block.path < known.unentered_next_time)) {
-    const double length = hit.distance + kUnenteredLength * step_;
+    const double length = std::min(length_, hit.distance + kUnenteredLength * step_);
     std::array<double, kCoarseClearances> margins;
     for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = kClearances[i] * step_;
     int near = -1;

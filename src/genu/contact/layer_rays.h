@@ -76,8 +76,8 @@ class LayerRays {
     std::vector<AtRay> rays;
     std::vector<double> skip_until;      ///< m, by the order of the rays: path length up to which a ray meets nothing
     std::vector<std::vector<int>> open;  ///< of each part
-    std::array<Cast, kCasts> casts;      ///< the last ones, in turn
-    std::size_t cast = 0;                ///< the one that begin() chose
+    std::array<Cast, kCasts> casts;      ///< the last new ones, in turn
+    std::size_t cast = 0, oldest = 0;    ///< the one that begin() chose; the one that a new one takes the place of
   };
 
   /// Parts of the rays that may be cast in parallel with one memory. Their number does not depend on the number of

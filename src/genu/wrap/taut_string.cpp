@@ -170,7 +170,7 @@ bool move_all(std::span<const Obstacle> obstacles, std::span<const Geodesic> arc
 bool is_on(const Surface& surface, const ArcEnd& e) {
   ArcEnd now;
   if (!arc_end(surface, e.p, e.t, now)) return false;
-  const double bend = std::max({std::abs(e.kappa), std::abs(e.tau), std::abs(e.mu)});
+  const double bend = std::max({std::abs(e.kappa), std::abs(e.tau), std::abs(e.mu), 1 / kFlatReach});
   const double bent = std::max({std::abs(now.kappa - e.kappa), std::abs(now.tau - e.tau), std::abs(now.mu - e.mu)});
   return bend * (now.p - e.p).norm() <= kArcUnchanged && (now.n - e.n).norm() <= kArcUnchanged &&
          (now.t - e.t).norm() <= kArcUnchanged && bent <= kArcUnchanged * bend;

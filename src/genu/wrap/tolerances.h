@@ -56,6 +56,10 @@ inline constexpr double kStringSlide = 1e-11;
 /// first: if too large, arcs of other parameters are taken over; if too small, arcs are followed once more in vain.
 inline constexpr double kArcUnchanged = 1e-11;
 
+/// [m] Radius of what is called flat in this comparison. Fails first: if too large, a surface that has moved without a
+/// turn passes for unchanged where it is flat.
+inline constexpr double kFlatReach = 0.1;
+
 /// [1] Looks along a line for its clearance from a closed form. Fails first: if too small, one of several places where
 /// a line cuts is missed.
 inline constexpr int kClearanceLooks = 8;
