@@ -45,8 +45,8 @@ std::optional<LaxityOfScene> test_scene(const Prepared& prepared, const std::str
   if (!check_start(prepared, field, out)) return std::nullopt;
   const auto [least, most] = std::minmax_element(choice.flexions.begin(), choice.flexions.end());
   if (choice.envelope && !(*most > *least)) {
-    refuse_option(out, Code::conflict, "--envelope", "",
-                  "needs two angles or more in --at: the knee bends between them");
+    out.add(error_at({}, Code::conflict, "--envelope", {},
+                     "needs two angles or more in --at: the knee bends between them"));
     return std::nullopt;
   }
   auto knee = with_laxity_loads(prepared, out);
