@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/study/fit_doubts.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {
@@ -46,10 +47,6 @@ constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bu
                                    {"pCAP", "posterior capsule"}};
 
 Vec3 lateral_of(const KneeLayout& knee, bool left) { return left ? Vec3(-knee.right) : knee.right; }
-
-KneeAxes axes_of(const KneeLayout& knee, bool left) {
-  return {knee.anterior, knee.proximal, lateral_of(knee, left), knee.centre, knee.width, knee.gap};
-}
 
 std::string ligament_text(const std::string& name, const std::string& from, const std::string& to, double stiffness,
                           double transition, const std::string& length) {
@@ -150,7 +147,8 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
         {},
         fmt::format("the reference knee does not fit on these bones ({}; {:.0f} and {:.0f} % of it near them), so its "
                     "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
-                    fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched)};
+                    fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched),
+        fitted.femur.median + fitted.tibia.median};
   const auto [low, high] = errors_of(fitted);
   return {of_reference(fitted),
           lengths_of(fitted, bare ? std::max(0.0, knee.gap) : 0),
@@ -160,7 +158,8 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
           fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm",
                       reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
           turned_doubt(fitted, axes_of(knee, left)),
-          {}};
+          {},
+          fitted.femur.median + fitted.tibia.median};
 }
 
 bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths) {
@@ -177,17 +176,6 @@ bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string
     any = true;
   }
   return any;
-}
-
-std::optional<bool> fits_left(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
-  double misfit[2];
-  for (const bool left : {false, true}) {
-    const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
-    misfit[left ? 1 : 0] = fitted.femur.median + fitted.tibia.median;
-  }
-  const auto [better, worse] = std::minmax(misfit[0], misfit[1]);
-  if (!(better < kSideFits * worse)) return std::nullopt;
-  return misfit[1] < misfit[0];
 }
 
 }  // namespace genu

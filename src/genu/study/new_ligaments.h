@@ -18,6 +18,7 @@ struct NewLigaments {
   std::string choice;                          ///< the same for the terminal
   std::optional<std::string> turned;           ///< that the bones stand askew to the axes of their files
   std::optional<std::string> doubt;            ///< why the reference knee could not be laid on the bones
+  double misfit = 0;                           ///< m: sum of the median misfits of the reference knee on both meshes
 };
 
 /// Those of the reference knee where it fits on both meshes (bones where there are some, else cartilage), a fibre each
@@ -28,10 +29,6 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
 /// Makes fibres longer that stand under more than kMostNewStrain anywhere along the poses that were found with them, so
 /// that they would not. Whether there were some.
 bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths);
-
-/// Which knee it is by what the reference knee fits better, as itself or mirrored: true for a left one. Empty where
-/// neither is much better.
-std::optional<bool> fits_left(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee);
 
 /// "[1.2, 3, -0.5]": mm to a tenth.
 std::string point_text(const Vec3& p);

@@ -12,6 +12,7 @@
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
+#include "genu/study/fit_doubts.h"
 #include "genu/study/knee_layout.h"
 #include "genu/study/layout_doubts.h"
 #include "genu/study/new_ligaments.h"
@@ -69,14 +70,32 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   return toml_string_of((relative.empty() ? to : relative).string());
 }
 
-/// The thickness of cartilage over a bone.
-std::string thickness_text(const std::string& bone, const std::string& folder, double unit) {
-  if (bone.empty()) return "";
-  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(bone, folder),
-                     unit == 1 ? "m" : "mm");
+/// The meshes of a knee, and those that the reference knee is laid on: bones where there are some.
+struct Bones {
+  Bone femur, tibia;
+  std::optional<Bone> femur_bone, tibia_bone;
+
+  const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
+  const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }
+};
+
+std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
+  auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
+  std::optional<Bone> femur_bone, tibia_bone;
+  if (!asked.femur_bone.empty()) femur_bone = read_bone(asked.femur_bone, asked.unit, out);
+  if (!asked.tibia_bone.empty()) tibia_bone = read_bone(asked.tibia_bone, asked.unit, out);
+  if (out.has_errors() || !femur || !tibia) return std::nullopt;
+  return Bones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
 }
 
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bone& femur, const Bone& tibia) {
+/// The thickness of cartilage over a bone.
+std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<Bone>& bone) {
+  if (!bone) return "";
+  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
+                     bone->unit == 1 ? "m" : "mm");
+}
+
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bones& bones) {
   Words w;
   const bool guessed = asked.unit.empty();
   const std::string right = axis_word(knee.right), side = left ? "left" : "right";
@@ -102,13 +121,13 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
   w["femur_file"] = seen_from(asked.femur, asked.folder);
   w["tibia_file"] = seen_from(asked.tibia, asked.folder);
-  w["femur_unit"] = femur.unit == 1 ? "m" : "mm";
-  w["tibia_unit"] = tibia.unit == 1 ? "m" : "mm";
-  w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, femur.unit);
-  w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, tibia.unit);
-  const bool bones = !asked.femur_bone.empty();
-  w["thickness"] = bones ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
-  w["layer"] = bones ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
+  w["femur_unit"] = bones.femur.unit == 1 ? "m" : "mm";
+  w["tibia_unit"] = bones.tibia.unit == 1 ? "m" : "mm";
+  w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
+  w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, bones.tibia_bone);
+  const bool measured = !asked.femur_bone.empty();
+  w["thickness"] = measured ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
+  w["layer"] = measured ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
   w["femur_unit_how"] = w["tibia_unit_how"] = guessed ? "                   # GUESSED from its size" : "";
   Eigen::Index sideways = 0;
   lateral.cwiseAbs().maxCoeff(&sideways);
@@ -120,24 +139,6 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
                                  100 * knee.proximal.z() + 0.0);
   return w;
-}
-
-/// The meshes of a knee, and those that the reference knee is laid on: bones where there are some.
-struct Bones {
-  Bone femur, tibia;
-  std::optional<Bone> femur_bone, tibia_bone;
-
-  const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
-  const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }
-};
-
-std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
-  auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
-  std::optional<Bone> femur_bone, tibia_bone;
-  if (!asked.femur_bone.empty()) femur_bone = read_bone(asked.femur_bone, asked.unit, out);
-  if (!asked.tibia_bone.empty()) tibia_bone = read_bone(asked.tibia_bone, asked.unit, out);
-  if (out.has_errors() || !femur || !tibia) return std::nullopt;
-  return Bones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
 }
 
 /// Which side, and why.
@@ -197,7 +198,9 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
     out.error(Code::interrupted, {}, "stopped while the scene was tried out: nothing is written");
     return std::nullopt;
   }
-  const auto of_meshes = [](const Diagnostic& d) { return d.code == Code::mesh_repaired || d.code == Code::layout; };
+  const auto of_meshes = [](const Diagnostic& d) {
+    return d.code == Code::mesh_repaired || d.code == Code::layout || d.code == Code::no_thickness;
+  };
   for (Diagnostic d : warnings.items())
     if (d.severity == Diagnostic::Severity::error ? !found : first && of_meshes(d)) {
       if (d.file == file) d.file = name;
@@ -246,16 +249,22 @@ bool check_spaces(const Bone& femur, const Bone& tibia, const NewScene& asked, D
   return false;
 }
 
-/// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
-bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
-                  Diagnostics& out) {
-  for (const LayoutDoubt& doubt : doubts_about(femur, tibia, knee))
+/// False where one of them is impossible.
+bool say_all(const std::vector<LayoutDoubt>& doubts, const NewScene& asked, Diagnostics& out) {
+  for (const LayoutDoubt& doubt : doubts)
     out.add({doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
              Code::layout,
              {asked.femur + ", " + asked.tibia},
              {},
              {},
              doubt.what});
+  return !out.has_errors();
+}
+
+/// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
+bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
+                  Diagnostics& out) {
+  say_all(doubts_about(femur, tibia, knee), asked, out);
   if (const auto left = seems_left(knee); left && asked.left && *asked.left != *left)
     out.warning(Code::layout, asked.femur + ", " + asked.tibia,
                 fmt::format("look like a {} knee, and --side says {}: {}", *left ? "left" : "right",
@@ -294,9 +303,11 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   }
   if (!check_layout(femur, tibia, *knee, asked, out)) return std::nullopt;
   const Side side = side_of(asked, *knee, *bones);
-  words.merge(words_of_knee(asked, *knee, side.left, bones->femur, bones->tibia));
+  words.merge(words_of_knee(asked, *knee, side.left, *bones));
   const NewLigaments ligaments =
       ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
+  if (!say_all(fit_doubts(bones->femur_shape(), bones->tibia_shape(), *knee, ligaments.misfit), asked, out))
+    return std::nullopt;
   for (const auto& doubt : {ligaments.turned, ligaments.doubt})
     if (doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *doubt);
   words["ligaments_note"] = ligaments.note;

@@ -144,8 +144,12 @@ inline constexpr double kRelaxedStrain = 0.2;
 /// body: 3 to 7, drawn bones: 10). Fails first: if too large, flexion is about an axis that is none, in silence.
 inline constexpr double kMostTurned = 15;
 
-/// [1] Ratio of misfits of a knee and its mirror image that tells which it is. Fails first: if too large, chance
-/// decides.
+/// [m] Misfits of the reference knee on both meshes together, below which nothing else is tried (shape-model knees: 0.4
+/// to 0.8 mm). Fails first: if too large, exchanged bones pass; if too small, time.
+inline constexpr double kSmallMisfit = 0.9e-3;
+
+/// [1] Ratio of misfits of a knee and its mirror image that tells which it is; the square, of other mistakes. Fails
+/// first: if too large, chance decides.
 inline constexpr double kSideFits = 0.8;
 
 // run_motion
