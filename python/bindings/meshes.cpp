@@ -43,7 +43,7 @@ void add_meshes(py::module_& module) {
 
 mesh: path of an STL, PLY, OBJ, OFF or VTP file, or a pair (vertices, triangles) of arrays with shapes (n, 3) and (m, 3):
 coordinates, and indices from 0, counter-clockwise seen from outside.
-unit: "mm" or "m"; guessed from the size where it is None.
+unit: "mm", "m", "cm", "inch" or "um"; guessed (mm or m) from the size where it is None.
 SceneError for a mesh that cannot be read; TypeError and ValueError for arrays of another type or shape.)");
 }
 

@@ -334,7 +334,7 @@ SceneError with everything that is wrong.)");
 
 folder: made new, with the commented scene in it; None: in memory alone, of kind "analytic" or "motion".
 kind: "analytic": a knee of formulas; "stl": from two meshes, `femur` and `tibia`, paths of files in one frame; "motion": a
-shank that swings. unit: of the meshes, "mm" or "m". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
+shank that swings. unit: of the meshes, "mm", "m", "cm", "inch" or "um". proximal, anterior: axes of the meshes, "x" ... "-z". side: "left" or
 "right". What is left out is found from the meshes. SceneError for what is refused.)");
 }
 

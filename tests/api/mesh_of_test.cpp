@@ -39,7 +39,7 @@ TEST(CheckMesh, RefusesWhatIsNoMesh) {
   mesh = tetrahedron();
   mesh.vertices[0][0] = std::nan("");
   EXPECT_FALSE(refusal(mesh).empty());
-  EXPECT_THAT(refusal(tetrahedron(), "cm"), HasSubstr("must be \"mm\" or \"m\""));
+  EXPECT_THAT(refusal(tetrahedron(), "dm"), HasSubstr("must be one of \"mm\", \"m\", \"cm\", \"inch\", \"um\""));
   EXPECT_THROW((void)check_mesh("no/such/file.stl"), SceneError);
 }
 

@@ -190,7 +190,7 @@ TEST(Newton, PosesOfManyBodiesAreAsAccurateAsTheirTolerance) {
     const test::Followed path = test::follow(pressed_arch(links));
     ASSERT_TRUE(path.result.complete) << path.story();
     double worst = 0;
-    for (const PosePoint& point : path.points) worst = std::max(worst, point.report.residual);
+    for (const PosePoint& point : path.points) worst = std::max(worst, point.report.newton.residual);
     EXPECT_LT(worst, 1e-11) << links;
   }
 }

@@ -70,7 +70,7 @@ TEST_F(ReadSolid, InSiUnitsWithDynamicsOrGravity) {
 TEST_F(ReadSolid, Errors) {
   refused_solid("link.stl", "none.stl", ".file", "no such file");
   refused_solid("file = \"link.stl\", ", "", ".file", "is missing");
-  refused_solid("\"mm\"", "\"cm\"", ".units", "mm");
+  refused_solid("\"mm\"", "\"dm\"", ".units", "mm");
   refused_solid("1100", "0", ".density", "must be > 0 kg/m^3");
   refused_solid("1100", "-1100", ".density", "must be > 0 kg/m^3");
   refused_solid(", density = 1100", "", ".density", "is missing");

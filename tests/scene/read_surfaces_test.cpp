@@ -128,7 +128,7 @@ TEST_F(MeshSurface, Errors) {
   expect_surface_refused("shape = \"mesh\"\nfile = @\"\"\nunits = \"m\"\n", "file", "\"\"", "must name a mesh file");
   expect_surface_refused("shape = \"mesh\"\nfile = @\"/\"\nunits = \"m\"\n", "file", "\"/\"", "is not a file");
   expect_surface_refused("shape = \"mesh\"\nfile = @7\nunits = \"m\"\n", "file", "7", "must be a string");
-  expect_surface_refused("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = @\"cm\"\n", "units", "\"cm\"",
+  expect_surface_refused("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = @\"dm\"\n", "units", "\"dm\"",
                          "must be one of \"mm\", \"m\"");
   expect_surface_refused(mesh + "fit_radius = @0\n", "fit_radius", "0", "must be > 0 mm");
   expect_surface_refused(mesh + "degree = @1\n", "degree", "1", "must be an integer from 2 to 4");

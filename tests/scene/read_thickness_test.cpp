@@ -70,7 +70,7 @@ TEST(ReadThickness, KeysOfABone) {
     return all_messages(out);
   };
   EXPECT_NE(messages("").find("surface.ball.thickness.units: is missing"), std::string::npos) << messages("");
-  EXPECT_NE(messages(", units = \"cm\"").find("must be one of"), std::string::npos);
+  EXPECT_NE(messages(", units = \"dm\"").find("must be one of"), std::string::npos);
   EXPECT_NE(messages(", units = \"m\", minimum = 3, maximum = 2").find("must be > minimum"), std::string::npos);
   EXPECT_NE(messages(", units = \"m\", thick = 3").find("is no key of a thickness down to a bone"), std::string::npos);
 }

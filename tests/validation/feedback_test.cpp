@@ -169,6 +169,20 @@ TEST(Feedback, AMotionThatGrowsIsSaid) {
   EXPECT_EQ(verdict_of(0.5).find("more and more"), std::string::npos);
 }
 
+/// Nothing acts until the target moves; then the wrong sign throws the hinge about within a few rows, and the
+/// integration stops early.
+TEST(Feedback, AWrongSignThatActsLateIsSaid) {
+  std::string text = test::read_file(test::source_folder() + "/meshes/leskovar2019/scene-controlled.toml");
+  const std::string on = "on = \"j1.angle\"";
+  const std::size_t at = text.find(on);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, on.size(), "body = \"tibia\"\nmoment = [0, 0, 1]");  // flexion is about -z
+  text.replace(text.find("duration = 17"), 13, "duration = 2");
+  std::string said;
+  for (const std::string& sentence : motion_of(text).summary.verdict) said += sentence + "\n";
+  EXPECT_NE(said.find("load controller misses its target by more and more"), std::string::npos) << said;
+}
+
 /// A gain beyond reason makes a fast decay: integrated by BDF, and said.
 TEST(Feedback, AStiffMotionIsSaid) {
   const Solution s = motion_of(servo_hinge(servo("0.1", 1e4, 5e3), 2));

@@ -20,6 +20,7 @@
 #include "commands.h"
 #include "genu/assemble/fit_mesh.h"
 #include "genu/core/atomic_output.h"
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/words.h"
@@ -131,7 +132,7 @@ int fit_one(const FitOptions& options) {
   Diagnostics problems;
   FitMeshRequest request;
   request.file = options.mesh;
-  if (!options.unit.empty()) request.file_unit = options.unit == "m" ? 1.0 : units::kMillimetre;
+  if (!options.unit.empty()) request.file_unit = metres_in(options.unit);
   request.name = options.name;
   request.body = options.body;
   request.regions = options.regions;
@@ -214,7 +215,7 @@ void add_fit(CLI::App& command, int& exit_code) {
       ->capture_default_str();
   const auto of_mesh = [&](CLI::Option* option) { option->needs(mesh); };
   of_mesh(command.add_option("--units", options->unit, "of the mesh file; guessed from its size where not given")
-              ->check(CLI::IsMember({"mm", "m"})));
+              ->check(CLI::IsMember(length_unit_names())));
   of_mesh(
       command.add_option("--facing", options->facing,
                          "the way the surface looks, an axis (-y) or a direction (0,-1,0.5): needed for closed bones"));

@@ -20,6 +20,7 @@
 #include "genu/assemble/build_solid.h"
 #include "genu/assemble/build_surface.h"
 #include "genu/core/diagnostics.h"
+#include "genu/core/length_units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_writer.h"
 #include "genu/scene/reader.h"
@@ -131,7 +132,7 @@ void describe_file(const std::string& path, const Mesh& mesh, double wanted, con
 }
 
 int mesh_scene(const MeshOptions& options) {
-  const double unit = options.unit == "m" ? 1.0 : 1e-3;
+  const double unit = metres_in(options.unit).value_or(units::kMillimetre);
   Diagnostics problems;
   const std::optional<Scene> scene = read_surface_file(options.scene, problems);
   if (!scene) return refuse(problems);
@@ -176,7 +177,7 @@ void add_mesh(CLI::App& command, int& exit_code) {
       ->check(number_within(kSmallest, kLargest))
       ->required();
   command.add_option("--unit", options->unit, "unit of --edge, --reach and the files")
-      ->check(CLI::IsMember({"mm", "m"}))
+      ->check(CLI::IsMember(length_unit_names()))
       ->capture_default_str();
   command.add_option("--reach", options->reach, "how far planes, cylinders and polynomials go; 50 mm where not given")
       ->check(number_within(kSmallest, kLargest));

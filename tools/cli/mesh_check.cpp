@@ -16,6 +16,7 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/diagnostics.h"
+#include "genu/core/length_units.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh_care/mesh_examination.h"
@@ -101,11 +102,11 @@ int check_file(const std::string& file, const CheckOptions& options) {
   Diagnostics problems;  // the warnings among them are said below, a line each
   MeshFileFacts facts;
   const Timer timer;
-  double unit = options.unit == "m" ? 1.0 : 1e-3;
+  double unit = metres_in(options.unit).value_or(1e-3);
   std::optional<Mesh> mesh = options.unit.empty() ? read_mesh_of_some_unit(file, unit, problems, &facts)
                                                   : read_mesh(file, unit, problems, &facts);
   if (!mesh) return refuse(problems);
-  fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), timer.seconds(), unit == 1 ? "m" : "mm",
+  fmt::print("{}: read in {:.2f} s; units {}{}\n", printable(file), timer.seconds(), length_unit_name(unit),
              options.unit.empty() ? " (guessed from the size)" : "");
   const MeshExamination examination = examine_mesh(*mesh, facts, unit);
   print_findings(examination);
@@ -133,7 +134,7 @@ void add_mesh_check(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   command.add_option("FILE", options->files, "STL, PLY, OBJ, OFF or VTP files")->required();
   command.add_option("--units", options->unit, "unit of the files; guessed from their size where it is not given")
-      ->check(CLI::IsMember({"mm", "m"}));
+      ->check(CLI::IsMember(length_unit_names()));
   auto* repaired = command.add_option("--repair", options->repaired,
                                       "write the repaired mesh there, as STL, PLY or OBJ by the ending of the name, "
                                       "in the file's unit (needs CGAL)");

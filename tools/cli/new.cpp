@@ -16,6 +16,7 @@
 #include "advice.h"
 #include "commands.h"
 #include "genu/core/file_text.h"
+#include "genu/core/length_units.h"
 #include "genu/study/new_scene.h"
 #include "help_pages.h"
 
@@ -92,7 +93,7 @@ void add_new(CLI::App& command, int& exit_code) {
   command.add_option("--tibia", arguments->tibia, "mesh of the tibia or its cartilage, or both, in the same frame")
       ->expected(1, 2);
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
-      ->check(CLI::IsMember({"mm", "m"}));
+      ->check(CLI::IsMember(length_unit_names()));
   command.add_option("--side", arguments->side, "which knee it is; by the shape of the bones where it is not given")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();

@@ -15,6 +15,7 @@
 
 #include "commands.h"
 #include "genu/core/atomic_output.h"
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/mesh_files/mesh_writer.h"
@@ -67,7 +68,7 @@ void check_segment_files(const SegmentOptions& options, Diagnostics& out) {
 }
 
 std::optional<MeshSegments> cut_meniscus(const SegmentOptions& options, Diagnostics& problems) {
-  double unit = options.unit == "m" ? 1.0 : units::kMillimetre;
+  double unit = metres_in(options.unit).value_or(units::kMillimetre);
   MeshFileFacts facts;
   const auto mesh = options.unit.empty() ? read_mesh_of_some_unit(options.file, unit, problems, &facts)
                                          : read_mesh(options.file, unit, problems, &facts);
@@ -142,7 +143,7 @@ void add_segment(CLI::App& command, int& exit_code) {
       ->check(CLI::Range(3, 200))
       ->capture_default_str();
   command.add_option("--units", options->unit, "unit of the file; guessed from its size where it is not given")
-      ->check(CLI::IsMember({"mm", "m"}));
+      ->check(CLI::IsMember(length_unit_names()));
   command.add_option("--name", options->text.name,
                      "of the meniscus: pieces are NAME_01, NAME_02, ...; the file's name where not given");
   command.add_option("--parent", options->text.parent, "body that the pieces' joints are in")->capture_default_str();

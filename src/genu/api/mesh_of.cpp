@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "genu/api/inside.h"
+#include "genu/core/length_units.h"
 #include "genu/mesh_care/mesh_examination.h"
 #include "genu/scene/words.h"
 
@@ -10,17 +11,18 @@ namespace genu::api {
 namespace {
 
 MeshCheck check_named(const std::string& name, const std::string& unit, MeshLibrary& library) {
-  if (!unit.empty() && unit != "mm" && unit != "m")
-    refuse(Code::unknown_name, "unit", with_quotes(unit), "must be \"mm\" or \"m\"");
+  const std::optional<double> given = metres_in(unit);
+  if (!unit.empty() && !given)
+    refuse(Code::unknown_name, "unit", with_quotes(unit), "must be one of " + quoted_list(length_unit_names()));
   Diagnostics out;
   MeshFileFacts facts;
-  double metres = unit == "m" ? 1 : 1e-3;
+  double metres = given.value_or(1e-3);
   const auto mesh =
       unit.empty() ? library.read_of_some_unit(name, metres, out, &facts) : library.read(name, metres, out, &facts);
   check(out);
   const MeshExamination examination = examine_mesh(*mesh, facts, metres);
   MeshCheck found;
-  found.unit = metres == 1 ? "m" : "mm";
+  found.unit = length_unit_name(metres);
   found.guessed = unit.empty();
   found.vertices = mesh->vertices.size();
   found.triangles = mesh->triangles.size();

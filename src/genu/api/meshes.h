@@ -24,7 +24,7 @@ struct MeshCheck {
     std::string verdict;   ///< "ok", "note", "BAD"
     std::string why;       ///< or where, or what to do; may be empty
   };
-  std::string unit;  ///< "mm" or "m"
+  std::string unit;  ///< "mm", "m", "cm", "inch" or "um"
   bool guessed = false;
   std::size_t vertices = 0, triangles = 0;
   bool bad = false;  ///< contact near some place cannot be trusted
@@ -32,7 +32,8 @@ struct MeshCheck {
   std::vector<Problem> warnings;
 };
 
-/// `unit`: "mm", "m"; empty: guessed from the size. Throws SceneError for a mesh that cannot be read.
+/// `unit`: "mm", "m", "cm", "inch", "um"; empty: guessed from the size. Throws SceneError for a mesh that cannot be
+/// read.
 MeshCheck check_mesh(const std::string& file, const std::string& unit = {});
 MeshCheck check_mesh(const Triangles& mesh, const std::string& unit = {});
 

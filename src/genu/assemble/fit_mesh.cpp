@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_part.h"
@@ -34,7 +35,7 @@ std::optional<Mesh> read(const FitMeshRequest& request, double& unit, Diagnostic
   unit = request.file_unit.value_or(unit);
   auto mesh = request.file_unit ? read_mesh(request.file, unit, out) : read_mesh_of_some_unit(request.file, unit, out);
   if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), request.file, unit == 1 ? "m" : "mm", out);
+  check_scale(check_mesh(*mesh), request.file, length_unit_name(unit), out);
   if (out.has_errors()) return std::nullopt;
   make_winding_consistent(*mesh, mesh_edges(*mesh));
   return mesh;

@@ -15,6 +15,7 @@
 #include "genu/assemble/read_solids.h"
 #include "genu/assemble/tolerances.h"
 #include "genu/assemble/unlikely_lengths.h"
+#include "genu/core/length_units.h"
 #include "genu/core/timer.h"
 #include "genu/core/units.h"
 #include "genu/mesh/tolerances.h"
@@ -32,8 +33,6 @@ std::string describe(const MeshReport& r, const BlendFacts& f) {
   return fmt::format("{} triangles, edge {:.2f} mm; degree {}, fit radius {:.2f} mm, {} nodes; {}", r.triangles,
                      to::kMillimetre * r.edge_length[2], f.degree, to::kMillimetre * f.fit_radius, f.node_count, f.why);
 }
-
-const char* unit_word(double metres) { return metres == 1 ? "m" : "mm"; }
 
 /// Carries a mesh into its body's frame, its outward side where the scene wants it.
 void move_to_body(const SurfaceDef& def, Mesh& mesh) {
@@ -181,7 +180,7 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
     note.space = facts.space;
     if (mesh) {
       note.mesh = check_mesh(*mesh);
-      check_scale(*note.mesh, def.file, unit_word(def.file_unit), found);
+      check_scale(*note.mesh, def.file, length_unit_name(def.file_unit), found);
       make_winding_consistent(*mesh, mesh_edges(*mesh));
       turn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);

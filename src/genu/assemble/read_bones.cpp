@@ -2,6 +2,7 @@
 
 #include "genu/assemble/mesh_diagnostics.h"
 #include "genu/contact/bone_thickness.h"
+#include "genu/core/length_units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh_care/mesh_shape.h"
@@ -14,7 +15,7 @@ std::shared_ptr<const BoneUnder> read_bone(const PlacedScene& scene, const Surfa
   const SurfaceDef::Thickness& thickness = *surface.thickness;
   Diagnostics found;
   auto mesh = meshes.read(thickness.bone, thickness.bone_unit, found);
-  if (mesh) check_scale(check_mesh(*mesh), thickness.bone, thickness.bone_unit == 1 ? "m" : "mm", found);
+  if (mesh) check_scale(check_mesh(*mesh), thickness.bone, length_unit_name(thickness.bone_unit), found);
   add_at_key(scene, thickness.bone_where, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
   if (!mesh || found.has_errors()) return nullptr;
   make_winding_consistent(*mesh, mesh_edges(*mesh));

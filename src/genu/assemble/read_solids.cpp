@@ -7,6 +7,7 @@
 
 #include "genu/assemble/mesh_diagnostics.h"
 #include "genu/assemble/tolerances.h"
+#include "genu/core/length_units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/solid_inertia.h"
@@ -74,7 +75,7 @@ void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostic
 std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& meshes, Diagnostics& out) {
   auto mesh = meshes.read(solid.file, solid.file_unit, out);
   if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), solid.file, solid.file_unit == 1 ? "m" : "mm", out);
+  check_scale(check_mesh(*mesh), solid.file, length_unit_name(solid.file_unit), out);
   if (out.has_errors()) return std::nullopt;
   const std::size_t turned = make_winding_consistent(*mesh, mesh_edges(*mesh)).flipped;
   if (!bounds_a_volume(*mesh, solid, out)) return std::nullopt;

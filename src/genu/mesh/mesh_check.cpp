@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "genu/core/length_units.h"
 #include "genu/mesh/tolerances.h"
 
 namespace genu {
@@ -70,9 +71,7 @@ MeshReport check_mesh(const Mesh& mesh) {
 }
 
 std::string guess_unit(double diagonal) {
-  const std::pair<const char*, double> units[] = {
-      {"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"inch", 0.0254}, {"um", 1e-6}};
-  for (const auto& [name, metres] : units)
+  for (const auto& [name, metres] : kLengthUnits)
     if (diagonal * metres >= kLikelyMinDiagonal && diagonal * metres <= kLikelyMaxDiagonal) return name;
   return {};
 }
@@ -84,11 +83,10 @@ void check_scale(const MeshReport& report, const std::string& file, const std::s
   std::string rule =
       fmt::format("read in {}, the surface is {:.3g} mm across, but a knee's are between {:.0f} and {:.0f} mm", unit,
                   size * 1e3, kLikelyMinDiagonal * 1e3, kLikelyMaxDiagonal * 1e3);
-  const auto plausible = [](double d) { return d >= kLikelyMinDiagonal && d <= kLikelyMaxDiagonal; };
-  if (unit == "m" && plausible(size / 1000)) {
-    rule += fmt::format(": in mm it would be {:.3g} mm; write units = \"mm\"", size);
-  } else if (unit == "mm" && plausible(size * 1000)) {
-    rule += fmt::format(": in m it would be {:.3g} mm; write units = \"m\"", size * 1e6);
+  const double in_file = size / metres_in(unit).value_or(1);
+  if (const std::string meant = guess_unit(in_file); !meant.empty()) {
+    rule += fmt::format(": in {} it would be {:.3g} mm; write units = \"{}\"", meant,
+                        in_file * metres_in(meant).value_or(1) * 1e3, meant);
   } else if (refused) {
     rule += ": check the file's units";
   }

@@ -27,13 +27,12 @@ struct MeshReport {
 
 MeshReport check_mesh(const Mesh& mesh);
 
-/// The unit in which a box of this diagonal (file units) would be a knee's: "mm", "m", or another that genu does not
-/// read ("cm", "inch", ...); empty where none fits.
+/// The first of kLengthUnits in which a box of this diagonal (file units) would be a knee's; empty where none fits.
 std::string guess_unit(double diagonal);
 
 /// Compares the size of a mesh with that of a knee's surfaces: a box diagonal between 5 mm and 500 mm. Outside 1 mm to
 /// 5 m an error that names the unit it was probably written in, between the two a warning. `unit` is the one declared
-/// for `file`, as the user wrote it ("mm", "m").
+/// for `file`, by its name in kLengthUnits.
 void check_scale(const MeshReport& report, const std::string& file, const std::string& unit, Diagnostics& out);
 
 }  // namespace genu

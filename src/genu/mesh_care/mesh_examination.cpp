@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh/mesh_topology.h"
@@ -82,14 +83,12 @@ class Examiner {
 
   void say_size() {
     const double diagonal = report_.box.diagonal() / unit_;
-    const char* unit = unit_ == 1 ? "m" : "mm";
+    const char* unit = length_unit_name(unit_);
     const std::string guess = guess_unit(diagonal);
     say("size", fmt::format("{:.4g} {} across", diagonal, unit), guess == unit ? Verdict::good : Verdict::bad,
         guess == unit   ? ""
         : guess.empty() ? "no unit makes this a knee's surface: 5 to 500 mm"
-        : guess.size() < 3 && guess != "cm"
-            ? "a knee's in " + guess + ": say --units " + guess + ", and units in the scene"
-            : "a knee's in " + guess + ", which genu does not read: scale it to mm");
+                        : "a knee's in " + guess + ": say --units " + guess + ", and units in the scene");
     say("vertices, triangles", fmt::format("{}, {}", report_.vertices, report_.triangles),
         report_.triangles < kMinTrianglesOfMesh   ? Verdict::bad
         : report_.triangles < kFewTrianglesOfMesh ? Verdict::note
@@ -221,7 +220,7 @@ class Examiner {
     const SolidInertia solid = solid_inertia(outward);
     const Vec3 c = solid.centroid / unit_;
     say("volume", fmt::format("{:.5g} cm3", 1e6 * std::abs(solid.volume)), Verdict::good,
-        fmt::format("closed; centroid ({:.5g}, {:.5g}, {:.5g}) {}", c.x(), c.y(), c.z(), unit_ == 1 ? "m" : "mm"));
+        fmt::format("closed; centroid ({:.5g}, {:.5g}, {:.5g}) {}", c.x(), c.y(), c.z(), length_unit_name(unit_)));
   }
 
   const Mesh& mesh_;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "genu/core/length_units.h"
 #include "genu/mesh/mesh_topology.h"
 #include "genu/mesh/sharp_corners.h"
 #include "genu/mesh/winding_number.h"
@@ -324,7 +325,7 @@ std::vector<Flaw> cut_out_flaws(Mesh& mesh) {
 
 std::string describe(const Flaw& flaw, double metres_per_unit) {
   const Vec3 p = flaw.centre / metres_per_unit;
-  const char* unit = metres_per_unit == 1 ? "m" : "mm";
+  const char* unit = length_unit_name(metres_per_unit);
   const std::string size = fmt::format("{:.3g} {}", 2 * flaw.radius / metres_per_unit, unit);
   const std::string where = fmt::format("near ({:.5g}, {:.5g}, {:.5g}) {}", p.x(), p.y(), p.z(), unit);
   switch (flaw.kind) {

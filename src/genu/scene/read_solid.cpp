@@ -18,8 +18,7 @@ bool read_solid(ReadContext& context, Section& body_section, BodyDef& body) {
   solid.where = item.node->where;
   solid.file_where = item.node->where;
   solid.file = read_mesh_file(context, section.require("file"), solid.file_where);
-  const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
-  solid.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
+  solid.file_unit = read_length_unit(context, section.require("units"));
   solid.placement = read_placement(context, section);
   const NumberRule density{.unit = 1, .unit_name = "kg/m^3", .above = {}, .at_least = {}};
   solid.density = read_number(context, section.require("density"), positive(density)).value_or(1);

@@ -68,8 +68,7 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
 
 void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
   surface.file = read_mesh_file(context, section.require("file"), surface.file_where);
-  const auto unit = read_choice(context, section.require("units"), {"mm", "m"});
-  surface.file_unit = unit == 1 ? units::kMetre : units::kMillimetre;
+  surface.file_unit = read_length_unit(context, section.require("units"));
   const Item radius = section.find("fit_radius");
   surface.fit_radius = read_number(context, radius, positive(length_rule(context)));
   if (surface.fit_radius) surface.fit_radius_where = radius.node->where;

@@ -84,6 +84,13 @@ void warn_stiffness(ReadContext& context, const Item& item, const LigamentDef& l
                    meant(item.node->number, typical / value)));
 }
 
+/// A length (m) in the scene's unit, and in mm where that is another.
+std::string in_words(const ReadContext& context, double length) {
+  const double unit = context.scene.length_unit;
+  const std::string own = fmt::format("{:.4g} {}", length / unit, context.length_name);
+  return unit == units::kMillimetre ? own : own + fmt::format(" ({:.4g} mm)", to::kMillimetre * length);
+}
+
 }  // namespace
 
 void warn_unlikely(ReadContext& context, Section& section, const LigamentDef& ligament) {
@@ -112,15 +119,11 @@ void warn_unlikely(ReadContext& context, Section& section, const SurfaceDef& sur
     const double* values = number.values_of(surface);
     const double most = *std::max_element(values, values + row.size),
                  least = *std::min_element(values, values + row.size);
-    const double unit = context.scene.length_unit;
     if (most > kLikelyMaxRadius)
-      warn(context, item,
-           fmt::format("is {:.4g} m: was {:.4g} {} ({:.4g} mm) meant?", most, most / unit / 1000, context.length_name,
-                       most));
+      warn(context, item, fmt::format("is {:.4g} m: was {} meant?", most, in_words(context, most / 1000)));
     else if (least > 0 && least < kLikelyMinRadius)
       warn(context, item,
-           fmt::format("is {:.4g} mm: was {:.4g} {} ({:.4g} mm) meant?", to::kMillimetre * least, 1000 * least / unit,
-                       context.length_name, 1e6 * least));
+           fmt::format("is {:.4g} mm: was {} meant?", to::kMillimetre * least, in_words(context, 1000 * least)));
   }
 }
 

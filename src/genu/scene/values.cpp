@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
@@ -140,6 +141,11 @@ std::optional<int> read_choice(ReadContext& context, const Item& item, const std
   const std::string one_of = choices.size() > 1 ? "must be one of " : "must be ";
   refuse(context, item, Code::unknown_name, one_of + quoted_list(choices) + did_you_mean(word, choices));
   return {};
+}
+
+double read_length_unit(ReadContext& context, const Item& item) {
+  const auto unit = read_choice(context, item, length_unit_names());
+  return kLengthUnits[static_cast<std::size_t>(unit.value_or(0))].metres;
 }
 
 std::string unknown_name_rule(const std::string& kind, const std::string& name, const std::vector<std::string>& known) {

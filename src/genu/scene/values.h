@@ -58,6 +58,8 @@ std::optional<std::pair<double, double>> read_span(ReadContext& context, const I
 /// The index of a word among `choices`; words of `not_built` are known, but refused for now.
 std::optional<int> read_choice(ReadContext& context, const Item& item, const std::vector<std::string>& choices,
                                const std::vector<std::string>& not_built = {});
+/// m per unit, of a word of kLengthUnits.
+double read_length_unit(ReadContext& context, const Item& item);
 /// The index of a name among `known`; `kind` is "body", "surface", ...
 std::optional<int> read_reference(ReadContext& context, const Item& item, const std::string& kind,
                                   const std::vector<std::string>& known);

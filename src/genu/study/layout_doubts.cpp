@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "genu/core/length_units.h"
 #include "genu/core/units.h"
 #include "genu/study/tolerances.h"
 
@@ -27,20 +28,21 @@ Extent extent_of(const Mesh& mesh, const Vec3& way) {
   return e;
 }
 
-/// A width (m) that no adult's tibia has, and the unit in which it would have one.
-std::string doubt_about_size(double width) {
+/// A width (m) that no adult's tibia has, read from a file in units of so many metres, and the unit in which it would
+/// have one.
+std::string doubt_about_size(double width, double file_unit) {
   if (width >= kNarrowestTibia && width <= kWidestTibia) return {};
   std::string out = fmt::format("the tibia is {:.3g} mm wide, an adult's 60 to 95 mm", width / units::kMillimetre);
-  for (const auto& [unit, factor] : {std::pair("cm", 10.0), std::pair("inches", 25.4), std::pair("m", 1e3)})
-    if (const double other = factor * width; other >= kNarrowestTibia && other <= kWidestTibia)
+  for (const auto& [unit, metres] : kLengthUnits)
+    if (const double other = metres * width / file_unit; other >= kNarrowestTibia && other <= kWidestTibia)
       return out +
-             fmt::format(": in {} it would be {:.3g} mm. Scale both meshes to mm", unit, other / units::kMillimetre);
+             fmt::format(": in {} it would be {:.3g} mm. --units {} says so", unit, other / units::kMillimetre, unit);
   return out + ": check the unit of the meshes";
 }
 
 }  // namespace
 
-std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee) {
+std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, double tibia_unit) {
   if (femur.vertices == tibia.vertices) return {{true, "are the same mesh: name a femur and a tibia"}};
   std::vector<LayoutDoubt> doubts;
   const std::string up = axis_word(knee.proximal);
@@ -62,7 +64,7 @@ std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, cons
                                         knee.gap > 0 ? "are apart by" : "reach into each other by",
                                         std::abs(knee.gap) / units::kMillimetre, knee.width / units::kMillimetre)});
   if (!doubts.empty()) return doubts;
-  if (const std::string what = doubt_about_size(knee.width); !what.empty()) doubts.push_back({false, what});
+  if (const std::string what = doubt_about_size(knee.width, tibia_unit); !what.empty()) doubts.push_back({false, what});
   for (const auto& [name, mesh] : {std::pair("femur", &femur), std::pair("tibia", &tibia)})
     if (mesh->triangles.size() < kFewKneeTriangles)
       doubts.push_back({false, fmt::format("the {} has {} triangles: what contact is on is made up of them alone", name,

@@ -14,8 +14,8 @@ struct LayoutDoubt {
   std::string what;
 };
 
-/// Empty of a knee as it should be. `knee` is of these meshes.
-std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee);
+/// Empty of a knee as it should be. `knee` is of these meshes; `tibia_unit` is m per unit of the tibia's file.
+std::vector<LayoutDoubt> doubts_about(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, double tibia_unit);
 
 /// Which knee it is by its shape: true for a left one. Empty where femur and tibia do not agree, or do not tell.
 std::optional<bool> seems_left(const KneeLayout& knee);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
+#include "genu/core/length_units.h"
 #include "genu/mesh/mesh_check.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/scene/utf8.h"
@@ -49,13 +50,13 @@ struct Bone {
 
 std::optional<Bone> read_bone(const std::string& file, const std::string& unit, Diagnostics& out) {
   Bone bone;
-  if (unit == "m") bone.unit = 1;
+  bone.unit = metres_in(unit).value_or(bone.unit);
   MeshFileFacts facts;
   auto mesh =
       unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out, &facts) : read_mesh(file, bone.unit, out, &facts);
   bone.space = facts.space;
   if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), file, bone.unit == 1 ? "m" : "mm", out);
+  check_scale(check_mesh(*mesh), file, length_unit_name(bone.unit), out);
   if (out.has_errors()) return std::nullopt;
   bone.mesh = std::move(*mesh);
   return bone;
@@ -92,7 +93,7 @@ std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
 std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<Bone>& bone) {
   if (!bone) return "";
   return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
-                     bone->unit == 1 ? "m" : "mm");
+                     length_unit_name(bone->unit));
 }
 
 Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bones& bones) {
@@ -121,8 +122,8 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
   w["femur_file"] = seen_from(asked.femur, asked.folder);
   w["tibia_file"] = seen_from(asked.tibia, asked.folder);
-  w["femur_unit"] = bones.femur.unit == 1 ? "m" : "mm";
-  w["tibia_unit"] = bones.tibia.unit == 1 ? "m" : "mm";
+  w["femur_unit"] = length_unit_name(bones.femur.unit);
+  w["tibia_unit"] = length_unit_name(bones.tibia.unit);
   w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
   w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, bones.tibia_bone);
   const bool measured = !asked.femur_bone.empty();
@@ -262,9 +263,9 @@ bool say_all(const std::vector<LayoutDoubt>& doubts, const NewScene& asked, Diag
 }
 
 /// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
-bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, const NewScene& asked,
+bool check_layout(const Bone& femur, const Bone& tibia, const KneeLayout& knee, const NewScene& asked,
                   Diagnostics& out) {
-  say_all(doubts_about(femur, tibia, knee), asked, out);
+  say_all(doubts_about(femur.mesh, tibia.mesh, knee, tibia.unit), asked, out);
   if (const auto left = seems_left(knee); left && asked.left && *asked.left != *left)
     out.warning(Code::layout, asked.femur + ", " + asked.tibia,
                 fmt::format("look like a {} knee, and --side says {}: {}", *left ? "left" : "right",
@@ -301,7 +302,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
               "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
-  if (!check_layout(femur, tibia, *knee, asked, out)) return std::nullopt;
+  if (!check_layout(bones->femur, bones->tibia, *knee, asked, out)) return std::nullopt;
   const Side side = side_of(asked, *knee, *bones);
   words.merge(words_of_knee(asked, *knee, side.left, *bones));
   const NewLigaments ligaments =

@@ -17,7 +17,7 @@ struct NewScene {
   std::string femur{}, tibia{};            ///< mesh files that touch, of kind stl; all in one frame
   std::string femur_bone{}, tibia_bone{};  ///< under them, where those are cartilage alone; both or none
   std::string text{};                      ///< the scene of kind given, which names no files
-  std::string unit{};                      ///< "mm" or "m" of these files; empty: guessed from their size
+  std::string unit{};                      ///< of kLengthUnits, of these files; empty: guessed from their size
   std::string proximal{}, anterior{};      ///< "x", "-x", ... in that frame; empty: guessed from the meshes
   std::optional<bool> left{};              ///< a left knee; empty: by the shape of the bones, else a right one
   std::function<bool()> cancelled{};       ///< whether to stop trying the scene out: then nothing is written

@@ -45,30 +45,43 @@ bool balances(const Prepared& prepared, const RunSummary::Motion& m) {
   return m.worst_energy <= allowed * (m.energy_scale + scales.length * scales.force);
 }
 
-/// The largest |factor| of a load in each of equal parts of the motion.
-std::vector<double> largest_in_parts(const Load& load, const std::vector<MotionPoint>& points) {
+/// The largest |factor| of a load in each of equal parts of the points from the first on at which it acts.
+std::vector<double> largest_in_parts(const std::vector<double>& factors) {
+  const auto first = std::find_if(factors.begin(), factors.end(), [](double f) { return f > 0; });
+  const auto acting = static_cast<std::size_t>(factors.end() - first);
   std::vector<double> largest(kGrowthParts, 0.0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    double& part = largest[k * kGrowthParts / points.size()];
-    part = std::max(part, std::abs(load_scale(load, points[k].state, points[k].time).factor));
+  for (std::size_t k = 0; k < acting; ++k) {
+    double& part = largest[k * kGrowthParts / acting];
+    part = std::max(part, first[static_cast<std::ptrdiff_t>(k)]);
   }
   return largest;
+}
+
+/// Whether feedback misses its target by more from part to part, or beyond anything that its target asks for.
+bool runs_away(const LoadScale& scale, const std::vector<double>& factors) {
+  const double asked = std::max(scale.largest(), factors.front());
+  if (asked > 0 && *std::max_element(factors.begin(), factors.end()) > kRunaway * asked) return true;
+  const std::vector<double> largest = largest_in_parts(factors);
+  for (std::size_t k = 1; k < kGrowthParts; ++k)
+    if (!(largest[k] > kGrowth * largest[k - 1])) return false;
+  return largest.front() > 0;
 }
 
 /// Loads with feedback whose target is missed by more and more.
 std::vector<std::string> growing_feedback(const JointModel& model, const std::vector<MotionPoint>& points) {
   std::vector<std::string> out;
-  if (points.size() < kGrowthParts) return out;
+  if (points.empty()) return out;
   for (const Load& load : model.loads) {
     if (!load.scale || !load.scale->is_feedback()) continue;
-    const std::vector<double> largest = largest_in_parts(load, points);
-    bool grows = largest.front() > 0;
-    for (std::size_t k = 1; k < kGrowthParts; ++k) grows = grows && largest[k] > kGrowth * largest[k - 1];
-    if (grows)
-      out.push_back(fmt::format(
-          "The feedback of load {} misses its target by more and more: its scale grows from {:.3g} to {:.3g}. It is "
-          "unstable, or its target runs away. Lower its gain, raise its rate_gain, or look for a loop of couplings.",
-          load.name, largest.front(), largest.back()));
+    std::vector<double> factors;
+    for (const MotionPoint& p : points) factors.push_back(std::abs(load_scale(load, p.state, p.time).factor));
+    if (!runs_away(*load.scale, factors)) continue;
+    out.push_back(fmt::format(
+        "The feedback of load {} misses its target by more and more: its scale reaches {:.3g}, where its target asks "
+        "for "
+        "{:.3g}. It is unstable, pushes the wrong way, or its target runs away. Lower its gain, raise its rate_gain, "
+        "turn its load about, or look for a loop of couplings.",
+        load.name, *std::max_element(factors.begin(), factors.end()), load.scale->largest()));
   }
   return out;
 }

@@ -162,6 +162,10 @@ inline constexpr std::size_t kGrowthParts = 4;
 /// slowly growing oscillation is not seen.
 inline constexpr double kGrowth = 1.3;
 
+/// [largest factor asked for] Factor of feedback that has run away from its target. Fails first: if too small, a target
+/// that others hold back is; if too large, a motion that stops early is not told why.
+inline constexpr double kRunaway = 100;
+
 /// [1] Energy error that is always allowed. Fails first: if too small, good motions are rejected.
 inline constexpr double kMinEnergyError = 1e-3;
 
