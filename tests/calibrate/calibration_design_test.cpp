@@ -131,6 +131,7 @@ TEST_F(CalibrationDesigns, WhatCannotBeRankedIsRefused) {
   choice.candidates = {folder_.write("candidates.csv", table({0}, "drawer"))};
   choice.narrow = {"ZZ*"};
   refused(choice, "is no number that --vary names: those are ahead.slack_length");
+  choice.narrow.clear();
   choice.errors = {"displacement_*=1e-154"};
   refused(choice, "SIGMA with a number from 1e-12");
   choice.errors = {};

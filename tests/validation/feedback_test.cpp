@@ -177,7 +177,7 @@ TEST(Feedback, AWrongSignThatActsLateIsSaid) {
   const std::size_t at = text.find(on);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, on.size(), "body = \"tibia\"\nmoment = [0, 0, 1]");  // flexion is about -z
-  text.replace(text.find("duration = 17"), 13, "duration = 2");
+  text.replace(text.find("duration = 17"), 13, "duration = 1.1");
   std::string said;
   for (const std::string& sentence : motion_of(text).summary.verdict) said += sentence + "\n";
   EXPECT_NE(said.find("load controller misses its target by more and more"), std::string::npos) << said;

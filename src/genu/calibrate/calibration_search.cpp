@@ -165,7 +165,7 @@ class StartSearcher {
       Found taut = fit(fmt::format("{}, {} made taut", number + 1, names), u);
       std::vector<CalibrationStart> starts = best.starts;
       starts.insert(starts.end(), taut.starts.begin(), taut.starts.end());
-      const bool better = cost(taut) < (1 - kWorthATautStart) * cost(best);
+      const bool better = cost(taut) < (1 - kWorthATautStart) * cost(best) && leaves_something(best.fit.residuals);
       if (better) {
         taut.at_start = best.at_start;
         best = std::move(taut);
@@ -174,6 +174,11 @@ class StartSearcher {
       if (!better) break;
     }
     return best;
+  }
+
+  /// Whether residuals are more than round-off, which another start may have less of.
+  static bool leaves_something(const VecX& residuals) {
+    return residuals.size() == 0 || residuals.squaredNorm() > kNoResidual * kNoResidual * residuals.size();
   }
 
   static double cost(const Found& f) {

@@ -40,6 +40,10 @@ inline constexpr int kTautRounds = 4;
 /// slack.
 inline constexpr double kWorthATautStart = 1e-6;
 
+/// [errors of measurement, or spread] Root mean square of residuals that is round-off. Fails first: if too small, a
+/// length that nothing depends on is fitted to round-off; if too large, a ligament that is a little too long stays so.
+inline constexpr double kNoResidual = 1e-9;
+
 // calibration_reader
 
 /// [column's unit] Least error of measurement that can be stated. Fails first: if too small, its square is 0.

@@ -48,9 +48,9 @@ std::string page_table(const ResultTable& table, const std::vector<std::string>&
 std::string page_head(const std::string& title) {
   const std::string text = svg_escaped(title);
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{}<title>{}</title><style>{}</style></head>"
       "<body>\n<h1>{}</h1>\n",
-      text, kStyle, text);
+      kSweepPageMark, text, kStyle, text);
 }
 
 std::string page_charts(const std::string& title, const std::string& before, std::vector<std::string> charts) {

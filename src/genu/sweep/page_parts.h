@@ -9,6 +9,9 @@
 
 namespace genu {
 
+/// In every page of sweeps.
+inline constexpr const char* kSweepPageMark = "<meta name=\"generator\" content=\"genu sweep\">";
+
 /// From the beginning of the file to the title; "</body></html>" ends it.
 std::string page_head(const std::string& title);
 

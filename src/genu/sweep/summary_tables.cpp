@@ -102,7 +102,7 @@ ordered_json rows_of(const ResultTable& table) {
 
 std::vector<double> difference(const SweepTable& sweep, std::size_t c, std::size_t k) {
   std::vector<double> out = sweep.cases[c].kept[k];
-  const std::vector<double>& from = sweep.cases[sweep.as_it_is(c)].kept[k];
+  const std::vector<double>& from = sweep.cases[sweep.cases[c].reference].kept[k];
   for (std::size_t s = 0; s < out.size(); ++s) out[s] -= from[s];
   return out;
 }
@@ -122,8 +122,9 @@ ResultTable statistics_table(const SweepTable& sweep) {
     for (std::size_t k = 0; k < sweep.record.kept.size(); ++k)
       add(c, k, sweep.record.cases[c].what_if, sweep.cases[c].kept[k]);
   for (std::size_t c = 0; c < sweep.cases.size(); ++c)
-    for (std::size_t k = 0; sweep.as_it_is(c) != c && k < sweep.record.kept.size(); ++k)
-      add(c, k, sweep.record.cases[c].what_if + " - " + kAsItIs, difference(sweep, c, k));
+    for (std::size_t k = 0; sweep.cases[c].reference != c && k < sweep.record.kept.size(); ++k)
+      add(c, k, sweep.record.cases[c].what_if + " - " + sweep.record.cases[sweep.cases[c].reference].what_if,
+          difference(sweep, c, k));
   return table;
 }
 

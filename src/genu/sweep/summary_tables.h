@@ -36,7 +36,7 @@ SweepTables tables_of(const SweepTable& sweep);
 std::string summary_json(const SweepTable& sweep, const SweepTables& tables);
 std::string summary_text(const SweepTable& sweep, const SweepTables& tables);
 
-/// Kept number k of the what-if of case c minus that of the scene as it is.
+/// Kept number k of the what-if of case c minus that of its reference, the scene as it is.
 std::vector<double> difference(const SweepTable& sweep, std::size_t c, std::size_t k);
 
 }  // namespace genu

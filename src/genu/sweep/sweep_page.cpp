@@ -47,10 +47,9 @@ std::string pictures(const SweepTable& sweep, const SweepTables& tables) {
 }
 
 /// The command that solves a sample by itself.
-std::string command_of(const SweepTable& sweep, std::size_t c, std::size_t sample) {
-  std::string out = fmt::format("genu sweep {} --sample {}", shell_word(sweep.record.study), sample);
-  if (sweep.cases.size() > 1)
-    out += fmt::format(" --case {}", shell_word(sweep.record.cases[c].scene + "/" + sweep.record.cases[c].what_if));
+std::string command_of(const SweepTable::Case& in, std::size_t sample) {
+  std::string out = fmt::format("genu sweep {} --sample {}", shell_word(in.study), sample);
+  if (!in.name.empty()) out += fmt::format(" --case {}", shell_word(in.name));
   return out + fmt::format(" --out sample-{}", sample);
 }
 
@@ -65,7 +64,7 @@ std::string listed(const SweepTable& sweep, const char* title, const F& wanted) 
       rows += "<tr>" + page_cell(sweep.case_name(c), true) + page_cell(std::to_string(s)) +
               page_cell(in.classes[s], true) +
               page_cell(std::isfinite(in.jump_at[s]) ? fmt::format("{:.5g}", in.jump_at[s]) : std::string()) +
-              page_cell(in.reasons[s], true) + "<td class=\"w\"><code>" + svg_escaped(command_of(sweep, c, s)) +
+              page_cell(in.reasons[s], true) + "<td class=\"w\"><code>" + svg_escaped(command_of(in, s)) +
               "</code></td></tr>\n";
     }
   if (count == 0) return fmt::format("<h2>{}</h2>\n<p>None.</p>\n", title);
@@ -75,15 +74,10 @@ std::string listed(const SweepTable& sweep, const char* title, const F& wanted) 
       title, count, count > kMostListed ? fmt::format(", the first {}:", kMostListed) : ":", rows);
 }
 
-}  // namespace
-
-std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
+/// All behind the first lines; `where`: the whole tables are.
+std::string body_of(const SweepTable& sweep, const SweepTables& tables, const std::string& where) {
   const SweepRecord& r = sweep.record;
-  const std::string name = std::filesystem::path(r.study).filename().string();
-  std::string out =
-      fmt::format("{}<p>{} samples of {} numbers in {} case{}; design {}, seed {}; genu {}, study {}.</p>\n",
-                  page_head(r.title.empty() ? name : r.title), r.samples, r.factors.size(), r.cases.size(),
-                  r.cases.size() == 1 ? "" : "s", r.design, r.seed, svg_escaped(r.version), svg_escaped(name));
+  std::string out;
   std::vector<std::string> event_columns = {"scene", "what_if", "event", "count", "n", "probability"};
   if (r.random) event_columns.insert(event_columns.end(), {"low", "high"});
   out += "<h2>Events</h2>\n" + page_table(tables.events, event_columns, kMostListed);
@@ -91,11 +85,11 @@ std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
   constexpr std::size_t kMostRows = 200;
   std::vector<std::string> columns = {"scene", "what_if", "number", "n",   "mean", "sd",
                                       "min",   "max",     "p5",     "p50", "p95"};
-  std::string words = "All rows are in statistics.csv.";
+  std::string words = where;
   if (r.random) {
     columns = {"scene", "what_if", "number", "n",   "mean",    "mean_low", "mean_high",
                "sd",    "p5",      "p50",    "p95", "p95_low", "p95_high"};
-    words = "mean_low to p95_high: 95 % intervals. " + words;
+    words = "mean_low to p95_high: 95 % intervals. " + where;
   }
   out += "<h2>Statistics</h2>\n<p>" + words + "</p>\n" + page_table(tables.statistics, columns, kMostRows);
   out += listed(sweep, "Samples that jumped", [](const auto& in, std::size_t s) { return in.jumps[s] > 0; });
@@ -103,6 +97,28 @@ std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
     return in.classes[s] == "not_solved" || in.classes[s] == "refused";
   });
   return out + "</body></html>\n";
+}
+
+}  // namespace
+
+std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
+  const SweepRecord& r = sweep.record;
+  const std::string name = std::filesystem::path(r.study).filename().string();
+  return fmt::format("{}<p>{} samples of {} numbers in {} case{}; design {}, seed {}; genu {}, study {}.</p>\n",
+                     page_head(r.title.empty() ? name : r.title), r.samples, r.factors.size(), r.cases.size(),
+                     r.cases.size() == 1 ? "" : "s", r.design, r.seed, svg_escaped(r.version), svg_escaped(name)) +
+         body_of(sweep, tables, "All rows are in statistics.csv.");
+}
+
+std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::vector<std::string>& names) {
+  const bool compared = std::any_of(all.cases.begin(), all.cases.end(), [&](const SweepTable::Case& in) {
+    return in.study != all.cases[in.reference].study;
+  });
+  return fmt::format("{}<p>{} studies of {} samples. {}</p>\n", page_head(fmt::format("{}", fmt::join(names, ", "))),
+                     names.size(), all.record.samples,
+                     compared ? "Their samples have the same draws, so differences are those of each knee with itself."
+                              : "Their samples have other draws: there are no differences sample by sample.") +
+         body_of(all, tables, "Ranks are in each study's own folder.");
 }
 
 }  // namespace genu

@@ -9,4 +9,7 @@ namespace genu {
 
 std::string sweep_page(const SweepTable& sweep, const SweepTables& tables);
 
+/// The page of several studies with these names, as join_sweeps() puts them together.
+std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::vector<std::string>& names);
+
 }  // namespace genu

@@ -37,13 +37,24 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells, std
   }
 }
 
+/// The case of the same scene as it is.
+std::size_t as_it_is(const SweepRecord& record, std::size_t c) {
+  for (std::size_t k = 0; k < record.cases.size(); ++k)
+    if (record.cases[k].scene == record.cases[c].scene && record.cases[k].what_if == kAsItIs) return k;
+  return c;
+}
+
 SweepTable empty_table(const SweepRecord& record) {
   SweepTable table;
   table.record = record;
   table.draws.resize(record.factors.size());
   table.cases.resize(record.cases.size());
   for (std::vector<double>& draws : table.draws) draws.reserve(record.samples);
-  for (SweepTable::Case& in : table.cases) {
+  for (std::size_t c = 0; c < record.cases.size(); ++c) {
+    SweepTable::Case& in = table.cases[c];
+    in.study = record.study;
+    in.reference = as_it_is(record, c);
+    if (record.cases.size() > 1) in.name = record.cases[c].scene + "/" + record.cases[c].what_if;
     in.kept.resize(record.kept.size());
     for (std::vector<double>& kept : in.kept) kept.reserve(record.samples);
     in.jumps.reserve(record.samples);
@@ -86,12 +97,6 @@ std::vector<double> SweepTable::independent(const std::vector<double>& values) c
   for (std::size_t s = 0; s < values.size(); ++s)
     if (!repeats_draws(s)) out.push_back(values[s]);
   return out;
-}
-
-std::size_t SweepTable::as_it_is(std::size_t c) const {
-  for (std::size_t k = 0; k < record.cases.size(); ++k)
-    if (record.cases[k].scene == record.cases[c].scene && record.cases[k].what_if == kAsItIs) return k;
-  return c;
 }
 
 std::optional<SweepTable> read_sweep_table(const std::string& folder, const EachRow& row, Diagnostics& out) {

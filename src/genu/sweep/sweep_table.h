@@ -15,6 +15,8 @@ struct SweepTable {
   SweepRecord record;
   std::vector<std::vector<double>> draws;  ///< [factor][sample]
   struct Case {
+    std::string study, name;                    ///< file of the study; its name for --case, empty where it has one case
+    std::size_t reference = 0;                  ///< the case of the same scene as it is; itself where there is none
     std::vector<std::string> classes, reasons;  ///< [sample]
     std::vector<double> jumps, jump_at;         ///< [sample]
     std::vector<std::vector<double>> kept;      ///< [kept number][sample]
@@ -27,8 +29,6 @@ struct SweepTable {
   bool repeats_draws(std::size_t sample) const { return record.block > 1 && sample % record.block >= 2; }
   /// The values of samples that are independent: all that repeat no draws.
   std::vector<double> independent(const std::vector<double>& values) const;
-  /// The case of the same scene as it is.
-  std::size_t as_it_is(std::size_t c) const;
 };
 
 /// Reads the shards of a folder, one after another. `row` gets the lines of samples.csv: the column names, then the
