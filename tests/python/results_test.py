@@ -121,7 +121,7 @@ class Meshes(unittest.TestCase):
         self.assertIn("vertex", str(refusal(lambda: genu.mesh_check((vertices, triangles + 1)))))
         refusal(lambda: genu.mesh_check((vertices, triangles.astype(numpy.int64) - 1)))
         refusal(lambda: genu.mesh_check((vertices, triangles[:0])))
-        refusal(lambda: genu.mesh_check((vertices, triangles), "cm"))
+        refusal(lambda: genu.mesh_check((vertices, triangles), "furlong"))
         for pair in (
             (vertices, triangles.astype(float)),
             (vertices[:, :2], triangles),

@@ -116,7 +116,7 @@ TEST(ReadSweep, RefusesDesignsThatHaveNothingToCombine) {
   const std::string tail = "[[keep]]\ncolumns = \"x\"\nat = \"last\"\n";
   std::string said;
   EXPECT_FALSE(read(folder, head + tail, said));
-  EXPECT_TRUE(test::contains(said, "vary must be given: the design combines values of varied numbers")) << said;
+  EXPECT_TRUE(test::contains(said, "vary: must be given: the design combines values of varied numbers")) << said;
   EXPECT_FALSE(read(folder, head + "probabilities = [0.5, 0.5]\n" + tail, said));
   EXPECT_TRUE(test::contains(said, "must rise from one to the next")) << said;
 }
