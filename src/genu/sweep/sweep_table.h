@@ -15,11 +15,12 @@ struct SweepTable {
   SweepRecord record;
   std::vector<std::vector<double>> draws;  ///< [factor][sample]
   struct Case {
-    std::string study, name;                    ///< file of the study; its name for --case, empty where it has one case
-    std::size_t reference = 0;                  ///< the case of the same scene as it is; itself where there is none
     std::vector<std::string> classes, reasons;  ///< [sample]
     std::vector<double> jumps, jump_at;         ///< [sample]
     std::vector<std::vector<double>> kept;      ///< [kept number][sample]
+    std::size_t reference = 0;                  ///< the case of the same scene as it is; itself where there is none
+    std::string study{};                        ///< file of the study
+    std::string name{};                         ///< of the case for --case; empty where the study has one
   };
   std::vector<Case> cases;
 
