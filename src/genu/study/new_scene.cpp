@@ -8,13 +8,14 @@
 #include <fmt/format.h>
 
 #include "genu/core/atomic_output.h"
-#include "genu/mesh/mesh_check.h"
-#include "genu/mesh_files/mesh_reader.h"
+#include "genu/landmarks/landmark_file.h"
 #include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_doubts.h"
 #include "genu/study/knee_layout.h"
 #include "genu/study/layout_doubts.h"
+#include "genu/study/new_bones.h"
+#include "genu/study/new_landmarks.h"
 #include "genu/study/new_ligaments.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/run_scene.h"
@@ -41,26 +42,6 @@ std::string toml_string_of(const std::string& text) {
   return out;
 }
 
-struct Bone {
-  Mesh mesh;
-  double unit = 1e-3;
-  std::string space;  ///< the frame that its file names
-};
-
-std::optional<Bone> read_bone(const std::string& file, const std::string& unit, Diagnostics& out) {
-  Bone bone;
-  if (unit == "m") bone.unit = 1;
-  MeshFileFacts facts;
-  auto mesh =
-      unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out, &facts) : read_mesh(file, bone.unit, out, &facts);
-  bone.space = facts.space;
-  if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), file, bone.unit == 1 ? "m" : "mm", out);
-  if (out.has_errors()) return std::nullopt;
-  bone.mesh = std::move(*mesh);
-  return bone;
-}
-
 /// The file as a scene in `folder` names it.
 std::string seen_from(const std::string& file, const std::string& folder) {
   std::error_code failed;
@@ -70,33 +51,16 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   return toml_string_of((relative.empty() ? to : relative).string());
 }
 
-/// The meshes of a knee, and those that the reference knee is laid on: bones where there are some.
-struct Bones {
-  Bone femur, tibia;
-  std::optional<Bone> femur_bone, tibia_bone;
-
-  const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
-  const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }
-};
-
-std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
-  auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
-  std::optional<Bone> femur_bone, tibia_bone;
-  if (!asked.femur_bone.empty()) femur_bone = read_bone(asked.femur_bone, asked.unit, out);
-  if (!asked.tibia_bone.empty()) tibia_bone = read_bone(asked.tibia_bone, asked.unit, out);
-  if (out.has_errors() || !femur || !tibia) return std::nullopt;
-  return Bones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
-}
-
 /// The thickness of cartilage over a bone.
-std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<Bone>& bone) {
+std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<NewBone>& bone) {
   if (!bone) return "";
   return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
                      bone->unit == 1 ? "m" : "mm");
 }
 
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bones& bones) {
-  Words w;
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const NewBones& bones,
+                    const KneeLandmarks& landmarks) {
+  Words w = clinical_words(landmarks, knee, left);
   const bool guessed = asked.unit.empty();
   const std::string right = axis_word(knee.right), side = left ? "left" : "right";
   const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
@@ -118,7 +82,6 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   knee.proximal.cwiseAbs().maxCoeff(&up);
   w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
   w["centre"] = point_text(knee.centre);
-  w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
   w["femur_file"] = seen_from(asked.femur, asked.folder);
   w["tibia_file"] = seen_from(asked.tibia, asked.folder);
   w["femur_unit"] = bones.femur.unit == 1 ? "m" : "mm";
@@ -146,8 +109,10 @@ struct Side {
   bool left = false;
   std::string why;
 };
-Side side_of(const NewScene& asked, const KneeLayout& knee, const Bones& bones) {
+Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bones, const KneeLandmarks& landmarks) {
   if (asked.left) return {*asked.left, "as you said"};
+  if (landmarks.left) return {*landmarks.left, "by the names of the landmarks"};
+  if (const auto left = landmarks.left_by_epicondyles(knee)) return {*left, "by the epicondyles"};
   if (const auto left = seems_left(knee)) return {*left, why_this_side(knee) + "; --side says otherwise"};
   if (const auto left = fits_left(bones.femur_shape(), bones.tibia_shape(), knee))
     return {*left, "the reference knee fits better so; --side says otherwise"};
@@ -155,7 +120,7 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const Bones& bones) 
 }
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
-                                    const NewLigaments& ligaments, const Words& w) {
+                                    const KneeLandmarks& landmarks, const NewLigaments& ligaments, const Words& w) {
   std::vector<std::string> out;
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
                             asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
@@ -166,6 +131,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
   out.push_back("ligaments   " + ligaments.choice);
+  if (!asked.landmarks.empty()) out.push_back(landmarks_choice(landmarks, asked.landmarks));
   out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
   return out;
 }
@@ -217,9 +183,9 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
-  for (const auto& [what, name] :
-       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia),
-        std::pair("--femur", asked.femur_bone), std::pair("--tibia", asked.tibia_bone)})
+  for (const auto& [what, name] : {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur),
+                                   std::pair("--tibia", asked.tibia), std::pair("--femur", asked.femur_bone),
+                                   std::pair("--tibia", asked.tibia_bone), std::pair("--landmarks", asked.landmarks)})
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
       refuse_it(Code::not_utf8, what, printable(valid_utf8(name)),
                 "must be a name of UTF-8 text without control characters: rename it");
@@ -228,6 +194,9 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   if (asked.kind != NewScene::Kind::stl && meshes)
     refuse_it(Code::meshes_needed, "--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
               "has no meshes: --femur and --tibia belong to --kind stl");
+  if (asked.landmarks.empty() && (!asked.landmark_unit.empty() || asked.landmark_error > 0))
+    out.add(error_at({}, Code::usage, asked.landmark_unit.empty() ? "--landmark-error" : "--landmark-units", {},
+                     "belongs to --landmarks FILE"));
   if (asked.femur_bone.empty() != asked.tibia_bone.empty())
     out.error(Code::meshes_needed, {},
               "cartilage over bone is given for one of femur and tibia: --femur BONE CARTILAGE --tibia BONE CARTILAGE");
@@ -238,15 +207,6 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
     if (!word.empty() && !axis_named(word))
       refuse_it(Code::unknown_name, option, word, "must be one of x, y, z, -x, -y, -z");
   return out.has_errors();
-}
-
-/// Two frames in two files are seldom meant: between RAS and LPS one of the bones stands back to front.
-bool check_spaces(const Bone& femur, const Bone& tibia, const NewScene& asked, Diagnostics& out) {
-  if (femur.space.empty() || tibia.space.empty() || femur.space == tibia.space) return true;
-  out.error(Code::layout, asked.femur + ", " + asked.tibia,
-            fmt::format("are in two frames by their own headers, SPACE={} and SPACE={}: export both in one frame",
-                        femur.space, tibia.space));
-  return false;
 }
 
 /// False where one of them is impossible.
@@ -272,6 +232,36 @@ bool check_layout(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, 
   return !out.has_errors();
 }
 
+/// None where none are asked for; empty where their file is refused.
+std::optional<KneeLandmarks> landmarks_of(const NewScene& asked, const NewBones& bones, Diagnostics& out) {
+  if (asked.landmarks.empty()) return KneeLandmarks{};
+  const std::string unit = asked.landmark_unit.empty() ? asked.unit : asked.landmark_unit;
+  const double metres = unit.empty() ? bones.femur.unit : unit == "m" ? 1 : 1e-3;
+  auto landmarks = read_knee_landmarks({asked.landmarks, metres, asked.landmark_error, bones.space()},
+                                       bones.femur_shape(), bones.tibia_shape(), out);
+  if (landmarks && asked.left && landmarks->left && *asked.left != *landmarks->left) {
+    out.add(error_at({asked.landmarks}, Code::conflict, "--side", *asked.left ? "left" : "right",
+                     fmt::format("contradicts the names of the landmarks, which are of a {} knee",
+                                 *landmarks->left ? "left" : "right")));
+    return std::nullopt;
+  }
+  return landmarks;
+}
+
+/// By what was asked for, then by landmarks, then by the meshes.
+std::optional<KneeLayout> lay_out(const NewScene& asked, const Mesh& femur, const Mesh& tibia,
+                                  const KneeLandmarks& landmarks) {
+  const auto proximal = asked.proximal.empty() ? landmarks.proximal() : axis_named(asked.proximal);
+  auto knee = lay_out_knee(femur, tibia, proximal, axis_named(asked.anterior));
+  if (!knee) return knee;
+  const auto side = asked.left ? asked.left : landmarks.left;
+  const auto seen = landmarks.left_by_epicondyles(*knee);
+  if (asked.anterior.empty() && side && seen && *side != *seen)  // the epicondyles stand the other way round
+    knee = lay_out_knee(femur, tibia, proximal, Vec3(-knee->anterior));
+  if (knee) knee->given = landmarks.ends;
+  return knee;
+}
+
 struct Composed {
   std::string text;
   Words words;
@@ -292,18 +282,24 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
   if (asked.kind == NewScene::Kind::given) return Composed{asked.text, {}, {}};
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
-  const auto bones = read_bones(asked, out);
-  if (!bones || !check_spaces(bones->femur, bones->tibia, asked, out)) return std::nullopt;
+  const auto bones = read_new_bones(asked, out);
+  if (!bones) {
+    if (!asked.landmarks.empty() && read_landmarks(asked.landmarks, 1, out)) return std::nullopt;  // its errors, too
+    return std::nullopt;
+  }
+  const auto landmarks = landmarks_of(asked, *bones, out);
+  if (!landmarks) return std::nullopt;
   const Mesh &femur = bones->femur.mesh, &tibia = bones->tibia.mesh;
-  const auto knee = lay_out_knee(femur, tibia, axis_named(asked.proximal), axis_named(asked.anterior));
+  auto knee = lay_out(asked, femur, tibia, *landmarks);
   if (!knee) {
     out.error(Code::layout, {},
               "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
   if (!check_layout(femur, tibia, *knee, asked, out)) return std::nullopt;
-  const Side side = side_of(asked, *knee, *bones);
-  words.merge(words_of_knee(asked, *knee, side.left, *bones));
+  const Side side = side_of(asked, *knee, *bones, *landmarks);
+  words.merge(words_of_knee(asked, *knee, side.left, *bones, *landmarks));
+  doubt_landmarks(*landmarks, bones->femur_shape(), bones->tibia_shape(), *knee, side.left, out);
   const NewLigaments ligaments =
       ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
   if (!say_all(fit_doubts(bones->femur_shape(), bones->tibia_shape(), *knee, ligaments.misfit), asked, out))
@@ -312,7 +308,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     if (doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *doubt);
   words["ligaments_note"] = ligaments.note;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
-  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words), ligaments.text,
+  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, *landmarks, ligaments, words), ligaments.text,
                   ligaments.lengths};
 }
 

@@ -20,6 +20,9 @@ struct NewScene {
   std::string unit{};                      ///< "mm" or "m" of these files; empty: guessed from their size
   std::string proximal{}, anterior{};      ///< "x", "-x", ... in that frame; empty: guessed from the meshes
   std::optional<bool> left{};              ///< a left knee; empty: by the shape of the bones, else a right one
+  std::string landmarks{};                 ///< a file of points that a person has placed; empty: none
+  std::string landmark_unit{};             ///< "mm" or "m" of a .csv of them; empty: that of the meshes
+  double landmark_error = 0;               ///< m: of points whose file states none; 0: kLandmarkError
   std::function<bool()> cancelled{};       ///< whether to stop trying the scene out: then nothing is written
 };
 

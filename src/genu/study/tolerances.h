@@ -128,6 +128,27 @@ inline constexpr double kMaxStartGap = 0.5;
 /// [1] Triangles below which a mesh gets a warning. Fails first: if too large, good meshes get a warning.
 inline constexpr std::size_t kFewKneeTriangles = 100;
 
+// new_landmarks
+
+/// [m] Error (standard deviation) of landmarks whose file states none. Fails first: nothing (chosen, and said to be).
+inline constexpr double kLandmarkError = 2e-3;
+
+/// [m] How far a landmark may be off its bone. Fails first: if too small, points on cartilage or beside a coarse mesh
+/// get a warning.
+inline constexpr double kLandmarkOff = 6e-3;
+
+/// [standard deviations] How far a landmark may be from where the reference knee has it. Fails first: if too small,
+/// knees that differ get warnings; if too large, exchanged names do not.
+inline constexpr double kLandmarkDoubt = 3.5;
+
+/// [1] Ratio of the distances of points from the bones, turned by half about the long axis and as they are, below which
+/// they are turned. Fails first: if too large, chance decides.
+inline constexpr double kFrameFits = 0.3;
+
+/// [1] Least cosine between the line through the epicondyles and the axis to the side. Fails first: if too large,
+/// oblique scans get a warning.
+inline constexpr double kEpicondylesAside = 0.8;
+
 // new_ligaments
 
 /// [1] Transition strain of ligaments of common proportions. Fails first: nothing (chosen, and said to be).
