@@ -67,6 +67,11 @@ inline constexpr double kShortPatience = 4;
 /// [s] No setting is given up before. Fails first: if too small, settings are missing.
 inline constexpr double kMinPatience = 5;
 
+// bone_view
+
+/// [m] Drop from a pixel to the next one at which an edge is drawn. Fails first: nothing (pictures).
+inline constexpr double kEdgeDrop = 3e-3;
+
 // evaluate
 
 /// [m] Overlap of rigid surfaces at given poses that is rounding of written numbers: the surfaces are in contact. Fails
@@ -102,6 +107,18 @@ inline constexpr double kRidgeHeight = 0.5;
 
 /// [width] Height of the tibia's plateau. Fails first: if too large, the tuberosity counts.
 inline constexpr double kPlateauHeight = 0.2;
+
+// knee_picture
+
+/// [m] How far behind a surface a point still is seen: ends are written to a tenth of a millimetre. Fails first:
+/// nothing (pictures).
+inline constexpr double kSeenBehind = 1.5e-3;
+
+/// [m] Distance of ends of one ligament that are drawn as one. Fails first: nothing (pictures).
+inline constexpr double kEndsTogether = 0.02;
+
+/// [m] What is shown beyond the outermost end. Fails first: nothing (pictures).
+inline constexpr double kPictureRim = 6e-3;
 
 // layout_doubts
 
@@ -172,6 +189,12 @@ inline constexpr double kSmallMisfit = 0.9e-3;
 /// [1] Ratio of misfits of a knee and its mirror image that tells which it is; the square, of other mistakes. Fails
 /// first: if too large, chance decides.
 inline constexpr double kSideFits = 0.8;
+
+// new_picture
+
+/// [m] How far an end of a scene may be from where the reference knee or a landmark has it, to be that one: scenes have
+/// tenths of a millimetre. Fails first: nothing (pictures).
+inline constexpr double kWrittenEnd = 1e-4;
 
 // run_motion
 
