@@ -16,7 +16,7 @@ endfunction()
 # Which rooms each room may include, besides itself. Each names rooms above it alone, so that there can be no cycle. A
 # test (tests/style) holds the includes to this list.
 set(genu_rooms core mesh atlas law scene osim surface wrap mesh_files mesh_care judge shape_fit contact model equilibrium path motion
-    results assemble store appraise study calibrate sweep api)
+    results assemble landmarks store appraise study calibrate sweep api)
 set(genu_core_uses)
 set(genu_mesh_uses core)
 set(genu_atlas_uses core mesh)
@@ -36,10 +36,11 @@ set(genu_path_uses core contact model equilibrium)
 set(genu_motion_uses core contact model equilibrium path)
 set(genu_results_uses core scene model equilibrium path motion)
 set(genu_assemble_uses core law scene mesh surface mesh_files mesh_care shape_fit contact model path motion results)
+set(genu_landmarks_uses core scene mesh_files assemble)
 set(genu_store_uses core scene mesh surface mesh_files path motion results assemble)
 set(genu_appraise_uses core scene contact model equilibrium path motion results assemble)
 set(genu_study_uses core atlas law scene osim mesh surface mesh_files mesh_care shape_fit contact model equilibrium path motion
-    results assemble store appraise)
+    results assemble landmarks store appraise)
 set(genu_calibrate_uses core law scene mesh_files contact model equilibrium path motion results assemble study)
 set(genu_sweep_uses core scene model results assemble store appraise study)
 set(genu_api_uses core law scene mesh mesh_files mesh_care model motion results assemble store study)

@@ -63,6 +63,33 @@ TEST(FittedKnee, OfItselfIsItself) {
   }
 }
 
+/// The fibres of a bundle go where its middle is given, and keep their places about it; others stay.
+TEST(FittedKnee, TakesGivenEnds) {
+  const ReferenceKnee& knee = reference_knee();
+  const Affine map;
+  const Mesh femur = as_mesh(knee.femur.bone, map), tibia = as_mesh(knee.tibia.bone, map);
+  KneeAxes axes = axes_of(map, 1);
+  const FittedKnee before = fit_reference_knee(femur, tibia, axes);
+  const std::vector<std::string> lcl = {"LCL"}, acl = {"ACLam", "ACLpl"};
+  const Vec3 lateral(0, 0, 0.02), away(0.01, 0.02, 0);
+  axes.given = {{"LCL fibula", lcl, false, middle_of(before.tibia, lcl) + lateral, 1e-3},
+                {"ACL femur", acl, true, middle_of(before.femur, acl) + away, 2e-3}};
+  const FittedKnee after = fit_reference_knee(femur, tibia, axes);
+  EXPECT_LT((middle_of(after.tibia, lcl) - axes.given[0].at).norm(), 1e-9);  // beside the tibia: as it was given
+  EXPECT_LT((middle_of(after.femur, acl) - axes.given[1].at).norm(), 1e-9);  // of cartilage: put onto no mesh
+  for (std::size_t i = 0; i < knee.fibres.size(); ++i) {
+    const std::string& bundle = knee.fibres[i].bundle;
+    const Insertion &f = after.femur.insertions[i], &t = after.tibia.insertions[i];
+    const bool in_lcl = bundle == "LCL", in_acl = bundle == "ACLam" || bundle == "ACLpl";
+    EXPECT_EQ(t.given, in_lcl ? "LCL fibula" : "");
+    EXPECT_EQ(f.given, in_acl ? "ACL femur" : "");
+    EXPECT_LT((t.at - before.tibia.insertions[i].at - (in_lcl ? lateral : Vec3(0, 0, 0))).norm(), 1e-9);
+    EXPECT_LT((f.at - before.femur.insertions[i].at - (in_acl ? away : Vec3(0, 0, 0))).norm(), 1e-9);
+    EXPECT_EQ(t.error, in_lcl ? 1e-3 : before.tibia.insertions[i].error);
+    EXPECT_EQ(f.error, in_acl ? 2e-3 : before.femur.insertions[i].error);
+  }
+}
+
 TEST(FittedKnee, OfABallIsPoor) {
   Mesh ball;
   for (int i = 0; i < 40; ++i)

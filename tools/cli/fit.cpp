@@ -157,7 +157,7 @@ int fit_one(const FitOptions& options) {
   if (problems.has_errors()) return kExitRefused;
   if (options.unit.empty())
     fmt::print("{}: units {} (guessed from the size; --units says it)\n", printable(options.mesh),
-               unit == 1 ? "m" : "mm");
+               length_unit_name(unit));
   show(fits);
   auto files = fit_files(fits);
   const std::string title = "fitted to " + std::filesystem::path(options.mesh).filename().string();

@@ -27,12 +27,14 @@ struct NewArguments {
   NewScene scene;
   std::string kind, side;
   std::vector<std::string> femur, tibia;  ///< what touches, or bone and cartilage
+  double landmark_error = 0;              ///< mm
 };
 
 /// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
 bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diagnostics& out) {
   if (asked.kind == NewScene::Kind::stl) return false;
-  for (const char* option : {"--femur", "--tibia", "--units", "--side", "--proximal", "--anterior"})
+  for (const char* option : {"--femur", "--tibia", "--units", "--side", "--proximal", "--anterior", "--landmarks",
+                             "--landmark-units", "--landmark-error", "--picture"})
     if (command.count(option) > 0)
       out.add(error_at({}, Code::meshes_needed, option, {}, "belongs to a scene of meshes: --femur F --tibia T"));
   return out.has_errors();
@@ -54,6 +56,7 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   };
   take(arguments.femur, asked.femur, asked.femur_bone);
   take(arguments.tibia, asked.tibia, asked.tibia_bone);
+  asked.landmark_error = 1e-3 * arguments.landmark_error;
   if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
   Diagnostics problems;
@@ -65,6 +68,7 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
   fmt::print("written     {}\n", printable(written->file));
   for (const std::string& line : written->choices) fmt::print("{}\n", line);
   fmt::print("tried       {} of {} poses solved\n", written->poses_solved, written->poses_asked);
+  if (!asked.picture.empty()) fmt::print("picture     {}\n", printable(asked.picture));
   for (const std::string& line : written->verdict) fmt::print("  {}\n", printable(line));
   fmt::print(
       "next        genu run {} --out {}\n", printable(shell_word(written->file)),
@@ -99,8 +103,28 @@ void add_new(CLI::App& command, int& exit_code) {
       ->capture_default_str();
   command.add_option("--proximal", scene.proximal, "axis of the meshes toward the hip: x, y, z, -x, -y or -z");
   command.add_option("--anterior", scene.anterior, "axis of the meshes toward the front");
+  command.add_option(
+      "--landmarks", scene.landmarks,
+      "points placed by a person, in the frame of the meshes: markups of 3D Slicer (.mrk.json, .fcsv), or "
+      "a table (.csv) name,x,y,z. Names: ACL femur, ACL tibia, LCL fibula, medial epicondyle, hip "
+      "centre, ... in usual spellings");
+  command
+      .add_option("--landmark-units", scene.landmark_unit,
+                  "unit of a table of landmarks; that of the meshes where it is not given")
+      ->check(CLI::IsMember(length_unit_names()));
+  command
+      .add_option("--landmark-error", arguments->landmark_error,
+                  "mm: standard deviation of landmarks whose file states none; 2 where it is not given")
+      ->check(CLI::Range(0.01, 100.0));
+  command.add_option("--picture", scene.picture,
+                     "an .svg to write: bones, ends of ligaments and their errors from six sides");
+  command.add_flag(
+      "--edit", scene.edit,
+      "write the scene in NAME again, with better meshes or landmarks, and keep what you have changed in it. "
+      "What genu wrote is in NAME.written.toml beside it");
   command.footer(
-      "Nothing is ever replaced. Exit code 0: the scene runs, 3: it is written but not every pose is ok.\n"
+      "Nothing is ever replaced, but with --edit the scene that genu wrote. Exit code 0: the scene runs, 3: it is "
+      "written but not every pose is ok.\n"
       "Example: genu new knee --femur femur.stl --tibia tibia.stl");
   advice().hint("new", "the scene is written: change what the lines above name, then `genu run` it");
   command.callback([arguments, &command, &exit_code] { exit_code = write_scene(command, *arguments); });

@@ -64,7 +64,23 @@ Insertion insertion_at(const Vec3& place, const Registration& found, const Mesh&
   const Surroundings near = around(found, place);
   const Vec3 foot = nearest_on_mesh(mesh, place);
   const bool onto = !articular && (foot - place).norm() <= kOntoMesh;
-  return {onto ? foot : place, std::hypot(kPeopleDiffer, near.misfit, kErrorBeyond * near.distance), onto};
+  return {onto ? foot : place, std::hypot(kPeopleDiffer, near.misfit, kErrorBeyond * near.distance), onto, {}};
+}
+
+bool is_of(const ReferenceFibre& fibre, const std::vector<std::string>& bundles) {
+  return std::find(bundles.begin(), bundles.end(), fibre.bundle) != bundles.end();
+}
+
+/// The fibres keep their places about the middle of them all, which goes where it is known to be.
+void take_given(const GivenEnd& given, const Mesh& mesh, FittedBone& bone) {
+  const Vec3 shift = given.at - middle_of(bone, given.bundles);
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  for (std::size_t i = 0; i < fibres.size(); ++i) {
+    if (!is_of(fibres[i], given.bundles)) continue;
+    const Vec3 place = bone.insertions[i].at + shift, foot = nearest_on_mesh(mesh, place);
+    const bool onto = !bone.articular && (foot - place).norm() <= kOntoMesh;
+    bone.insertions[i] = {onto ? foot : place, given.error, onto, given.name};
+  }
 }
 
 FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, const KneeAxes& axes, double up,
@@ -107,11 +123,26 @@ Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x) {
   return nearest;
 }
 
+Vec3 middle_of(const FittedBone& bone, const std::vector<std::string>& bundles) {
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (std::size_t i = 0; i < fibres.size(); ++i)
+    if (is_of(fibres[i], bundles)) {
+      sum += bone.insertions[i].at;
+      ++count;
+    }
+  return sum / std::max(count, 1);
+}
+
 FittedKnee fit_reference_knee(const Mesh& femur, const Mesh& tibia, const KneeAxes& axes) {
   const ReferenceKnee& knee = reference_knee();
-  return {fit_bone(femur, knee.femur, axes, axes.gap, &ReferenceFibre::femur),
-          fit_bone(tibia, knee.tibia, axes, 0, &ReferenceFibre::tibia),
-          axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0, axes.gap * axes.proximal};
+  FittedKnee out{fit_bone(femur, knee.femur, axes, axes.gap, &ReferenceFibre::femur),
+                 fit_bone(tibia, knee.tibia, axes, 0, &ReferenceFibre::tibia),
+                 axes.anterior.cross(axes.proximal).dot(axes.lateral) < 0, axes.gap * axes.proximal};
+  for (const GivenEnd& given : axes.given)
+    take_given(given, given.femur ? femur : tibia, given.femur ? out.femur : out.tibia);
+  return out;
 }
 
 double turned_against(const FittedKnee& fitted, const KneeAxes& axes) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "genu/atlas/given_end.h"
 #include "genu/atlas/reference_knee.h"
 #include "genu/atlas/registration.h"
 
@@ -15,12 +16,14 @@ struct KneeAxes {
   Vec3 centre = Vec3::Zero();        ///< m: middle of the tibia's plateau, at its highest
   double width = 0;                  ///< m: of the tibia near the joint
   double gap = 0;                    ///< m: from the tibia up to the femur
+  std::vector<GivenEnd> given{};     ///< ends of ligaments that are known
 };
 
 struct Insertion {
   Vec3 at = Vec3::Zero();  ///< m, in the frame of the meshes
   double error = 0;        ///< m: standard deviation, estimated
   bool on_mesh = false;    ///< put onto the mesh; else it lies beside it, as those on the fibula
+  std::string given{};     ///< the name of the GivenEnd that says where; empty: the reference knee does
 };
 
 /// A bone of the reference knee laid on a mesh.
@@ -50,6 +53,9 @@ double turned_against(const FittedKnee& fitted, const KneeAxes& axes);
 /// bones, each strains as it does there (least squares; the more taut, the more a pose counts). `closer`, m: how much
 /// nearer the tibia is to the femur here, as where cartilage is missing between them.
 std::vector<double> slack_lengths(const FittedKnee& fitted, double closer = 0);
+
+/// The middle of the fibres of these bundles on one of the bones. m
+Vec3 middle_of(const FittedBone& bone, const std::vector<std::string>& bundles);
 
 /// The point of a mesh that is nearest to x. m.
 Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x);

@@ -19,7 +19,8 @@ std::optional<double> misfit_of(const Mesh& femur, const Mesh& tibia, const std:
 }  // namespace
 
 KneeAxes axes_of(const KneeLayout& knee, bool left) {
-  return {knee.anterior, knee.proximal, left ? Vec3(-knee.right) : knee.right, knee.centre, knee.width, knee.gap};
+  return {knee.anterior, knee.proximal, left ? Vec3(-knee.right) : knee.right, knee.centre, knee.width,
+          knee.gap,      knee.given};
 }
 
 double reference_misfit(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left) {

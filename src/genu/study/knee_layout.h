@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "genu/atlas/given_end.h"
 #include "genu/mesh/mesh.h"
 
 namespace genu {
@@ -17,7 +19,8 @@ struct KneeLayout {
   /// m: how much further than the left half the right half of the femur's end reaches forward (the lateral side of the
   /// groove does), and of the tibia's plateau from front to back (the medial half does); 0 where a half is missing
   double ridge = 0, plateau = 0;
-  double facing = 0;  ///< part of the tibia, seen along proximal, with some of the femur above or below it
+  double facing = 0;              ///< part of the tibia, seen along proximal, with some of the femur above or below it
+  std::vector<GivenEnd> given{};  ///< ends of ligaments that the user knows: nothing of meshes, but of this knee
 };
 
 /// One of "x", "y", "z", "-x", "-y", "-z" as a vector, and back; empty for any other word.

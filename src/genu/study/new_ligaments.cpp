@@ -71,8 +71,9 @@ std::string of_proportions(const KneeLayout& knee, bool left) {
 }
 
 std::string insertion_text(const Insertion& insertion) {
-  return fmt::format("{} }}   # +- {} mm{}", point_text(insertion.at), tenths(insertion.error),
-                     insertion.on_mesh ? "" : ", beside the mesh");
+  return fmt::format("{} }}   # +- {} mm{}{}", point_text(insertion.at), tenths(insertion.error),
+                     insertion.on_mesh ? "" : ", beside the mesh",
+                     insertion.given.empty() ? "" : ", by your landmark " + insertion.given);
 }
 
 /// The word in a text of ligaments for the length of one.

@@ -9,15 +9,21 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/length_units.h"
-#include "genu/mesh/mesh_check.h"
-#include "genu/mesh_files/mesh_reader.h"
+#include "genu/landmarks/landmark_file.h"
+#include "genu/scene/reader.h"
 #include "genu/scene/utf8.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_doubts.h"
 #include "genu/study/knee_layout.h"
+#include "genu/study/knee_picture.h"
 #include "genu/study/layout_doubts.h"
+#include "genu/study/new_bones.h"
+#include "genu/study/new_edit.h"
+#include "genu/study/new_landmarks.h"
 #include "genu/study/new_ligaments.h"
+#include "genu/study/new_picture.h"
 #include "genu/study/new_scene_text.h"
+#include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
 
 namespace genu {
@@ -25,130 +31,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::map<std::string, std::string>;
-
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-/// A string of TOML.
-std::string toml_string_of(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    if (c == '"' || c == '\\')
-      out += std::string("\\") + c;
-    else if (is_control(c))
-      out += fmt::format("\\u{:04x}", c);
-    else
-      out += c;
-  return out;
-}
-
-struct Bone {
-  Mesh mesh;
-  double unit = 1e-3;
-  std::string space;  ///< the frame that its file names
-};
-
-std::optional<Bone> read_bone(const std::string& file, const std::string& unit, Diagnostics& out) {
-  Bone bone;
-  bone.unit = metres_in(unit).value_or(bone.unit);
-  MeshFileFacts facts;
-  auto mesh =
-      unit.empty() ? read_mesh_of_some_unit(file, bone.unit, out, &facts) : read_mesh(file, bone.unit, out, &facts);
-  bone.space = facts.space;
-  if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), file, length_unit_name(bone.unit), out);
-  if (out.has_errors()) return std::nullopt;
-  bone.mesh = std::move(*mesh);
-  return bone;
-}
-
-/// The file as a scene in `folder` names it.
-std::string seen_from(const std::string& file, const std::string& folder) {
-  std::error_code failed;
-  const fs::path from = fs::weakly_canonical(fs::absolute(folder, failed), failed),
-                 to = fs::weakly_canonical(fs::absolute(file, failed), failed);
-  const fs::path relative = to.lexically_relative(from);
-  return toml_string_of((relative.empty() ? to : relative).string());
-}
-
-/// The meshes of a knee, and those that the reference knee is laid on: bones where there are some.
-struct Bones {
-  Bone femur, tibia;
-  std::optional<Bone> femur_bone, tibia_bone;
-
-  const Mesh& femur_shape() const { return femur_bone ? femur_bone->mesh : femur.mesh; }
-  const Mesh& tibia_shape() const { return tibia_bone ? tibia_bone->mesh : tibia.mesh; }
-};
-
-std::optional<Bones> read_bones(const NewScene& asked, Diagnostics& out) {
-  auto femur = read_bone(asked.femur, asked.unit, out), tibia = read_bone(asked.tibia, asked.unit, out);
-  std::optional<Bone> femur_bone, tibia_bone;
-  if (!asked.femur_bone.empty()) femur_bone = read_bone(asked.femur_bone, asked.unit, out);
-  if (!asked.tibia_bone.empty()) tibia_bone = read_bone(asked.tibia_bone, asked.unit, out);
-  if (out.has_errors() || !femur || !tibia) return std::nullopt;
-  return Bones{std::move(*femur), std::move(*tibia), std::move(femur_bone), std::move(tibia_bone)};
-}
-
-/// The thickness of cartilage over a bone.
-std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<Bone>& bone) {
-  if (!bone) return "";
-  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
-                     length_unit_name(bone->unit));
-}
-
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const Bones& bones) {
-  Words w;
-  const bool guessed = asked.unit.empty();
-  const std::string right = axis_word(knee.right), side = left ? "left" : "right";
-  const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
-  w["side"] = side;
-  w["proximal"] = axis_word(knee.proximal);
-  w["anterior"] = axis_word(knee.anterior);
-  w["proximal_how"] = asked.proximal.empty() ? " (from the tibia to the femur)" : " (as you said)";
-  w["anterior_how"] = asked.anterior.empty()
-                          ? " (GUESSED: away from the notch between the condyles; `genu new --anterior` decides)"
-                          : " (as you said)";
-  w["width"] = tenths(knee.width);
-  w["depth"] = tenths(knee.depth);
-  w["cartilage_note"] =
-      asked.femur_bone.empty() ? "Of bones without cartilage the layer stands for it, but begins at the bone." : "";
-  w["flexion_axis"] = axis_word(-knee.right);
-  w["adduction_axis"] = axis_word(left ? Vec3(-knee.anterior) : knee.anterior);
-  w["rotation_axis"] = axis_word(left ? Vec3(-knee.proximal) : knee.proximal);
-  Eigen::Index up = 0;
-  knee.proximal.cwiseAbs().maxCoeff(&up);
-  w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
-  w["centre"] = point_text(knee.centre);
-  w["femur_origin"] = point_text(knee.centre + knee.gap * knee.proximal);
-  w["femur_file"] = seen_from(asked.femur, asked.folder);
-  w["tibia_file"] = seen_from(asked.tibia, asked.folder);
-  w["femur_unit"] = length_unit_name(bones.femur.unit);
-  w["tibia_unit"] = length_unit_name(bones.tibia.unit);
-  w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
-  w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, bones.tibia_bone);
-  const bool measured = !asked.femur_bone.empty();
-  w["thickness"] = measured ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
-  w["layer"] = measured ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
-  w["femur_unit_how"] = w["tibia_unit_how"] = guessed ? "                   # GUESSED from its size" : "";
-  Eigen::Index sideways = 0;
-  lateral.cwiseAbs().maxCoeff(&sideways);
-  const char axis = "xyz"[sideways];
-  const std::string middle = tenths(knee.centre[sideways]);
-  const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
-  w["medial"] = lateral[sideways] > 0 ? below : above;
-  w["lateral"] = lateral[sideways] > 0 ? above : below;
-  w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
-                                 100 * knee.proximal.z() + 0.0);
-  return w;
-}
 
 /// Which side, and why.
 struct Side {
   bool left = false;
   std::string why;
 };
-Side side_of(const NewScene& asked, const KneeLayout& knee, const Bones& bones) {
+Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bones, const KneeLandmarks& landmarks) {
   if (asked.left) return {*asked.left, "as you said"};
+  if (landmarks.left) return {*landmarks.left, "by the names of the landmarks"};
+  if (const auto left = landmarks.left_by_epicondyles(knee)) return {*left, "by the epicondyles"};
   if (const auto left = seems_left(knee)) return {*left, why_this_side(knee) + "; --side says otherwise"};
   if (const auto left = fits_left(bones.femur_shape(), bones.tibia_shape(), knee))
     return {*left, "the reference knee fits better so; --side says otherwise"};
@@ -156,7 +49,7 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const Bones& bones) 
 }
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
-                                    const NewLigaments& ligaments, const Words& w) {
+                                    const KneeLandmarks& landmarks, const NewLigaments& ligaments, const Words& w) {
   std::vector<std::string> out;
   out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
                             asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
@@ -167,6 +60,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
   out.push_back(fmt::format("start       the tibia moved {} mm {} the femur, where the meshes touch",
                             tenths(std::abs(knee.gap)), knee.gap < 0 ? "away from" : "toward"));
   out.push_back("ligaments   " + ligaments.choice);
+  if (!asked.landmarks.empty()) out.push_back(landmarks_choice(landmarks, asked.landmarks));
   out.push_back("chosen      ligaments, cartilage, load: nothing in a mesh says them. Put your own there");
   return out;
 }
@@ -210,6 +104,18 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
   return found;
 }
 
+/// A picture is never put in the place of what is none.
+void refuse_picture(const NewScene& asked, Diagnostics& out) {
+  const fs::path file = asked.picture;
+  if (file.extension() != ".svg")
+    out.add(error_at({}, Code::wrong_form, "--picture", with_quotes(printable(asked.picture)), "must end with .svg"));
+  else if (asked.kind != NewScene::Kind::stl)
+    out.add(error_at({}, Code::meshes_needed, "--picture", {}, "belongs to a scene of meshes: --femur F --tibia T"));
+  else if (const auto kept = why_not_replaced(asked.picture, kKneePictureMark);
+           kept && (asked.edit || file.parent_path().lexically_normal() != fs::path(asked.folder).lexically_normal()))
+    out.error(kept->code, {}, kept->text);
+}
+
 bool refuse_words(const NewScene& asked, Diagnostics& out) {
   const auto refuse_it = [&](Code code, const char* option, const std::string& found, const std::string& rule) {
     out.add(error_at({}, code, option, with_quotes(found), rule));
@@ -218,17 +124,26 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
   if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
   // A scene is a text, and names these.
-  for (const auto& [what, name] :
-       {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur), std::pair("--tibia", asked.tibia),
-        std::pair("--femur", asked.femur_bone), std::pair("--tibia", asked.tibia_bone)})
+  for (const auto& [what, name] : {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur),
+                                   std::pair("--tibia", asked.tibia), std::pair("--femur", asked.femur_bone),
+                                   std::pair("--tibia", asked.tibia_bone), std::pair("--landmarks", asked.landmarks)})
     if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
       refuse_it(Code::not_utf8, what, printable(valid_utf8(name)),
                 "must be a name of UTF-8 text without control characters: rename it");
-  if (fs::exists(fs::symlink_status(asked.folder, ignored)))
-    out.error(Code::name_taken, asked.folder, "exists already, and genu new replaces nothing: choose another name");
+  if (asked.edit && !fs::is_directory(asked.folder, ignored))
+    out.error(Code::no_such_file, asked.folder,
+              "is no folder of a scene: --edit writes one again that genu new has written");
+  if (asked.edit && asked.kind != NewScene::Kind::stl)
+    out.add(error_at({}, Code::meshes_needed, "--edit", {}, "belongs to a scene of meshes: --femur F --tibia T"));
+  if (!asked.edit && fs::exists(fs::symlink_status(asked.folder, ignored)))
+    out.error(Code::name_taken, asked.folder,
+              "exists already, and genu new replaces nothing: choose another name, or --edit to write it again");
   if (asked.kind != NewScene::Kind::stl && meshes)
     refuse_it(Code::meshes_needed, "--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
               "has no meshes: --femur and --tibia belong to --kind stl");
+  if (asked.landmarks.empty() && (!asked.landmark_unit.empty() || asked.landmark_error > 0))
+    out.add(error_at({}, Code::usage, asked.landmark_unit.empty() ? "--landmark-error" : "--landmark-units", {},
+                     "belongs to --landmarks FILE"));
   if (asked.femur_bone.empty() != asked.tibia_bone.empty())
     out.error(Code::meshes_needed, {},
               "cartilage over bone is given for one of femur and tibia: --femur BONE CARTILAGE --tibia BONE CARTILAGE");
@@ -238,16 +153,8 @@ bool refuse_words(const NewScene& asked, Diagnostics& out) {
   for (const auto& [option, word] : {std::pair("--proximal", asked.proximal), std::pair("--anterior", asked.anterior)})
     if (!word.empty() && !axis_named(word))
       refuse_it(Code::unknown_name, option, word, "must be one of x, y, z, -x, -y, -z");
+  if (!asked.picture.empty()) refuse_picture(asked, out);
   return out.has_errors();
-}
-
-/// Two frames in two files are seldom meant: between RAS and LPS one of the bones stands back to front.
-bool check_spaces(const Bone& femur, const Bone& tibia, const NewScene& asked, Diagnostics& out) {
-  if (femur.space.empty() || tibia.space.empty() || femur.space == tibia.space) return true;
-  out.error(Code::layout, asked.femur + ", " + asked.tibia,
-            fmt::format("are in two frames by their own headers, SPACE={} and SPACE={}: export both in one frame",
-                        femur.space, tibia.space));
-  return false;
 }
 
 /// False where one of them is impossible.
@@ -263,7 +170,7 @@ bool say_all(const std::vector<LayoutDoubt>& doubts, const NewScene& asked, Diag
 }
 
 /// False, with the reasons in `out`, where the meshes cannot be a femur and its tibia in one frame.
-bool check_layout(const Bone& femur, const Bone& tibia, const KneeLayout& knee, const NewScene& asked,
+bool check_layout(const NewBone& femur, const NewBone& tibia, const KneeLayout& knee, const NewScene& asked,
                   Diagnostics& out) {
   say_all(doubts_about(femur.mesh, tibia.mesh, knee, tibia.unit), asked, out);
   if (const auto left = seems_left(knee); left && asked.left && *asked.left != *left)
@@ -273,12 +180,43 @@ bool check_layout(const Bone& femur, const Bone& tibia, const KneeLayout& knee, 
   return !out.has_errors();
 }
 
+/// None where none are asked for; empty where their file is refused.
+std::optional<KneeLandmarks> landmarks_of(const NewScene& asked, const NewBones& bones, Diagnostics& out) {
+  if (asked.landmarks.empty()) return KneeLandmarks{};
+  const std::string unit = asked.landmark_unit.empty() ? asked.unit : asked.landmark_unit;
+  const double metres = metres_in(unit).value_or(bones.femur.unit);
+  auto landmarks = read_knee_landmarks({asked.landmarks, metres, asked.landmark_error, bones.space()},
+                                       bones.femur_shape(), bones.tibia_shape(), out);
+  if (landmarks && asked.left && landmarks->left && *asked.left != *landmarks->left) {
+    out.add(error_at({asked.landmarks}, Code::conflict, "--side", *asked.left ? "left" : "right",
+                     fmt::format("contradicts the names of the landmarks, which are of a {} knee",
+                                 *landmarks->left ? "left" : "right")));
+    return std::nullopt;
+  }
+  return landmarks;
+}
+
+/// By what was asked for, then by landmarks, then by the meshes.
+std::optional<KneeLayout> lay_out(const NewScene& asked, const Mesh& femur, const Mesh& tibia,
+                                  const KneeLandmarks& landmarks) {
+  const auto proximal = asked.proximal.empty() ? landmarks.proximal() : axis_named(asked.proximal);
+  auto knee = lay_out_knee(femur, tibia, proximal, axis_named(asked.anterior));
+  if (!knee) return knee;
+  const auto side = asked.left ? asked.left : landmarks.left;
+  const auto seen = landmarks.left_by_epicondyles(*knee);
+  if (asked.anterior.empty() && side && seen && *side != *seen)  // the epicondyles stand the other way round
+    knee = lay_out_knee(femur, tibia, proximal, Vec3(-knee->anterior));
+  if (knee) knee->given = landmarks.ends;
+  return knee;
+}
+
 struct Composed {
   std::string text;
   Words words;
   std::vector<std::string> choices;
   std::string ligaments{};  ///< of kind stl: their text, and what stands for its words
   Words lengths{};
+  std::optional<NewKnee> knee{};  ///< for its picture
 
   std::string whole() {
     words["ligaments"] = filled_in(ligaments, lengths);
@@ -293,18 +231,24 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (asked.kind == NewScene::Kind::analytic) return Composed{analytic_scene_text(), words, {}};
   if (asked.kind == NewScene::Kind::given) return Composed{asked.text, {}, {}};
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
-  const auto bones = read_bones(asked, out);
-  if (!bones || !check_spaces(bones->femur, bones->tibia, asked, out)) return std::nullopt;
+  const auto bones = read_new_bones(asked, out);
+  if (!bones) {
+    if (!asked.landmarks.empty() && read_landmarks(asked.landmarks, 1, out)) return std::nullopt;  // its errors, too
+    return std::nullopt;
+  }
+  const auto landmarks = landmarks_of(asked, *bones, out);
+  if (!landmarks) return std::nullopt;
   const Mesh &femur = bones->femur.mesh, &tibia = bones->tibia.mesh;
-  const auto knee = lay_out_knee(femur, tibia, axis_named(asked.proximal), axis_named(asked.anterior));
+  auto knee = lay_out(asked, femur, tibia, *landmarks);
   if (!knee) {
     out.error(Code::layout, {},
               "--proximal and --anterior must be along different axes, and the meshes must not be flat");
     return std::nullopt;
   }
   if (!check_layout(bones->femur, bones->tibia, *knee, asked, out)) return std::nullopt;
-  const Side side = side_of(asked, *knee, *bones);
-  words.merge(words_of_knee(asked, *knee, side.left, *bones));
+  const Side side = side_of(asked, *knee, *bones, *landmarks);
+  words.merge(words_of_knee(asked, *knee, side.left, *bones, *landmarks));
+  doubt_landmarks(*landmarks, bones->femur_shape(), bones->tibia_shape(), *knee, side.left, out);
   const NewLigaments ligaments =
       ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
   if (!say_all(fit_doubts(bones->femur_shape(), bones->tibia_shape(), *knee, ligaments.misfit), asked, out))
@@ -313,8 +257,69 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
     if (doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *doubt);
   words["ligaments_note"] = ligaments.note;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
-  return Composed{stl_scene_text(), words, choices_of(asked, *knee, side, ligaments, words), ligaments.text,
-                  ligaments.lengths};
+  return Composed{stl_scene_text(),
+                  words,
+                  choices_of(asked, *knee, side, *landmarks, ligaments, words),
+                  ligaments.text,
+                  ligaments.lengths,
+                  NewKnee{*bones, *knee, side.left, *landmarks, ligaments.choice, ligaments.doubt.value_or("")}};
+}
+
+/// The text of a scene that is finished, and what its trial gave.
+struct Tried {
+  std::string text;
+  std::optional<Solution> found;
+};
+
+/// Puts the user's changes into a scene that is written again, and tries it out where it stands.
+bool keep_changes(const NewScene& asked, const NewSceneFiles& files, const EarlierScene& earlier, Tried& tried,
+                  NewSceneReport& report, Diagnostics& out) {
+  const MergedScene merged = with_changes(earlier, tried.text, files.scene(), out);
+  report.choices.push_back(
+      fmt::format("kept        {} changes of yours, {} of them against what genu writes now; the scene "
+                  "before is {}",
+                  merged.kept, merged.conflicts.size(), printable(files.before())));
+  if (merged.text == tried.text) return true;
+  tried.text = merged.text;
+  const std::string error = write_file_atomically(files.trial(), merged.text);
+  if (!error.empty()) out.error(Code::cannot_write, {}, error);
+  if (error.empty()) tried.found = try_out(files.trial(), files.scene(), asked, false, out);
+  std::error_code ignored;
+  fs::remove(files.trial(), ignored);
+  return error.empty() && tried.found;
+}
+
+/// Writes the staged scene, until its trial is as good as it gets. An error in words; empty: none.
+std::string settle(const NewScene& asked, const std::string& staged_file, const std::string& file, Composed& composed,
+                   Tried& tried, Diagnostics& out) {
+  std::string error;
+  const auto write = [&] {
+    tried.text = composed.whole();
+    error = write_file_atomically(staged_file, tried.text);
+  };
+  write();
+  if (!error.empty()) return error;
+  auto& found = tried.found;
+  found = try_out(staged_file, file, asked, true, out);
+  const bool stl = asked.kind == NewScene::Kind::stl;
+  for (int round = 0; round < kRelaxRounds && found && relax_ligaments(found->poses, composed.lengths); ++round) {
+    write();
+    if (error.empty()) found = try_out(staged_file, file, asked, false, out);
+  }
+  if (found && stl && !all_solved(found->summary.exit_code) && found->summary.poses_solved > kSettlingRows) {
+    ask_for_flexion(composed.words, found->summary.poses_solved - kSettlingRows, true);
+    write();
+    if (error.empty()) found = try_out(staged_file, file, asked, false, out);
+  }
+  return error;
+}
+
+std::string write_picture(const NewScene& asked, const Composed& composed, const Tried& tried,
+                          const std::string& file) {
+  Diagnostics ignored;
+  const auto scene = parse_scene(tried.text, file, ignored);
+  if (asked.picture.empty() || !scene || !composed.knee) return {};
+  return write_file_atomically(asked.picture, picture_of(*composed.knee, *scene));
 }
 
 }  // namespace
@@ -322,40 +327,39 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
 std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out) {
   fs::path folder = fs::path(asked.folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
-  const std::string name = folder.filename().string();
+  const NewSceneFiles files{folder, folder.filename().string()};
   if (refuse_words(asked, out)) return std::nullopt;
-  auto composed = compose(asked, name, out);
-  if (!composed) return std::nullopt;
+  std::optional<EarlierScene> earlier;
+  if (asked.edit) earlier = read_earlier(files, out);
+  auto composed = compose(asked, files.name, out);
+  if (!composed || (asked.edit && !earlier)) return std::nullopt;
   StagedFolder staged("");  // it will be edited: never to be replaced
-  if (const auto refused = staged.open(folder)) {
+  if (const auto refused = staged.open(asked.edit ? fs::path(folder.string() + ".edit") : folder)) {
     out.error(refused->code, {}, refused->text);
     return std::nullopt;
   }
-  std::string error;
+  const NewSceneFiles staged_files{staged.path(), files.name};
   NewSceneReport report;
-  report.file = (folder / (name + ".toml")).string();
+  report.file = files.scene();
   report.choices = composed->choices;
-  const std::string staged_file = (staged.path() / (name + ".toml")).string();
-  const auto write = [&] { error = write_file_atomically(staged_file, composed->whole()); };
-  write();
+  Tried tried;
+  std::string error = settle(asked, staged_files.scene(), report.file, *composed, tried, out);
   if (error.empty()) {
-    auto found = try_out(staged_file, report.file, asked, true, out);
-    const bool stl = asked.kind == NewScene::Kind::stl;
-    for (int round = 0; round < kRelaxRounds && found && relax_ligaments(found->poses, composed->lengths); ++round) {
-      write();
-      if (error.empty()) found = try_out(staged_file, report.file, asked, false, out);
+    if (!tried.found) return std::nullopt;
+    const std::string fresh = tried.text;
+    if (earlier && !keep_changes(asked, files, *earlier, tried, report, out)) return std::nullopt;
+    const RunSummary& summary = tried.found->summary;
+    report.poses_solved = summary.poses_solved;
+    report.poses_asked = summary.poses_asked;
+    if (!all_solved(summary.exit_code)) report.verdict = summary.verdict;
+    if (earlier) {
+      error = write_edited(files, *earlier, tried.text, fresh);
+    } else {
+      if (composed->knee) error = write_file_atomically(staged_files.written(), written_copy(fresh));
+      if (error.empty()) error = staged.commit();
     }
-    if (found && stl && !all_solved(found->summary.exit_code) && found->summary.poses_solved > kSettlingRows) {
-      ask_for_flexion(composed->words, found->summary.poses_solved - kSettlingRows, true);
-      write();
-      if (error.empty()) found = try_out(staged_file, report.file, asked, false, out);
-    }
-    if (!found) return std::nullopt;
-    report.poses_solved = found->summary.poses_solved;
-    report.poses_asked = found->summary.poses_asked;
-    if (!all_solved(found->summary.exit_code)) report.verdict = found->summary.verdict;
   }
-  if (error.empty()) error = staged.commit();
+  if (error.empty()) error = write_picture(asked, *composed, tried, report.file);
   if (error.empty()) return report;
   out.error(Code::cannot_write, {}, error);
   report.written = false;

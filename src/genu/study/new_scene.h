@@ -20,6 +20,11 @@ struct NewScene {
   std::string unit{};                      ///< of kLengthUnits, of these files; empty: guessed from their size
   std::string proximal{}, anterior{};      ///< "x", "-x", ... in that frame; empty: guessed from the meshes
   std::optional<bool> left{};              ///< a left knee; empty: by the shape of the bones, else a right one
+  std::string landmarks{};                 ///< a file of points that a person has placed; empty: none
+  std::string landmark_unit{};             ///< "mm" or "m" of a .csv of them; empty: that of the meshes
+  double landmark_error = 0;               ///< m: of points whose file states none; 0: kLandmarkError
+  std::string picture{};                   ///< an .svg of the knee to write (knee_picture.h); empty: none
+  bool edit = false;                       ///< the folder is there: write its scene again, and keep the user's changes
   std::function<bool()> cancelled{};       ///< whether to stop trying the scene out: then nothing is written
 };
 
@@ -32,8 +37,9 @@ struct NewSceneReport {
   std::vector<std::string> verdict;  ///< where not every pose of the trial is ok: why, and what to do
 };
 
-/// Writes FOLDER/NAME.toml and solves it once. Empty, with the reasons in `out`, where what is asked is refused: the
-/// folder exists, or a mesh cannot be read. Of kind stl the flexion that is asked for ends where the trial did.
+/// Writes FOLDER/NAME.toml and solves it once; of kind stl also what --edit needs later (new_edit.h). Empty, with the
+/// reasons in `out`, where what is asked is refused: the folder exists, or a mesh cannot be read. Of kind stl the
+/// flexion that is asked for ends where the trial did.
 [[nodiscard]] std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out);
 
 }  // namespace genu

@@ -67,6 +67,11 @@ inline constexpr double kShortPatience = 4;
 /// [s] No setting is given up before. Fails first: if too small, settings are missing.
 inline constexpr double kMinPatience = 5;
 
+// bone_view
+
+/// [m] Drop from a pixel to the next one at which an edge is drawn. Fails first: nothing (pictures).
+inline constexpr double kEdgeDrop = 3e-3;
+
 // evaluate
 
 /// [m] Overlap of rigid surfaces at given poses that is rounding of written numbers: the surfaces are in contact. Fails
@@ -103,6 +108,18 @@ inline constexpr double kRidgeHeight = 0.5;
 /// [width] Height of the tibia's plateau. Fails first: if too large, the tuberosity counts.
 inline constexpr double kPlateauHeight = 0.2;
 
+// knee_picture
+
+/// [m] How far behind a surface a point still is seen: ends are written to a tenth of a millimetre. Fails first:
+/// nothing (pictures).
+inline constexpr double kSeenBehind = 1.5e-3;
+
+/// [m] Distance of ends of one ligament that are drawn as one. Fails first: nothing (pictures).
+inline constexpr double kEndsTogether = 0.02;
+
+/// [m] What is shown beyond the outermost end. Fails first: nothing (pictures).
+inline constexpr double kPictureRim = 6e-3;
+
 // layout_doubts
 
 /// [width] Least difference of two halves that tells a left knee from a right one (right knees: the femur 0.020 to
@@ -128,6 +145,27 @@ inline constexpr double kMaxStartGap = 0.5;
 /// [1] Triangles below which a mesh gets a warning. Fails first: if too large, good meshes get a warning.
 inline constexpr std::size_t kFewKneeTriangles = 100;
 
+// new_landmarks
+
+/// [m] Error (standard deviation) of landmarks whose file states none. Fails first: nothing (chosen, and said to be).
+inline constexpr double kLandmarkError = 2e-3;
+
+/// [m] How far a landmark may be off its bone. Fails first: if too small, points on cartilage or beside a coarse mesh
+/// get a warning.
+inline constexpr double kLandmarkOff = 6e-3;
+
+/// [standard deviations] How far a landmark may be from where the reference knee has it. Fails first: if too small,
+/// knees that differ get warnings; if too large, exchanged names do not.
+inline constexpr double kLandmarkDoubt = 3.5;
+
+/// [1] Ratio of the distances of points from the bones, turned by half about the long axis and as they are, below which
+/// they are turned. Fails first: if too large, chance decides.
+inline constexpr double kFrameFits = 0.3;
+
+/// [1] Least cosine between the line through the epicondyles and the axis to the side. Fails first: if too large,
+/// oblique scans get a warning.
+inline constexpr double kEpicondylesAside = 0.8;
+
 // new_ligaments
 
 /// [1] Transition strain of ligaments of common proportions. Fails first: nothing (chosen, and said to be).
@@ -151,6 +189,12 @@ inline constexpr double kSmallMisfit = 0.9e-3;
 /// [1] Ratio of misfits of a knee and its mirror image that tells which it is; the square, of other mistakes. Fails
 /// first: if too large, chance decides.
 inline constexpr double kSideFits = 0.8;
+
+// new_picture
+
+/// [m] How far an end of a scene may be from where the reference knee or a landmark has it, to be that one: scenes have
+/// tenths of a millimetre. Fails first: nothing (pictures).
+inline constexpr double kWrittenEnd = 1e-4;
 
 // run_motion
 

@@ -1,0 +1,92 @@
+#include "genu/study/new_words.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "genu/core/length_units.h"
+#include "genu/study/new_ligaments.h"
+
+namespace genu {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file as a scene in `folder` names it.
+std::string seen_from(const std::string& file, const std::string& folder) {
+  std::error_code failed;
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder, failed), failed),
+                 to = fs::weakly_canonical(fs::absolute(file, failed), failed);
+  const fs::path relative = to.lexically_relative(from);
+  return toml_string_of((relative.empty() ? to : relative).string());
+}
+
+/// The thickness of cartilage over a bone.
+std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<NewBone>& bone) {
+  if (!bone) return "";
+  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
+                     length_unit_name(bone->unit));
+}
+
+}  // namespace
+
+std::string toml_string_of(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if ((static_cast<unsigned char>(c) < 0x20 || c == 0x7f))
+      out += fmt::format("\\u{:04x}", c);
+    else
+      out += c;
+  return out;
+}
+
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const NewBones& bones,
+                    const KneeLandmarks& landmarks) {
+  Words w = clinical_words(landmarks, knee, left);
+  const bool guessed = asked.unit.empty();
+  const std::string right = axis_word(knee.right), side = left ? "left" : "right";
+  const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
+  w["side"] = side;
+  w["proximal"] = axis_word(knee.proximal);
+  w["anterior"] = axis_word(knee.anterior);
+  w["proximal_how"] = asked.proximal.empty() ? " (from the tibia to the femur)" : " (as you said)";
+  w["anterior_how"] = asked.anterior.empty()
+                          ? " (GUESSED: away from the notch between the condyles; `genu new --anterior` decides)"
+                          : " (as you said)";
+  w["width"] = tenths(knee.width);
+  w["depth"] = tenths(knee.depth);
+  w["cartilage_note"] =
+      asked.femur_bone.empty() ? "Of bones without cartilage the layer stands for it, but begins at the bone." : "";
+  w["flexion_axis"] = axis_word(-knee.right);
+  w["adduction_axis"] = axis_word(left ? Vec3(-knee.anterior) : knee.anterior);
+  w["rotation_axis"] = axis_word(left ? Vec3(-knee.proximal) : knee.proximal);
+  Eigen::Index up = 0;
+  knee.proximal.cwiseAbs().maxCoeff(&up);
+  w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
+  w["centre"] = point_text(knee.centre);
+  w["femur_file"] = seen_from(asked.femur, asked.folder);
+  w["tibia_file"] = seen_from(asked.tibia, asked.folder);
+  w["femur_unit"] = length_unit_name(bones.femur.unit);
+  w["tibia_unit"] = length_unit_name(bones.tibia.unit);
+  w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
+  w["tibia_thickness"] = thickness_text(asked.tibia_bone, asked.folder, bones.tibia_bone);
+  const bool measured = !asked.femur_bone.empty();
+  w["thickness"] = measured ? "" : "thickness = 6                  # CHOSEN: mm, of both layers together\n";
+  w["layer"] = measured ? "10 MPa, as thick as it lies on the bones" : "6 mm and 10 MPa in all";
+  w["femur_unit_how"] = w["tibia_unit_how"] = guessed ? "                   # GUESSED from its size" : "";
+  Eigen::Index sideways = 0;
+  lateral.cwiseAbs().maxCoeff(&sideways);
+  const char axis = "xyz"[sideways];
+  const std::string middle = tenths(knee.centre[sideways]);
+  const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
+  w["medial"] = lateral[sideways] > 0 ? below : above;
+  w["lateral"] = lateral[sideways] > 0 ? above : below;
+  w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
+                                 100 * knee.proximal.z() + 0.0);
+  return w;
+}
+
+}  // namespace genu

@@ -1,0 +1,24 @@
+// What is filled into the text of a scene of two meshes.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "genu/study/knee_layout.h"
+#include "genu/study/new_bones.h"
+#include "genu/study/new_landmarks.h"
+#include "genu/study/new_scene.h"
+
+namespace genu {
+
+/// By the word that stands for it (new_scene_text.h).
+using Words = std::map<std::string, std::string>;
+
+/// What stands between the quotes of a string of TOML.
+std::string toml_string_of(const std::string& text);
+
+/// All but the ligaments and the motion.
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const NewBones& bones,
+                    const KneeLandmarks& landmarks);
+
+}  // namespace genu
