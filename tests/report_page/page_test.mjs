@@ -66,7 +66,7 @@ async function knee(browser) {
   const place = `(() => { const g = genu.view.bodies[0].groups[genu.runs[0].bodies.findIndex((b) => !b.fixed)]; return [...g.matrix.elements]; })()`;
 
   const slide = async (row) => {
-    await page.evaluate(`(() => { const s = document.querySelector(".player input[type=range]"); s.value = ${row}; s.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+    await page.evaluate(`(() => { const s = document.querySelector(".track input[type=range]"); s.value = ${row}; s.dispatchEvent(new Event("input", { bubbles: true })); })()`);
     await page.settle();
     return page.evaluate(place);
   };
@@ -114,7 +114,7 @@ async function keyboard(page) {
   await page.key("ArrowLeft");
   await page.key("ArrowLeft");
   assert.equal(await row(), 9);
-  await page.evaluate('document.querySelector(".player input").focus()');
+  await page.evaluate('document.querySelector(".track input").focus()');
   await page.key("ArrowRight");
   assert.equal(await row(), 10, "one step on the slider too, not two");
   await page.key("End");
@@ -124,8 +124,8 @@ async function keyboard(page) {
   await page.evaluate("document.activeElement.blur()");
   await page.key(" ", { code: "Space" });
   assert.equal(await page.evaluate("genu.player.playing"), true);
-  await page.evaluate("new Promise((done) => setTimeout(done, 400))");
-  await page.key(" ", { code: "Space" });
+  await page.evaluate("new Promise((done) => { const wait = (k) => (k === 0 || genu.player.row > 0 ? done() : setTimeout(wait, 100, k - 1)); wait(100); })");
+  if (await page.evaluate("genu.player.playing")) await page.key(" ", { code: "Space" });
   assert.equal(await page.evaluate("genu.player.playing"), false);
   assert.ok((await row()) > 0, "it does not play");
   const before = await page.evaluate("genu.view.camera.position.toArray()");
@@ -228,6 +228,10 @@ async function unrolled(browser) {
 async function controls(browser) {
   const result = solve("controls", join(root, "meshes/dortmans1984/scene.toml"));
   const page = await browser.open(result.page, kLaptop);
+  // The field's words come first; translations say where they go; each plan of a knee shows its plateau first.
+  assert.deepEqual(await page.evaluate("genu.plots.panels.slice(0, 2).map((p) => p.raw.title)"), ["Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]"]);
+  assert.match(await page.evaluate(`genu.plots.panels.find((p) => p.raw.title === "Translations [mm]").element.querySelector(".chips").textContent`), /^x \((lateral|medial)\) .*y \((anterior|posterior)\) .*z \((proximal|distal)\) /);
+  assert.equal(await page.evaluate(`genu.plots.panels.some((p) => /-\d/.test(p.element.querySelector(".chips").textContent))`), false, "a hyphen for a minus");
   // The line under the slider, and the axis of the curves.
   await page.evaluate("genu.player.set(36)");
   assert.equal(await page.evaluate('document.querySelector("output.row").textContent'), `Flexion ${(+result.cell(36, "knee.flexion_deg")).toFixed(1)} deg, pose 37 of 71, ${result.cell(36, "stability")}`);
@@ -257,6 +261,7 @@ async function controls(browser) {
     await page.evaluate(`genu.shown.fade("body ${body}", 0.5)`);
   }
   assert.equal(await page.evaluate("genu.view.bodies[0].materials[1].opacity"), 0.5);
+  assert.ok(await page.evaluate("genu.view.bodies[0].veils.every((v) => v.mesh.visible)"), "behind what is seen through nothing of itself is drawn");
 
   // Names on hover and on tap.
   await page.evaluate('genu.view.look(genu.view.views()[1]); genu.shown.fade("body femur", 1)');
@@ -343,7 +348,7 @@ async function layout(browser) {
     const page = await browser.open(join(folder, name, "report.html"), kLaptop);
     const inside = (selector) => page.evaluate(`[...document.querySelectorAll("${selector}")].filter((e) => { const r = e.getBoundingClientRect(); return r.width > 0 && r.bottom <= innerHeight && r.right <= innerWidth; }).length`);
     assert.equal(await inside(".view"), 1, `${name}: the picture`);
-    assert.equal(await inside(".player input[type=range]"), 1, `${name}: the slider`);
+    assert.equal(await inside(".track input[type=range]"), 1, `${name}: the slider`);
     assert.ok((await inside(".plot")) >= 2, `${name}: two plots`);
     if (name === "moment") assert.match(await page.evaluate('document.querySelector(".notes summary").textContent'), /^7 remarks: /);
     const light = await page.evaluate("getComputedStyle(document.body.parentElement).backgroundColor");
@@ -423,7 +428,7 @@ async function large(browser) {
     assert.ok(statSync(result.page).size < 20e6, `the page has ${statSync(result.page).size} bytes`);
     const page = await browser.open(result.page, kLaptop);
     const shown = await page.evaluate("genu.runs[0].rows");
-    if (shown < rows) assert.match(await page.evaluate('document.querySelector(".verdict").textContent'), /this page has every \d+(nd|rd|th) of [\d,]+ rows, results.csv all/);
+    if (shown < rows) assert.match(await page.evaluate('document.querySelector(".verdict").textContent'), /this page shows every \d+(nd|rd|th) of [\d,]+ rows \(results.csv has all\)/);
     await page.evaluate(`genu.player.set(${shown - 1})`);
     assert.match(await page.evaluate('document.querySelector("output.row").textContent'), new RegExp(`^Flexion 70.0 deg, pose ${rows} of ${rows}`));
     assert.ok((await page.evaluate(kLit)).share > 0.03);
@@ -525,7 +530,7 @@ async function compared(browser) {
   const file = join(folder, "compared.html"), run = spawnSync(genu, ["compare", join(folder, "one"), join(folder, "other"), "--out", file], { encoding: "utf8" });
   assert.equal(run.status, 0, run.stderr);
   const page = await browser.open(file, kLaptop);
-  const cells = await page.evaluate(`[...document.querySelectorAll(".details table tr")].map((r) => [...r.children].map((c) => c.textContent)).find((r) => r[1] === "adduction")`);
+  const cells = await page.evaluate(`[...document.querySelectorAll(".details table tr")].map((r) => [...r.children].map((c) => c.textContent)).find((r) => r[0] === "Rotations [deg]" && r[1] === "adduction")`);
   let largest = 0, at = 0;
   for (let k = 0; k < one.rows; ++k) {
     const d = Math.abs(one.cell(k, "knee.adduction_deg") - other.cell(k, "knee.adduction_deg"));
@@ -536,7 +541,7 @@ async function compared(browser) {
   near(+cells[3], one.cell(at, "knee.flexion_deg"), 0.01, "where it is");
   assert.match(await page.evaluate('document.querySelector(".verdict table").textContent'), /(anterior|lateral|distraction) [+−][\d.e-]+ mm at [\d.]+ deg, (adduction|external rotation) [+−][\d.]+ deg at [\d.]+ deg/, "the table at the top says what differs most");
   // Curves of differences in the place of the curves, and the axis without a difference of its own.
-  const apart = await page.evaluate(`(() => { const box = document.querySelector(".plotbar input"); box.click(); const p = genu.plots.panels.find((p) => p.raw.series.some((s) => s.name === "adduction")); const g = genu.plots.graphOf(p);
+  const apart = await page.evaluate(`(() => { const box = document.querySelector(".plotbar input"); box.click(); const p = genu.plots.panels.find((p) => p.raw.title === "Rotations [deg]"); const g = genu.plots.graphOf(p);
     const all = g.curves.map((c) => Math.max(...Array.from(c.y, Math.abs).filter(Number.isFinite))); box.click(); return all; })()`);
   assert.ok(apart.some((d) => Math.abs(d - largest) < 1e-4), `no curve of differences reaches ${largest}: ${apart}`);
   assert.ok(await page.evaluate("genu.view.ghosts[0].ligaments.bundles[0].tubes.count") > 0, "no ligament of the other run");

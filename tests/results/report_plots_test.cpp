@@ -66,6 +66,7 @@ TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {
   add_report_plots(scene, poses, chart);
   const ChartPanel* clinical = panel_titled(chart, "Grood and Suntay: rotations [deg]");
   ASSERT_NE(clinical, nullptr);
+  EXPECT_EQ(clinical, &chart.panels.front()) << "words of the field before names of the scene";
   EXPECT_EQ(clinical->series[0].name, "flexion");
   EXPECT_EQ(clinical->series[0].y[0], 30);
   EXPECT_EQ(clinical->series[0].column, "knee.gs.flexion_deg");

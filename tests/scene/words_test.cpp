@@ -18,6 +18,8 @@ TEST(Words, SuggestsTheNearest) {
       << "the first: two letters swapped, or one too many";
   EXPECT_EQ(did_you_mean("rnu", {"explain", "new", "run"}), "; did you mean \"run\"?");
   EXPECT_EQ(did_you_mean("Chcek", {"check", "checkpoint"}), "; did you mean \"check\"?");
+  EXPECT_EQ(did_you_mean("Lax", {"run", "laxity"}), "; did you mean \"laxity\"?") << "its beginning";
+  EXPECT_EQ(did_you_mean("la", {"run", "laxity"}), "") << "too short to mean anything";
   EXPECT_EQ(did_you_mean("mass", known), "");
   EXPECT_EQ(did_you_mean("", known), "");
   EXPECT_EQ(did_you_mean("q", {"x", "y"}), "") << "a wholly different word is no suggestion";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/store/report_limits.h"
 #include "support/scenes.h"
 #include "support/text.h"
 
@@ -42,7 +43,7 @@ model = "rigid"
   ReportContact contact{"hip", "socket", 1, 0, touched, touched};
   run.contacts.push_back(contact);
   run.body_poses.assign(touched.size(), std::vector<Pose>(2));
-  return report_meshes(*p, run);
+  return report_meshes(*p, run, ReportLimits().triangles);
 }
 
 TEST(ReportMeshes, ASocketIsCutOpenRoundItsContactAndABallStaysWhole) {

@@ -1,5 +1,6 @@
 #include "genu/store/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -89,6 +90,26 @@ TEST(Report, ALayersForceStandsAtItsCentreOfPressure) {
   ASSERT_EQ(r.contacts.size(), 2u);
   EXPECT_NEAR(r.contacts[1].force[1].norm(), r.poses->number(1, "lateral.force_N"), 1e-9);
   EXPECT_NEAR(1e3 * r.contacts[1].point[1].y(), r.poses->number(1, "lateral.tibia_lateral.y_mm"), 1e-9);
+}
+
+TEST(Report, OfAnIsometricTestTheLoadIsTheAxis) {
+  test::TemporaryFolder folder;
+  std::string text = test::with_first(read_file(test::dortmans_file()), "[0, 70]", "20");
+  text = test::with_first(text, "increments = 70", "increments = 3\nload = { pull = [0, 1] }");
+  text = test::with_first(text, "[[step]]", "[load.pull]\nbody = \"femur\"\nforce = [0, 5, 0]\n\n[[step]]");
+  const Solved knee(folder.write("scene.toml", text));
+  const ReportRun r = knee.report();
+  EXPECT_EQ(r.main_coordinate, "pull.factor");
+  EXPECT_NE(std::find(r.coordinates.begin(), r.coordinates.end(), "pull.factor"), r.coordinates.end());
+  EXPECT_EQ(Solved(test::dortmans_file()).report().main_coordinate, "knee.flexion_deg");
+}
+
+TEST(Report, WithoutLimitsItHasAllRows) {
+  const Solved knee(test::dortmans_file());
+  ReportLimits few;
+  few.numbers = 1000;
+  EXPECT_LT(report_run(*knee.prepared, knee.solution, {}, few).body_poses.size(), 71u);
+  EXPECT_EQ(report_run(*knee.prepared, knee.solution, {}, ReportLimits::none()).body_poses.size(), 71u);
 }
 
 TEST(Report, IsWrittenWhereItIsAskedForAndChangesNoResult) {

@@ -20,6 +20,13 @@ TEST(Cli, SaysWhatItIs) {
   EXPECT_EQ(genu("help").out, genu("--help").out);
   EXPECT_EQ(genu("help run").out, genu("run --help").out);
   EXPECT_TRUE(contains(genu("compar").err, "did you mean \"compare\"?"));
+  EXPECT_TRUE(contains(genu("rnu").err, "did you mean \"run\"?"));
+  EXPECT_TRUE(contains(genu("hlep").err, "did you mean \"help\"?"));
+  EXPECT_TRUE(contains(genu("lax").err, "did you mean \"laxity\"?")) << "its beginning";
+  const Outcome option = genu("run ball.toml --otu=out");
+  EXPECT_EQ(option.exit_code, 2);
+  EXPECT_TRUE(contains(option.err, "genu run has no option --otu; did you mean \"--out\"?")) << option.err;
+  EXPECT_TRUE(contains(genu("run one.toml two.toml").err, "two.toml")) << "what is no option is named as it is";
   EXPECT_EQ(genu("--version").exit_code, 0);
   EXPECT_EQ(genu("--version").out.rfind("genu ", 0), 0u);
 }
@@ -50,6 +57,7 @@ TEST(Cli, ResultsHaveAUsualFolder) {
                 knee = shell(at + program() + " run knee/scene-soft.toml");
   EXPECT_EQ(ball.exit_code, 0) << ball.err;
   EXPECT_TRUE(contains(ball.err, "results go to out/ball; another folder: --out DIR")) << ball.err;
+  EXPECT_FALSE(contains(shell(at + program() + " run bal.toml").err, "results go to")) << "there is no such scene";
   EXPECT_TRUE(std::filesystem::exists(folder / "out/ball/results.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder / "out/knee-soft/report.html")) << knee.err;
   const Outcome changed = shell(at + program() + " run ball.toml --without front");

@@ -63,8 +63,24 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
+/// Options that the command does not have, a line each, with what was meant.
+std::vector<std::string> unknown_options(const CLI::App& app, const std::vector<std::string>& words) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  if (chosen.empty()) return {};
+  std::vector<std::string> known, lines;
+  for (const CLI::Option* option : chosen.front()->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || name == "--" || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    lines.push_back(
+        fmt::format("genu {} has no option {}{}", chosen.front()->get_name(), name, genu::did_you_mean(name, known)));
+  }
+  return lines;
+}
+
 int run_command(int argc, char** argv) {
-  std::vector<std::string> words = words_of(argc, argv);
+  const std::vector<std::string> words = words_of(argc, argv);
   CLI::App app{"genu solves articular joints: the poses in which surfaces, ligaments and loads balance.\n\n" +
                    genu::cli::command_list(genu::cli::registry()) +
                    "\n`genu COMMAND --help` lists the options of a command; `genu explain` lists topics.",
@@ -78,7 +94,8 @@ int run_command(int argc, char** argv) {
     return genu::cli::kRefused;
   }
   if (const std::string word = words.front(); !word.empty() && word.front() != '-') {
-    const std::vector<std::string> names = names_of_commands();
+    std::vector<std::string> names = names_of_commands();
+    names.emplace_back("help");
     if (std::find(names.begin(), names.end(), word) == names.end())
       return genu::cli::refuse(genu::Code::unknown_command,
                                fmt::format("genu: there is no command \"{}\"{}; known: {}", word,
@@ -88,8 +105,13 @@ int run_command(int argc, char** argv) {
   if (const std::string problem = name_forgotten(argc, argv); !problem.empty())
     return genu::cli::refuse(genu::Code::usage, problem);
   try {
-    std::reverse(words.begin(), words.end());  // as the parser takes them
-    app.parse(words);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // as the parser takes them
+    app.parse(reversed);
+  } catch (const CLI::ExtrasError& error) {
+    std::vector<std::string> lines = unknown_options(app, words);
+    if (lines.empty()) lines.emplace_back(error.what());
+    for (const std::string& line : lines) genu::cli::print_error("{}\n", genu::printable(line));
+    return genu::cli::kRefused;
   } catch (const CLI::ParseError& error) {
     std::ostringstream said, wrong;
     const int code = app.exit(error, said, wrong);

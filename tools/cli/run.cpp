@@ -376,7 +376,9 @@ void add_run(CLI::App& command, int& exit_code) {
     }
     if (out->count() == 0) {
       arguments->folder = usual_folder(arguments->scene);
-      if (!arguments->quiet) print_error("results go to {}; another folder: --out DIR\n", arguments->folder);
+      std::error_code none;
+      if (!arguments->quiet && std::filesystem::exists(arguments->scene, none))
+        print_error("results go to {}; another folder: --out DIR\n", arguments->folder);
     }
     exit_code = run_both(*arguments);
   });

@@ -22,6 +22,12 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 ordered_json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 ordered_json place_json(const Vec3& p) { return vector_json(to::kMillimetre * p); }
 
+/// To 0.1 um: there are many, and they are only looked at.
+ordered_json short_place_json(const Vec3& p) {
+  constexpr double kParts = 1e4;  // of a mm
+  return vector_json(((kParts * to::kMillimetre * p).array().round() / kParts).matrix());
+}
+
 /// Origin of the page: poses are relative to it, so that single precision serves however far away it is.
 Vec3 origin_of(const JointModel& model) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i)
@@ -103,7 +109,7 @@ ordered_json courses_json(const ReportRun& run, std::size_t ligament) {
     for (const auto& row : path.rows) {
       ordered_json course = ordered_json::array();
       for (const ReportPath::Point& point : row)
-        course.push_back({{"body", point.body}, {"point", place_json(point.p)}});
+        course.push_back({{"body", point.body}, {"point", short_place_json(point.p)}});
       rows.push_back(std::move(course));
     }
   }
@@ -137,6 +143,7 @@ ordered_json joints_json(const ReportRun& run) {
                         {"child", joint.child},
                         {"origin", place_json(own_origin(*run.model, joint.child))},
                         {"axis", vector_json(joint.rotations[0].axis)}};
+    if (joint.type == JointDef::Type::free) one["translations"] = joint.translations;
     if (joint.grood_suntay && !joint.grood_suntay->patella) {
       const GroodSuntayDef& def = *joint.grood_suntay;
       one["right"] = def.right;
@@ -334,6 +341,8 @@ ordered_json run_json(const ReportRun& run) {
                     {"beside", beside_json(run.beside)},
                     {"table", table_json(*run.poses)},
                     {"chart", chart_json(run.chart)},
+                    {"events_in_full", std::max(run.events_in_full, run.chart.events.size())},
+                    {"left_out", run.left_out},
                     {"event_rows", run.events->rows()}};
   if (run.scene->gravity) j["gravity"] = vector_json(*run.scene->gravity);
   return j;

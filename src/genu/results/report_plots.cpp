@@ -17,11 +17,9 @@ class ReportPlots {
       : scene_(scene), poses_(poses), chart_(chart) {}
 
   void add() {
-    insert("Translations [mm]", "Grood and Suntay: rotations [deg]", clinical(0, 3, false), false);
-    insert("Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]", clinical(3, 6, false), false);
-    const bool knee = !clinical(3, 6, false).empty();
-    insert(knee ? "Grood and Suntay: translations [mm]" : "Translations [mm]", "Patella: rotations [deg]",
-           clinical(0, 3, true), false);
+    put_first("Grood and Suntay: translations [mm]", clinical(3, 6, false));  // the words of the field come first
+    put_first("Grood and Suntay: rotations [deg]", clinical(0, 3, false));
+    insert("Translations [mm]", "Patella: rotations [deg]", clinical(0, 3, true), false);
     insert("Patella: rotations [deg]", "Patella: translations [mm]", clinical(3, 6, true), false);
     add_extensors();
     insert("Contact force [N]", "Contact area [mm2]", layers("area_mm2"), true);
@@ -38,6 +36,10 @@ class ReportPlots {
   }
 
   ChartSeries series(const std::string& name, const std::string& of) const { return {name, column(of), {}, of}; }
+
+  void put_first(const char* title, std::vector<ChartSeries> series) {
+    if (!series.empty()) chart_.panels.insert(chart_.panels.begin(), {title, std::move(series), false, false});
+  }
 
   /// After the panel of the title `after`, or where the forces and moments of the whole end.
   void insert(const std::string& after, const char* title, std::vector<ChartSeries> series, bool from_zero) {

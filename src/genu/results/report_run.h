@@ -70,6 +70,7 @@ struct ReportBeside {
     std::vector<double> numbers;  ///< of each row of the file, NaN where nothing was measured
   };
   std::vector<Column> columns;
+  std::size_t every = 1;  ///< of how many rows of the file one is shown
 };
 
 /// One result. What is pointed at must live until report_html() (report.h) returns.
@@ -92,6 +93,9 @@ struct ReportRun {
   std::string main_coordinate;                 ///< the one of them that the scene is about; empty: rows
   std::size_t rows_in_full = 0;                ///< of results.csv, where rows are left out
   std::size_t every = 1;                       ///< of how many rows of results.csv one is shown
+  std::size_t events_in_full = 0;              ///< of the run, where events are left out of `chart`
+  std::size_t text_in_full = 0;                ///< bytes of the scene file, where its end is left out
+  std::vector<std::string> left_out;           ///< in words: what the page shows less of
   std::shared_ptr<const ResultTable> thinned;  ///< what `poses` points at, where rows are left out
 };
 

@@ -146,6 +146,10 @@ inline constexpr double kMaxAngle = 1e5;
 
 // words
 
+/// [1] Letters of a word that is suggested because it begins so. Fails first: if too small, one letter suggests a name
+/// that has nothing to do with it.
+inline constexpr std::size_t kShortestBeginning = 3;
+
 /// [1] Longest word that gets a suggestion; the cost is quadratic. Fails first: if too large, hostile files take long.
 inline constexpr std::size_t kLongestSuggested = 64;
 

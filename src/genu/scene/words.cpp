@@ -78,6 +78,12 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
       best_distance = distance;
     }
   }
+  const auto begins = [&](const std::string& candidate) {
+    return candidate.size() > word.size() && candidate.size() <= kLongestSuggested &&
+           std::equal(word.begin(), word.end(), candidate.begin(), [](char a, char b) { return lower(a) == lower(b); });
+  };
+  if (best == nullptr && word.size() >= kShortestBeginning)
+    if (const auto found = std::find_if(known.begin(), known.end(), begins); found != known.end()) best = &*found;
   return best ? "; did you mean " + with_quotes(*best) + "?" : std::string();
 }
 

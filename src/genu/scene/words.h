@@ -17,7 +17,8 @@ std::string with_quotes(std::string_view word);
 std::string quoted_list(const std::vector<std::string>& words);
 
 /// `; did you mean "flexion"?` where one of `known` is near to `word` (edit distance, a swap is one, any case, at most
-/// a third of the word and never more than 3), else empty. The first of equally near ones.
+/// a third of the word and never more than 3), or else begins with it; empty where none does. The first of equally near
+/// ones.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 /// Whether `word` is what `pattern` means, where * stands for any letters, also none, and ? for any one.

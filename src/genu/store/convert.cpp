@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,7 +12,6 @@
 #include "genu/results/storage_text.h"
 #include "genu/results/vtk_series.h"
 #include "genu/store/report.h"
-#include "genu/store/report_meshes.h"
 
 namespace genu {
 namespace {
@@ -135,11 +133,11 @@ int convert_results(const ResultsRead& read, const ConvertOptions& options, Diag
   if (!chosen || !names) return kExitRefused;
   found.rows = chosen->rows.size();
   found.left_out = read.left_out;
-  ReportRun run = report_run(read.prepared, read.solution);
+  ReportLimits limits = ReportLimits::none();              // of a page, and here nothing has to fit into a browser
+  if (options.to != ConvertTo::vtk) limits.triangles = 0;  // nobody looks at them
+  const ReportRun run = report_run(read.prepared, read.solution, {}, limits);
   std::string error;
   if (options.to == ConvertTo::vtk || options.to == ConvertTo::opensim) {
-    // The page thins out what is large; here nothing has to fit into a browser.
-    if (options.to == ConvertTo::vtk) run.meshes = report_meshes(read.prepared, run, std::numeric_limits<int>::max());
     error = write_converted_folder(read, run, *chosen, *names, options, found);
   } else {
     const std::string text =

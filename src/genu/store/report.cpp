@@ -1,6 +1,7 @@
 #include "genu/store/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "genu/core/units.h"
 #include "genu/results/columns.h"
 #include "genu/results/curves.h"
+#include "genu/results/extensor_columns.h"
 #include "genu/results/report_plots.h"
 #include "genu/results/report_pressures.h"
 #include "genu/store/report_meshes.h"
@@ -128,7 +130,23 @@ void add_paths(const JointModel& model, const std::vector<const State*>& states,
     if (load.kind == Load::Kind::cable) add_course(model, load.path, -1, states, run.cables);
 }
 
-/// Columns that may be the axis of curves: time, coordinates, combinations, Grood and Suntay's.
+/// Of loads and muscles that change: what an isometric test is about.
+std::vector<std::string> load_axes(const PlacedScene& scene, const ResultTable& poses) {
+  std::vector<std::string> out;
+  for (const ExtensorMechanism& one : extensor_mechanisms(scene)) out.push_back(one.quadriceps_column());
+  for (const LoadDef& load : scene.loads) out.push_back(load.name + ".factor");
+  std::erase_if(out, [&](const std::string& name) {
+    if (!poses.has_column(name)) return true;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t row = 0; row < poses.rows(); ++row)
+      if (const double value = poses.number(row, name); std::isfinite(value))
+        low = std::min(low, value), high = std::max(high, value);
+    return !(high > low);
+  });
+  return out;
+}
+
+/// Columns that may be the axis of curves: time, coordinates, combinations, Grood and Suntay's, loads.
 std::vector<std::string> axes_of(const PlacedScene& scene, const ResultTable& poses) {
   std::vector<std::string> out = {"time_s"};
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j)
@@ -141,6 +159,7 @@ std::vector<std::string> axes_of(const PlacedScene& scene, const ResultTable& po
   }
   for (const JointDef& joint : scene.joints)
     for (std::size_t i = 0; i < kClinicalColumns; ++i) out.push_back(clinical_column(joint, i));
+  for (std::string& name : load_axes(scene, poses)) out.push_back(std::move(name));
   std::erase_if(out, [&](const std::string& name) { return !poses.has_column(name); });
   return out;
 }
@@ -152,8 +171,21 @@ std::string column_of_title(const std::string& title) {
                                    : title.substr(0, open) + "_" + title.substr(open + 2, title.size() - open - 3);
 }
 
-/// What the curves are over; where they are over rows, the prescribed coordinate that changes most, angles first.
+/// Whether a prescribed angle is held while loads change.
+bool is_isometric(const Prepared& p, const ResultTable& poses) {
+  bool held = false;
+  for (const StepPlan& step : p.steps)
+    for (const auto& prescribed : step.prescribed) {
+      if (prescribed.from != prescribed.to) return false;
+      held |= prescribed.coordinate.is_rotation();
+    }
+  return held && !load_axes(p.scene, poses).empty();
+}
+
+/// What the curves are over, of an isometric test the load; where they are over rows, the prescribed coordinate that
+/// changes most, angles first.
 std::string main_coordinate(const Prepared& p, const ResultTable& poses, const Chart& chart) {
+  if (is_isometric(p, poses)) return load_axes(p.scene, poses).front();
   if (std::string column = column_of_title(chart.x_title); poses.has_column(column)) return column;
   std::string best;
   std::pair<bool, double> most{false, 0};
@@ -170,7 +202,8 @@ std::string main_coordinate(const Prepared& p, const ResultTable& poses, const C
 
 }  // namespace
 
-ReportRun report_run(const Prepared& p, const Solution& solution, std::vector<ReportBeside> beside) {
+ReportRun report_run(const Prepared& p, const Solution& solution, std::vector<ReportBeside> beside,
+                     const ReportLimits& limits) {
   ReportRun run;
   run.scene = &p.scene;
   run.model = &p.model;
@@ -188,21 +221,25 @@ ReportRun report_run(const Prepared& p, const Solution& solution, std::vector<Re
   for (const State* state : states) run.body_poses.push_back(state != nullptr ? state->poses : std::vector<Pose>());
   add_paths(p.model, states, run);
   run.contacts = contacts_of(p, solution, states);
-  run.meshes = report_meshes(p, run);
+  run.meshes = report_meshes(p, run, limits.triangles);
   cut_wrapped(p, run);
-  if (const std::vector<std::size_t> rows = thin_rows(run); !rows.empty()) {
+  thin_meshes(run.meshes, limits.triangles_in_all);
+  cut_lists(run, limits);
+  if (const std::vector<std::size_t> rows = thin_rows(run, limits.numbers); !rows.empty()) {
     std::vector<const State*> kept;
     for (const std::size_t row : rows) kept.push_back(states[row]);
     states = std::move(kept);
   }
   run.pressures = report_pressures(p.scene, p.model, states, run.meshes);
+  run.left_out = left_out(run);
   return run;
 }
 
 void add_report(const Prepared& prepared, Solution& solution, std::vector<std::pair<std::string, std::string>>& files,
                 const std::vector<ReportPicture>& pictures, std::vector<ReportBeside> beside) {
   const Timer timer;
-  files.emplace_back("report.html", report_html({report_run(prepared, solution, std::move(beside))}, pictures));
+  const ReportRun run = report_run(prepared, solution, std::move(beside));
+  files.emplace_back("report.html", report_html({run}, pictures));
   solution.summary.seconds.emplace_back("report", timer.seconds());
 }
 

@@ -6,13 +6,9 @@
 
 namespace genu {
 
-/// More triangles than this are thinned out for the page.
-inline constexpr std::size_t kMostTrianglesShown = 100'000;
-
 /// Meshes as they were read, thinned out above `most` triangles; formulas as triangles, cut off where they go far
 /// beyond what the joint is. what touches (contacts and poses of `run`) stays in the picture. A bone whose file cannot
 /// be read any more is left out.
-std::vector<ReportMesh> report_meshes(const Prepared& prepared, const ReportRun& run,
-                                      std::size_t most = kMostTrianglesShown);
+std::vector<ReportMesh> report_meshes(const Prepared& prepared, const ReportRun& run, std::size_t most);
 
 }  // namespace genu

@@ -37,7 +37,7 @@ std::vector<std::size_t> breaks_among(const std::vector<std::size_t>& breaks, co
 
 /// Of all rows together.
 std::size_t numbers_of(const ReportRun& run) {
-  constexpr std::size_t kPose = 7, kContact = 6, kPoint = 8;  // a point of a course is text, as long as eight numbers
+  constexpr std::size_t kPose = 7, kContact = 6, kPoint = 12;  // a point of a course is text, as long as twelve numbers
   std::size_t each =
       run.poses->columns().size() + kPose * run.model->bodies.size() + 1 + kContact * run.contacts.size();
   for (const ChartPanel& panel : run.chart.panels)

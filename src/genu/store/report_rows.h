@@ -5,11 +5,8 @@
 
 namespace genu {
 
-/// Numbers of rows that a page holds at most (table, curves, poses, contacts, courses): 5.3 bytes each.
-inline constexpr std::size_t kMostNumbersShown = 2'500'000;
-
 /// Where the rows of a run have more than `most` numbers, every n-th row of a run alone: its table, curves, poses,
 /// contacts and courses. The last row stays, and `ReportRun::every` is n. The rows that stay; empty where all do.
-std::vector<std::size_t> thin_rows(ReportRun& run, std::size_t most = kMostNumbersShown);
+std::vector<std::size_t> thin_rows(ReportRun& run, std::size_t most);
 
 }  // namespace genu

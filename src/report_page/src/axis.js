@@ -1,16 +1,36 @@
 // What the curves are drawn over and the slider names: a coordinate, time or the row. One choice for all plots and runs.
-import { h, short } from "./dom.js";
+import { range } from "./data.js";
+import { beside, h, short } from "./dom.js";
 
 const kUnits = { deg: "deg", mm: "mm", s: "s", N: "N", Nm: "N m", MPa: "MPa", mm2: "mm²", J: "J", Nmm: "N mm" };
 
-/** "knee.gs.external_rotation_deg" as { name: "external rotation (Grood and Suntay)", unit: "deg" }; the joint's name only where there are several. */
+/** The axis of a joint's translation by anatomical name: "anterior"; empty where the scene names no axes of the body that it is seen from. */
+export function anatomical(run, column) {
+  for (const joint of run.raw.joints) {
+    const i = (joint.translations ?? []).findIndex((name) => column === `${joint.name}.${name}_mm`);
+    if (i < 0) continue;
+    for (const knee of run.raw.joints) {
+      const bone = [knee.femur, knee.tibia].find((b) => b && b.body === joint.parent);
+      if (!bone) continue;
+      const [ax, ay, az] = bone.anterior, [px, py, pz] = bone.proximal, sign = knee.right ? 1 : -1;
+      const lateral = [ay * pz - az * py, az * px - ax * pz, ax * py - ay * px].map((v) => sign * v);
+      const named = [["anterior", "posterior", bone.anterior], ["proximal", "distal", bone.proximal], ["lateral", "medial", lateral]];
+      for (const [there, back, v] of named) if (Math.abs(v[i]) > 0.9) return v[i] > 0 ? there : back;
+    }
+  }
+  return "";
+}
+
+/** "knee.gs.external_rotation_deg" as { name: "external rotation (Grood and Suntay)", unit: "deg" }; the joint's name only where another has the same. */
 export function quantity(column, run) {
   const [, stem, ending] = /^(.*)_([A-Za-z0-9]+)$/.exec(column) ?? [null, column, ""];
   const unit = kUnits[ending] ?? "", parts = (unit ? stem : column).split(".");
   const clinical = parts.includes("gs");
   let words = parts.filter((p) => p !== "gs");
-  if (words.length > 1 && run && run.raw.joints.length === 1 && words[0] === run.raw.joints[0].name) words = words.slice(1);
-  return { name: words.join(" ").replaceAll("_", " ") + (clinical ? " (Grood and Suntay)" : ""), unit };
+  const own = run?.raw.joints.some((j) => j.name === words[0]), rest = column.slice(words[0].length);
+  if (words.length > 1 && own && !run.raw.joints.some((j) => j.name !== words[0] && run.has(j.name + rest))) words = words.slice(1);
+  const way = run ? anatomical(run, column) : "";
+  return { name: words.join(" ").replaceAll("_", " ") + (clinical ? " (Grood and Suntay)" : way ? ` (${way})` : ""), unit };
 }
 
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -30,6 +50,7 @@ export class Axis {
   choose(column) {
     this.column = column;
     this.known.clear();
+    this.most = undefined;
     for (const listener of this.listeners) listener();
   }
 
@@ -41,10 +62,17 @@ export class Axis {
 
   /** "Flexion 36.0 deg"; empty where a row has none. */
   at(row) {
-    const value = this.values(this.runs[0])[row];
-    if (this.column === "row" || !Number.isFinite(value)) return "";
+    const text = this.number(row);
+    if (this.column === "row" || text === "–") return "";
     const { name, unit } = this.words();
-    return `${capital(name)} ${short(value, 3)}${unit ? ` ${unit}` : ""}`;
+    return `${capital(name)} ${text}${unit ? ` ${unit}` : ""}`;
+  }
+
+  /** "36.0" */
+  number(row) {
+    const x = this.values(this.runs[0]);
+    this.most ??= (range(x) ?? [0]).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
+    return short(beside(x[row], this.most), 3);
   }
 
   /** Of each row of a run; NaN throughout where it has no such column. */

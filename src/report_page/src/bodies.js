@@ -1,7 +1,7 @@
 // The bodies of a run: surfaces and bones as meshes; where a body has none, sticks from its middle to what is tied to it.
 import {
-  BufferAttribute, BufferGeometry, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh, MeshStandardMaterial, SphereGeometry,
-  Vector3,
+  BufferAttribute, BufferGeometry, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial,
+  SphereGeometry, Vector3,
 } from "three";
 import { bytes } from "./data.js";
 import { kBodies, kGhosts } from "./colours.js";
@@ -51,6 +51,9 @@ function tiedPoints(run, body) {
 /** Surfaces that guide ligaments and nothing else would hide the bones in them. */
 export const kWrappedKey = "wrapped", kWrapped = 0.15;
 
+/** Of a body that is seen through only what is nearest is drawn: this takes the depth before the colours come. */
+const kVeil = new MeshBasicMaterial({ colorWrite: false, transparent: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+
 export class Bodies {
   /** `ghost`: 0 for the run itself, else which one of those it is compared with. */
   constructor(run, ghost = 0) {
@@ -61,6 +64,7 @@ export class Bodies {
     this.groups.forEach((g) => { g.matrixAutoUpdate = false; this.world.add(g); });
     this.outline = [];
     this.geometries = [];
+    this.veils = [];  // { body, mesh }
     this.wrapped = [];  // { body, mesh } of surfaces that only guide paths
     for (const raw of run.raw.meshes) {
       const geometry = geometryOf(raw);
@@ -70,10 +74,20 @@ export class Bodies {
       mesh.userData.name = raw.name;
       mesh.userData.body = raw.body;
       this.groups[raw.body].add(mesh);
+      if (ghost === 0 && raw.kind !== "wrapped") this.veil(raw.body, mesh);
       if (raw.kind === "wrapped") this.wrapped.push({ body: raw.body, mesh });
       this.outline.push({ body: raw.body, points: farPoints(geometry.attributes.position) });
     }
     this.bare = run.bodies.map((_, i) => !run.raw.meshes.some((m) => m.body === i));
+  }
+
+  veil(body, of) {
+    const mesh = new Mesh(of.geometry, kVeil);
+    mesh.visible = false;
+    mesh.renderOrder = 1 + body / this.groups.length;
+    of.renderOrder = 1 + (body + 0.5) / this.groups.length;
+    this.groups[body].add(mesh);
+    this.veils.push({ body, mesh });
   }
 
   /** How the k-th body is painted. */
@@ -133,6 +147,7 @@ export class Bodies {
     m.opacity = opacity;
     m.transparent = opacity < 1;
     m.depthWrite = true;
+    for (const veil of this.veils) if (veil.body === body) veil.mesh.visible = opacity > 0 && opacity < 1;
   }
 
   show(row) {

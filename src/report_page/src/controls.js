@@ -18,8 +18,9 @@ function list(title, shown, keys) {
     keys.map(([key, name, swatch]) => item(shown, key, name, swatch ?? null)));
 }
 
+/** The buttons of the views, and the menus, which stand beside the line of the pose. */
 export function controls(view, run, shown, plots, player) {
-  if (!view.renderer) return h("div.controls", {}, saveMenu(view, plots, player));
+  if (!view.renderer) return [h("div.menus", {}, saveMenu(view, plots, player)), null];
   const buttons = view.views().map((v, i) => h("button", { type: "button", title: `${v.name} (key ${i})`, onclick: () => { view.moved = false; view.look(v); } }, v.name));
   const hold = h("select", { "aria-label": "Hold still", onchange: () => view.hold(+hold.value) }, h("option", { value: -1 }, "hold still: the world"),
     run.bodies.map((b, i) => (b.fixed ? null : h("option", { value: i }, `hold still: ${b.name}`))));
@@ -35,6 +36,6 @@ export function controls(view, run, shown, plots, player) {
       view.maps.any ? tick("pressure", true, (on) => { view.maps.setVisible(on); view.show(view.row); }) : null,
       view.gaps.possible ? tick("gap of rigid contacts", view.gaps.on, (on) => { view.gaps.set(on); view.show(view.row); }) : null,
       tick("axes of the bodies", false, (on) => view.setTriads(on))));
-  return h("div.controls", {}, h("div.buttons", { role: "group", "aria-label": "Views" }, buttons),
-    h("div.menus", {}, h("details.more.show", {}, h("summary", {}, "Show"), menu), saveMenu(view, plots, player)));
+  return [h("div.menus", {}, h("details.more.show", {}, h("summary", {}, "Show"), menu), saveMenu(view, plots, player)),
+    h("div.controls.buttons", { role: "group", "aria-label": "Views" }, buttons)];
 }

@@ -21,8 +21,11 @@ export function table(head, rows, kind = "table") {
     h("tbody", {}, rows.map((r) => h("tr", {}, r.map((c) => h("td", {}, c))))));
 }
 
-/** A number to about `digits` digits, without a long tail: "12.3", "0.0042", "1.2e-9", and "–" for none. */
-export function short(value, digits = 4) {
+/** A number to about `digits` digits, without a long tail: "12.3", "−0.0042", "1.2e-9", and "–" for none. */
+export const short = (value, digits = 4) => signOf(digitsOf(value, digits));
+
+/** The same as programs read it: "-0.0042". */
+export function digitsOf(value, digits = 4) {
   if (!Number.isFinite(value)) return "–";
   if (Math.abs(value) < 1e-12) return "0";  // what rounding leaves of it
   const size = Math.abs(value);
@@ -30,6 +33,12 @@ export function short(value, digits = 4) {
   const decimals = Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size))));
   return value.toFixed(Math.min(decimals, 4));
 }
+
+/** A value beside others up to `most`: what rounding leaves of a zero is 0. */
+export const beside = (value, most) => (Math.abs(value) < 1e-6 * most ? 0 : value);
+
+/** With a minus sign as print has it, as wide as a plus. */
+export const signOf = (text) => text.replace(/^-/, "−");
 
 /** Units as print has them. */
 export const pretty = (text) => text.replace(/\[mm2\]/, "[mm²]").replace(/\bmm2\b/, "mm²");

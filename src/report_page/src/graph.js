@@ -113,7 +113,7 @@ export class Graph {
       pen.area([[low, top], [high, top], [high, bottom], [low, bottom]], { colour: "#cc79a7", opacity: 0.27 });
       return;
     }
-    pen.line([[a, top], [a, bottom]], { colour: kind === "other" ? colours.event : colours.faint, dash: kind === "lost" ? [2, 3] : kind === "gained" ? [6, 3] : [] });
+    pen.line([[a, top], [a, bottom]], { colour: kind === "other" ? colours.event : colours.faint, opacity: 0.55, dash: kind === "lost" ? [2, 3] : kind === "gained" ? [6, 3] : [] });
   }
 
   /** Rows that settle before the curves begin are folded away behind this. */

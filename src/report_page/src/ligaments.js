@@ -49,7 +49,8 @@ class Bundle {
         this.tubes.setMatrixAt(count, m);
         this.tubes.setColorAt(count, colour);
         [a, b].forEach((end, e) => {
-          m.compose(end, q.identity(), new Vector3().setScalar(1.45 * radius));
+          const last = k + e === 0 || k + e === path.length - 1;  // between them balls only round the corners off
+          m.compose(end, q.identity(), new Vector3().setScalar((last ? 1.45 : 1) * radius));
           this.ends.setMatrixAt(2 * count + e, m);
           this.ends.setColorAt(2 * count + e, colour);
         });

@@ -18,10 +18,12 @@ function start() {
   document.getElementById("head").append(...head(runs, axis));
   const first = paths.filter((p) => p.maps.length > 0), rest = paths.filter((p) => p.maps.length === 0);
   const forces = plots.panels.find((p) => p.raw.title.startsWith("Contact force"));
-  first.forEach((p) => plots.element.prepend(p.element));
-  rest.forEach((p) => (forces ? forces.element.after(p.element) : plots.element.append(p.element)));
+  plots.element.prepend(...first.map((p) => p.element));
+  forces ? forces.element.after(...rest.map((p) => p.element)) : plots.element.append(...rest.map((p) => p.element));
+  const [menus, views] = controls(view, run, shown, plots, player);
+  player.below.append(menus);
   document.getElementById("main").append(
-    h("section.stage", { "aria-label": "The joint" }, view.element, player.element, controls(view, run, shown, plots, player)),
+    h("section.stage", { "aria-label": "The joint" }, view.element, player.element, views),
     h("section.curves", { "aria-label": "Curves" }, plots.bar, plots.element),
     h("section.details", { "aria-label": "Details" }, details(runs, player, axis)));
   document.getElementById("foot").append(...foot(run));

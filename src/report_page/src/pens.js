@@ -13,13 +13,14 @@ export class CanvasPen {
     g.restore();
   }
 
-  line(points, { colour, width = 1, dash = [] }) {
+  line(points, { colour, width = 1, dash = [], opacity = 1 }) {
     const { g } = this;
-    g.strokeStyle = colour; g.lineWidth = width; g.setLineDash(dash); g.lineJoin = "round";
+    g.globalAlpha = opacity; g.strokeStyle = colour; g.lineWidth = width; g.setLineDash(dash); g.lineJoin = "round";
     g.beginPath();
     points.forEach(([x, y], i) => (i ? g.lineTo(x, y) : g.moveTo(x, y)));
     g.stroke();
     g.setLineDash([]);
+    g.globalAlpha = 1;
   }
 
   area(points, { colour, opacity = 1 }) {
@@ -66,8 +67,8 @@ export class SvgPen {
     this.parts.push("</g>");
   }
 
-  line(points, { colour, width = 1, dash = [] }) {
-    this.parts.push(`<path d="${this.way(points)}" fill="none" stroke="${colour}" stroke-width="${width}"${dash.length ? ` stroke-dasharray="${dash.join(" ")}"` : ""}/>`);
+  line(points, { colour, width = 1, dash = [], opacity = 1 }) {
+    this.parts.push(`<path d="${this.way(points)}" fill="none" stroke="${colour}" stroke-width="${width}"${opacity < 1 ? ` stroke-opacity="${opacity}"` : ""}${dash.length ? ` stroke-dasharray="${dash.join(" ")}"` : ""}/>`);
   }
 
   area(points, { colour, opacity = 1 }) { this.parts.push(`<path d="${this.way(points)}Z" fill="${colour}" fill-opacity="${opacity}"/>`); }

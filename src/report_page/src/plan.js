@@ -6,7 +6,7 @@ import { kAxes, matrixOf } from "./framing.js";
 import { kGhosts, pathColour, pathGradient, pressureColour } from "./colours.js";
 import { pressureLegend } from "./maps.js";
 import { niceStep } from "./graph.js";
-import { h, plain, short } from "./dom.js";
+import { h, plain, short, signOf } from "./dom.js";
 import { range } from "./data.js";
 import { ink, isDark, onTheme } from "./theme.js";
 
@@ -80,8 +80,8 @@ export class Plan {
     geometries.forEach((g) => g.dispose());
     this.canvas = h("canvas", { role: "img", "aria-label": `${run.bodies[body].name} seen flat: pressure and contact path` });
     this.readout = h("div.chips", {});
-    const x = axis.values(run), from = x[axis.settling(run)], to = x[run.rows - 1], { unit } = axis.words(), bone = run.bodies[body].name;
-    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${short(from, 3)} `, h("i.bar", { "aria-hidden": "true" }), ` ${short(to, 3)} ${unit}`) : null;
+    const from = axis.number(axis.settling(run)), to = axis.number(run.rows - 1), { unit } = axis.words(), bone = plain(run.bodies[body].name);
+    this.path = this.tracks.some((t) => t.length > 1) ? h("span.scale", {}, `path: ${axis.words().name} ${from} `, h("i.bar", { "aria-hidden": "true" }), ` ${to} ${unit}`) : null;
     const what = this.maps.length > 0 ? `Pressure on the ${bone}${this.unrolled ? ", unrolled" : ""}` : `Contact path on the ${bone}`;
     this.element = h("figure.panel.path", {}, h("figcaption", {}, what), h("div.plot", {}, this.canvas),
       h("div.chips", {}, this.maps.length > 0 ? pressureLegend(this.most) : null, this.path), this.readout);
@@ -154,7 +154,7 @@ export class Plan {
 
   resize() {
     const width = Math.max(160, this.canvas.parentElement.clientWidth), [[x0, x1], [y0, y1]] = this.limits();
-    const inner = width - kMargin.left - kMargin.right, tallest = 330;
+    const inner = width - kMargin.left - kMargin.right, tallest = 250;
     this.scale = Math.min(inner / (x1 - x0), tallest / (y1 - y0));
     this.box = { left: kMargin.left + (inner - this.scale * (x1 - x0)) / 2, top: kMargin.top, width: this.scale * (x1 - x0), height: this.scale * (y1 - y0), x0, y1, x1, y0 };
     const height = this.box.height + kMargin.top + kMargin.bottom, ratio = Math.max(devicePixelRatio, 1);
@@ -236,10 +236,10 @@ export class Plan {
   names(g) {
     const { box, axes } = this, right = nameOf(axes.right), up = nameOf(axes.up);
     g.font = "12px system-ui, sans-serif"; g.fillStyle = ink("axis"); g.textAlign = "center"; g.textBaseline = "top";
-    for (const v of this.ticks(box.x0, box.x1, box.width)) g.fillText(String(right.sign * v || 0), this.at([v, 0])[0], box.top + box.height + 5);
+    for (const v of this.ticks(box.x0, box.x1, box.width)) g.fillText(signOf(String(right.sign * v || 0)), this.at([v, 0])[0], box.top + box.height + 5);
     g.fillText(`${this.unrolled && this.unrolled.along !== axes.right ? "arc" : right.name} [mm]`, box.left + box.width / 2, box.top + box.height + 21);
     g.textAlign = "right"; g.textBaseline = "middle";
-    for (const v of this.ticks(box.y0, box.y1, box.height)) g.fillText(String(up.sign * v || 0), box.left - 6, this.at([0, v])[1]);
+    for (const v of this.ticks(box.y0, box.y1, box.height)) g.fillText(signOf(String(up.sign * v || 0)), box.left - 6, this.at([0, v])[1]);
     g.save(); g.translate(box.left - 38, box.top + box.height / 2); g.rotate(-Math.PI / 2); g.textAlign = "center";
     g.fillText(`${this.unrolled && this.unrolled.along === axes.right ? "arc" : up.name} [mm]`, 0, 0); g.restore();
   }
@@ -295,8 +295,10 @@ export class Plan {
   }
 }
 
-/** One for each body that contacts press on or whose surface casts. */
+/** One for each body that contacts press on or whose surface casts: the plateau first, other bones after it, menisci last. */
 export const plans = (runs, player, axis, shown) => {
-  const bodies = new Set([...runs[0].contacts.map((c) => c.body_b), ...runs[0].pressures.map((m) => m.body)]);
-  return [...bodies].map((body) => new Plan(runs, body, player, axis, shown)).filter((p) => p.maps.length > 0 || p.tracks.some((t) => t.length > 0));
+  const [run] = runs, bodies = [...new Set([...run.contacts.map((c) => c.body_b), ...run.pressures.map((m) => m.body)])];
+  const knee = run.raw.joints.find((j) => j.tibia), small = (body) => /menisc/i.test(run.bodies[body].name);
+  const rank = (body) => (body === knee?.tibia.body ? 0 : small(body) ? 2 : 1);
+  return bodies.sort((a, b) => rank(a) - rank(b)).map((body) => new Plan(runs, body, player, axis, shown)).filter((p) => p.maps.length > 0 || p.tracks.some((t) => t.length > 0));
 };

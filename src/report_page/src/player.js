@@ -28,7 +28,7 @@ export class Player {
     this.strip = h("canvas.strip", { height: 6, "aria-hidden": "true" });
     const speed = h("select", { "aria-label": "Speed", title: "Speed", onchange: () => { this.speed = +speed.value; } },
       [0.25, 0.5, 1, 2, 4].map((s) => h("option", { value: s, selected: s === 1 }, `${s}×`)));
-    return h("div.player", {}, h("div.bar", {}, this.button, h("div.track", {}, this.slider, this.strip), speed), this.label);
+    return h("div.player", {}, h("div.bar", {}, this.button, h("div.track", {}, this.slider, this.strip), speed), this.below = h("div.below", {}, this.label));
   }
 
   /** Rows that were not solved, are not stable, belong to another position or only settle, under the slider. */

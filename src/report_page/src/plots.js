@@ -1,9 +1,9 @@
 // The curves of a result: one graph a panel, all over the same axis (axis.js), with a line at the row that is shown. A press or drag
 // in a plot chooses the row; with shift it moves the plots, with ctrl the wheel zooms them, a double click shows all again.
-import { h, plain, pretty, short } from "./dom.js";
+import { beside, h, plain, pretty, short } from "./dom.js";
 import { kRuns } from "./colours.js";
 import { range, twinSeries } from "./data.js";
-import { capital, quantity } from "./axis.js";
+import { anatomical, capital, quantity } from "./axis.js";
 import { Graph, reach, span } from "./graph.js";
 import { CanvasPen } from "./pens.js";
 import { ink, inLight, kLineCount, line, onTheme } from "./theme.js";
@@ -79,12 +79,13 @@ export class Plots {
     const styles = this.colours.of(raw.series.map((s) => s.name));
     const canvas = h("canvas", { role: "img" }), now = h("div.now", {});
     const over = h("div.over", { title: "" }), box = h("div.plot", {}, canvas, h("div.cursor", {}, now), over);
-    const panel = { raw, styles, box, canvas, now, over, hidden: new Set(), values: [], chips: [], graph: null };
+    const ends = range(...raw.series.map((s) => s.y)), most = ends ? Math.max(...ends.map(Math.abs)) : 0;
+    const panel = { raw, styles, most, box, canvas, now, over, hidden: new Set(), values: [], chips: [], graph: null };
     raw.series.forEach((s, i) => {
-      const value = h("b", {}, ""), key = this.shown.keyOf(raw.title, s.name);
+      const value = h("b", {}, ""), way = anatomical(this.run, s.column), key = this.shown.keyOf(raw.title, s.name);
       panel.values.push(value);
       panel.chips.push(h("button.chip", { type: "button", "aria-pressed": "true", title: `Show or hide ${s.name}${key ? ", here and in the picture" : ""}`,
-        onclick: () => this.toggle(panel, i) }, swatch(this.runs.length === 1 ? styles[i] : { ...styles[i], dash: [] }), `${plain(s.name)} `, value));
+        onclick: () => this.toggle(panel, i) }, swatch(this.runs.length === 1 ? styles[i] : { ...styles[i], dash: [] }), `${plain(s.name)}${way && way !== s.name ? ` (${way})` : ""} `, value));
     });
     const measured = this.beside.filter((b) => b.panel === raw).map((b) => h("span.chip.measured", {}, h("i.ring", { "aria-hidden": "true", style: { borderColor: `var(--${styles[b.series].variable})` } }), `${b.table.name}: ${b.table.columns.get(b.column).inFile}`));
     panel.element = h("figure.panel", {}, h("figcaption", {}, pretty(raw.title)), box, h("div.chips", {}, panel.chips, measured));
@@ -215,8 +216,8 @@ export class Plots {
       this.place(panel);
       panel.raw.series.forEach((s, i) => {
         const bar = s.bar && Number.isFinite(s.bar[row]) && s.bar[row] > 0 ? ` ± ${short(s.bar[row], 2)}` : "";
-        const others = this.runs.slice(1).map((r) => { const twin = twinSeries(r, panel.raw, s.name); return ` | ${twin ? short(twin.y[this.axis.twin(row, r)]) : "–"}`; });
-        panel.values[i].textContent = short(s.y[row]) + bar + others.join("");
+        const others = this.runs.slice(1).map((r) => { const twin = twinSeries(r, panel.raw, s.name); return ` | ${twin ? short(beside(twin.y[this.axis.twin(row, r)], panel.most)) : "–"}`; });
+        panel.values[i].textContent = short(beside(s.y[row], panel.most)) + bar + others.join("");
       });
     }
   }

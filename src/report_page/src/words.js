@@ -1,5 +1,5 @@
 // What a run says in words and tables: the verdict above, details below.
-import { h, plain, pretty, short, table } from "./dom.js";
+import { digitsOf, h, plain, pretty, short, table } from "./dom.js";
 import { range } from "./data.js";
 import { kRuns, kGhosts } from "./colours.js";
 import { differences } from "./differences.js";
@@ -15,7 +15,7 @@ export function head(runs, axis) {
       h("p.facts", {}, `In the picture ${runs[0].name} is drawn whole, the others in their colour; each stands where its axis has the same value.`)))];
 }
 
-const signed = (v, digits = 3) => (v > 0 ? "+" : "−") + short(Math.abs(v), digits);
+const signed = (v, digits = 3) => { const text = short(Math.abs(v), digits); return text === "0" ? text : (v > 0 ? "+" : "−") + text; };
 
 /** Panels that say what differs most, the first of each that both runs have: clinical words before those of coordinates. */
 const kTold = [[/^Grood and Suntay: translations/, /Translations/], [/^Grood and Suntay: rotations/, /Rotations/], [/^Contact force/], [/^Ligament force/]];
@@ -58,7 +58,7 @@ function headOf(run) {
   if (s.smallest_gap_mm !== undefined) facts.push(`smallest gap ${Math.abs(s.smallest_gap_mm) < 1e-6 ? 0 : short(s.smallest_gap_mm, 2)} mm`);
   if (s.motion) facts.push(`${short(s.motion.duration_s)} s of motion`);
   facts.push(s.error_bars.length > 0 ? `error bars: ${bars(run)}` : "no error bars asked for");
-  if (run.every > 1) facts.push(`this page has every ${ordinal(run.every)} of ${run.raw.rows_in_full.toLocaleString("en")} rows, results.csv all`);
+  if (run.raw.left_out?.length > 0) facts.push(`this page shows ${run.raw.left_out.join(", ")}`);
   for (const t of run.beside) facts.push(`rings: ${t.name}`);
   const on = s.effects.map((e) => `${e.name} (${e.count})`).join(", "), seconds = cost(run);
   return [
@@ -69,8 +69,6 @@ function headOf(run) {
         notes(s.verdict.slice(1)))),
   ];
 }
-
-const ordinal = (n) => `${n}${n % 100 >= 11 && n % 100 <= 13 ? "th" : ["th", "st", "nd", "rd"][n % 10] ?? "th"}`;
 
 /** The largest bar of each coordinate: "adduction ± 0.2 °". */
 function bars(run) {
@@ -114,7 +112,7 @@ function values(run, player) {
     const part = filter.value.toLowerCase(), row = player.row;
     body.replaceChildren(...names.filter((n) => n.toLowerCase().includes(part)).map((n) => {
       const c = run.columns.get(n);
-      return h("tr", {}, h("td", {}, n), h("td.number", {}, c.words ? run.word(n, row) : short(c.numbers[row], 6)));
+      return h("tr", {}, h("td", {}, n), h("td.number", {}, c.words ? run.word(n, row) : digitsOf(c.numbers[row], 6)));
     }));
   };
   const box = fold("All values of this pose", false, filter, h("div.scroll", {}, h("table", {}, body)));
@@ -138,8 +136,10 @@ function events(run) {
   const e = run.chart.events;
   if (e.length === 0) return null;
   const kMost = 300;
-  return fold(`Events: ${e.length}`, e.length <= 12, h("ul.events", {}, e.slice(0, kMost).map((one) =>
+  const more = (run.raw.events_in_full ?? e.length) - Math.min(e.length, kMost);
+  return fold(`Events: ${(run.raw.events_in_full ?? e.length).toLocaleString("en")}`, e.length <= 12, h("ul.events", {}, e.slice(0, kMost).map((one) =>
     h("li", {}, h(`i.mark.${one.kind}`, { "aria-hidden": "true" }), one.text))),
+  more > 0 ? h("p.small", {}, `and ${more.toLocaleString("en")} more in events.csv`) : null,
   h("p.small", {}, "In the plots: contacts gained are dashed lines, contacts lost dotted ones, stretches stepped over bands, all else full lines. Ligaments that became taut or slack stand in events.csv."));
 }
 
