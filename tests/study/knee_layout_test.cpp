@@ -6,12 +6,13 @@
 #include "genu/core/diagnostics.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "support/data.h"
-#include "support/places.h"
+#include "support/leskovar.h"
 
 namespace genu {
 namespace {
 
 using test::data_path;
+using test::kLeskovar;
 
 Mesh bone_of(const std::string& file, double unit = 1e-3) {
   Diagnostics out;
@@ -19,8 +20,6 @@ Mesh bone_of(const std::string& file, double unit = 1e-3) {
   EXPECT_TRUE(mesh.has_value()) << file;
   return mesh.value_or(Mesh{});
 }
-
-const std::string kLeskovar = genu::test::source_folder() + "/meshes/leskovar2019/";
 
 Mesh turned(Mesh mesh, const Mat3& r, const Vec3& shift) {
   for (Vec3& p : mesh.vertices) p = r * p + shift;

@@ -1,26 +1,13 @@
-// Points that a person has placed and named: markups of 3D Slicer (.mrk.json, .fcsv) and tables (.csv).
+// Files of landmarks: markups of 3D Slicer (.mrk.json, .fcsv) and tables (.csv).
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "genu/core/diagnostics.h"
-#include "genu/core/types.h"
+#include "genu/landmarks/landmark.h"
 
 namespace genu {
-
-struct Landmark {
-  std::string name;
-  Vec3 at = Vec3::Zero();         ///< m, in the frame of its file
-  std::optional<double> error{};  ///< m: standard deviation, where the file states one
-  FilePlace place{};
-};
-
-struct LandmarkFile {
-  std::vector<Landmark> points;
-  std::string space{};  ///< the frame that the file names: "RAS", "LPS"; empty: none
-};
 
 /// Reads what the name's end says: .mrk.json or .json, .fcsv, .csv. `unit`: metres in one unit of a .csv, whose numbers
 /// say none. Points that are not placed yet are left out. Empty, with all errors in `out`, where something is wrong.

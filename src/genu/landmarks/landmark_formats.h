@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "genu/landmarks/landmark_file.h"
+#include "genu/core/diagnostics.h"
+#include "genu/landmarks/landmark.h"
 
 namespace genu {
 

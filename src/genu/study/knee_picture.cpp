@@ -16,9 +16,9 @@
 namespace genu {
 namespace {
 
-constexpr double kScale = 3000;                                     // units of the picture for a metre
-constexpr double kSide = 108, kHeading = 26, kGap = 10, kTop = 30;  // units: room for names beside a view, ...
-constexpr double kLine = 15;                                        // units from line to line
+constexpr double kScale = 3000;                                            // units of the picture for a metre
+constexpr double kNamesBeside = 108, kHeading = 26, kGap = 10, kTop = 30;  // units: room for names beside a view, ...
+constexpr double kLine = 15;                                               // units from line to line
 constexpr int kShades = 60;
 
 /// Dark and light end of the colours of a mesh: femur, its cartilage, tibia, its cartilage.
@@ -183,9 +183,9 @@ class PanelDrawing {
     for (const PictureFibre& f : knee_.fibres) {
       std::string path;
       bool drawing = false;
-      constexpr int kParts = 40;
-      for (int i = 0; i <= kParts; ++i) {
-        const Vec3 p = f.femur.at + (f.tibia.at - f.femur.at) * (static_cast<double>(i) / kParts);
+      constexpr int kLineParts = 40;
+      for (int i = 0; i <= kLineParts; ++i) {
+        const Vec3 p = f.femur.at + (f.tibia.at - f.femur.at) * (static_cast<double>(i) / kLineParts);
         const bool visible = seen(p);
         if (visible) {
           const Vec2 q = place(p);
@@ -294,7 +294,7 @@ std::string knee_picture(const KneePicture& knee) {
   std::array<double, 2> rows{};
   for (std::size_t i = 0; i < panels.size(); ++i) {
     drawings.emplace_back(knee, panels[i], colours);
-    cell = std::max(cell, drawings.back().width() + 2 * kSide);
+    cell = std::max(cell, drawings.back().width() + 2 * kNamesBeside);
     rows[i / 3] = std::max(rows[i / 3], drawings.back().height() + kHeading + 2 * kLine);
   }
   const double top = kTop + kLine * static_cast<double>(knee.notes.size() + 1);

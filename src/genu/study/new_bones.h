@@ -6,7 +6,7 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/mesh/mesh.h"
-#include "genu/study/new_scene.h"
+#include "genu/study/asked_scene.h"
 
 namespace genu {
 

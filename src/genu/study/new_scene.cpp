@@ -276,9 +276,8 @@ bool keep_changes(const NewScene& asked, const NewSceneFiles& files, const Earli
                   NewSceneReport& report, Diagnostics& out) {
   const MergedScene merged = with_changes(earlier, tried.text, files.scene(), out);
   report.choices.push_back(
-      fmt::format("kept        {} changes of yours, {} of them against what genu writes now; the scene "
-                  "before is {}",
-                  merged.kept, merged.conflicts.size(), printable(files.before())));
+      fmt::format("kept        {} change{} of yours, {} of them against what genu writes now; the scene before is {}",
+                  merged.kept, merged.kept == 1 ? "" : "s", merged.conflicts.size(), printable(files.before())));
   if (merged.text == tried.text) return true;
   tried.text = merged.text;
   const std::string error = write_file_atomically(files.trial(), merged.text);

@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
+#include "genu/study/asked_scene.h"
 #include "genu/study/knee_layout.h"
 #include "genu/study/new_bones.h"
 #include "genu/study/new_landmarks.h"
-#include "genu/study/new_scene.h"
 
 namespace genu {
 
