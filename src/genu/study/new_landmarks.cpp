@@ -101,7 +101,7 @@ Mat3 turn_into(const std::string& meshes, const std::string& space, const std::v
     return turn_between(space, meshes);
   }
   const std::string other = space == "LPS" ? "RAS" : "LPS";
-  const Mat3 turn = turn_between(space, other);
+  Mat3 turn = turn_between(space, other);
   const double as_is = off_bones(points, Mat3::Identity(), femur, tibia),
                turned = off_bones(points, turn, femur, tibia);
   if (!(turned < kFrameFits * as_is)) return Mat3::Identity();
