@@ -97,7 +97,7 @@ TEST(KneePicture, KnowsItsSides) {
   }
 }
 
-NewScene asked_with(const std::string& folder, const std::string& picture) {
+NewScene asked_drawn(const std::string& folder, const std::string& picture) {
   NewScene asked{.kind = NewScene::Kind::stl,
                  .folder = folder,
                  .femur = kLeskovar + "femur.stl",
@@ -109,7 +109,7 @@ NewScene asked_with(const std::string& folder, const std::string& picture) {
 TEST(KneePicture, OfANewScene) {
   const TemporaryFolder folder;
   Diagnostics out;
-  const auto report = write_new_scene(asked_with(folder / "knee", folder / "knee/knee.svg"), out);
+  const auto report = write_new_scene(asked_drawn(folder / "knee", folder / "knee/knee.svg"), out);
   ASSERT_TRUE(report && out.items().empty()) << test::messages(out);
   const std::string svg = read_file(folder / "knee/knee.svg");
   EXPECT_LT(svg.size(), 1000000u);
@@ -121,7 +121,7 @@ TEST(KneePicture, OfANewScene) {
 TEST(KneePicture, IsDrawnInDoubt) {
   Diagnostics out;
   const auto scene = parse_scene(analytic_scene_text(), "five.toml", out);
-  const auto bones = read_new_bones(asked_with("", ""), out);
+  const auto bones = read_new_bones(asked_drawn("", ""), out);
   ASSERT_TRUE(scene && bones) << test::messages(out);
   const std::string doubt = "the reference knee does not fit on these bones";
   const std::string svg =
@@ -141,9 +141,9 @@ TEST(KneePicture, ReplacesNothingElse) {
     EXPECT_TRUE(contains(to_string(out.items().front()), said)) << to_string(out.items().front());
     EXPECT_FALSE(std::filesystem::exists(folder / "knee"));
   };
-  refused(asked_with(folder / "knee", folder / "mine.svg"), "was not written by this command");
-  refused(asked_with(folder / "knee", folder / "none/a.svg"), "no such folder");
-  refused(asked_with(folder / "knee", folder / "a.png"), "--picture = ");
+  refused(asked_drawn(folder / "knee", folder / "mine.svg"), "was not written by this command");
+  refused(asked_drawn(folder / "knee", folder / "none/a.svg"), "no such folder");
+  refused(asked_drawn(folder / "knee", folder / "a.png"), "--picture = ");
   NewScene analytic{.folder = folder / "knee"};
   analytic.picture = folder / "a.svg";
   refused(analytic, "--picture: belongs to a scene of meshes");
