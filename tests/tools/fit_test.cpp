@@ -175,7 +175,7 @@ TEST(FitCommand, RefusesWithExitCode2) {
       {"fit " + sheet + " --degree 12", "too few"},
       {"fit " + sheet + " --degree 13", "degree"},
       {"fit " + sheet + " --degree 0", "degree"},
-      {"fit " + sheet + " --units inch", "units"},
+      {"fit " + sheet + " --units feet", "units"},
       {"fit " + sheet + " --units m", "mm"},
       {"fit " + sheet + " --like " + kKnee, "several"},
       {"fit " + sheet + " --like " + kKnee + ":none", "none"},
