@@ -93,7 +93,7 @@ int run_command(int argc, char** argv) {
     std::fputs(kFirst, stdout);
     return genu::cli::kRefused;
   }
-  if (const std::string word = words.front(); !word.empty() && word.front() != '-') {
+  if (const std::string& word = words.front(); !word.empty() && word.front() != '-') {
     std::vector<std::string> names = names_of_commands();
     names.emplace_back("help");
     if (std::find(names.begin(), names.end(), word) == names.end())
