@@ -230,6 +230,7 @@ async function controls(browser) {
   const page = await browser.open(result.page, kLaptop);
   // The field's words come first; translations say where they go; each plan of a knee shows its plateau first.
   assert.deepEqual(await page.evaluate("genu.plots.panels.slice(0, 2).map((p) => p.raw.title)"), ["Grood and Suntay: rotations [deg]", "Grood and Suntay: translations [mm]"]);
+  assert.deepEqual(await page.evaluate('genu.plots.panels[0].chips.map((c) => c.getAttribute("aria-pressed"))'), ["false", "true", "true"], "flexion over flexion flattens the others");
   assert.match(await page.evaluate(`genu.plots.panels.find((p) => p.raw.title === "Translations [mm]").element.querySelector(".chips").textContent`), /^x \((lateral|medial)\) .*y \((anterior|posterior)\) .*z \((proximal|distal)\) /);
   assert.equal(await page.evaluate(`genu.plots.panels.some((p) => /-\d/.test(p.element.querySelector(".chips").textContent))`), false, "a hyphen for a minus");
   // The line under the slider, and the axis of the curves.

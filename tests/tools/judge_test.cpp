@@ -32,6 +32,18 @@ TEST_F(CliJudge, AcceptsTheRunAndTheSameTextFromAnotherProgram) {
   EXPECT_EQ(again.out, judged.out);
 }
 
+TEST_F(CliJudge, KeepsTheDoubtsOfARun) {
+  EXPECT_FALSE(contains(genu("judge " + out()).out, "doubts"));
+  const std::string text =
+      with_first(read_file(folder_ / "knee/knee.toml"), "[[step]]", "[plausible]\nligament_force = 1\n\n[[step]]");
+  const std::string scene = folder_.write("knee/doubtful.toml", text), folder = folder_ / "doubtful";
+  ASSERT_EQ(genu("run " + scene + " --out " + folder).exit_code, 4);
+  const Outcome judged = genu("judge " + folder);
+  EXPECT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_TRUE(contains(judged.out, "the run has doubts, which no balance of forces settles: Solved, but "))
+      << judged.out;
+}
+
 TEST_F(CliJudge, RefusesWhatWasCutOrHasOtherWords) {
   const std::string text = read_file(out() + "/results.csv");
   rewrite(text.substr(0, text.rfind('\n', text.size() - 2) + 1));

@@ -62,6 +62,8 @@ int judge_folder(const JudgeArguments& arguments) {
   if (!found || diagnostics.has_errors()) return refused(diagnostics);
   print(diagnostics);
   if (!arguments.quiet) fmt::print("{}", judge::to_text(*found));
+  if (!arguments.quiet && !folder->doubt.empty())
+    fmt::print("the run has doubts, which no balance of forces settles: {}\n", printable(folder->doubt));
   if (!arguments.out.empty()) {
     const std::string error =
         write_file_atomically(arguments.out, csv ? judge::to_csv(*found) : judge::to_json(*found));

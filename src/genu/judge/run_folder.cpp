@@ -49,6 +49,14 @@ std::string wrong_key(const json& summary, bool given) {
   return counts.is_object() && is_count(counts.value("solved", json())) ? "" : counted;
 }
 
+/// "Solved, but the joint jumped ..." of a run that jumps or is not plausible; else empty.
+std::string doubt_of(const json& summary) {
+  const json verdict = summary.value("verdict", json());
+  if (!verdict.is_object() || verdict.value("class", json()) != "doubtful") return {};
+  const json sentences = verdict.value("sentences", json());
+  return sentences.is_array() && !sentences.empty() && sentences[0].is_string() ? sentences[0].get<std::string>() : "";
+}
+
 /// What the run changed in its scene; false where that is not what a run writes.
 bool read_changes(const json& summary, SceneChanges& changes) {
   if (!summary.contains("changes")) return true;
@@ -142,6 +150,7 @@ std::optional<RunFolder> read_run_folder(const std::string& folder, const std::s
   if (summary["partial"].get<bool>())
     out.warning(Code::results_changed, at.string(), "is partial: the run was stopped before its end");
   if (out.has_errors()) return std::nullopt;
+  found.doubt = doubt_of(summary);
   if (!given) found.ok_rows = summary[summary.contains("motion") ? "rows" : "poses"]["solved"].get<std::size_t>();
   return found;
 }

@@ -13,6 +13,7 @@ struct RunFolder {
   SceneSource scene{""};                 ///< the scene file, and what the run changed in it
   std::string results;                   ///< text of results.csv
   std::optional<std::size_t> ok_rows{};  ///< number of rows called ok in summary.json
+  std::string doubt{};                   ///< the first sentence of a verdict that has doubts, as summary.json has it
 };
 
 /// Reads results.csv and summary.json of `folder`. `scene`: replaces the recorded scene unless empty. Warns of each

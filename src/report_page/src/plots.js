@@ -81,6 +81,7 @@ export class Plots {
     const over = h("div.over", { title: "" }), box = h("div.plot", {}, canvas, h("div.cursor", {}, now), over);
     const ends = range(...raw.series.map((s) => s.y)), most = ends ? Math.max(...ends.map(Math.abs)) : 0;
     const panel = { raw, styles, most, box, canvas, now, over, hidden: new Set(), values: [], chips: [], graph: null };
+    raw.series.forEach((s, i) => { if (raw.series.length > 1 && this.isMain(s)) panel.hidden.add(i); });
     raw.series.forEach((s, i) => {
       const value = h("b", {}, ""), way = anatomical(this.run, s.column), key = this.shown.keyOf(raw.title, s.name);
       panel.values.push(value);
@@ -91,6 +92,14 @@ export class Plots {
     panel.element = h("figure.panel", {}, h("figcaption", {}, pretty(raw.title)), box, h("div.chips", {}, panel.chips, measured));
     this.scrub(panel);
     return panel;
+  }
+
+  /** Grood and Suntay's flexion, where it is all but the coordinate that curves are over: it would flatten the others. */
+  isMain(s) {
+    const joint = /^(.+)\.gs\.flexion_deg$/.exec(s.column)?.[1], x = joint && this.run.main.startsWith(`${joint}.`) ? this.run.numbers(this.run.main) : null;
+    if (!x) return false;
+    const [low, high] = range(x) ?? [0, 0];
+    return x.every((v, k) => !Number.isFinite(v - s.y[k]) || Math.abs(v - s.y[k]) <= 0.05 * (high - low));
   }
 
   isHidden(panel, i) {
