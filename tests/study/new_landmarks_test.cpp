@@ -220,6 +220,8 @@ TEST(NewLandmarks, ThatAreRefusedLeaveNothingBehind) {
   refused(asked, {"bad.csv:2:15: z = \"z\": must be a number", "bad.csv:3: z: is missing"});
   asked.femur = folder / "none.stl";
   refused(asked, {"none.stl", "bad.csv:2:15", "bad.csv:3: z"});
+  asked.anterior = "front";
+  refused(asked, {"must be one of x, y, z", "bad.csv:2:15", "bad.csv:3: z"});
   asked = asked_with(folder / "knee", folder / "left.csv");
   asked.left = false;
   refused(asked, {"--side = right: contradicts the names of the landmarks, which are of a left knee"});

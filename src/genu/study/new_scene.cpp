@@ -224,6 +224,11 @@ struct Composed {
   }
 };
 
+/// All that is wrong with the file of landmarks, where other errors end the work before it is used.
+void refuse_landmarks(const NewScene& asked, Diagnostics& out) {
+  if (!asked.landmarks.empty()) static_cast<void>(read_landmarks(asked.landmarks, 1, out));
+}
+
 std::optional<Composed> compose(const NewScene& asked, const std::string& name, Diagnostics& out) {
   Words words{{"title", toml_string_of(name)},
               {"name", toml_string_of(name)},
@@ -233,7 +238,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   if (asked.kind == NewScene::Kind::motion) return Composed{motion_scene_text(), words, {}};
   const auto bones = read_new_bones(asked, out);
   if (!bones) {
-    if (!asked.landmarks.empty() && read_landmarks(asked.landmarks, 1, out)) return std::nullopt;  // its errors, too
+    refuse_landmarks(asked, out);
     return std::nullopt;
   }
   const auto landmarks = landmarks_of(asked, *bones, out);
@@ -328,7 +333,10 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   fs::path folder = fs::path(asked.folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
   const NewSceneFiles files{folder, folder.filename().string()};
-  if (refuse_words(asked, out)) return std::nullopt;
+  if (refuse_words(asked, out)) {
+    refuse_landmarks(asked, out);
+    return std::nullopt;
+  }
   std::optional<EarlierScene> earlier;
   if (asked.edit) earlier = read_earlier(files, out);
   auto composed = compose(asked, files.name, out);
