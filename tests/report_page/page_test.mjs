@@ -123,7 +123,7 @@ async function keyboard(page) {
   assert.equal(await row(), 0);
   await page.evaluate("document.activeElement.blur()");
   await page.key(" ", { code: "Space" });
-  assert.equal(await page.evaluate("genu.player.playing"), true);
+  assert.ok(await page.evaluate("genu.player.playing || genu.player.row > 0"), "space does not play");  // a slow machine may see its end
   await page.evaluate("new Promise((done) => { const wait = (k) => (k === 0 || genu.player.row > 0 ? done() : setTimeout(wait, 100, k - 1)); wait(100); })");
   if (await page.evaluate("genu.player.playing")) await page.key(" ", { code: "Space" });
   assert.equal(await page.evaluate("genu.player.playing"), false);

@@ -24,8 +24,8 @@ ordered_json place_json(const Vec3& p) { return vector_json(to::kMillimetre * p)
 
 /// To 0.1 um: there are many, and they are only looked at.
 ordered_json short_place_json(const Vec3& p) {
-  constexpr double kParts = 1e4;  // of a mm
-  return vector_json(((kParts * to::kMillimetre * p).array().round() / kParts).matrix());
+  constexpr double kPlaceParts = 1e4;  // of a mm
+  return vector_json(((kPlaceParts * to::kMillimetre * p).array().round() / kPlaceParts).matrix());
 }
 
 /// Origin of the page: poses are relative to it, so that single precision serves however far away it is.
