@@ -103,8 +103,7 @@ TEST_F(Accuracy, OfAKneeInClosedFormFallsWithTheEdges) {
   EXPECT_GT(worst(*coarse, "position"), 6 * worst(*middle, "position"));
   EXPECT_GT(worst(*middle, "position"), 6 * worst(*fine, "position"));
   // The solver's own error, and paths in other increments, which are the same path.
-  ASSERT_NE(point("tolerance 1e-10"), nullptr);
-  EXPECT_EQ(worst(*point("tolerance 1e-10"), "position"), worst(report_.points[0], "position"));
+  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
   EXPECT_LT(worst(*point("increments x 2"), "position"), 1e-9);
   EXPECT_NE(report_.sentence.find(" a pose: "), std::string::npos) << report_.sentence;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/accuracy.svg"));
@@ -176,11 +175,10 @@ TEST_F(Accuracy, AChosenToleranceIsWrittenAndAsExactAsWasSaid) {
 TEST_F(Accuracy, CountsErrorsFromAFinerToleranceThanTheScenes) {
   const std::string scene = folder_.write("coarse.toml", test::read_file(knee()) + "\n[solver]\ntolerance = 1e-3\n");
   ASSERT_EQ(run(scene, {}), kExitOk) << test::messages(out_);
-  EXPECT_LT(worst(report_.points[0], "position"), 1e-6) << "no looser than contacts and events need";
+  EXPECT_GT(worst(report_.points[0], "position"), 1e-5) << "its own tolerance is its error";
   ASSERT_NE(point("tolerance 1e-12"), nullptr);
   EXPECT_EQ(worst(*point("tolerance 1e-12"), "position"), 0);
-  ASSERT_NE(point("tolerance 1e-10"), nullptr);
-  EXPECT_EQ(worst(*point("tolerance 1e-10"), "position"), worst(report_.points[0], "position"));
+  EXPECT_LT(worst(*point("tolerance 1e-08"), "position"), 1e-5);
   EXPECT_EQ(point("tolerance 1e-03"), nullptr) << "that is the scene as it is";
 }
 
