@@ -11,6 +11,7 @@
 #include "genu/study/new_picture.h"
 #include "genu/study/new_scene.h"
 #include "genu/study/new_scene_text.h"
+#include "support/drawn_knee.h"
 #include "support/leskovar.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
@@ -98,10 +99,7 @@ TEST(KneePicture, KnowsItsSides) {
 }
 
 NewScene asked_drawn(const std::string& folder, const std::string& picture) {
-  NewScene asked{.kind = NewScene::Kind::stl,
-                 .folder = folder,
-                 .femur = kLeskovar + "femur.stl",
-                 .tibia = kLeskovar + "tibia.stl"};
+  NewScene asked = test::drawn_knee_in(folder);
   asked.picture = picture;
   return asked;
 }

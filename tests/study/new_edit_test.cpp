@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/study/new_scene.h"
+#include "support/drawn_knee.h"
 #include "support/leskovar.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
@@ -21,10 +22,7 @@ using test::read_file;
 using test::TemporaryFolder;
 
 NewScene asked_in(const std::string& folder, bool edit) {
-  NewScene asked{.kind = NewScene::Kind::stl,
-                 .folder = folder,
-                 .femur = kLeskovar + "femur.stl",
-                 .tibia = kLeskovar + "tibia.stl"};
+  NewScene asked = test::drawn_knee_in(folder);
   asked.edit = edit;
   return asked;
 }

@@ -12,6 +12,7 @@
 #include "genu/study/fit_doubts.h"
 #include "genu/study/new_scene.h"
 #include "genu/study/tolerances.h"
+#include "support/drawn_knee.h"
 #include "support/leskovar.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
@@ -167,10 +168,7 @@ TEST(NewLandmarks, TellSideAndAxes) {
 }
 
 NewScene asked_with(const std::string& folder, const std::string& landmarks) {
-  NewScene asked{.kind = NewScene::Kind::stl,
-                 .folder = folder,
-                 .femur = kLeskovar + "femur.stl",
-                 .tibia = kLeskovar + "tibia.stl"};
+  NewScene asked = test::drawn_knee_in(folder);
   asked.landmarks = landmarks;
   return asked;
 }

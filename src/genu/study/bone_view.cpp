@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genu/mesh/mesh_topology.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
-
-/// Mean normals of the vertices, by area.
-std::vector<Vec3> normals_of(const Mesh& mesh) {
-  std::vector<Vec3> out(mesh.vertices.size(), Vec3::Zero());
-  for (const auto& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
-    const Vec3 area = (b - a).cross(c - a);
-    for (const int v : t) out[at(v)] += area;
-  }
-  for (Vec3& n : out) n.normalize();
-  return out;
-}
 
 /// Light from above, to the left of the viewer, and some from the viewer; both sides of a sheet are lit alike.
 double light_on(const Vec3& normal, const ViewAxes& axes) {
@@ -92,7 +81,7 @@ BoneView view_of(std::span<const Mesh* const> meshes, const ViewAxes& axes, cons
   view.light.assign(size, 1);
   view.near.assign(size, -std::numeric_limits<float>::infinity());
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const std::vector<Vec3> normals = normals_of(*meshes[m]);
+    const std::vector<Vec3> normals = vertex_normals(*meshes[m]);
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < normals.size(); ++i) {
       const Vec3& p = meshes[m]->vertices[i];
