@@ -183,6 +183,13 @@ TEST(Feedback, AWrongSignThatActsLateIsSaid) {
   EXPECT_NE(said.find("load controller misses its target by more and more"), std::string::npos) << said;
 }
 
+/// A weak controller lags behind a target that moves faster and faster: it does what it can.
+TEST(Feedback, ATargetThatMovesOnIsNoGrowth) {
+  const Solution s = motion_of(servo_hinge(servo("{ step = { from = 0.4, to = 1.6, rise = 6 } }", 0.02, 0.01), 3));
+  for (const std::string& sentence : s.summary.verdict)
+    EXPECT_EQ(sentence.find("more and more"), std::string::npos) << sentence;
+}
+
 /// A gain beyond reason makes a fast decay: integrated by BDF, and said.
 TEST(Feedback, AStiffMotionIsSaid) {
   const Solution s = motion_of(servo_hinge(servo("0.1", 1e4, 5e3), 2));

@@ -57,10 +57,13 @@ std::vector<double> largest_in_parts(const std::vector<double>& factors) {
   return largest;
 }
 
-/// Whether feedback misses its target by more from part to part, or beyond anything that its target asks for.
+/// Whether feedback misses its target by more than the target ever moves, and by more from part to part of the motion
+/// or by far. A target that moves on is missed by more and more as well, but by no more than that.
 bool runs_away(const LoadScale& scale, const std::vector<double>& factors) {
-  const double asked = std::max(scale.largest(), factors.front());
-  if (asked > 0 && *std::max_element(factors.begin(), factors.end()) > kRunaway * asked) return true;
+  const double asked = std::max(scale.largest(), factors.front()),
+               most = *std::max_element(factors.begin(), factors.end());
+  if (!(asked > 0 && most > asked)) return false;
+  if (most > kRunaway * asked) return true;
   const std::vector<double> largest = largest_in_parts(factors);
   for (std::size_t k = 1; k < kGrowthParts; ++k)
     if (!(largest[k] > kGrowth * largest[k - 1])) return false;
