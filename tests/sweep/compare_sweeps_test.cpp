@@ -38,12 +38,13 @@ TEST_F(CompareSweeps, SamplesWithTheSameDrawsAreSubtracted) {
   const SweepTable a = table(solved(long_, "samples = 40\n", "10")), b = table(solved(short_, "samples = 40\n", "5"));
   const auto all = join_sweeps({{"long", a}, {"short", b}}, out_);
   ASSERT_TRUE(all) << test::messages(out_);
-  ASSERT_EQ(all->cases.size(), 2u);
-  EXPECT_EQ(all->case_name(0), "long");
-  EXPECT_EQ(all->case_name(1), "short");
-  const std::vector<double> d = difference(*all, 1, 0);
+  EXPECT_EQ(all->paired, std::vector<std::string>{"short"});
+  ASSERT_EQ(all->table.cases.size(), 2u);
+  EXPECT_EQ(all->table.case_name(0), "long");
+  EXPECT_EQ(all->table.case_name(1), "short");
+  const std::vector<double> d = difference(all->table, 1, 0);
   for (std::size_t s = 0; s < d.size(); ++s) EXPECT_NEAR(d[s], -a.cases[0].kept[0][s] / 2, 1e-9);
-  const ResultTable statistics = statistics_table(*all), of_b = statistics_table(b);
+  const ResultTable statistics = statistics_table(all->table), of_b = statistics_table(b);
   ASSERT_EQ(statistics.rows(), 9u) << "three numbers of each study, and of their difference";
   EXPECT_EQ(std::get<std::string>(statistics.at(6, 1)), "short - long");
   for (std::size_t k = 0; k < 3; ++k)
@@ -54,9 +55,13 @@ TEST_F(CompareSweeps, SamplesWithTheSameDrawsAreSubtracted) {
 TEST_F(CompareSweeps, OtherDrawsStandSideBySideOnly) {
   const SweepTable a = table(solved(long_, "samples = 40\n", "10")),
                    b = table(solved(short_, "samples = 40\nseed = 2\n", "5"));
-  const auto all = join_sweeps({{"long", a}, {"short", b}}, out_);
-  ASSERT_TRUE(all) << test::messages(out_);
-  EXPECT_EQ(statistics_table(*all).rows(), 6u);
+  const auto all = join_sweeps({{"long", a}, {"short", b}}, out_),
+             three = join_sweeps({{"a", a}, {"b", b}, {"c", a}}, out_);
+  ASSERT_TRUE(all && three) << test::messages(out_);
+  EXPECT_TRUE(all->paired.empty());
+  EXPECT_EQ(statistics_table(all->table).rows(), 6u);
+  EXPECT_EQ(three->paired, std::vector<std::string>{"c"}) << "a study beside itself is paired";
+  EXPECT_EQ(statistics_table(three->table).rows(), 12u);
 }
 
 TEST_F(CompareSweeps, WritesOnePage) {
@@ -67,7 +72,7 @@ TEST_F(CompareSweeps, WritesOnePage) {
   ASSERT_EQ(compare_sweeps({a, b}, file, out_), kExitOk) << test::messages(out_);
   const std::string page = test::read_file(file);
   EXPECT_TRUE(test::contains(page, kSweepPageMark));
-  EXPECT_TRUE(test::contains(page, "have the same draws"));
+  EXPECT_TRUE(test::contains(page, "have the draws of o: differences"));
   EXPECT_TRUE(test::contains(page, "<h2>Distributions</h2>"));
   EXPECT_FALSE(test::contains(page, "nan")) << page;
   EXPECT_EQ(compare_sweeps({a, b}, file, out_), kExitOk) << "its own page may be replaced";

@@ -71,7 +71,7 @@ class SweepJoiner {
     for (const NamedSweep& sweep : sweeps) add(sweep);
   }
 
-  SweepTable take() { return std::move(all_); }
+  JoinedSweeps take() { return {std::move(all_), std::move(paired_)}; }
 
  private:
   bool all_have(const std::string& number) const {
@@ -113,7 +113,9 @@ class SweepJoiner {
       joined.reference += before;
       all_.cases.push_back(std::move(joined));
     }
-    if (before > 0 && same_samples(first_, table)) compare_with_first(table, before);
+    if (before == 0 || !same_samples(first_, table)) return;
+    compare_with_first(table, before);
+    paired_.push_back(name);
   }
 
   /// Each case with that of the first study which has its what-if, else with the scene as it is.
@@ -132,6 +134,7 @@ class SweepJoiner {
   const std::vector<NamedSweep>& sweeps_;
   const SweepTable& first_;
   SweepTable all_;
+  std::vector<std::string> paired_;
 };
 
 /// The folder's own name; the path as given where that is taken.
@@ -149,13 +152,20 @@ std::vector<std::string> names_of(const std::vector<NamedSweep>& sweeps) {
   return names;
 }
 
+std::string about(const std::vector<NamedSweep>& sweeps, const JoinedSweeps& all) {
+  const std::string counts = fmt::format("{} studies of {} samples. ", sweeps.size(), all.table.record.samples);
+  if (all.paired.empty()) return counts + "Their samples have other draws: there are no differences sample by sample.";
+  return counts + fmt::format("Samples of {} have the draws of {}: differences are those of each knee with itself.",
+                              fmt::join(all.paired, ", "), sweeps.front().first);
+}
+
 }  // namespace
 
-std::optional<SweepTable> join_sweeps(const std::vector<NamedSweep>& sweeps, Diagnostics& out) {
+std::optional<JoinedSweeps> join_sweeps(const std::vector<NamedSweep>& sweeps, Diagnostics& out) {
   for (std::size_t k = 1; k < sweeps.size(); ++k) check_alike(sweeps.front(), sweeps[k], out);
   if (out.has_errors()) return std::nullopt;
-  SweepTable all = SweepJoiner(sweeps).take();
-  if (all.record.kept.empty()) {
+  JoinedSweeps all = SweepJoiner(sweeps).take();
+  if (all.table.record.kept.empty()) {
     out.error(Code::conflict, fmt::format("{}", fmt::join(names_of(sweeps), ", ")), "keep no number in common");
     return std::nullopt;
   }
@@ -186,8 +196,9 @@ int compare_sweeps(const std::vector<std::string>& folders, const std::string& f
   if (out.has_errors()) return kExitRefused;
   const auto all = join_sweeps(sweeps, out);
   if (!all) return kExitRefused;
-  if (const std::string error = write_file_atomically(file, compared_page(*all, tables_of(*all), names_of(sweeps)));
-      !error.empty()) {
+  const std::string title = fmt::format("{}", fmt::join(names_of(sweeps), ", ")),
+                    page = compared_page(all->table, tables_of(all->table), title, about(sweeps, *all));
+  if (const std::string error = write_file_atomically(file, page); !error.empty()) {
     out.error(Code::cannot_write, {}, error);
     return kExitFailed;
   }

@@ -18,7 +18,11 @@ using NamedSweep = std::pair<std::string, SweepTable>;
 /// Where all factors that two studies share have the same draws, samples are the same knees, and the first study is
 /// what the others are subtracted from. Empty, with the reasons in `out`: no number in common, other counts of samples
 /// or scenes.
-[[nodiscard]] std::optional<SweepTable> join_sweeps(const std::vector<NamedSweep>& sweeps, Diagnostics& out);
+struct JoinedSweeps {
+  SweepTable table;
+  std::vector<std::string> paired;  ///< studies whose samples are those of the first one
+};
+[[nodiscard]] std::optional<JoinedSweeps> join_sweeps(const std::vector<NamedSweep>& sweeps, Diagnostics& out);
 
 /// Whether any of these folders holds a study.
 bool has_sweep(const std::vector<std::string>& folders);

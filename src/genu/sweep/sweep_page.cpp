@@ -110,14 +110,9 @@ std::string sweep_page(const SweepTable& sweep, const SweepTables& tables) {
          body_of(sweep, tables, "All rows are in statistics.csv.");
 }
 
-std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::vector<std::string>& names) {
-  const bool compared = std::any_of(all.cases.begin(), all.cases.end(), [&](const SweepTable::Case& in) {
-    return in.study != all.cases[in.reference].study;
-  });
-  return fmt::format("{}<p>{} studies of {} samples. {}</p>\n", page_head(fmt::format("{}", fmt::join(names, ", "))),
-                     names.size(), all.record.samples,
-                     compared ? "Their samples have the same draws, so differences are those of each knee with itself."
-                              : "Their samples have other draws: there are no differences sample by sample.") +
+std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::string& title,
+                          const std::string& about) {
+  return page_head(title) + "<p>" + svg_escaped(about) + "</p>\n" +
          body_of(all, tables, "Ranks are in each study's own folder.");
 }
 

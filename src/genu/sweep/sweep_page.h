@@ -9,7 +9,8 @@ namespace genu {
 
 std::string sweep_page(const SweepTable& sweep, const SweepTables& tables);
 
-/// The page of several studies with these names, as join_sweeps() puts them together.
-std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::vector<std::string>& names);
+/// The page of several studies, as join_sweeps() puts them together. `about`: a line below the title.
+std::string compared_page(const SweepTable& all, const SweepTables& tables, const std::string& title,
+                          const std::string& about);
 
 }  // namespace genu
