@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,76 @@ TEST(LocalMinimum, NothingLiesLowerOnAGrid) {
     const double sagitta = fine * fine / 2 * (1 / 0.005 + 0.025 / (0.012 * 0.012));
     EXPECT_GT(refined, lowest - sagitta) << i;
   }
+}
+
+/// The settled minima that plain descents from the samples of B find, each once.
+std::vector<Descent> minima_of(const Surface& A, const Surface& B, const Pose& X_ab, const SampleSet& starts) {
+  std::vector<Descent> out;
+  for (const Vec3& p : starts.points) {
+    const auto d = descend_gap(A, B, X_ab, p, {.max_step = kLongestStep});
+    if (!d || !d->settled) continue;
+    const Vec3& end = d->minimum.contact.b.p;
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const Descent& o) { return (o.minimum.contact.b.p - end).norm() < 1e-6; }))
+      out.push_back(*d);
+  }
+  return out;
+}
+
+TEST(LocalMinimum, EndsEarlyInTheBowlOfAKnownMinimumAndNowhereElse) {
+  // What ends in a bowl must be on its way to that minimum, as the whole descent shows, also where there are several.
+  std::mt19937 random(11);
+  const auto surfaces = some_surfaces();
+  constexpr double kBowl = 6 * kLongestStep;
+  int early = 0, near = 0;
+  for (const auto& a : surfaces)
+    for (const auto& b : surfaces)
+      for (int repeat = 0; repeat < 4; ++repeat) {
+        const SurfacePoint on_a = test::random_point(*a.surface, random), on_b = test::random_point(*b.surface, random);
+        Pose X_ab = test::touching(on_a, on_b, 0.3);
+        X_ab.p += 2e-3 * on_a.n;
+        const SampleSet starts = b.surface->samples(2e-3, on_b.p, 0.02);
+        const auto all = minima_of(*a.surface, *b.surface, X_ab, starts);
+        for (const Descent& known : all) {
+          const std::vector<Descent> one{known};
+          for (const Vec3& start : starts.points) {
+            if ((start - known.minimum.contact.b.p).norm() > kBowl) continue;
+            const DescentLimits plain{.max_step = kLongestStep};
+            DescentLimits limits = plain;
+            limits.known = &one;
+            limits.bowl = kBowl;
+            const auto whole = descend_gap(*a.surface, *b.surface, X_ab, start, plain);
+            if (!whole || !whole->settled) continue;
+            const auto limited = descend_gap(*a.surface, *b.surface, X_ab, start, limits);
+            const double off = (whole->minimum.contact.b.p - known.minimum.contact.b.p).norm();
+            ++near;
+            if (limited) continue;
+            ++early;
+            EXPECT_LT(off, 1e-5) << a.name << " under " << b.name << ": that minimum is not where this start leads";
+          }
+        }
+      }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(early, 0.5 * near);
+}
+
+TEST(LocalMinimum, WhatIsKnownOfItsStartChangesNothing) {
+  std::mt19937 random(12);
+  for (const auto& a : some_surfaces())
+    for (const auto& b : some_surfaces()) {
+      const SurfacePoint on_a = test::random_point(*a.surface, random), on_b = test::random_point(*b.surface, random);
+      Pose X_ab = test::touching(on_a, on_b, 0.3);
+      X_ab.p += 1e-3 * on_a.n;
+      const SurfacePoint start = test::random_point(*b.surface, random);
+      SurfacePoint own, foot;
+      if (!b.surface->project(start.p, own) || !a.surface->project(X_ab * start.p, foot)) continue;
+      const DescentLimits limits{.max_step = kLongestStep};
+      const auto asked = descend_gap(*a.surface, *b.surface, X_ab, start.p, limits),
+                 told = descend_gap(*a.surface, *b.surface, X_ab, start.p, limits, {&own, &foot});
+      ASSERT_EQ(asked.has_value(), told.has_value()) << a.name << ' ' << b.name;
+      if (!asked || !asked->settled || !told->settled) continue;
+      EXPECT_NEAR(asked->minimum.gap, told->minimum.gap, 1e-15) << a.name << ' ' << b.name;
+    }
 }
 
 }  // namespace

@@ -169,5 +169,30 @@ TEST(Patch, OfAMeshCutsItsTrianglesAndKeepsItsSmoothSurface) {
   EXPECT_EQ(part->gap(x), whole->gap(x));
 }
 
+TEST(Patch, ItsGapAndFootAreWhatGapAndProjectSay) {
+  std::mt19937 random(5);
+  for (const Known& k : patches_of_known_area()) {
+    const SampleSet samples = k.surface->samples(2e-3, kPlaced.p, 0.05);
+    int inside = 0, past = 0;
+    for (int i = 0; i < 200; ++i) {
+      const std::size_t n = random() % samples.points.size();
+      const double height = 1e-3 * std::uniform_real_distribution(-1.0, 1.0)(random);
+      const double aside = 4e-3 * std::uniform_real_distribution(-1.0, 1.0)(random);
+      const Vec3 x = samples.points[n] + height * samples.normals[n] + aside * tangent_basis(samples.normals[n]).col(0);
+      std::optional<SurfacePoint> foot;
+      const auto gap = k.surface->gap_and_foot(x, foot);
+      ASSERT_EQ(gap, k.surface->gap(x)) << k.name;
+      SurfacePoint projected;
+      ASSERT_EQ(foot.has_value(), k.surface->project(x, projected)) << k.name;
+      if (!foot) continue;
+      EXPECT_EQ(foot->p, projected.p) << k.name;
+      EXPECT_EQ(foot->S, projected.S) << k.name;
+      ++(gap ? inside : past);
+    }
+    EXPECT_GT(inside, 50) << k.name;
+    EXPECT_GT(past, 0) << k.name;
+  }
+}
+
 }  // namespace
 }  // namespace genu

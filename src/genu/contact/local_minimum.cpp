@@ -19,9 +19,14 @@ struct GapJet {
   Mat2 hessian = Mat2::Zero();  ///< 1/m
 };
 
-bool evaluate_gap(const Surface& A, const Pose& X_ab, GapJet& jet) {
+/// `foot`: what A.project gives for the point of B, where that is known.
+bool evaluate_gap(const Surface& A, const Pose& X_ab, const SurfacePoint* foot, GapJet& jet) {
   const Vec3 x = X_ab * jet.b.p;
-  if (!A.project(x, jet.a) || !closest_point(A, x, jet.a)) return false;
+  if (foot != nullptr)
+    jet.a = *foot;
+  else if (!A.project(x, jet.a))
+    return false;
+  if (!closest_point(A, x, jet.a)) return false;
   jet.value = jet.a.n.dot(x - jet.a.p);
   const Mat32 T_b = X_ab.R * jet.b.T;
   const double opposed = jet.a.n.dot(X_ab.R * jet.b.n);
@@ -71,18 +76,38 @@ bool is_convex(const GapJet& jet) { return jet.hessian.determinant() > 0 && jet.
 /// Decrease of the gap from here to the minimum of a convex model.
 double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hessian.inverse() * jet.gradient); }
 
+/// Whether a descent from here ends at a known minimum at the way -d: whether the gap between is the cubic that both
+/// ends agree on, convex at both. With the mean H of the curvatures there and here, a cubic has the slope H d here;
+/// what it rises by is d . (H_there / 3 + H_here / 6) d. Ways and not slopes are compared, so that the flattest
+/// direction counts as much as the steepest.
+bool in_bowl(const GapJet& jet, const Descent& known, double far) {
+  const SurfacePoint& low = known.minimum.contact.b;
+  const Vec3 away = jet.b.p - low.p;
+  if (away.squaredNorm() > far * far) return false;
+  const Vec2 d = jet.b.T.transpose() * away;
+  const Mat2 turn = jet.b.T.transpose() * low.T, there = turn * known.bend * turn.transpose();
+  const double rise = d.dot(there * d) / 3 + d.dot(jet.hessian * d) / 6;
+  const Mat2 mean = 0.5 * (there + jet.hessian);
+  if (!(rise > 0) || !(there.determinant() > 0) || !(mean.determinant() > 0)) return false;
+  return (mean.inverse() * jet.gradient - d).norm() <= kBowlShare * d.norm() &&
+         std::abs(jet.value - known.minimum.gap - rise) <= kBowlShare * rise;
+}
+
 /// Whether the descent ends at a known minimum, or on a plateau (plane on plane) where every point is a minimum.
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
   if (limits.known == nullptr) return false;
+  if (is_convex(jet) && std::any_of(limits.known->begin(), limits.known->end(),
+                                    [&](const Descent& d) { return in_bowl(jet, d, limits.bowl); }))
+    return true;
   const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
   if (plateau) {
     return std::any_of(limits.known->begin(), limits.known->end(),
-                       [&](const LocalMinimum& m) { return std::abs(m.gap - jet.value) <= 1e-9 * limits.same; });
+                       [&](const Descent& d) { return std::abs(d.minimum.gap - jet.value) <= 1e-9 * limits.same; });
   }
   if (!is_convex(jet) || step.norm() > limits.same) return false;
   const Vec3 end = jet.b.p + jet.b.T * step;
-  return std::any_of(limits.known->begin(), limits.known->end(), [&](const LocalMinimum& m) {
-    return (m.contact.b.p - end).squaredNorm() < limits.same * limits.same;
+  return std::any_of(limits.known->begin(), limits.known->end(), [&](const Descent& d) {
+    return (d.minimum.contact.b.p - end).squaredNorm() < limits.same * limits.same;
   });
 }
 
@@ -106,9 +131,13 @@ bool closest_point(const Surface& surface, const Vec3& x, SurfacePoint& foot) {
 }
 
 std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pose& X_ab, const Vec3& start,
-                                   const DescentLimits& limits) {
+                                   const DescentLimits& limits, const KnownStart& known) {
   GapJet jet;
-  if (!B.project(start, jet.b) || !evaluate_gap(A, X_ab, jet)) return std::nullopt;
+  if (known.on_b != nullptr)
+    jet.b = *known.on_b;
+  else if (!B.project(start, jet.b))
+    return std::nullopt;
+  if (!evaluate_gap(A, X_ab, known.foot, jet)) return std::nullopt;
   double radius = limits.max_step;
   bool settled = false;
   const Vec3 from = jet.b.p;
@@ -125,15 +154,15 @@ std::optional<Descent> descend_gap(const Surface& A, const Surface& B, const Pos
     if (i == 0 && is_convex(jet) && jet.value - least_of_model(jet) > limits.hopeless) return std::nullopt;
     if (leads_to_known(jet, step, limits)) return std::nullopt;
     GapJet next;
-    const bool known = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, next);
+    const bool arrived = B.retract(jet.b, step, next.b) && evaluate_gap(A, X_ab, nullptr, next);
     // Near the minimum, rounding hides the decrease of the gap long before the gradient vanishes: accept a smaller
     // gradient.
     const double rounding = 1e-15 * (1 + std::abs(jet.value) + jet.b.p.norm());
-    const bool lower = known && (jet.value - next.value >= -0.1 * predicted ||
-                                 (std::abs(predicted) < 10 * rounding && next.gradient.norm() < jet.gradient.norm()));
+    const bool lower = arrived && (jet.value - next.value >= -0.1 * predicted ||
+                                   (std::abs(predicted) < 10 * rounding && next.gradient.norm() < jet.gradient.norm()));
     if (!lower) {
       radius = 0.25 * std::min(radius, step.norm());
-      settled = known && std::abs(predicted) < 10 * rounding;
+      settled = arrived && std::abs(predicted) < 10 * rounding;
       if (settled) break;
       continue;
     }

@@ -57,6 +57,8 @@ Proximity::Proximity(const Surface& a, const Surface& b, const Options& options)
   samples_ = std::make_shared<const SampleSet>(std::move(samples));
   gap_.assign(samples_->points.size(), kInfinity);
   memory_.resize(samples_->points.size());
+  feet_.resize(samples_->points.size());
+  own_.resize(samples_->points.size());
   swallowed_.emplace(*queried_, *sampled_, *samples_, options.spacing, samples_b_ ? options.centre_a : options.centre_b,
                      samples_b_ ? options.centre_b : options.centre_a, options.reach);
   SampleTree tree = build_sample_tree(samples_->points);
@@ -165,19 +167,23 @@ double Proximity::sample_gap(const Pose& X_qs, int sample, Vec3* direction) {
   const Vec3 normal = X_qs.R * samples_->normals[i];
   Memory& memory = memory_[i];
   memory.at = x;
-  if (const auto gap = queried_->gap(x)) {
+  std::optional<SurfacePoint>& foot = feet_[i];
+  if (const auto gap = queried_->gap_and_foot(x, foot)) {
     memory.clearance = near_clearance(gap).value_or(queried_->clear_in_front(x));
-    SurfacePoint foot;
     if (direction == nullptr && *gap > kShallowOverlap * spacing_) return *gap;
-    if (!queried_->project(x, foot)) return *gap > 0 ? *gap : kInfinity;
-    if (direction != nullptr) *direction = foot.n;
-    const bool same_way = foot.n.dot(normal) > kSameWayCosine, beyond = queried_->edge_distance(foot.p) < 0;
+    if (!foot && !queried_->project(x, foot.emplace())) {
+      foot.reset();
+      return *gap > 0 ? *gap : kInfinity;
+    }
+    if (direction != nullptr) *direction = foot->n;
+    const bool same_way = foot->n.dot(normal) > kSameWayCosine, beyond = queried_->edge_distance(foot->p) < 0;
     if (same_way && !beyond && std::abs(*gap) <= kShallowOverlap * spacing_)
       if (const double depth = depth_behind(X_qs, sample); depth < 0) return memory.clearance = -1, depth;
     // The back of a thin shell, or a place beyond the edge of an open sheet: usually no overlap.
     if (*gap < 0 && (same_way || beyond)) return doubtful_gap(x, *gap, memory);
     return *gap;
   }
+  foot.reset();
   const FarDistance::Nearest nearest = far_.nearest(x);
   memory.clearance = far_clearance(nearest, 0, false);
   if (direction != nullptr) *direction = nearest.direction;
@@ -218,6 +224,19 @@ std::optional<Descent> Proximity::descend(const Pose& X_qs, const Vec3& start) c
   return descent;
 }
 
+/// The descent from a sample that has just been measured: its foot is known, and where it lies on its own surface is
+/// found once.
+std::optional<Descent> Proximity::descend_from(int sample, const Pose& X_qs, const DescentLimits& limits) {
+  const Vec3& point = samples_->points[at(sample)];
+  std::optional<SurfacePoint>& own = own_[at(sample)];
+  if (!own && !sampled_->project(point, own.emplace())) {
+    own.reset();
+    return std::nullopt;
+  }
+  const std::optional<SurfacePoint>& foot = feet_[at(sample)];
+  return descend_gap(*queried_, *sampled_, X_qs, point, limits, {&*own, foot ? &*foot : nullptr});
+}
+
 bool Proximity::lowest_of_neighbours(int sample) const {
   const auto i = static_cast<std::size_t>(sample);
   for (int k = samples_->first_neighbour[i]; k < samples_->first_neighbour[i + 1]; ++k) {
@@ -231,14 +250,14 @@ bool Proximity::lowest_of_neighbours(int sample) const {
 /// Whether the gap at a sample agrees with the curvature at a known minimum. A second minimum of the same depth lowers
 /// the samples next to it by more: it lies where the bowl has risen by at least 1/800 of the spacing.
 bool Proximity::slopes_to_known(int sample) const {
-  for (std::size_t k = 0; k < raw_.size(); ++k) {
-    const SurfacePoint& from = raw_[k].contact.b;
+  for (const Descent& raw : raw_) {
+    const SurfacePoint& from = raw.minimum.contact.b;
     const Vec3 away = samples_->points[at(sample)] - from.p;
     const double distance = away.norm();
-    if (distance < kFlankNear * spacing_ || distance > kFlankFar * spacing_) continue;
+    if (distance < kFlankNear * spacing_ || distance > kFlankFar * spacing_ || !is_bowl(raw.bend)) continue;
     const Vec2 d = from.T.transpose() * away;
-    const double rise = 0.5 * d.dot(bends_[k] * d);
-    if (rise > 0 && std::abs(gap_[at(sample)] - raw_[k].gap - rise) <= kFlankShare * rise) return true;
+    const double rise = 0.5 * d.dot(raw.bend * d);
+    if (rise > 0 && std::abs(gap_[at(sample)] - raw.minimum.gap - rise) <= kFlankShare * rise) return true;
   }
   return false;
 }
@@ -257,22 +276,24 @@ void Proximity::find_minima(const Pose& X_qs, double window, ProximityScan& out)
     return std::pair(gap_[static_cast<std::size_t>(i)], i) < std::pair(gap_[static_cast<std::size_t>(j)], j);
   });
   raw_.clear();
-  bends_.clear();
   // Surfaces with more minima than this conform. Minima not examined still count through the gaps of samples.
   for (const int sample : starts_) {
     if (raw_.size() >= kMaxMinima) break;
     if (slopes_to_known(sample)) continue;
     const auto i = static_cast<std::size_t>(sample);
     const bool lowest = lowest_of_neighbours(sample);
-    const DescentLimits limits{spacing_, &raw_, kMergeDistance * spacing_, lowest ? window : kHopelessGap * spacing_,
-                               lowest ? kInfinity : kBetweenSamples * spacing_};
-    const auto descent = descend_gap(*queried_, *sampled_, X_qs, samples_->points[i], limits);
+    const DescentLimits limits{.max_step = spacing_,
+                               .known = &raw_,
+                               .same = kMergeDistance * spacing_,
+                               .bowl = kBowlFar * spacing_,
+                               .hopeless = lowest ? window : kHopelessGap * spacing_,
+                               .farthest = lowest ? kInfinity : kBetweenSamples * spacing_};
+    const auto descent = descend_from(sample, X_qs, limits);
     if (!descent || !(descent->minimum.gap < window)) continue;
     const LocalMinimum found = oriented(descent->minimum, samples_b_);
     // A minimum past the edge matters only where the surface is already reached inside its edge.
     if (descent->settled && edge_distance(found.contact) >= 0) {
-      raw_.push_back(descent->minimum);
-      bends_.push_back(is_bowl(descent->bend) ? descent->bend : Mat2::Zero());
+      raw_.push_back(*descent);
       insert_distinct(out.minima, found, kSamePoint * spacing_);
     } else if (gap_[i] < 0) {
       insert_distinct(out.edge, found, kSamePoint * spacing_);

@@ -98,6 +98,7 @@ class Proximity {
 
   Pose query_from_samples(const Pose& X_ab) const { return samples_b_ ? X_ab : X_ab.inverse(); }
   std::optional<Descent> descend(const Pose& X_qs, const Vec3& start) const;
+  std::optional<Descent> descend_from(int sample, const Pose& X_qs, const DescentLimits& limits);
   void find_minima(const Pose& X_qs, double window, ProximityScan& out);
   void find_rims(const Pose& X_qs, ProximityScan& out);
   bool lowest_of_neighbours(int sample) const;
@@ -127,13 +128,14 @@ class Proximity {
   std::vector<int> order_;
   std::vector<Group> groups_;  // the root first
   std::vector<int> open_;
-  std::vector<int> touched_;       // groups with a memory of their own or of their samples
-  std::vector<Memory> memory_;     // of each sample
-  std::vector<double> gap_;        // of each sample at the last measurement; infinity where clear
-  std::vector<int> measured_;      // the samples that have one
-  std::vector<int> starts_;        // of descents, by gap
-  std::vector<LocalMinimum> raw_;  // at the end of descents: a of the queried surface, b of the sampled one
-  std::vector<Mat2> bends_;        // second derivatives of each gap over b's tangent plane, 1/m
+  std::vector<int> touched_;    // groups with a memory of their own or of their samples
+  std::vector<Memory> memory_;  // of each sample
+  // Of each sample, where asked for: its foot on the queried surface at the last measurement, and its place on its own.
+  std::vector<std::optional<SurfacePoint>> feet_, own_;
+  std::vector<double> gap_;    // of each sample at the last measurement; infinity where clear
+  std::vector<int> measured_;  // the samples that have one
+  std::vector<int> starts_;    // of descents, by gap
+  std::vector<Descent> raw_;   // ends of descents: a of the queried surface, b of the sampled one
 };
 
 }  // namespace genu

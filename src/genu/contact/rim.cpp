@@ -67,8 +67,10 @@ double Rim::gap_at(const Pose& X_os, const Vec3& p, LocalMinimum* found) const {
   LocalMinimum here;
   if (!own_->project(p, here.contact.b)) return kNoClearance;
   const Vec3 x = X_os * here.contact.b.p;
-  const auto gap = other_->gap(x);
-  if (!gap || !other_->project(x, here.contact.a)) return kNoClearance;
+  std::optional<SurfacePoint> foot;
+  const auto gap = other_->gap_and_foot(x, foot);
+  if (!gap || (!foot && !other_->project(x, foot.emplace()))) return kNoClearance;
+  here.contact.a = *foot;
   if (here.contact.a.n.dot(X_os.R * here.contact.b.n) > kSameWayCosine) return kNoClearance;
   if (other_->edge_distance(here.contact.a.p) < 0) return kNoClearance;
   here.gap = *gap;
@@ -89,14 +91,15 @@ double Rim::look_at(Point& point, const Pose& X_os) const {
   return *gap;
 }
 
-/// By golden-section search, on the surface over the chord.
+/// By golden-section search, on the surface over the chord, as long as it may overlap.
 Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
   const Vec3 &from = points_[at(segment.from)].p, &to = points_[at(segment.to)].p;
   const auto place = [&](double t) { return Vec3(from + t * (to - from)); };
   const auto gap = [&](double t) { return gap_at(X_os, place(t), nullptr); };
   constexpr double kGoldenSection = 0.6180339887498949;
   double low = 0, high = 1, a = 1 - kGoldenSection, b = kGoldenSection, gap_a = gap(a), gap_b = gap(b);
-  for (int i = 0; i < kRimSections; ++i) {
+  const double chord = (to - from).norm();
+  for (int i = 0; i < kRimSections && std::min(gap_a, gap_b) < kRimClear * (high - low) * chord; ++i) {
     if (gap_a < gap_b) {
       high = std::exchange(b, a);
       gap_b = gap_a;

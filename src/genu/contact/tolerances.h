@@ -169,6 +169,14 @@ inline constexpr double kFlankNear = 0.5;
 /// [spacing] Farthest ones. Fails first: if too large, other minima decide.
 inline constexpr double kFlankFar = 3;
 
+/// [spacing] Distance from a known minimum within which a descent may be in its bowl. Fails first: if too large, other
+/// minima lie between.
+inline constexpr double kBowlFar = 6;
+
+/// [way, rise] Deviation from a cubic up to which the gap is that of a known minimum's bowl. Fails first: if too
+/// large, a second minimum is missed.
+inline constexpr double kBowlShare = 0.05;
+
 /// [rise] Deviation from the expected rise at which a sample belongs to the same minimum. Fails first: if too large, a
 /// second minimum is missed.
 inline constexpr double kFlankShare = 0.05;
@@ -191,6 +199,10 @@ inline constexpr double kRimDip = 0.2;
 /// [1] How far inside a rim's lowest point the gap is compared, toward the triangle's middle. Fails first: if too
 /// small, round-off decides whether contact leaves the surface.
 inline constexpr double kRimInward = 0.02;
+
+/// [its length] Gap over a piece of a rim above which it is not searched further: a gap falls by no more than the length
+/// that it is passed along. Fails first: if too small, overlap at a rim is missed.
+inline constexpr double kRimClear = 1;
 
 /// [1] Golden sections of a rim's segment (to 1e-5 of it). Fails first: if too small, the lowest place is inexact.
 inline constexpr int kRimSections = 24;

@@ -84,9 +84,17 @@ class PatchSurface final : public Surface {
 
   /// Empty past the edge: the surface there is no part of the patch, and its side says nothing.
   std::optional<double> gap(const Vec3& x) const override {
-    SurfacePoint foot;
-    if (!whole_->project(x, foot) || edge_distance(foot.p) < 0) return std::nullopt;
-    return is_global() ? foot.n.dot(x - foot.p) : whole_->gap(x);
+    std::optional<SurfacePoint> foot;
+    return gap_and_foot(x, foot);
+  }
+
+  std::optional<double> gap_and_foot(const Vec3& x, std::optional<SurfacePoint>& foot) const override {
+    if (!whole_->project(x, foot.emplace())) {
+      foot.reset();
+      return std::nullopt;
+    }
+    if (edge_distance(foot->p) < 0) return std::nullopt;
+    return is_global() ? foot->n.dot(x - foot->p) : whole_->gap(x);
   }
 
   double edge_distance(const Vec3& p) const override {

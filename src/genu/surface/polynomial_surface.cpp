@@ -77,8 +77,8 @@ SurfacePoint surface_point(const ChartJet& jet) {
 
 namespace {
 
-/// A surface given by a chart: subclass by Chart with jet(u), coordinates(x) of the point "above" x, side(x) > 0 where
-/// x is outside, and start_mesh.
+/// A surface given by a chart: subclass by Chart with coordinates(x) of the point "above" x, jet(u), false where the
+/// chart does not reach, side(x) > 0 where x is outside, and start_mesh.
 template <class Chart>
 struct ChartSurface : Chart {
   static constexpr bool kUnbounded = true;
@@ -89,25 +89,26 @@ struct ChartSurface : Chart {
   /// convex, Gauss-Newton (whose matrix is the metric, always definite); every step must lower the distance.
   bool project(const Vec3& x, SurfacePoint& out) const {
     Vec2 u;
-    if (!x.allFinite() || !this->coordinates(x, u)) return false;
-    ChartJet jet = this->jet(u);
-    double value = 0.5 * (jet.p - x).squaredNorm();
+    ChartJet jet;
+    if (!x.allFinite() || !this->coordinates(x, u) || !this->jet(u, jet)) return false;
+    double value = 0.5 * (jet.p - x).squaredNorm(), before = kUnknownStep;
     for (int k = 0, polished = 0; k < kMaxProjectionSteps; ++k) {
       const Vec3 d = jet.p - x;
       const Vec2 gradient(jet.u.dot(d), jet.v.dot(d));
-      const Vec2 step = newton_step(jet, d, gradient);
+      const auto [step, newton] = newton_step(jet, d, gradient);
       const double length = (jet.u * step.x() + jet.v * step.y()).norm();
       const double scale = jet.p.norm() + x.norm();
       if (!std::isfinite(length)) return false;
       if (length <= kProjectionBasin * scale) {
-        // Rounding hides what such a step takes off the distance, so no decrease is asked for; quadratic convergence
-        // makes the second of them the last.
+        // Rounding hides what such a step takes off the distance, so no decrease is asked for. Quadratic convergence
+        // makes the second of them the last, or the first where the one after it would be lost in rounding.
         u += step;
-        jet = this->jet(u);
-        if (++polished == 2) return accept(jet, out);
+        if (!this->jet(u, jet)) return false;
+        if (++polished == 2 || next_is_lost(length, before, newton, scale)) return accept(jet, out);
       } else if (!descend(x, u, step, gradient, value, jet)) {
         return false;
       }
+      before = newton ? length : kUnknownStep;
     }
     return false;
   }
@@ -116,8 +117,8 @@ struct ChartSurface : Chart {
   bool retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& out) const {
     const Vec3 x = from.p + from.T * ds + 0.5 * ds.dot(from.S * ds) * from.n;
     Vec2 u;
-    if (!x.allFinite() || !this->coordinates(x, u)) return false;
-    return accept(this->jet(u), out);
+    ChartJet jet;
+    return x.allFinite() && this->coordinates(x, u) && this->jet(u, jet) && accept(jet, out);
   }
 
   std::optional<double> gap(const Vec3& x) const {
@@ -132,15 +133,32 @@ struct ChartSurface : Chart {
     return out.p.allFinite() && out.n.allFinite() && out.S.allFinite();
   }
 
-  static Vec2 newton_step(const ChartJet& jet, const Vec3& d, const Vec2& gradient) {
+  /// No length of a step that quadratic convergence could be read from: the first step, or after Gauss-Newton.
+  static constexpr double kUnknownStep = 0;
+
+  /// Where convergence is quadratic, steps fall as length / before^2: whether the next one is below rounding.
+  static bool next_is_lost(double length, double before, bool newton, double scale) {
+    if (!newton || before == kUnknownStep) return false;
+    const double next = length * (length / before) * (length / before);
+    return next <= kProjectionRounding * scale;
+  }
+
+  struct Step {
+    Vec2 du;
+    bool newton;  ///< or Gauss-Newton, which converges linearly
+  };
+
+  static Step newton_step(const ChartJet& jet, const Vec3& d, const Vec2& gradient) {
     const double E = jet.u.dot(jet.u), F = jet.u.dot(jet.v), G = jet.v.dot(jet.v);
     Mat2 H;
     H << E + jet.uu.dot(d), F + jet.uv.dot(d), F + jet.uv.dot(d), G + jet.vv.dot(d);
     const double metric = E * G - F * F;
-    if (!(H.determinant() > kConvexShare * metric) || !(H(0, 0) > 0)) H << E, F, F, G;
+    const bool convex = H.determinant() > kConvexShare * metric && H(0, 0) > 0;
+    if (!convex) H << E, F, F, G;
     const double determinant = H(0, 0) * H(1, 1) - H(0, 1) * H(0, 1);
-    return Vec2(H(0, 1) * gradient.y() - H(1, 1) * gradient.x(), H(0, 1) * gradient.x() - H(0, 0) * gradient.y()) /
-           determinant;
+    return {Vec2(H(0, 1) * gradient.y() - H(1, 1) * gradient.x(), H(0, 1) * gradient.x() - H(0, 0) * gradient.y()) /
+                determinant,
+            convex};
   }
 
   /// Halves the step until the distance falls; false where none does. Moves u, value and jet only on success.
@@ -148,8 +166,8 @@ struct ChartSurface : Chart {
     double share = 1;
     for (int halvings = 0; halvings < 40; ++halvings, share *= 0.5) {
       const Vec2 next = u + share * step;
-      if (!this->contains(next)) continue;
-      const ChartJet trial = this->jet(next);
+      ChartJet trial;
+      if (!this->jet(next, trial)) continue;
       const double trial_value = 0.5 * (trial.p - x).squaredNorm();
       if (trial_value <= value + kSufficientDecrease * share * gradient.dot(step) && trial_value < value) {
         u = next;
@@ -170,18 +188,19 @@ struct CartesianChart {
     u = x.head<2>();
     return true;
   }
-  bool contains(const Vec2&) const { return true; }
   double side(const Vec3& x) const { return x.z() - P.value(x.x(), x.y()); }
 
-  ChartJet jet(const Vec2& u) const {
+  bool jet(const Vec2& u, ChartJet& out) const {
     const PolynomialJet f = P(u.x(), u.y());
-    return {{u.x(), u.y(), f.f}, {1, 0, f.x}, {0, 1, f.y}, {0, 0, f.xx}, {0, 0, f.xy}, {0, 0, f.yy}};
+    out = {{u.x(), u.y(), f.f}, {1, 0, f.x}, {0, 1, f.y}, {0, 0, f.xx}, {0, 0, f.xy}, {0, 0, f.yy}};
+    return true;
   }
 
   Mesh start_mesh(double edge, const Vec3& centre, double reach) const {
     const int n = grid_count(2 * reach, affordable_edge(edge, 4 * reach * reach));
     Mesh mesh = grid_mesh({n, false}, {n, false}, [&](double s, double t) {
-      return jet(Vec2(centre.x() + reach * (2 * s - 1), centre.y() + reach * (2 * t - 1))).p;
+      const double x = centre.x() + reach * (2 * s - 1), y = centre.y() + reach * (2 * t - 1);
+      return Vec3(x, y, P.value(x, y));
     });
     const Vec3 foot(centre.x(), centre.y(), P.value(centre.x(), centre.y()));
     keep_near(mesh, foot, 2 * reach);  // a steep polynomial may leave the neighbourhood
@@ -196,19 +215,18 @@ struct CylindricalChart {
   bool coordinates(const Vec3& x, Vec2& u) const {
     if (x.x() == 0 && x.y() == 0) return false;
     u = Vec2(std::atan2(x.y(), x.x()), x.z());
-    return P.value(u.x(), u.y()) > 0;
-  }
-  /// Where r is positive; past theta = pi the polynomial is not the surface any more, unless it turns with it.
-  bool contains(const Vec2& u) const {
-    return (!P.depends_on_x() || std::abs(u.x()) <= kPi) && P.value(u.x(), u.y()) > 0;
+    return true;
   }
   double side(const Vec3& x) const { return std::hypot(x.x(), x.y()) - P.value(std::atan2(x.y(), x.x()), x.z()); }
 
-  ChartJet jet(const Vec2& u) const {
+  /// Where r is positive; past theta = pi the polynomial is not the surface any more, unless it turns with it.
+  bool jet(const Vec2& u, ChartJet& out) const {
     const PolynomialJet r = P(u.x(), u.y());
+    if (!(r.f > 0) || (P.depends_on_x() && std::abs(u.x()) > kPi)) return false;
     const Vec3 e(std::cos(u.x()), std::sin(u.x()), 0), t(-e.y(), e.x(), 0);
-    return {r.f * e + u.y() * Vec3::UnitZ(), r.x * e + r.f * t,  r.y * e + Vec3::UnitZ(),
-            (r.xx - r.f) * e + 2 * r.x * t,  r.xy * e + r.y * t, r.yy * e};
+    out = {r.f * e + u.y() * Vec3::UnitZ(), r.x * e + r.f * t,  r.y * e + Vec3::UnitZ(),
+           (r.xx - r.f) * e + 2 * r.x * t,  r.xy * e + r.y * t, r.yy * e};
+    return true;
   }
 
   Mesh start_mesh(double edge, const Vec3& centre, double reach) const {
@@ -220,7 +238,8 @@ struct CylindricalChart {
     // An open surface stops just short of the cut at theta = pi, where rounding would choose between its two sides.
     const double end = closed ? kPi : kPi * (1 - 1e-6);
     Mesh mesh = grid_mesh({around, closed}, {along, false}, [&](double s, double t) {
-      return jet(Vec2(end * (2 * s - 1), centre.z() + reach * (2 * t - 1))).p;
+      const double theta = end * (2 * s - 1), z = centre.z() + reach * (2 * t - 1), r = P.value(theta, z);
+      return Vec3(r * std::cos(theta), r * std::sin(theta), z);
     });
     keep_near(mesh, Vec3(0, 0, centre.z()), 2 * (reach + radius));
     return mesh;

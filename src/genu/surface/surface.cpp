@@ -15,6 +15,11 @@ bool Surface::retract(const SurfacePoint& from, const Vec2& ds, SurfacePoint& ou
   return project(from.p + step, out);
 }
 
+std::optional<double> Surface::gap_and_foot(const Vec3& x, std::optional<SurfacePoint>& foot) const {
+  foot.reset();
+  return gap(x);
+}
+
 bool Surface::meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const {
   SurfacePoint foot;
   for (int iteration = 0; iteration < kMaxRaySteps; ++iteration) {

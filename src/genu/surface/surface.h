@@ -66,6 +66,9 @@ class Surface {
   /// (exact where the shape has a closed form). Empty where it is not known.
   [[nodiscard]] virtual std::optional<double> gap(const Vec3& x) const = 0;
 
+  /// gap(x), and what project(x) gives where the gap is measured from it: `foot` is empty where it is not.
+  [[nodiscard]] virtual std::optional<double> gap_and_foot(const Vec3& x, std::optional<SurfacePoint>& foot) const;
+
   /// Follows a line to the surface by Newton's method: `t` (m along the unit `direction`) is where to begin and becomes
   /// the place, `normal` the outward unit normal there. False, with both unspecified, where it does not arrive.
   [[nodiscard]] virtual bool meet(const Vec3& origin, const Vec3& direction, double& t, Vec3& normal) const;

@@ -269,6 +269,9 @@ inline constexpr int kMaxProjectionSteps = 100;
 /// digits.
 inline constexpr double kProjectionBasin = 1e-7;
 
+/// [1] Next step over the lengths met that rounding hides. Fails first: if too large, projections lose digits.
+inline constexpr double kProjectionRounding = 1e-17;
+
 /// [1] Armijo's constant. Fails first: if too large, slow projections.
 inline constexpr double kSufficientDecrease = 1e-4;
 
