@@ -182,6 +182,7 @@ TEST(LocalMinimum, EndsEarlyInTheBowlOfAKnownMinimumAndNowhereElse) {
         const SampleSet starts = b.surface->samples(2e-3, on_b.p, 0.02);
         const auto all = minima_of(*a.surface, *b.surface, X_ab, starts);
         for (const Descent& known : all) {
+          if (known.bend.norm() < 1e-9) continue;  // on a plateau every point is a minimum
           const std::vector<Descent> one{known};
           for (const Vec3& start : starts.points) {
             if ((start - known.minimum.contact.b.p).norm() > kBowl) continue;
