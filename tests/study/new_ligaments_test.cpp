@@ -200,22 +200,38 @@ TEST(NewLigaments, MakeAKneeThatBends) {
   }
 }
 
-/// Fibres that are long on the way become longer; what is said of them is a slack length then.
-TEST(NewLigaments, AreRelaxedWhereTheyStandTooTaut) {
-  const std::string& name = reference_knee().fibres.front().name;
+/// A fibre that is 30 mm long in extension and 39 mm at the end of a flexion.
+ResultTable poses_to(double flexion, const std::string& name) {
   ResultTable poses;
+  poses.add_column("knee.flexion_deg");
   poses.add_column(name + ".length_mm");
-  poses.add_column(name + ".strain");
-  for (const auto& [length, strain] : {std::pair(30.0, 0.0), std::pair(39.0, 0.3)}) {
+  for (const auto& [angle, length] : {std::pair(0.0, 30.0), std::pair(flexion, 39.0)}) {
     poses.add_row();
+    poses.set("knee.flexion_deg", angle);
     poses.set(name + ".length_mm", length);
-    poses.set(name + ".strain", strain);
   }
+  return poses;
+}
+
+/// The longest that it is strains as its bundle should; what is said of it is a slack length then.
+TEST(NewLigaments, SettleByTheirLongest) {
+  const std::string name = "LCL1";
   std::map<std::string, std::string> lengths = {{"length of " + name, "reference_strain = 0.1"}};
-  EXPECT_TRUE(relax_ligaments(poses, lengths));
-  EXPECT_EQ(lengths.begin()->second, "slack_length = 32.50");
+  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, lengths));
+  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.62");  // 39 mm at a strain of 0.065
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, lengths));
+  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.11");  // beyond 100 deg at 0.08
   std::map<std::string, std::string> none;
-  EXPECT_FALSE(relax_ligaments(poses, none));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, none));
+}
+
+TEST(NewLigaments, ReadTheLengthThatStandsThere) {
+  std::string text = "reference_strain = 0.03";
+  EXPECT_TRUE(set_slack(text, 0.03125));
+  EXPECT_EQ(text, "slack_length = 31.25");
+  EXPECT_FALSE(set_slack(text, 0.03135));  // 0.1 mm: settled
+  EXPECT_TRUE(set_slack(text, 0.0317));
 }
 
 }  // namespace

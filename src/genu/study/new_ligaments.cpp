@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "genu/study/fit_doubts.h"
+#include "genu/study/new_menisci.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {
@@ -31,20 +34,21 @@ constexpr StartLigament kLigaments[] = {
     {"MCL_posterior", {-0.50, -0.15, 0.30}, {-0.45, -0.25, -0.60}, 2500, 0.04},
 };
 
-/// What people call the bundles of the reference knee.
+/// What people call the bundles of the reference knee, and the largest strain of their fibres in passive flexion.
 struct BundleName {
   const char *name, *words;
+  double strain;
 };
-constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bundle"},
-                                   {"ACLpl", "anterior cruciate, posterolateral bundle"},
-                                   {"PCLal", "posterior cruciate, anterolateral bundle"},
-                                   {"PCLpm", "posterior cruciate, posteromedial bundle"},
-                                   {"MCLs", "medial collateral, superficial"},
-                                   {"MCLd", "medial collateral, deep"},
-                                   {"MCLp", "posteromedial capsule"},
-                                   {"LCL", "lateral collateral"},
-                                   {"PFL", "popliteofibular"},
-                                   {"pCAP", "posterior capsule"}};
+constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bundle", 0.03},
+                                   {"ACLpl", "anterior cruciate, posterolateral bundle", 0.01},
+                                   {"PCLal", "posterior cruciate, anterolateral bundle", 0.04},
+                                   {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04},
+                                   {"MCLs", "medial collateral, superficial", 0.06},
+                                   {"MCLd", "medial collateral, deep", 0.045},
+                                   {"MCLp", "posteromedial capsule", 0.03},
+                                   {"LCL", "lateral collateral", 0.065},
+                                   {"PFL", "popliteofibular", 0.05},
+                                   {"pCAP", "posterior capsule", 0.02}};
 
 Vec3 lateral_of(const KneeLayout& knee, bool left) { return left ? Vec3(-knee.right) : knee.right; }
 
@@ -78,7 +82,6 @@ std::string insertion_text(const Insertion& insertion) {
 
 /// The word in a text of ligaments for the length of one.
 std::string word_of(const std::string& fibre) { return "length of " + fibre; }
-std::string slack_text(double slack) { return fmt::format("slack_length = {:.2f}", 1e3 * slack); }
 
 std::string of_reference(const FittedKnee& fitted) {
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
@@ -100,9 +103,14 @@ std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double c
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   const std::vector<double> slack = slack_lengths(fitted, closer);
   std::map<std::string, std::string> out;
-  for (std::size_t i = 0; i < fibres.size(); ++i)
-    out[word_of(fibres[i].name)] =
-        bones ? slack_text(slack[i]) : fmt::format("reference_strain = {:g}", fibres[i].strain);
+  for (std::size_t i = 0; i < fibres.size(); ++i) {
+    std::string& text = out[word_of(fibres[i].name)];
+    if (bones)
+      set_slack(text, slack[i]);
+    else
+      text = fmt::format("reference_strain = {:g}", fibres[i].strain);
+  }
+  out.merge(slack_menisci(fitted));
   return out;
 }
 
@@ -151,32 +159,42 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched),
         fitted.femur.median + fitted.tibia.median};
   const auto [low, high] = errors_of(fitted);
-  return {of_reference(fitted),
+  return {of_reference(fitted) + menisci_text(fitted),
           lengths_of(fitted, bare ? std::max(0.0, knee.gap) : 0),
           fmt::format("Those of a measured knee (Lenhart et al. 2015), laid on your bones: {}.\n# Each end has its "
                       "error (standard deviation) beside it, {} to {} mm.",
                       fit, tenths(low), tenths(high)),
-          fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm",
+          fmt::format("{} fibres of a measured knee laid on your bones ({}), known to {} to {} mm; 4 for the menisci",
                       reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
           turned_doubt(fitted, axes_of(knee, left)),
           {},
           fitted.femur.median + fitted.tibia.median};
 }
 
-bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths) {
-  bool any = false;
-  for (const ReferenceFibre& fibre : reference_knee().fibres) {
-    if (!lengths.contains(word_of(fibre.name)) || !poses.has_column(fibre.name + ".length_mm")) continue;
-    double longest = 0, most = 0;
-    for (std::size_t row = 0; row < poses.rows(); ++row) {
-      longest = std::max(longest, 1e-3 * poses.number(row, fibre.name + ".length_mm"));
-      most = std::max(most, poses.number(row, fibre.name + ".strain"));
+bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths) {
+  bool any = round < kMeniscusRounds && settle_menisci(poses, lengths);
+  const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
+  for (const BundleName& bundle : kBundles)
+    for (const ReferenceFibre& fibre : fibres) {
+      const std::string word = word_of(fibre.name), column = fibre.name + ".length_mm";
+      if (fibre.bundle != bundle.name || !lengths.contains(word) || !poses.has_column(column)) continue;
+      double usual = 0, most = 0;
+      for (std::size_t row = 0; row < poses.rows(); ++row) {
+        const double length = 1e-3 * poses.number(row, column);
+        most = std::max(most, length);
+        if (poses.number(row, "knee.flexion_deg") <= kSettledFlexion) usual = std::max(usual, length);
+      }
+      const double slack = std::max(usual / (1 + bundle.strain), most / (1 + kMostNewStrain));
+      any = set_slack(lengths[word], slack) || any;
     }
-    if (!(most > kMostNewStrain)) continue;
-    lengths[word_of(fibre.name)] = slack_text(longest / (1 + kRelaxedStrain));
-    any = true;
-  }
   return any;
+}
+
+bool set_slack(std::string& text, double slack) {
+  const std::string_view key = "slack_length = ";
+  const double old = text.starts_with(key) ? 1e-3 * std::atof(text.c_str() + key.size()) : 0;
+  text = fmt::format("{}{:.2f}", key, 1e3 * slack);
+  return std::abs(slack - old) > kSettledLength;
 }
 
 }  // namespace genu

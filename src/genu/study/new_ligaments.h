@@ -26,9 +26,13 @@ struct NewLigaments {
 /// themselves, so that bones have no cartilage between them.
 NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare);
 
-/// Makes fibres longer that stand under more than kMostNewStrain anywhere along the poses that were found with them, so
-/// that they would not. Whether there were some.
-bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths);
+/// Settles slack lengths by the poses of passive flexion that were found with them: the largest strain of each fibre up
+/// to kSettledFlexion is then that of its bundle, 0.02 to 0.06, and beyond not above kMostNewStrain. In the first
+/// rounds (from 0) menisci settle too. Whether a length changed by more than kSettledLength.
+bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths);
+
+/// What `text` says becomes "slack_length = ..." of a length in m. Whether it changed by more than kSettledLength.
+bool set_slack(std::string& text, double slack);
 
 /// "[1.2, 3, -0.5]": mm to a tenth.
 std::string point_text(const Vec3& p);

@@ -67,7 +67,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
 
 constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
 constexpr int kWholeFlexion = 120;  // deg: with it
-constexpr int kRelaxRounds = 4;     // trials after which ligaments stay as they are
+constexpr int kSettleRounds = 8;    // trials after which ligaments stay as they are
 constexpr int kSettlingRows = 10;   // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
@@ -306,7 +306,8 @@ std::string settle(const NewScene& asked, const std::string& staged_file, const 
   auto& found = tried.found;
   found = try_out(staged_file, file, asked, true, out);
   const bool stl = asked.kind == NewScene::Kind::stl;
-  for (int round = 0; round < kRelaxRounds && found && relax_ligaments(found->poses, composed.lengths); ++round) {
+  for (int round = 0; round < kSettleRounds && found && settle_ligaments(found->poses, round, composed.lengths);
+       ++round) {
     write();
     if (error.empty()) found = try_out(staged_file, file, asked, false, out);
   }
