@@ -112,20 +112,26 @@ void gives_as_measured(const TestedKnee& intact) {
   }
 }
 
-/// What a cut changes in the direction that its ligament holds, summed over the angles, the others' cuts change less.
+/// What a cut changes in the direction that its ligament holds, in the mean of the angles, the others' cuts change
+/// less. All drawers reach 134 N, and of the other curves at most one of a cut ends (valgus at 30 deg without the MCL).
 void changes_as_textbooks_say(const std::string& file, const TestedKnee& intact) {
   std::map<std::string, TestedKnee> cut;
   for (const char* ligament : {"ACL", "PCL", "MCL", "LCL"}) {
     cut.emplace(ligament, TestedKnee(file, std::string(ligament) + "*"));
-    EXPECT_EQ(cut.at(ligament).complete(), 12u) << ligament;
+    EXPECT_GE(cut.at(ligament).complete(), 11u) << ligament;
+    for (const int flexion : kAngles)
+      EXPECT_TRUE(std::isfinite(cut.at(ligament).at(Kind::drawer, flexion).positive)) << ligament << " " << flexion;
   }
   const auto more = [&](const TestedKnee& knee, Kind kind, bool positive) {
-    double sum = 0;
+    double sum = 0, count = 0;
     for (const int flexion : kAngles) {
       const Laxity now = knee.at(kind, flexion), before = intact.at(kind, flexion);
-      sum += positive ? now.positive - before.positive : before.negative - now.negative;
+      const double change = positive ? now.positive - before.positive : before.negative - now.negative;
+      if (!std::isfinite(change)) continue;
+      sum += change;
+      count += 1;
     }
-    return sum / 4;
+    return sum / count;
   };
   struct Direction {
     const char* ligament;

@@ -20,11 +20,11 @@ struct MeniscusCondyle {
 constexpr MeniscusCondyle kCondyles[] = {{"medial", 0.9e-3, 1.0e-3, -20.5e-3}, {"lateral", -2.4e-3, 1.0e-3, 23.0e-3}};
 
 /// Where the tibia holds it, so far in front of the centre and behind it that the fibre stays nearly level. m.
-constexpr double kMeniscusReach = 0.04;
+constexpr double kMeniscusReach = 0.08;
 
-/// N at a strain of 1, and the strain up to which the force grows with its square: of 40 mm a condyle is held by
-/// 3.8 N/mm where both fibres strain by 0.05, and by 45 N where it has slid 8 mm further.
-constexpr double kMeniscusStiffness = 300, kMeniscusTransition = 0.2;
+/// N at a strain of 1, and the strain up to which the force grows with its square: of 80 mm a condyle is held by
+/// 5 N/mm where both fibres strain by 0.025, and by 60 N where it has slid 8 mm further.
+constexpr double kMeniscusStiffness = 800, kMeniscusTransition = 0.1;
 
 struct MeniscusFibre {
   std::string name;

@@ -185,7 +185,7 @@ inline constexpr int kMeniscusRounds = 3;
 
 /// [1] Strain of the fibres of menisci in the mean of passive flexion. Fails first: if too small, nothing holds a slack
 /// knee where its fibres are slack too, and laxity curves end near 0 N; if too large, menisci move the knee.
-inline constexpr double kMeniscusStrain = 0.05;
+inline constexpr double kMeniscusStrain = 0.025;
 
 /// [m] Change of a slack length below which it is settled. Fails first: if too small, trials; if too large, menisci
 /// pull where they should not.
