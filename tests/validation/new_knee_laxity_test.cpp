@@ -22,7 +22,7 @@ namespace {
 
 using test::data_path;
 
-constexpr int kAngles[] = {0, 30, 60, 90};
+constexpr int kLaxityAngles[] = {0, 30, 60, 90};
 using Kind = LaxityTest::Kind;
 
 std::string written_knee(const std::string& name, const test::TemporaryFolder& folder) {
@@ -50,7 +50,7 @@ class TestedKnee {
     LaxityChoice choice;
     choice.tests = {{Kind::drawer, 134}, {Kind::varus, 10}, {Kind::rotation, 5}};
     choice.increments = 4;
-    for (const int angle : kAngles) choice.flexions.push_back(angle / to::kDegree);
+    for (const int angle : kLaxityAngles) choice.flexions.push_back(angle / to::kDegree);
     SceneChanges changes;
     if (!cut.empty()) changes.without = {cut};
     Diagnostics out;
@@ -95,7 +95,7 @@ void bends(const std::string& file, const test::TemporaryFolder& folder) {
 
 /// In the ranges of docs/laxity.md.
 void gives_as_measured(const TestedKnee& intact) {
-  for (const int flexion : kAngles) {
+  for (const int flexion : kLaxityAngles) {
     const Laxity drawer = intact.at(Kind::drawer, flexion), varus = intact.at(Kind::varus, flexion),
                  rotation = intact.at(Kind::rotation, flexion);
     fmt::print(
@@ -119,12 +119,12 @@ void changes_as_textbooks_say(const std::string& file, const TestedKnee& intact)
   for (const char* ligament : {"ACL", "PCL", "MCL", "LCL"}) {
     cut.emplace(ligament, TestedKnee(file, std::string(ligament) + "*"));
     EXPECT_GE(cut.at(ligament).complete(), 11u) << ligament;
-    for (const int flexion : kAngles)
+    for (const int flexion : kLaxityAngles)
       EXPECT_TRUE(std::isfinite(cut.at(ligament).at(Kind::drawer, flexion).positive)) << ligament << " " << flexion;
   }
   const auto more = [&](const TestedKnee& knee, Kind kind, bool positive) {
     double sum = 0, count = 0;
-    for (const int flexion : kAngles) {
+    for (const int flexion : kLaxityAngles) {
       const Laxity now = knee.at(kind, flexion), before = intact.at(kind, flexion);
       const double change = positive ? now.positive - before.positive : before.negative - now.negative;
       if (!std::isfinite(change)) continue;

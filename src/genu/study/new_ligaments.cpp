@@ -190,6 +190,18 @@ bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string,
   return any;
 }
 
+std::string balanced_reference(const ResultTable& poses) {
+  std::string out;
+  for (const auto& [coordinate, unit] : {std::pair("adduction", "deg"), std::pair("rotation", "deg"),
+                                         std::pair("x", "mm"), std::pair("y", "mm"), std::pair("z", "mm")}) {
+    const std::string column = fmt::format("knee.{}_{}", coordinate, unit);
+    const double value = poses.rows() > 0 && poses.has_column(column) ? poses.number(0, column) : NAN;
+    if (!std::isfinite(value)) return {};
+    out += fmt::format("{}{} = {:g}", out.empty() ? "" : ", ", coordinate, std::round(100 * value) / 100 + 0.0);
+  }
+  return out;
+}
+
 bool set_slack(std::string& text, double slack) {
   const std::string_view key = "slack_length = ";
   const double old = text.starts_with(key) ? 1e-3 * std::atof(text.c_str() + key.size()) : 0;

@@ -31,6 +31,10 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
 /// rounds (from 0) menisci settle too. Whether a length changed by more than kSettledLength.
 bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths);
 
+/// What stands between the braces of `reference`: the first pose of passive flexion that was found, in balance under a
+/// small part of the load, to 0.01 mm and 0.01 deg. Empty where there is none.
+std::string balanced_reference(const ResultTable& poses);
+
 /// What `text` says becomes "slack_length = ..." of a length in m. Whether it changed by more than kSettledLength.
 bool set_slack(std::string& text, double slack);
 

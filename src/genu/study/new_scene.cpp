@@ -78,6 +78,14 @@ void ask_for_flexion(Words& words, int degrees, bool tried_further) {
                     : "";
 }
 
+/// The reference pose becomes the first one that the trial found.
+void refer_to_balance(Words& words, const Solution& found) {
+  const std::string pose = found.summary.poses_solved > 0 ? balanced_reference(found.poses) : "";
+  if (pose.empty()) return;
+  words["reference"] = pose;
+  words["reference_note"] = "In balance under a twentieth of the load, as the trial found it";
+}
+
 /// Errors name the scene as it will stand in its folder, `name`. The `first` time what is done to the meshes is told.
 std::optional<Solution> try_out(const std::string& file, const std::string& name, const NewScene& asked, bool first,
                                 Diagnostics& out) {
@@ -308,6 +316,7 @@ std::string settle(const NewScene& asked, const std::string& staged_file, const 
   const bool stl = asked.kind == NewScene::Kind::stl;
   for (int round = 0; round < kSettleRounds && found && settle_ligaments(found->poses, round, composed.lengths);
        ++round) {
+    refer_to_balance(composed.words, *found);
     write();
     if (error.empty()) found = try_out(staged_file, file, asked, false, out);
   }
