@@ -215,15 +215,32 @@ ResultTable poses_to(double flexion, const std::string& name) {
 
 /// The longest that it is strains as its bundle should; what is said of it is a slack length then.
 TEST(NewLigaments, SettleByTheirLongest) {
-  const std::string name = "LCL1";
+  const std::string name = "MCLs1";
   std::map<std::string, std::string> lengths = {{"length of " + name, "reference_strain = 0.1"}};
   EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, lengths));
-  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.62");  // 39 mm at a strain of 0.065
+  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.79");  // 39 mm at a strain of 0.06
   EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, lengths));
   EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, lengths));
   EXPECT_EQ(lengths.begin()->second, "slack_length = 36.11");  // beyond 100 deg at 0.08
   std::map<std::string, std::string> none;
   EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, none));
+}
+
+/// The reference pose is the first that was found.
+TEST(NewLigaments, ReferToTheFirstPose) {
+  ResultTable poses;
+  for (const char* column : {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm"})
+    poses.add_column(column);
+  EXPECT_EQ(balanced_reference(poses), "");
+  for (const double shift : {1.23456, 7.0}) {
+    poses.add_row();
+    poses.set("knee.adduction_deg", -0.001);
+    poses.set("knee.rotation_deg", 5.0);
+    poses.set("knee.x_mm", shift);
+    poses.set("knee.y_mm", -2.5);
+    poses.set("knee.z_mm", 0.126);
+  }
+  EXPECT_EQ(balanced_reference(poses), "adduction = 0, rotation = 5, x = 1.23, y = -2.5, z = 0.13");
 }
 
 TEST(NewLigaments, ReadTheLengthThatStandsThere) {

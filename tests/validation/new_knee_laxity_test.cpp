@@ -1,5 +1,5 @@
-// Knees that `genu new` makes of the three shared shape-model knees, bones and their cartilage, pass the standard
-// tests: passive flexion, laxity in the ranges of docs/laxity.md, and each ligament cut.
+// Knees that `genu new` makes of three shape-model knees and a measured one, bones and their cartilage, pass the
+// standard tests: passive flexion, laxity in the ranges of docs/laxity.md, and each ligament cut.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +13,7 @@
 #include "genu/study/new_scene.h"
 #include "genu/study/run_scene.h"
 #include "support/data.h"
+#include "support/leskovar.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/text.h"
@@ -25,18 +26,21 @@ using test::data_path;
 constexpr int kLaxityAngles[] = {0, 30, 60, 90};
 using Kind = LaxityTest::Kind;
 
-std::string written_knee(const std::string& name, const test::TemporaryFolder& folder) {
-  const std::string files = data_path("ssm/") + name, shifted = name == "mean" ? "_shifted" : "";
+std::string written_knee(NewScene asked, const test::TemporaryFolder& folder) {
+  asked.kind = NewScene::Kind::stl;
+  asked.folder = folder / "knee";
   Diagnostics out;
-  const auto report = write_new_scene({.kind = NewScene::Kind::stl,
-                                       .folder = folder / "knee",
-                                       .femur = files + "_Femur_Cartilage.ply",
-                                       .tibia = files + "_Tibia_Cartilage" + shifted + ".ply",
-                                       .femur_bone = files + "_Femur.ply",
-                                       .tibia_bone = files + "_Tibia" + shifted + ".ply"},
-                                      out);
+  const auto report = write_new_scene(asked, out);
   EXPECT_TRUE(report.has_value()) << test::messages(out);
   return report ? report->file : "";
+}
+
+NewScene shape_model_knee(const std::string& name) {
+  const std::string files = data_path("ssm/") + name, shifted = name == "mean" ? "_shifted" : "";
+  return {.femur = files + "_Femur_Cartilage.ply",
+          .tibia = files + "_Tibia_Cartilage" + shifted + ".ply",
+          .femur_bone = files + "_Femur.ply",
+          .tibia_bone = files + "_Tibia" + shifted + ".ply"};
 }
 
 /// The displacements of a curve at its full loads: mm or deg, towards the positive side and the other.
@@ -113,25 +117,20 @@ void gives_as_measured(const TestedKnee& intact) {
 }
 
 /// What a cut changes in the direction that its ligament holds, in the mean of the angles, the others' cuts change
-/// less. All drawers reach 134 N, and of the other curves at most one of a cut ends (valgus at 30 deg without the MCL).
+/// less. All curves are complete.
 void changes_as_textbooks_say(const std::string& file, const TestedKnee& intact) {
   std::map<std::string, TestedKnee> cut;
   for (const char* ligament : {"ACL", "PCL", "MCL", "LCL"}) {
     cut.emplace(ligament, TestedKnee(file, std::string(ligament) + "*"));
-    EXPECT_GE(cut.at(ligament).complete(), 11u) << ligament;
-    for (const int flexion : kLaxityAngles)
-      EXPECT_TRUE(std::isfinite(cut.at(ligament).at(Kind::drawer, flexion).positive)) << ligament << " " << flexion;
+    EXPECT_EQ(cut.at(ligament).complete(), 12u) << ligament;
   }
   const auto more = [&](const TestedKnee& knee, Kind kind, bool positive) {
-    double sum = 0, count = 0;
+    double sum = 0;
     for (const int flexion : kLaxityAngles) {
       const Laxity now = knee.at(kind, flexion), before = intact.at(kind, flexion);
-      const double change = positive ? now.positive - before.positive : before.negative - now.negative;
-      if (!std::isfinite(change)) continue;
-      sum += change;
-      count += 1;
+      sum += positive ? now.positive - before.positive : before.negative - now.negative;
     }
-    return sum / count;
+    return sum / 4;
   };
   struct Direction {
     const char* ligament;
@@ -153,28 +152,45 @@ void changes_as_textbooks_say(const std::string& file, const TestedKnee& intact)
   }
 }
 
-void passes(const char* name) {
+enum class Ranges { hold, are_left };
+
+void passes(const NewScene& asked, Ranges ranges = Ranges::hold) {
   const test::TemporaryFolder folder;
-  const std::string file = written_knee(name, folder);
+  const std::string file = written_knee(asked, folder);
   ASSERT_FALSE(file.empty());
   bends(file, folder);
   const TestedKnee intact(file, "");
   EXPECT_EQ(intact.complete(), 12u);
-  gives_as_measured(intact);
+  if (ranges == Ranges::hold) gives_as_measured(intact);
   changes_as_textbooks_say(file, intact);
 }
 
 TEST(NewKneeLaxity, OfTheMeanShape) {
   GENU_NEEDS_DATA("ssm/mean_Femur.ply");
-  passes("mean");
+  passes(shape_model_knee("mean"));
 }
 TEST(NewKneeLaxity, OfTheFirstKnee) {
   GENU_NEEDS_DATA("ssm/S001_Femur.ply");
-  passes("S001");
+  passes(shape_model_knee("S001"));
 }
 TEST(NewKneeLaxity, OfTheSecondKnee) {
   GENU_NEEDS_DATA("ssm/S002_Femur.ply");
-  passes("S002");
+  passes(shape_model_knee("S002"));
+}
+
+TEST(NewKneeLaxity, OfTheMeasuredKnee) {
+  GENU_NEEDS_DATA("lenhart2015/lenhart2015-R-tibia-bone.stl");
+  const std::string at = data_path("lenhart2015/");
+  passes({.femur = at + "ACLC01-R-femur-cart.stl",
+          .tibia = at + "ACLC01-R-tibia-cart.stl",
+          .femur_bone = at + "lenhart2015-R-femur-subchondral-bone.stl",
+          .tibia_bone = at + "lenhart2015-R-tibia-bone.stl"});
+}
+
+/// Bones of formulas, without eminence and cartilage: stiffer to an anterior force in extension than people are (1.6
+/// mm), laxer to varus at 60 deg (11.4 deg with valgus).
+TEST(NewKneeLaxity, OfTheDrawnBones) {
+  passes({.femur = test::kLeskovar + "femur.stl", .tibia = test::kLeskovar + "tibia.stl"}, Ranges::are_left);
 }
 
 }  // namespace

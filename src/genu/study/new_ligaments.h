@@ -27,7 +27,7 @@ struct NewLigaments {
 NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare);
 
 /// Settles slack lengths by the poses of passive flexion that were found with them: the largest strain of each fibre up
-/// to kSettledFlexion is then that of its bundle, 0.01 to 0.065, and beyond not above kMostNewStrain. In the first
+/// to kSettledFlexion is then that of its bundle, 0.015 to 0.08, and beyond not above kMostNewStrain. In the first
 /// rounds (from 0) menisci settle too. Whether a length changed by more than kSettledLength.
 bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths);
 

@@ -1,5 +1,6 @@
 #include "genu/study/new_menisci.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,12 +20,14 @@ struct MeniscusCondyle {
 };
 constexpr MeniscusCondyle kCondyles[] = {{"medial", 0.9e-3, 1.0e-3, -20.5e-3}, {"lateral", -2.4e-3, 1.0e-3, 23.0e-3}};
 
-/// Where the tibia holds it, so far in front of the centre and behind it that the fibre stays nearly level. m.
-constexpr double kMeniscusReach = 0.08;
+/// Where the tibia holds it, so far in front of the centre and behind it that the fibre stays nearly level, and 30 deg
+/// outward, as the rim is held by the capsule: a condyle is held from side to side too. m.
+constexpr double kMeniscusReach = 0.08, kMeniscusSplay = 0.046;
 
-/// N at a strain of 1, and the strain up to which the force grows with its square: of 80 mm a condyle is held by
-/// 5 N/mm where both fibres strain by 0.025, and by 60 N where it has slid 8 mm further.
-constexpr double kMeniscusStiffness = 800, kMeniscusTransition = 0.1;
+/// N at a strain of 1, and the strain up to which the force grows with its square: of 92 mm a condyle is held by
+/// 4.9 N/mm from front to back and 1.6 N/mm from side to side where both fibres strain by 0.025, and by 52 N where it
+/// has slid 8 mm further back.
+constexpr double kMeniscusStiffness = 1200, kMeniscusTransition = 0.1;
 
 struct MeniscusFibre {
   std::string name;
@@ -36,8 +39,9 @@ std::vector<MeniscusFibre> meniscus_fibres(const FittedKnee& fitted) {
     for (const auto& [horn, forward] :
          {std::pair("posterior", kMeniscusReach), std::pair("anterior", -kMeniscusReach)}) {
       const Vec3 centre(c.anterior, c.proximal, c.lateral);
+      const Vec3 rim(forward, 0, std::copysign(kMeniscusSplay, c.lateral));
       out.push_back({fmt::format("meniscus_{}_{}", c.name, horn), fitted.femur.placed(centre),
-                     fitted.tibia.placed(centre + forward * Vec3::UnitX())});
+                     fitted.tibia.placed(centre + rim)});
     }
   return out;
 }
@@ -48,9 +52,9 @@ std::string length_word(const std::string& fibre) { return "length of " + fibre;
 
 std::string menisci_text(const FittedKnee& fitted) {
   std::string out =
-      R"(# menisci: CHOSEN. They hold each condyle from front to back where the ligaments are slack, and when one is cut. They have
-# no mesh here: each is two fibres to the centre of the posterior condyle, one from the front, which holds it from
-# sliding back as the posterior horn does, and one from behind. Neutral is the mean of the passive flexion.
+      R"(# menisci: CHOSEN. They hold each condyle where the ligaments are slack, and when one is cut. They have no mesh here: each
+# is two fibres to the centre of the posterior condyle, one from the front of the rim, which holds it from sliding back
+# as the posterior horn does, and one from its rear. Neutral is the mean of the passive flexion.
 [bundle.menisci]
 fibres = "meniscus_*"
 

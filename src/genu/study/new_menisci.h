@@ -1,4 +1,4 @@
-// The menisci of a new knee, which no mesh shows: fibres that hold its condyles from front to back.
+// The menisci of a new knee, which no mesh shows: fibres that hold its condyles on the tibia.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 namespace genu {
 
 /// Tables of a scene, in the frame of the meshes: two fibres to the centre of each posterior condyle, one from the
-/// front, which holds it from sliding back as the posterior horn does, and one from behind. Their lengths are words
-/// between @.
+/// front of the rim, which holds it from sliding back as the posterior horn does, and one from its rear. Their lengths
+/// are words between @.
 std::string menisci_text(const FittedKnee& fitted);
 
 /// What stands for these words in the first trial: so long that they are slack.
