@@ -243,13 +243,5 @@ TEST(NewLigaments, ReferToTheFirstPose) {
   EXPECT_EQ(balanced_reference(poses), "adduction = 0, rotation = 5, x = 1.23, y = -2.5, z = 0.13");
 }
 
-TEST(NewLigaments, ReadTheLengthThatStandsThere) {
-  std::string text = "reference_strain = 0.03";
-  EXPECT_TRUE(set_slack(text, 0.03125));
-  EXPECT_EQ(text, "slack_length = 31.25");
-  EXPECT_FALSE(set_slack(text, 0.03135));  // 0.1 mm: settled
-  EXPECT_TRUE(set_slack(text, 0.0317));
-}
-
 }  // namespace
 }  // namespace genu

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "genu/study/new_ligaments.h"
 #include "support/text.h"
 
 namespace genu {

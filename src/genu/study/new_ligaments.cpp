@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "genu/study/fit_doubts.h"
 #include "genu/study/new_menisci.h"
+#include "genu/study/new_numbers.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {
@@ -136,15 +135,6 @@ std::pair<double, double> errors_of(const FittedKnee& fitted) {
 
 }  // namespace
 
-std::string tenths(double metres) {
-  const double mm = std::round(1e4 * metres) / 10;
-  return fmt::format("{:g}", mm == 0 ? 0.0 : mm);
-}
-
-std::string point_text(const Vec3& p) {
-  return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
-}
-
 NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare) {
   const FittedKnee fitted = fit_reference_knee(femur, tibia, axes_of(knee, left));
   const std::string fit = fmt::format("misfit {:.2g} mm on the femur, {:.2g} mm on the tibia",
@@ -202,13 +192,6 @@ std::string balanced_reference(const ResultTable& poses) {
     out += fmt::format("{}{} = {:g}", out.empty() ? "" : ", ", coordinate, std::round(100 * value) / 100 + 0.0);
   }
   return out;
-}
-
-bool set_slack(std::string& text, double slack) {
-  const std::string_view key = "slack_length = ";
-  const double old = text.starts_with(key) ? 1e-3 * std::atof(text.c_str() + key.size()) : 0;
-  text = fmt::format("{}{:.2f}", key, 1e3 * slack);
-  return std::abs(slack - old) > kSettledLength;
 }
 
 }  // namespace genu

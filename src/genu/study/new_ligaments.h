@@ -35,12 +35,4 @@ bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string,
 /// small part of the load, to 0.01 mm and 0.01 deg. Empty where there is none.
 std::string balanced_reference(const ResultTable& poses);
 
-/// What `text` says becomes "slack_length = ..." of a length in m. Whether it changed by more than kSettledLength.
-bool set_slack(std::string& text, double slack);
-
-/// "[1.2, 3, -0.5]": mm to a tenth.
-std::string point_text(const Vec3& p);
-/// mm to a tenth.
-std::string tenths(double metres);
-
 }  // namespace genu

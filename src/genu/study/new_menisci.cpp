@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {

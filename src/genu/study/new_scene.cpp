@@ -21,6 +21,7 @@
 #include "genu/study/new_edit.h"
 #include "genu/study/new_landmarks.h"
 #include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 #include "genu/study/new_picture.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/new_words.h"

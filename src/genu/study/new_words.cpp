@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/length_units.h"
-#include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 
 namespace genu {
 namespace {
