@@ -200,22 +200,47 @@ TEST(NewLigaments, MakeAKneeThatBends) {
   }
 }
 
-/// Fibres that are long on the way become longer; what is said of them is a slack length then.
-TEST(NewLigaments, AreRelaxedWhereTheyStandTooTaut) {
-  const std::string& name = reference_knee().fibres.front().name;
+/// A fibre that is 30 mm long in extension and 39 mm at the end of a flexion.
+ResultTable poses_to(double flexion, const std::string& name) {
   ResultTable poses;
+  poses.add_column("knee.flexion_deg");
   poses.add_column(name + ".length_mm");
-  poses.add_column(name + ".strain");
-  for (const auto& [length, strain] : {std::pair(30.0, 0.0), std::pair(39.0, 0.3)}) {
+  for (const auto& [angle, length] : {std::pair(0.0, 30.0), std::pair(flexion, 39.0)}) {
     poses.add_row();
+    poses.set("knee.flexion_deg", angle);
     poses.set(name + ".length_mm", length);
-    poses.set(name + ".strain", strain);
   }
+  return poses;
+}
+
+/// The longest that it is strains as its bundle should; what is said of it is a slack length then.
+TEST(NewLigaments, SettleByTheirLongest) {
+  const std::string name = "MCLs1";
   std::map<std::string, std::string> lengths = {{"length of " + name, "reference_strain = 0.1"}};
-  EXPECT_TRUE(relax_ligaments(poses, lengths));
-  EXPECT_EQ(lengths.begin()->second, "slack_length = 32.50");
+  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, lengths));
+  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.79");  // 39 mm at a strain of 0.06
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, lengths));
+  EXPECT_EQ(lengths.begin()->second, "slack_length = 36.11");  // beyond 100 deg at 0.08
   std::map<std::string, std::string> none;
-  EXPECT_FALSE(relax_ligaments(poses, none));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, none));
+}
+
+/// The reference pose is the first that was found.
+TEST(NewLigaments, ReferToTheFirstPose) {
+  ResultTable poses;
+  for (const char* column : {"knee.adduction_deg", "knee.rotation_deg", "knee.x_mm", "knee.y_mm", "knee.z_mm"})
+    poses.add_column(column);
+  EXPECT_EQ(balanced_reference(poses), "");
+  for (const double shift : {1.23456, 7.0}) {
+    poses.add_row();
+    poses.set("knee.adduction_deg", -0.001);
+    poses.set("knee.rotation_deg", 5.0);
+    poses.set("knee.x_mm", shift);
+    poses.set("knee.y_mm", -2.5);
+    poses.set("knee.z_mm", 0.126);
+  }
+  EXPECT_EQ(balanced_reference(poses), "adduction = 0, rotation = 5, x = 1.23, y = -2.5, z = 0.13");
 }
 
 }  // namespace

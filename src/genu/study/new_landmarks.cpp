@@ -12,7 +12,7 @@
 #include "genu/landmarks/landmark_names.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_doubts.h"
-#include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 #include "genu/study/tolerances.h"
 
 namespace genu {

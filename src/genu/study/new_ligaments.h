@@ -26,13 +26,13 @@ struct NewLigaments {
 /// themselves, so that bones have no cartilage between them.
 NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare);
 
-/// Makes fibres longer that stand under more than kMostNewStrain anywhere along the poses that were found with them, so
-/// that they would not. Whether there were some.
-bool relax_ligaments(const ResultTable& poses, std::map<std::string, std::string>& lengths);
+/// Settles slack lengths by the poses of passive flexion that were found with them: the largest strain of each fibre up
+/// to kSettledFlexion is then that of its bundle, 0.015 to 0.08, and beyond not above kMostNewStrain. In the first
+/// rounds (from 0) menisci settle too. Whether a length changed by more than kSettledLength.
+bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths);
 
-/// "[1.2, 3, -0.5]": mm to a tenth.
-std::string point_text(const Vec3& p);
-/// mm to a tenth.
-std::string tenths(double metres);
+/// What stands between the braces of `reference`: the first pose of passive flexion that was found, in balance under a
+/// small part of the load, to 0.01 mm and 0.01 deg. Empty where there is none.
+std::string balanced_reference(const ResultTable& poses);
 
 }  // namespace genu

@@ -21,6 +21,7 @@
 #include "genu/study/new_edit.h"
 #include "genu/study/new_landmarks.h"
 #include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 #include "genu/study/new_picture.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/new_words.h"
@@ -67,7 +68,7 @@ std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& kne
 
 constexpr int kStartFlexion = 30;   // deg: what a start without anatomy can be asked
 constexpr int kWholeFlexion = 120;  // deg: with it
-constexpr int kRelaxRounds = 4;     // trials after which ligaments stay as they are
+constexpr int kSettleRounds = 8;    // trials after which ligaments stay as they are
 constexpr int kSettlingRows = 10;   // rows of the step before it
 
 void ask_for_flexion(Words& words, int degrees, bool tried_further) {
@@ -76,6 +77,14 @@ void ask_for_flexion(Words& words, int degrees, bool tried_further) {
   words["flexion_note"] =
       tried_further ? fmt::format(": beyond {} deg the trial found no pose; better ligaments lead further", degrees)
                     : "";
+}
+
+/// The reference pose becomes the first one that the trial found.
+void refer_to_balance(Words& words, const Solution& found) {
+  const std::string pose = found.summary.poses_solved > 0 ? balanced_reference(found.poses) : "";
+  if (pose.empty()) return;
+  words["reference"] = pose;
+  words["reference_note"] = "In balance under a twentieth of the load, as the trial found it";
 }
 
 /// Errors name the scene as it will stand in its folder, `name`. The `first` time what is done to the meshes is told.
@@ -306,7 +315,9 @@ std::string settle(const NewScene& asked, const std::string& staged_file, const 
   auto& found = tried.found;
   found = try_out(staged_file, file, asked, true, out);
   const bool stl = asked.kind == NewScene::Kind::stl;
-  for (int round = 0; round < kRelaxRounds && found && relax_ligaments(found->poses, composed.lengths); ++round) {
+  for (int round = 0; round < kSettleRounds && found && settle_ligaments(found->poses, round, composed.lengths);
+       ++round) {
+    refer_to_balance(composed.words, *found);
     write();
     if (error.empty()) found = try_out(staged_file, file, asked, false, out);
   }

@@ -186,7 +186,7 @@ parent = "femur"
 child = "tibia"
 rotations = ["flexion @flexion_axis@", "adduction @adduction_axis@", "rotation @rotation_axis@"]   # in this order
 translations = ["x", "y", "z"]
-# The tibia moved until the meshes touch: where the search starts, and the pose that `reference_strain` means.
+# @reference_note@: where the search starts, and the pose that `reference_strain` means.
 reference = { @reference@ }
 # The same pose as clinicians describe it (Grood and Suntay), columns knee.gs...; origins amid the plateau.
 grood_suntay = { side = "@side@", femur = { body = "femur", proximal = @femur_proximal@, anterior = @femur_anterior@, origin = @femur_origin@ }, tibia = { body = "tibia", proximal = @tibia_proximal@, anterior = @tibia_anterior@, origin = @tibia_origin@ } }

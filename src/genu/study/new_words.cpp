@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "genu/core/length_units.h"
-#include "genu/study/new_ligaments.h"
+#include "genu/study/new_numbers.h"
 
 namespace genu {
 namespace {
@@ -66,6 +66,7 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   Eigen::Index up = 0;
   knee.proximal.cwiseAbs().maxCoeff(&up);
   w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
+  w["reference_note"] = "The tibia moved until the meshes touch";
   w["centre"] = point_text(knee.centre);
   w["femur_file"] = seen_from(asked.femur, asked.folder);
   w["tibia_file"] = seen_from(asked.tibia, asked.folder);

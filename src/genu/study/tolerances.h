@@ -171,12 +171,25 @@ inline constexpr double kEpicondylesAside = 0.8;
 /// [1] Transition strain of ligaments of common proportions. Fails first: nothing (chosen, and said to be).
 inline constexpr double kProportionTransition = 0.06;
 
-/// [1] Strain above which a fibre of a new scene is made longer. Fails first: if too small, the knee becomes lax; if
-/// too large, single fibres stand at strains at which they fail.
-inline constexpr double kMostNewStrain = 0.25;
+/// [deg] Flexion up to which fibres of a new scene reach the strain of their bundle. Fails first: if too small, fibres
+/// that are taut in deep flexion alone overload it; if too large, they leave all else slack.
+inline constexpr double kSettledFlexion = 100;
 
-/// [1] The largest strain that it then has along the same poses. Fails first: as kMostNewStrain.
-inline constexpr double kRelaxedStrain = 0.2;
+/// [1] Strain that no fibre of a new scene exceeds in passive flexion. Fails first: if too small, the knee becomes lax;
+/// if too large, single fibres carry what their bundle should.
+inline constexpr double kMostNewStrain = 0.08;
+
+/// [1] Trials in which the menisci of a new scene settle too. Fails first: if too small, they pull where they should
+/// not; if too large, knee and menisci drift together.
+inline constexpr int kMeniscusRounds = 3;
+
+/// [1] Strain of the fibres of menisci in the mean of passive flexion. Fails first: if too small, nothing holds a slack
+/// knee where its fibres are slack too, and laxity curves end near 0 N; if too large, menisci move the knee.
+inline constexpr double kMeniscusStrain = 0.025;
+
+/// [m] Change of a slack length below which it is settled. Fails first: if too small, trials; if too large, menisci
+/// pull where they should not.
+inline constexpr double kSettledLength = 2e-4;
 
 /// [deg] Turn of bones against the axes of their files that gets a warning (knees whose files have the axes of the
 /// body: 3 to 7, drawn bones: 10). Fails first: if too large, flexion is about an axis that is none, in silence.

@@ -1,0 +1,29 @@
+#include "genu/study/new_numbers.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "genu/study/tolerances.h"
+
+namespace genu {
+
+std::string tenths(double metres) {
+  const double mm = std::round(1e4 * metres) / 10;
+  return fmt::format("{:g}", mm == 0 ? 0.0 : mm);
+}
+
+std::string point_text(const Vec3& p) {
+  return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
+}
+
+bool set_slack(std::string& text, double slack) {
+  const std::string_view key = "slack_length = ";
+  const double old = text.starts_with(key) ? 1e-3 * std::atof(text.c_str() + key.size()) : 0;
+  text = fmt::format("{}{:.2f}", key, 1e3 * slack);
+  return std::abs(slack - old) > kSettledLength;
+}
+
+}  // namespace genu

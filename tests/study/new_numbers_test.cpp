@@ -1,0 +1,24 @@
+// Numbers as they stand in a new scene.
+#include "genu/study/new_numbers.h"
+
+#include <gtest/gtest.h>
+
+namespace genu {
+namespace {
+
+TEST(NewNumbers, AreToATenthOfAMillimetre) {
+  EXPECT_EQ(tenths(0.01234), "12.3");
+  EXPECT_EQ(tenths(-1e-6), "0");
+  EXPECT_EQ(point_text(Vec3(0.0012, 0.003, -0.0005)), "[1.2, 3, -0.5]");
+}
+
+TEST(NewNumbers, ReadTheLengthThatStandsThere) {
+  std::string text = "reference_strain = 0.03";
+  EXPECT_TRUE(set_slack(text, 0.03125));
+  EXPECT_EQ(text, "slack_length = 31.25");
+  EXPECT_FALSE(set_slack(text, 0.03135));  // 0.1 mm: settled
+  EXPECT_TRUE(set_slack(text, 0.0317));
+}
+
+}  // namespace
+}  // namespace genu
