@@ -7,15 +7,14 @@
 #include "genu/appraise/place.h"
 
 namespace genu {
-namespace {
-
-bool asked_for(const Prepared& prepared, const PosePoint& point) {
-  if (point.step > 0 && prepared.steps[at(point.step - 1)].arc_length) return true;
-  return std::any_of(point.target.prescribed.begin(), point.target.prescribed.end(),
-                     [](const auto& p) { return !p.drivers.empty(); });
+std::string why_unstable(const Prepared& prepared, const PosePoint& point) {
+  if (point.step > 0 && prepared.steps[at(point.step - 1)].arc_length) return "arc length follows the path there too";
+  const auto is_driven = [](const auto& p) { return !p.drivers.empty(); };
+  const auto& prescribed = point.target.prescribed;
+  return std::any_of(prescribed.begin(), prescribed.end(), is_driven)
+             ? "the load that holds the joint, kept constant, would not hold it there"
+             : "";
 }
-
-}  // namespace
 
 std::vector<std::string> unstable_sentences(const Prepared& prepared, const std::vector<PoseRecord>& records) {
   const PosePoint* first = nullptr;
@@ -24,7 +23,7 @@ std::vector<std::string> unstable_sentences(const Prepared& prepared, const std:
     const PosePoint& point = record.point;
     if (!point.solved()) continue;
     ++solved;
-    if (point.stability.verdict != Stability::Verdict::unstable || asked_for(prepared, point)) continue;
+    if (point.stability.verdict != Stability::Verdict::unstable || !why_unstable(prepared, point).empty()) continue;
     if (++unstable == 1) first = &point;
   }
   if (unstable == 0) return {};

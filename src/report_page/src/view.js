@@ -117,7 +117,8 @@ export class View {
   seeThrough() {
     this.shown.opacity.set(kWrappedKey, kWrapped);
     const carries = new Set([...this.run.contacts.map((c) => c.body_b)]), pressed = this.run.contacts.map((c) => c.body_a).filter((b) => !carries.has(b));
-    for (const body of [...pressed, ...this.hiding(new Set(pressed))]) this.shown.opacity.set(`body ${this.run.bodies[body].name}`, this.run.pressures.length > 0 ? 0.35 : 0.5);
+    for (const body of pressed) this.shown.opacity.set(`body ${this.run.bodies[body].name}`, this.run.pressures.length > 0 ? 0.35 : 0.5);
+    for (const body of this.hiding(new Set(pressed))) this.shown.opacity.set(`body ${this.run.bodies[body].name}`, 0.3);
   }
 
   /** Bodies that lie before every contact of the first row with any, from where the picture begins: a socket does. `clear`: seen through already. */
