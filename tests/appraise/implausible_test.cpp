@@ -77,6 +77,7 @@ TEST_F(Implausible, ForceOfALigament) {
 }
 
 TEST_F(Implausible, TravelOfAContactIsThatOfTheSurfaceItMovesLessOn) {
+  for (JointDef& joint : scene_.joints) joint.grood_suntay.reset();
   double most = 0;
   for (const ContactDef& contact : scene_.contacts)
     for (std::size_t row = 0; row < first_.records.size(); ++row) {
@@ -95,6 +96,36 @@ TEST_F(Implausible, TravelOfAContactIsThatOfTheSurfaceItMovesLessOn) {
     }
   EXPECT_THAT(headline(&PlausibleDef::travel, 1.001 * most), HasSubstr("Every pose is solved"));
   EXPECT_THAT(headline(&PlausibleDef::travel, 0.999 * most), HasSubstr("mm from where it began, on both surfaces"));
+}
+
+TEST_F(Implausible, TranslationsOfAKnee) {
+  const auto at_row = [&](std::size_t row) {
+    return Vec3(first_.poses.number(row, "knee.gs.lateral_mm"), first_.poses.number(row, "knee.gs.anterior_mm"),
+                first_.poses.number(row, "knee.gs.distraction_mm"));
+  };
+  double most = 0;
+  for (std::size_t row = 0; row < first_.poses.rows(); ++row)
+    most = std::max(most, (at_row(row) - at_row(0)).norm() / 1000);
+  ASSERT_GT(most, 0.01);
+  for (const double factor : {0.999, 1.001}) {  // the contacts travel farther
+    scene_.plausible.travel = factor * most;
+    const auto said = ::testing::Contains(
+        HasSubstr("oint knee is 16 mm from where it began, by Grood and Suntay's translations, at knee.flexion = "));
+    const std::vector<std::string> verdict = test::solved(scene_).summary.verdict;
+    if (factor < 1)
+      EXPECT_THAT(verdict, said);
+    else
+      EXPECT_THAT(verdict, ::testing::Not(said));
+  }
+}
+
+/// Where the origins are far away, a knee that flexes moves them by much.
+TEST_F(Implausible, TranslationsOfFarOriginsSayNothing) {
+  for (JointDef& joint : scene_.joints) {
+    joint.grood_suntay->femur.origin += Vec3(0, 0, 1);
+    joint.grood_suntay->tibia.origin += Vec3(0, 0, 1);
+  }
+  EXPECT_THAT(headline(&PlausibleDef::travel, 0.03), HasSubstr("Every pose is solved"));
 }
 
 TEST_F(Implausible, ForceOfAContactOverTheLoads) {

@@ -188,6 +188,11 @@ async function pressure(browser) {
   const flat = await page.evaluate(`(() => { const p = genu.paths.find((p) => p.maps[0]?.surface === "floor"), g = p.canvas.getContext("2d"), [x, y] = p.at(p.tracks[0].find((t) => t.row === ${row}).at);
     const d = g.getImageData(Math.round((x + 16) * p.ratio), Math.round(y * p.ratio), 1, 1).data; return [...d]; })()`);
   assert.ok(flat[1] > flat[0] || flat[2] > flat[0] + 20, `no colour of pressure in the plan: ${flat}`);
+  // A contact that is faded fades its pressure.
+  await page.evaluate('genu.shown.fade("contact foot", 0.4)');
+  assert.ok(await page.evaluate("genu.view.maps.drawn.every((d) => d.mesh.material.opacity === 0.4 && d.mesh.material.transparent)"), "faded pressure");
+  await page.evaluate('genu.shown.fade("contact foot", 1)');
+  assert.ok(await page.evaluate("genu.view.maps.drawn.every((d) => d.mesh.material.opacity === 1 && !d.mesh.material.transparent)"), "pressure as it was");
   // Hidden means not drawn, in the picture and in the plan; and back.
   await page.evaluate('genu.shown.set("contact foot", false)');
   await page.settle();
@@ -378,6 +383,20 @@ async function wrapped(browser) {
   await page.close();
 }
 
+/** The cup of a hip lies before its one contact: it is seen through, and "Show" says so. A knee's plateau is not. */
+async function socket(browser) {
+  solve("hip", join(root, "meshes/joints/hip.toml"));
+  for (const [name, seen] of [["hip", { femur: 0.5, pelvis: 0.3 }], ["knee", { femur: 0.5, tibia: 1 }]]) {
+    const page = await browser.open(join(folder, name, "report.html"), kLaptop);
+    for (const [body, opacity] of Object.entries(seen)) {
+      assert.equal(await page.evaluate(`genu.view.bodies[0].materials[genu.runs[0].bodies.findIndex((b) => b.name === "${body}")].opacity`), opacity, `${body} of the ${name}`);
+      near(await page.evaluate(`+[...document.querySelectorAll(".show .item")].find((i) => i.textContent === "${body}").querySelector("input[type=range]").value`), opacity, 1e-9, `the slider of ${body}`);
+    }
+    await quiet(page);
+    await page.close();
+  }
+}
+
 /** Measured values are rings where the file has them; the file's name is text, whatever it holds. */
 async function beside(browser) {
   const measured = written("<img src=x onerror=alert(1)>.csv", "angle,turn,tilt\n0,0.1,\n0.5,nan,-1\n1,-3,-2\n");
@@ -559,7 +578,7 @@ async function compared(browser) {
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const test of [knee, pressure, unrolled, settling, controls, wrapped, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
+  for (const test of [knee, pressure, unrolled, settling, controls, wrapped, socket, layout, beside, besideAnEqualCurve, large, words, failedRows, thinned, oneRow, motion, compared]) {
     const began = Date.now();
     try {
       await test(browser);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <limits>
 
 #include "genu/appraise/contact_location.h"
@@ -11,6 +12,7 @@
 #include "genu/appraise/layer_doubts.h"
 #include "genu/appraise/layer_verdict.h"
 #include "genu/appraise/overload.h"
+#include "genu/appraise/unstable.h"
 #include "genu/appraise/verdict.h"
 #include "genu/core/timer.h"
 
@@ -34,6 +36,16 @@ std::string capital(std::string sentence) {
 }
 
 }  // namespace
+
+std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solved, const ResultTable& poses) {
+  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
+  const auto add = [&](std::vector<std::string> sentences) {
+    std::move(sentences.begin(), sentences.end(), std::back_inserter(doubts));
+  };
+  add(unstable_sentences(prepared, solved.records));
+  add(implausible(prepared, solved.records, poses));
+  return doubts;
+}
 
 void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& s) {
   if (s.exit_code != kExitOk) {
@@ -72,9 +84,7 @@ RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved&
   say_layer_doubts(prepared, solved.records, s.verdict);
   s.hertz = hertz_checks(prepared, solved.records, poses);
   add(hertz_sentences(s.hertz));
-  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
-  for (std::string& sentence : implausible(prepared, solved.records, poses)) doubts.push_back(std::move(sentence));
-  classify(doubts, !prepared.facing.empty(), s);
+  classify(doubts_of(prepared, solved, poses), !prepared.facing.empty(), s);
   s.seconds.emplace_back("appraising", timer.seconds());
   return s;
 }

@@ -15,8 +15,12 @@ namespace genu {
 RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,
                     const NewtonOptions& newton);
 
+/// What common sense holds against a solved path, as sentences without a full stop: jumps (jumps.h), poses where the
+/// joint would not stay (unstable.h), numbers beyond the scene's limits (implausible.h).
+std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solved, const ResultTable& poses);
+
 /// Sets the class of a verdict and, where all is solved and `doubts` or what else is `doubted` remain, the exit code.
-/// The doubts (appraise/jumps.h, implausible.h) become sentences: of a solved run they come first.
+/// The doubts become sentences: of a solved run they come first.
 void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& summary);
 
 }  // namespace genu

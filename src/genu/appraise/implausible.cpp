@@ -113,6 +113,26 @@ class Implausible {
           limits_.travel);
   }
 
+  /// Of a knee by Grood and Suntay's translations, where none of the joint is prescribed: a contact that has slid off
+  /// its surface says nothing of how far the bones are. Origins far from the joint move although it only flexes.
+  void displacements(const std::vector<PoseRecord>& records) {
+    Worst worst;
+    const auto first = first_solved(records);
+    for (int j = 0; first && j < static_cast<int>(prepared_.scene.joints.size()); ++j) {
+      const JointDef& joint = prepared_.scene.joints[at(j)];
+      const auto& axes = joint.grood_suntay;
+      if (!axes || axes->patella) continue;
+      if (std::max(axes->femur.origin.norm(), axes->tibia.origin.norm()) > prepared_.model.scales.size) continue;
+      const Vec3 began = translations(*first, joint);
+      for (std::size_t row = 0; row < records.size(); ++row)
+        if (records[row].point.solved() && !translates(records[row].point.target, j))
+          worst.see((translations(row, joint) - began).norm(), row, joint.name);
+    }
+    if (worst.value > limits_.travel)
+      say("joint {} is {:.0f} mm from where it began, by Grood and Suntay's translations,", worst, to::kMillimetre,
+          "limit {:g} mm", limits_.travel);
+  }
+
   /// Cables and forces toward a point can only pull; one that holds a coordinate may be asked to push.
   void drivers(const std::vector<PoseRecord>& records) {
     Worst worst;
@@ -193,6 +213,24 @@ class Implausible {
         if (names(term.coordinate)) return false;
     }
     return beside;
+  }
+
+  /// m, by Grood and Suntay.
+  Vec3 translations(std::size_t row, const JointDef& joint) const {
+    Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i)
+      out[static_cast<Eigen::Index>(i)] = units::kMillimetre * number(row, clinical_column(joint, 3 + i));
+    return out;
+  }
+
+  /// Whether a translation of joint j is prescribed.
+  bool translates(const Target& target, int j) const {
+    const auto names = [&](const CoordinateRef& c) { return c.joint == j && c.index >= 3; };
+    return std::any_of(target.prescribed.begin(), target.prescribed.end(), [&](const auto& p) {
+      if (p.coordinate.combination < 0) return names(p.coordinate.first);
+      const auto& terms = prepared_.scene.combinations[at(p.coordinate.combination)].terms;
+      return std::any_of(terms.begin(), terms.end(), [&](const auto& term) { return names(term.coordinate); });
+    });
   }
 
   /// The mean place of a rigid pair's contacts on its first or second surface, weighted by force.
@@ -286,6 +324,7 @@ std::vector<std::string> implausible(const Prepared& prepared, const std::vector
   found.drivers(records);
   found.rotations(records);
   found.travels(records);
+  found.displacements(records);
   return found.take();
 }
 

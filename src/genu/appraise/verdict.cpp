@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "genu/appraise/place.h"
 #include "genu/appraise/shorter_sides.h"
 #include "genu/appraise/tolerances.h"
+#include "genu/appraise/unstable.h"
 
 namespace genu {
 namespace {
@@ -247,13 +249,17 @@ void say_flutter(const Prepared& prepared, const PathEvent& event, std::vector<s
 }
 
 /// The end of the sentence "... 2 of 3 stable".
-std::string of_the_others(const std::vector<PoseRecord>& records, const RunSummary& summary) {
+std::string of_the_others(const Prepared& prepared, const std::vector<PoseRecord>& records, const RunSummary& summary) {
   if (summary.poses_stable == summary.poses_solved) return ".";
-  const bool unstable = std::all_of(records.begin(), records.end(), [](const PoseRecord& r) {
+  std::set<std::string> why;
+  for (const PoseRecord& r : records) {
     const std::string verdict = to_string(r.point.stability);
-    return verdict == to_string(Stability::Verdict::stable) || verdict == to_string(Stability::Verdict::unstable);
-  });
-  return unstable ? ", the others unstable (see column `stability`)." : " (see column `stability`).";
+    if (verdict == to_string(Stability::Verdict::stable)) continue;
+    if (verdict != to_string(Stability::Verdict::unstable)) return " (see column `stability`).";
+    why.insert(why_unstable(prepared, r.point));
+  }
+  const bool one_reason = why.size() == 1 && !why.begin()->empty();
+  return fmt::format(", the others unstable{} (see column `stability`).", one_reason ? ": " + *why.begin() : "");
 }
 
 /// Changes of stability, of which there can be as many as poses: the first of them.
@@ -283,7 +289,7 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
                               summary.poses_asked));
   else if (summary.poses_solved == summary.poses_asked && summary.exit_code == 0)
     out.push_back(fmt::format("Every pose is solved and certified; {} of {} stable{}", summary.poses_stable,
-                              summary.poses_solved, of_the_others(records, summary)));
+                              summary.poses_solved, of_the_others(prepared, records, summary)));
   else if (summary.poses_solved == 0)
     out.push_back(fmt::format("0 of {} poses are solved.", summary.poses_asked));
   else

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include "genu/appraise/appraise.h"
-#include "genu/appraise/implausible.h"
-#include "genu/appraise/jumps.h"
 #include "genu/assemble/changed_scene.h"
 #include "genu/assemble/with_numbers.h"
 #include "genu/results/columns.h"
@@ -82,8 +80,7 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
   const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
   result.kept = kept_values(sweep.kept, in.main, table, solved.complete());
   count_jumps(in, solved.events, result);
-  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
-  for (std::string& sentence : implausible(prepared, solved.records, table)) doubts.push_back(std::move(sentence));
+  const std::vector<std::string> doubts = doubts_of(prepared, solved, table);
   RunSummary summary;
   summary.exit_code = solved.complete() ? kExitOk : kExitIncomplete;
   classify(doubts, !prepared.facing.empty(), summary);

@@ -93,6 +93,12 @@ class DiscMap {
   }
 }
 
+function fade(material, alpha) {
+  if (material.transparent !== alpha < 1) material.needsUpdate = true;
+  material.transparent = alpha < 1;
+  material.opacity = alpha;
+}
+
 export class Maps {
   constructor(run, shown, bodies) {
     Object.assign(this, { run, shown });
@@ -111,7 +117,10 @@ export class Maps {
   setVisible(visible) { this.visible = visible; }
 
   show(row) {
-    for (const { map, mesh } of this.drawn) mesh.visible = this.visible && this.shown.hasPair(map.contact) && this.shown.has(`body ${this.run.bodies[map.body].name}`);
+    for (const { map, mesh } of this.drawn) {
+      mesh.visible = this.visible && this.shown.hasPair(map.contact) && this.shown.has(`body ${this.run.bodies[map.body].name}`);
+      fade(mesh.material, this.shown.alphaPair(map.contact));
+    }
     for (const d of this.drawn) if (d.mesh.visible) d.show(row, this.most);
   }
 

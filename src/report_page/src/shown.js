@@ -40,6 +40,12 @@ export class Shown {
 
   tell() { for (const listener of this.listeners) listener(); }
 
+  /** How solid a pair is drawn: as its most solid region. */
+  alphaPair(name) {
+    const own = this.ofPair(name);
+    return own.length === 0 ? 1 : Math.max(...own.map((c) => this.alpha(`contact ${c.name}`)));
+  }
+
   /** What a curve stands for: "ligament ACL", "contact medial"; null where nothing in the picture. */
   keyOf(panel, series) {
     if (/^Ligament/.test(panel) && this.bundles.has(series)) return `ligament ${series}`;

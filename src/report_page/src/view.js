@@ -113,11 +113,32 @@ export class View {
     return size > 1e-6 ? size : 20;
   }
 
-  /** What presses from above is seen through, so that the contacts under it are seen. */
+  /** What presses from above is seen through, so that the contacts under it are seen; and what hides them all all the same. */
   seeThrough() {
     this.shown.opacity.set(kWrappedKey, kWrapped);
-    const carries = new Set([...this.run.contacts.map((c) => c.body_b)]);
-    for (const c of this.run.contacts) if (!carries.has(c.body_a)) this.shown.opacity.set(`body ${this.run.bodies[c.body_a].name}`, this.run.pressures.length > 0 ? 0.35 : 0.5);
+    const carries = new Set([...this.run.contacts.map((c) => c.body_b)]), pressed = this.run.contacts.map((c) => c.body_a).filter((b) => !carries.has(b));
+    for (const body of pressed) this.shown.opacity.set(`body ${this.run.bodies[body].name}`, this.run.pressures.length > 0 ? 0.35 : 0.5);
+    for (const body of this.hiding(new Set(pressed))) this.shown.opacity.set(`body ${this.run.bodies[body].name}`, 0.3);
+  }
+
+  /** Bodies that lie before every contact of the first row with any, from where the picture begins: a socket does. `clear`: seen through already. */
+  hiding(clear) {
+    const { run } = this, row = Array.from({ length: run.rows }, (_, k) => k).find((k) => run.contacts.some((c) => run.contactForce(c, k) > 0));
+    if (row === undefined) return [];
+    const toEye = this.views()[0].direction.clone().normalize(), far = 4 * this.size, from = new Vector3(), ray = new Raycaster();
+    this.bodies[0].show(row);
+    this.bodies[0].world.updateMatrixWorld(true);
+    let hiding = run.bodies.map((_, i) => i).filter((i) => !clear.has(i));
+    for (const c of run.contacts) {
+      if (hiding.length === 0) break;
+      if (!(run.contactForce(c, row) > 0)) continue;
+      const frame = this.bodies[0].groups[c.body_b].matrixWorld, pushed = from.fromArray(c.force, 3 * row).transformDirection(frame).dot(toEye);
+      ray.set(from.fromArray(c.point, 3 * row).applyMatrix4(frame).addScaledVector(toEye, far), toEye.clone().negate());
+      ray.far = 0.995 * far;
+      // The nearer of the two that touch, however thin; else what a look at the contact meets before it.
+      hiding = hiding.filter((i) => i === (pushed > 0 ? c.body_b : c.body_a) || ray.intersectObjects(this.bodies[0].groups[i].children.filter((m) => m.material === this.bodies[0].materials[i]), false).length > 0);
+    }
+    return hiding;
   }
 
   views() {
