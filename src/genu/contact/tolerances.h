@@ -200,8 +200,8 @@ inline constexpr double kRimDip = 0.2;
 /// small, round-off decides whether contact leaves the surface.
 inline constexpr double kRimInward = 0.02;
 
-/// [its length] Gap over a piece of a rim above which it is not searched further: a gap falls by no more than the length
-/// that it is passed along. Fails first: if too small, overlap at a rim is missed.
+/// [its length] Gap over a piece of a rim above which it is not searched further: a gap falls by no more than the
+/// length that it is passed along. Fails first: if too small, overlap at a rim is missed.
 inline constexpr double kRimClear = 1;
 
 /// [1] Golden sections of a rim's segment (to 1e-5 of it). Fails first: if too small, the lowest place is inexact.
