@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
+#include "genu/contact/proximity.h"
 
 namespace genu {
 namespace {
@@ -167,46 +169,89 @@ std::vector<Descent> minima_of(const Surface& A, const Surface& B, const Pose& X
   return out;
 }
 
+struct Bowls {
+  int near = 0, early = 0, rivals = 0;  ///< starts; ended early; that lead to another minimum than the known one
+};
+
+/// Whether only starts that lead to a known minimum end early, as whole descents show, with steps too small to leap
+/// into another bowl.
+void check_bowls(const std::string& name, const Surface& A, const Surface& B, const Pose& X_ab, const SampleSet& starts,
+                 Bowls& out) {
+  for (const Descent& known : minima_of(A, B, X_ab, starts)) {
+    if (known.bend.norm() < 1e-9) continue;  // on a plateau every point is a minimum
+    const std::vector<Descent> one{known};
+    DescentLimits limits{.max_step = kLongestStep};
+    limits.known = &one;
+    limits.same = 0.1 * kLongestStep;
+    limits.bowl = 6 * kLongestStep;
+    for (const Vec3& start : starts.points) {
+      if ((start - known.minimum.contact.b.p).norm() > limits.bowl) continue;
+      const auto whole = descend_gap(A, B, X_ab, start, {.max_step = 0.1 * kLongestStep});
+      if (!whole || !whole->settled) continue;
+      const double off = (whole->minimum.contact.b.p - known.minimum.contact.b.p).norm();
+      const bool early = !descend_gap(A, B, X_ab, start, limits);
+      ++out.near;
+      out.rivals += off > 2 * limits.same;
+      out.early += early;
+      EXPECT_FALSE(early && off > 2 * limits.same) << name << ": that start leads " << off << " m away";
+    }
+  }
+}
+
 TEST(LocalMinimum, EndsEarlyInTheBowlOfAKnownMinimumAndNowhereElse) {
-  // What ends in a bowl must be on its way to that minimum, as the whole descent shows, also where there are several.
   std::mt19937 random(11);
   const auto surfaces = some_surfaces();
-  constexpr double kBowl = 6 * kLongestStep;
-  int early = 0, near = 0;
+  Bowls bowls;
   for (const auto& a : surfaces)
     for (const auto& b : surfaces)
-      for (int repeat = 0; repeat < 4; ++repeat) {
+      for (int repeat = 0; repeat < 2; ++repeat) {
         const SurfacePoint on_a = test::random_point(*a.surface, random), on_b = test::random_point(*b.surface, random);
         Pose X_ab = test::touching(on_a, on_b, 0.3);
         X_ab.p += 2e-3 * on_a.n;
-        const SampleSet starts = b.surface->samples(2e-3, on_b.p, 0.02);
-        const auto all = minima_of(*a.surface, *b.surface, X_ab, starts);
-        for (const Descent& known : all) {
-          if (known.bend.norm() < 1e-9) continue;  // on a plateau every point is a minimum
-          const std::vector<Descent> one{known};
-          for (const Vec3& start : starts.points) {
-            if ((start - known.minimum.contact.b.p).norm() > kBowl) continue;
-            const DescentLimits plain{.max_step = kLongestStep};
-            DescentLimits limits = plain;
-            limits.known = &one;
-            limits.bowl = kBowl;
-            const auto whole = descend_gap(*a.surface, *b.surface, X_ab, start, plain);
-            if (!whole || !whole->settled) continue;
-            const auto limited = descend_gap(*a.surface, *b.surface, X_ab, start, limits);
-            const double off = (whole->minimum.contact.b.p - known.minimum.contact.b.p).norm();
-            ++near;
-            if (limited) continue;
-            ++early;
-            EXPECT_LT(off, 1e-5) << a.name << " under " << b.name << ": that minimum is not where this start leads";
-          }
-        }
+        check_bowls(a.name + " under " + b.name, *a.surface, *b.surface, X_ab, b.surface->samples(2e-3, on_b.p, 0.02),
+                    bowls);
       }
-  EXPECT_GT(near, 1000);
-  EXPECT_GT(early, 0.5 * near);
+  EXPECT_GT(bowls.near, 500);
+  EXPECT_GT(bowls.early, 0.5 * bowls.near);
+}
+
+TEST(LocalMinimum, TwoWellsBesideEachOtherAreTwoBowls) {
+  // z = -along / (2 apart^2) (x^2 - apart^2 / 4)^2 - across / 2 y^2: two bumps, seen from above by a plane.
+  const auto plane = make_plane({exp_rotation({3.14159265358979312, 0, 0}), Vec3::Zero()}, false);
+  Bowls bowls;
+  for (const double apart : {1e-3, 1.7e-3, 3e-3, 5e-3})
+    for (const double along : {20.0, 100.0, 500.0})
+      for (const double across : {20.0, 500.0})
+        for (const double lean : {0.0, 2e-3}) {
+          const double a = along / (2 * apart * apart), h = apart * apart / 4;
+          const auto floor = make_polynomial(
+              {},
+              {{4, 0, -a}, {2, 0, 2 * a * h}, {0, 0, -a * h * h}, {1, 0, lean * along * apart}, {0, 2, -across / 2}},
+              false);
+          check_bowls("two wells", *plane, *floor, {}, floor->samples(0.5e-3, Vec3::Zero(), 6e-3), bowls);
+        }
+  EXPECT_GT(bowls.rivals, 1000);
+  EXPECT_GT(bowls.early, 1000);
+}
+
+TEST(LocalMinimum, BothFacesOfAThinBodyInASlotAreFound) {
+  // Straight opposite of a known minimum everything is the same but the side.
+  const auto slot = make_ellipsoid({}, {0.06, 0.06, 2.51e-3}, true),
+             plate = make_ellipsoid({}, {0.02, 0.02, 2.5e-3}, false);
+  Bowls bowls;
+  check_bowls("slot", *slot, *plate, {}, plate->samples(1e-3, Vec3::Zero(), 0.1), bowls);
+  EXPECT_GT(bowls.rivals, 20);
+  EXPECT_GT(bowls.early, 20);
+  Proximity proximity(*slot, *plate, {.spacing = 1e-3, .reach = 0.1});
+  ProximityScan scan;
+  proximity.scan({}, 1e-3, scan);
+  ASSERT_EQ(scan.minima.size(), 2U);
+  for (const LocalMinimum& m : scan.minima) EXPECT_NEAR(m.gap, 1e-5, 1e-12);
 }
 
 TEST(LocalMinimum, WhatIsKnownOfItsStartChangesNothing) {
   std::mt19937 random(12);
+  int compared = 0;
   for (const auto& a : some_surfaces())
     for (const auto& b : some_surfaces()) {
       const SurfacePoint on_a = test::random_point(*a.surface, random), on_b = test::random_point(*b.surface, random);
@@ -221,7 +266,25 @@ TEST(LocalMinimum, WhatIsKnownOfItsStartChangesNothing) {
       ASSERT_EQ(asked.has_value(), told.has_value()) << a.name << ' ' << b.name;
       if (!asked || !asked->settled || !told->settled) continue;
       EXPECT_NEAR(asked->minimum.gap, told->minimum.gap, 1e-15) << a.name << ' ' << b.name;
+      ++compared;
     }
+  EXPECT_GT(compared, 12);
+}
+
+TEST(LocalMinimum, AScanRemembersNoFootOfAnotherPose) {
+  const auto plane = make_plane({}, false), ball = make_ellipsoid({}, {0.02, 0.03, 0.025}, false);
+  const Proximity::Options options{.spacing = 1e-3, .reach = 0.1};
+  const Pose here{exp_rotation({0.3, 0.2, 0}), {1e-3, 0, 0.0252}}, there{exp_rotation({0.5, -0.1, 1}), {0, 0, 0.0245}};
+  Proximity used(*plane, *ball, options), fresh(*plane, *ball, options);
+  ProximityScan scan, other;
+  std::vector<NearSample> near;
+  used.scan(there, 2e-3, scan);
+  used.near_samples(there, 2e-3, near);
+  used.scan(here, 2e-3, scan);
+  fresh.scan(here, 2e-3, other);
+  ASSERT_EQ(scan.minima.size(), other.minima.size());
+  ASSERT_FALSE(scan.minima.empty());
+  for (std::size_t k = 0; k < scan.minima.size(); ++k) EXPECT_EQ(scan.minima[k].gap, other.minima[k].gap);
 }
 
 }  // namespace

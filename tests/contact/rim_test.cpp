@@ -58,6 +58,31 @@ TEST(Rim, WhereTheGapFallsInwardIsNone) {
   EXPECT_TRUE(rims_of(*cap, *make_plane(Pose{}, false), {Mat3::Identity(), Vec3(0, 0, 0.018)}).empty());
 }
 
+TEST(Rim, OfACornerOverASheetThatEndsSoonIsFound) {
+  // Most of the segments that end at the corner are past the other's edge, where there is no gap.
+  using R = std::pair<double, double>;
+  constexpr double kSlope = 1e-3, kDeep = 1e-5, kOver = 1.2e-3;
+  Patch square;
+  square.box = {R{-kHalf, kHalf}, R{-kHalf, kHalf}, std::nullopt};
+  const Pose down{Mat3(Vec3(1, -1, -1).asDiagonal()), Vec3::Zero()};
+  const auto own = make_patch(make_plane(down, false), down, square, {true, true, false});
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const Vec3 corner(x * kHalf, y * kHalf, 0);
+      Patch end;  // from kOver inside the corner outward
+      const auto outward = [&](double sign) {
+        return sign > 0 ? R{kHalf - kOver, 3 * kHalf} : R{-3 * kHalf, kOver - kHalf};
+      };
+      end.box = {outward(x), outward(y), std::nullopt};
+      const auto other = make_patch(make_plane(Pose{}, false), Pose{}, end, {true, true, false});
+      const Mat3 lean = exp_rotation(kSlope * Vec3(-y, x, 0).normalized());
+      const auto minima = rims_of(*own, *other, {lean, corner - lean * corner - Vec3(0, 0, kDeep)});
+      ASSERT_FALSE(minima.empty()) << x << ' ' << y;
+      for (const LocalMinimum& m : minima) EXPECT_NEAR(m.gap, -kDeep, 1e-3 * kDeep) << x << ' ' << y;
+      EXPECT_EQ(minima.size(), 2U) << "both sides of the corner";
+    }
+}
+
 TEST(Rim, SurfacesWithoutEdgesHaveNone) {
   const auto plane = make_plane(Pose{}, false);
   EXPECT_TRUE(Rim(*make_sphere(Pose{}, kRollerRadius, false), *plane, 1e-3, Vec3::Zero(), 0.1).empty());

@@ -79,17 +79,18 @@ double least_of_model(const GapJet& jet) { return 0.5 * jet.gradient.dot(jet.hes
 /// Whether a descent from here ends at a known minimum at the way -d: whether the gap between is the cubic that both
 /// ends agree on, convex at both. With the mean H of the curvatures there and here, a cubic has the slope H d here;
 /// what it rises by is d . (H_there / 3 + H_here / 6) d. Ways and not slopes are compared, so that the flattest
-/// direction counts as much as the steepest.
-bool in_bowl(const GapJet& jet, const Descent& known, double far) {
+/// direction counts as much as the steepest; as everywhere, the end must be within `same` of the minimum.
+bool in_bowl(const GapJet& jet, const Descent& known, const DescentLimits& limits) {
   const SurfacePoint& low = known.minimum.contact.b;
   const Vec3 away = jet.b.p - low.p;
-  if (away.squaredNorm() > far * far) return false;
+  if (away.squaredNorm() > limits.bowl * limits.bowl || !(jet.b.n.dot(low.n) > 0))
+    return false;  // not through a thin body
   const Vec2 d = jet.b.T.transpose() * away;
   const Mat2 turn = jet.b.T.transpose() * low.T, there = turn * known.bend * turn.transpose();
   const double rise = d.dot(there * d) / 3 + d.dot(jet.hessian * d) / 6;
   const Mat2 mean = 0.5 * (there + jet.hessian);
-  if (!(rise > 0) || !(there.determinant() > 0) || !(mean.determinant() > 0)) return false;
-  return (mean.inverse() * jet.gradient - d).norm() <= kBowlShare * d.norm() &&
+  if (!(rise > 0) || !(there.determinant() > 0) || !(there.trace() > 0) || !(mean.determinant() > 0)) return false;
+  return (mean.inverse() * jet.gradient - d).norm() <= std::min(kBowlShare * d.norm(), limits.same) &&
          std::abs(jet.value - known.minimum.gap - rise) <= kBowlShare * rise;
 }
 
@@ -97,7 +98,7 @@ bool in_bowl(const GapJet& jet, const Descent& known, double far) {
 bool leads_to_known(const GapJet& jet, const Vec2& step, const DescentLimits& limits) {
   if (limits.known == nullptr) return false;
   if (is_convex(jet) && std::any_of(limits.known->begin(), limits.known->end(),
-                                    [&](const Descent& d) { return in_bowl(jet, d, limits.bowl); }))
+                                    [&](const Descent& d) { return in_bowl(jet, d, limits); }))
     return true;
   const bool plateau = jet.gradient.norm() <= 1e-12 && jet.hessian.norm() * limits.same <= 1e-9;
   if (plateau) {

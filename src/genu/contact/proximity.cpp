@@ -255,6 +255,7 @@ bool Proximity::slopes_to_known(int sample) const {
     const Vec3 away = samples_->points[at(sample)] - from.p;
     const double distance = away.norm();
     if (distance < kFlankNear * spacing_ || distance > kFlankFar * spacing_ || !is_bowl(raw.bend)) continue;
+    if (!(samples_->normals[at(sample)].dot(from.n) > 0)) continue;  // through a thin body
     const Vec2 d = from.T.transpose() * away;
     const double rise = 0.5 * d.dot(raw.bend * d);
     if (rise > 0 && std::abs(gap_[at(sample)] - raw.minimum.gap - rise) <= kFlankShare * rise) return true;

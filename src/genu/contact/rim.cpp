@@ -91,7 +91,8 @@ double Rim::look_at(Point& point, const Pose& X_os) const {
   return *gap;
 }
 
-/// By golden-section search, on the surface over the chord, as long as it may overlap.
+/// By golden-section search, on the surface over the chord, as long as it may overlap. Where both gaps are unknown the
+/// lower end is where to go.
 Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
   const Vec3 &from = points_[at(segment.from)].p, &to = points_[at(segment.to)].p;
   const auto place = [&](double t) { return Vec3(from + t * (to - from)); };
@@ -99,8 +100,11 @@ Vec3 Rim::lowest_on(const Segment& segment, const Pose& X_os) const {
   constexpr double kGoldenSection = 0.6180339887498949;
   double low = 0, high = 1, a = 1 - kGoldenSection, b = kGoldenSection, gap_a = gap(a), gap_b = gap(b);
   const double chord = (to - from).norm();
-  for (int i = 0; i < kRimSections && std::min(gap_a, gap_b) < kRimClear * (high - low) * chord; ++i) {
-    if (gap_a < gap_b) {
+  const bool from_is_lower = points_[at(segment.from)].gap < points_[at(segment.to)].gap;
+  for (int i = 0; i < kRimSections; ++i) {
+    const double least = std::min(gap_a, gap_b);
+    if (std::isfinite(least) && least >= kRimClear * (high - low) * chord) break;
+    if (std::isfinite(least) ? gap_a < gap_b : from_is_lower) {
       high = std::exchange(b, a);
       gap_b = gap_a;
       a = high - kGoldenSection * (high - low);
