@@ -114,7 +114,9 @@ class Implausible {
   }
 
   /// Of a knee by Grood and Suntay's translations, where none of the joint is prescribed: a contact that has slid off
-  /// its surface says nothing of how far the bones are. Origins far from the joint move although it only flexes.
+  /// its surface says nothing of how far the bones are. An origin off the axis of flexion moves although the knee only
+  /// flexes, so the point counts that moves least of those up to kAboveOrigin proximal of the femur's. Origins far from
+  /// the joint say nothing.
   void displacements(const std::vector<PoseRecord>& records) {
     Worst worst;
     const auto first = first_solved(records);
@@ -123,10 +125,16 @@ class Implausible {
       const auto& axes = joint.grood_suntay;
       if (!axes || axes->patella) continue;
       if (std::max(axes->femur.origin.norm(), axes->tibia.origin.norm()) > prepared_.model.scales.size) continue;
-      const Vec3 began = translations(*first, joint);
-      for (std::size_t row = 0; row < records.size(); ++row)
-        if (records[row].point.solved() && !translates(records[row].point.target, j))
-          worst.see((translations(row, joint) - began).norm(), row, joint.name);
+      Worst least{std::numeric_limits<double>::infinity(), 0, joint.name};
+      for (int above = 0; above <= kAboveOriginSteps; ++above) {
+        const double height = kAboveOrigin * above / kAboveOriginSteps;
+        Worst farthest;
+        for (std::size_t row = 0; row < records.size(); ++row)
+          if (records[row].point.solved() && !translates(records[row].point.target, j))
+            farthest.see((translations(row, joint, height) - translations(*first, joint, height)).norm(), row, "");
+        if (farthest.value < least.value) least.value = farthest.value, least.row = farthest.row;
+      }
+      worst.see(least.value, least.row, least.name);
     }
     if (worst.value > limits_.travel)
       say("joint {} is {:.0f} mm from where it began, by Grood and Suntay's translations,", worst, to::kMillimetre,
@@ -215,12 +223,14 @@ class Implausible {
     return beside;
   }
 
-  /// m, by Grood and Suntay.
-  Vec3 translations(std::size_t row, const JointDef& joint) const {
+  /// m, by Grood and Suntay, with the femur's origin `height` (m) farther proximal: flexion takes that point back,
+  /// which counts as the tibia's way forward, and lowers it.
+  Vec3 translations(std::size_t row, const JointDef& joint, double height) const {
     Vec3 out;
     for (std::size_t i = 0; i < 3; ++i)
       out[static_cast<Eigen::Index>(i)] = units::kMillimetre * number(row, clinical_column(joint, 3 + i));
-    return out;
+    const double flexion = units::kDegree * number(row, clinical_column(joint, 0));
+    return out + height * Vec3(0, std::sin(flexion), std::cos(flexion));
   }
 
   /// Whether a translation of joint j is prescribed.

@@ -110,4 +110,13 @@ inline constexpr double kNearFlaw = 3;
 /// late; if too large, runs of wrapped paths take longer.
 inline constexpr std::size_t kRowsForSides = 8;
 
+// implausible
+
+/// [m] How far proximal of a femur's origin its axis of flexion may be. Fails first: if too small, knees that only flex
+/// are doubted; if too large, dislocations forward and upward are not.
+inline constexpr double kAboveOrigin = 0.03;
+
+/// [1] Points looked at between. Fails first: if too small, the one that moves least is missed.
+inline constexpr int kAboveOriginSteps = 6;
+
 }  // namespace genu
