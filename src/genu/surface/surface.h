@@ -66,7 +66,8 @@ class Surface {
   /// (exact where the shape has a closed form). Empty where it is not known.
   [[nodiscard]] virtual std::optional<double> gap(const Vec3& x) const = 0;
 
-  /// gap(x), and what project(x) gives where the gap is measured from it: `foot` is empty where it is not.
+  /// gap(x), and in `foot` what project(x) gives, where that was found on the way; it may be there without a gap (past
+  /// the edge of a patch), and is empty where it was not asked for.
   [[nodiscard]] virtual std::optional<double> gap_and_foot(const Vec3& x, std::optional<SurfacePoint>& foot) const;
 
   /// Follows a line to the surface by Newton's method: `t` (m along the unit `direction`) is where to begin and becomes
