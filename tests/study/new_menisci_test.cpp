@@ -48,5 +48,19 @@ TEST(NewMenisci, AreNeutralInTheMeanOfTheFlexion) {
   EXPECT_FALSE(settle_menisci(poses, lengths));
 }
 
+TEST(NewMenisci, SettleByTheRowsThatAreSolved) {
+  auto lengths = slack_menisci(raised_reference());
+  const std::string name = "meniscus_medial_posterior";
+  ResultTable poses;
+  poses.add_column(name + ".length_mm");
+  poses.add_row();
+  EXPECT_FALSE(settle_menisci(poses, lengths)) << "there is none";
+  EXPECT_EQ(lengths.at("length of " + name), "slack_length = 184.61");
+  poses.add_row();
+  poses.set(name + ".length_mm", 42.0);
+  EXPECT_TRUE(settle_menisci(poses, lengths));
+  EXPECT_EQ(lengths.at("length of " + name), "slack_length = 40.98");
+}
+
 }  // namespace
 }  // namespace genu

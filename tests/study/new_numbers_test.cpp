@@ -1,4 +1,4 @@
-// Numbers as they stand in a new scene.
+// Numbers as a new scene has them.
 #include "genu/study/new_numbers.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,17 @@ TEST(NewNumbers, AreToATenthOfAMillimetre) {
   EXPECT_EQ(tenths(0.01234), "12.3");
   EXPECT_EQ(tenths(-1e-6), "0");
   EXPECT_EQ(point_text(Vec3(0.0012, 0.003, -0.0005)), "[1.2, 3, -0.5]");
+}
+
+TEST(NewNumbers, LengthsAreThoseOfSolvedRows) {
+  ResultTable poses;
+  poses.add_column("ACL.length_mm");
+  poses.add_row();
+  poses.add_row();
+  poses.set("ACL.length_mm", 31.5);
+  EXPECT_FALSE(length_in(poses, 0, "ACL"));
+  EXPECT_DOUBLE_EQ(length_in(poses, 1, "ACL").value(), 0.0315);
+  EXPECT_FALSE(length_in(poses, 1, "PCL"));
 }
 
 TEST(NewNumbers, ReadTheLengthThatStandsThere) {

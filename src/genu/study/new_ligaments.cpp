@@ -81,9 +81,6 @@ std::string insertion_text(const Insertion& insertion) {
                      insertion.given.empty() ? "" : ", by your landmark " + insertion.given);
 }
 
-/// The word in a text of ligaments for the length of one.
-std::string word_of(const std::string& fibre) { return "length of " + fibre; }
-
 std::string of_reference(const FittedKnee& fitted) {
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   std::string out;
@@ -93,7 +90,7 @@ std::string of_reference(const FittedKnee& fitted) {
       if (fibres[i].bundle == bundle.name)
         out += ligament_text(fibres[i].name, insertion_text(fitted.femur.insertions[i]),
                              insertion_text(fitted.tibia.insertions[i]), fibres[i].stiffness, fibres[i].transition,
-                             "@" + word_of(fibres[i].name) + "@");
+                             "@" + length_word(fibres[i].name) + "@");
   }
   return out;
 }
@@ -105,7 +102,7 @@ std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double c
   const std::vector<double> slack = slack_lengths(fitted, closer);
   std::map<std::string, std::string> out;
   for (std::size_t i = 0; i < fibres.size(); ++i) {
-    std::string& text = out[word_of(fibres[i].name)];
+    std::string& text = out[length_word(fibres[i].name)];
     if (bones)
       set_slack(text, slack[i]);
     else
@@ -168,14 +165,16 @@ bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string,
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   for (const BundleName& bundle : kBundles)
     for (const ReferenceFibre& fibre : fibres) {
-      const std::string word = word_of(fibre.name), column = fibre.name + ".length_mm";
-      if (fibre.bundle != bundle.name || !lengths.contains(word) || !poses.has_column(column)) continue;
+      const std::string word = length_word(fibre.name);
+      if (fibre.bundle != bundle.name || !lengths.contains(word)) continue;
       double usual = 0, most = 0;
       for (std::size_t row = 0; row < poses.rows(); ++row) {
-        const double length = 1e-3 * poses.number(row, column);
-        most = std::max(most, length);
-        if (poses.number(row, "knee.flexion_deg") <= kSettledFlexion) usual = std::max(usual, length);
+        const auto length = length_in(poses, row, fibre.name);
+        if (!length) continue;
+        most = std::max(most, *length);
+        if (poses.number(row, "knee.flexion_deg") <= kSettledFlexion) usual = std::max(usual, *length);
       }
+      if (most == 0) continue;
       const double slack = std::max(usual / (1 + bundle.strain), most / (1 + kMostNewStrain));
       any = set_slack(lengths[word], slack) || any;
     }

@@ -46,8 +46,6 @@ std::vector<MeniscusFibre> meniscus_fibres(const FittedKnee& fitted) {
   return out;
 }
 
-std::string length_word(const std::string& fibre) { return "length of " + fibre; }
-
 }  // namespace
 
 std::string menisci_text(const FittedKnee& fitted) {
@@ -77,11 +75,13 @@ std::map<std::string, std::string> slack_menisci(const FittedKnee& fitted) {
 bool settle_menisci(const ResultTable& poses, std::map<std::string, std::string>& lengths) {
   bool any = false;
   for (auto& [word, text] : lengths) {
-    const std::string fibre = word.substr(length_word("").size()), column = fibre + ".length_mm";
-    if (!fibre.starts_with("meniscus_") || !poses.has_column(column) || poses.rows() == 0) continue;
+    const std::string fibre = word.substr(length_word("").size());
+    if (!fibre.starts_with("meniscus_")) continue;
     double sum = 0;
-    for (std::size_t row = 0; row < poses.rows(); ++row) sum += 1e-3 * poses.number(row, column);
-    any = set_slack(text, sum / static_cast<double>(poses.rows()) / (1 + kMeniscusStrain)) || any;
+    int known = 0;
+    for (std::size_t row = 0; row < poses.rows(); ++row)
+      if (const auto length = length_in(poses, row, fibre)) sum += *length, ++known;
+    if (known > 0) any = set_slack(text, sum / known / (1 + kMeniscusStrain)) || any;
   }
   return any;
 }

@@ -19,6 +19,14 @@ std::string point_text(const Vec3& p) {
   return fmt::format("[{}, {}, {}]", tenths(p.x()), tenths(p.y()), tenths(p.z()));
 }
 
+std::string length_word(const std::string& fibre) { return "length of " + fibre; }
+
+std::optional<double> length_in(const ResultTable& poses, std::size_t row, const std::string& fibre) {
+  const std::string column = fibre + ".length_mm";
+  const double length = poses.has_column(column) ? poses.number(row, column) : NAN;
+  return std::isfinite(length) ? std::optional(1e-3 * length) : std::nullopt;
+}
+
 bool set_slack(std::string& text, double slack) {
   const std::string_view key = "slack_length = ";
   const double old = text.starts_with(key) ? 1e-3 * std::atof(text.c_str() + key.size()) : 0;
