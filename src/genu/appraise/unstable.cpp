@@ -7,6 +7,7 @@
 #include "genu/appraise/place.h"
 
 namespace genu {
+
 std::string why_unstable(const Prepared& prepared, const PosePoint& point) {
   if (point.step > 0 && prepared.steps[at(point.step - 1)].arc_length) return "arc length follows the path there too";
   const auto is_driven = [](const auto& p) { return !p.drivers.empty(); };

@@ -11,8 +11,7 @@ namespace genu {
 
 /// Why the scene asks for unstable poses there, in words for the first sentence of the verdict; empty where it does
 /// not. A step controlled by arc length follows its path round limit points. Loads of unknown factor that hold a
-/// coordinate
-/// (`drive`) are kept constant for the stability.
+/// coordinate (`drive`) are kept constant for the stability.
 std::string why_unstable(const Prepared& prepared, const PosePoint& point);
 
 /// "12 of 91 poses are unstable, the first at knee.flexion = 34 deg: ...", without a full stop; nothing where no pose

@@ -30,7 +30,7 @@ struct Descent {
 struct DescentLimits {
   double max_step = 1e-3;  ///< m: the trust region
   /// Known minima (their points of B, frame of b). A descent whose model leads to within `same` (m) of one of them
-  /// ends, and one that stands in the bowl of one (in_bowl) within `bowl` (m).
+  /// ends, and one that is in the bowl of one (in_bowl) within `bowl` (m).
   const std::vector<Descent>* known = nullptr;
   double same = 0, bowl = 0;
   /// A convex model with a minimum above this gap (m) at the start ends the descent.

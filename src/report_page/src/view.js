@@ -113,7 +113,7 @@ export class View {
     return size > 1e-6 ? size : 20;
   }
 
-  /** What presses from above is seen through, so that the contacts under it are seen; and what hides them all all the same. */
+  /** What presses from above is seen through, so that the contacts under it are seen; and so is what hides them all. */
   seeThrough() {
     this.shown.opacity.set(kWrappedKey, kWrapped);
     const carries = new Set([...this.run.contacts.map((c) => c.body_b)]), pressed = this.run.contacts.map((c) => c.body_a).filter((b) => !carries.has(b));
