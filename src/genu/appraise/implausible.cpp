@@ -1,6 +1,7 @@
 #include "genu/appraise/implausible.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -125,13 +126,15 @@ class Implausible {
       const auto& axes = joint.grood_suntay;
       if (!axes || axes->patella) continue;
       if (std::max(axes->femur.origin.norm(), axes->tibia.origin.norm()) > prepared_.model.scales.size) continue;
+      const ClinicalColumns columns = clinical_columns(joint);
       Worst least{std::numeric_limits<double>::infinity(), 0, joint.name};
       for (int above = 0; above <= kAboveOriginSteps; ++above) {
         const double height = kAboveOrigin * above / kAboveOriginSteps;
+        const Vec3 began = translations(*first, columns, height);
         Worst farthest;
         for (std::size_t row = 0; row < records.size(); ++row)
           if (records[row].point.solved() && !translates(records[row].point.target, j))
-            farthest.see((translations(row, joint, height) - translations(*first, joint, height)).norm(), row, "");
+            farthest.see((translations(row, columns, height) - began).norm(), row, "");
         if (farthest.value < least.value) least.value = farthest.value, least.row = farthest.row;
       }
       worst.see(least.value, least.row, least.name);
@@ -184,12 +187,12 @@ class Implausible {
                                where_(worst.row), fmt::format(fmt::runtime(limit), bound_unit * bound)));
   }
 
-  /// NaN also where the table lacks the column.
   /// Where it is in the table; none where it is not.
   using Column = std::optional<std::size_t>;
   Column column(const std::string& name) const {
     return table_.has_column(name) ? Column(table_.column_index(name)) : std::nullopt;
   }
+  /// NaN also where the table lacks the column.
   double number(std::size_t row, const Column& column) const {
     const double* const value = column ? std::get_if<double>(&table_.at(row, *column)) : nullptr;
     return value != nullptr ? *value : std::numeric_limits<double>::quiet_NaN();
@@ -223,14 +226,22 @@ class Implausible {
     return beside;
   }
 
+  struct ClinicalColumns {
+    Column flexion;
+    std::array<Column, 3> translations;
+  };
+  ClinicalColumns clinical_columns(const JointDef& joint) const {
+    return {column(clinical_column(joint, 0)),
+            {column(clinical_column(joint, 3)), column(clinical_column(joint, 4)), column(clinical_column(joint, 5))}};
+  }
+
   /// m, by Grood and Suntay, with the femur's origin `height` (m) farther proximal: flexion takes that point back,
   /// which counts as the tibia's way forward, and lowers it.
-  Vec3 translations(std::size_t row, const JointDef& joint, double height) const {
-    Vec3 out;
-    for (std::size_t i = 0; i < 3; ++i)
-      out[static_cast<Eigen::Index>(i)] = units::kMillimetre * number(row, clinical_column(joint, 3 + i));
-    const double flexion = units::kDegree * number(row, clinical_column(joint, 0));
-    return out + height * Vec3(0, std::sin(flexion), std::cos(flexion));
+  Vec3 translations(std::size_t row, const ClinicalColumns& columns, double height) const {
+    const auto& [x, y, z] = columns.translations;
+    const double flexion = units::kDegree * number(row, columns.flexion);
+    return units::kMillimetre * Vec3(number(row, x), number(row, y), number(row, z)) +
+           height * Vec3(0, std::sin(flexion), std::cos(flexion));
   }
 
   /// Whether a translation of joint j is prescribed.
