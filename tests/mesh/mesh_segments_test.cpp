@@ -1,6 +1,7 @@
 // Rings and horseshoes cut across: closed pieces whose volumes add up, equal lengths, and sections in closed form.
 #include "genu/mesh/mesh_segments.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,11 @@ namespace genu {
 namespace {
 
 constexpr double kR = 0.02, kA = 0.005, kB = 0.003;  // m: a ring of elliptic section
+
+Vec3 unit_normal(const Mesh& mesh, const std::array<int, 3>& t) {
+  const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
+  return (b - a).cross(c - a).normalized();
+}
 
 /// From angle 0 to `turn`, closed by flat ends below a whole turn.
 Mesh bent_rod(double turn, int around, int along, const Pose& place) {
@@ -107,7 +113,22 @@ TEST(MeshSegments, SidesFaceAlongTheAxisAndAgainstIt) {
     EXPECT_EQ(connected_components(p.below).count, 1);
     for (const Vec3& v : p.above.vertices) EXPECT_GT(v.z(), -1e-4);
     for (const Vec3& v : p.below.vertices) EXPECT_LT(v.z(), 1e-4);
+    for (const auto& [side, sign] : {std::pair(&p.above, 1.0), std::pair(&p.below, -1.0)})
+      for (const auto& t : side->triangles) EXPECT_GT(sign * unit_normal(*side, t).z(), 0.5);  // the wall is of neither
   }
+}
+
+TEST(MeshSegments, ADentInASideIsNoHole) {
+  Mesh dented = bent_rod(1.4 * M_PI, 40, 100, {});
+  for (std::size_t row = 5; row < 100; row += 10) {
+    Vec3& top = dented.vertices[40 * row + 10];
+    ASSERT_NEAR(top.z(), kB, 1e-12);
+    top.z() -= 0.8 * kB;
+  }
+  const MeshSegments cut = segment_mesh(dented, 6);
+  ASSERT_EQ(cut.problem, "");
+  for (std::size_t k = 1; k + 1 < cut.pieces.size(); ++k)
+    EXPECT_EQ(boundary_loops(cut.pieces[k].above, mesh_edges(cut.pieces[k].above)).size(), 1u) << "piece " << k;
 }
 
 TEST(MeshSegments, SaysWhyThereAreNoPieces) {

@@ -217,35 +217,59 @@ Mesh closed(Mesh mesh, const Vec3& normal, std::string& problem) {
   return mesh;
 }
 
+/// A triangle's part of the surface: what faces up or down is touched by bones, the wall is not.
+enum class Side : unsigned char { above, below, wall };
+
 /// The triangles of one side, with all vertices.
-Mesh part_of(const Mesh& mesh, const std::vector<char>& above, char side) {
+Mesh part_of(const Mesh& mesh, const std::vector<Side>& sides, Side side) {
   Mesh out;
   out.vertices = mesh.vertices;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
-    if (above[k] == side) out.triangles.push_back(mesh.triangles[k]);
+    if (sides[k] == side) out.triangles.push_back(mesh.triangles[k]);
   return out;
 }
 
-/// Only the largest connected part of a side stays one: scraps of a rim, and holes, go to the other.
-void turn_scraps(const Mesh& mesh, char side, std::vector<char>& above) {
-  const Components parts = connected_components(part_of(mesh, above, side));
+/// Turns scraps of a side over to the side that borders on most of their edges. Of those that bones touch only the
+/// largest connected part is none; of the wall, which has parts within and without, all that is no hole in a side.
+void turn_scraps(const Mesh& mesh, const std::vector<MeshEdge>& edges, Side side, std::vector<Side>& sides) {
+  const Components parts = connected_components(part_of(mesh, sides, side));
+  std::vector<int> part(sides.size(), -1);
+  for (std::size_t k = 0, n = 0; k < sides.size(); ++k)
+    if (sides[k] == side) part[k] = parts.of_triangle[n++];
   std::vector<long> sizes(at(parts.count), 0);
-  for (const int part : parts.of_triangle) ++sizes[at(part)];
+  for (const int p : parts.of_triangle) ++sizes[at(p)];
   const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
-  auto part = parts.of_triangle.begin();
-  for (char& is : above)
-    if (is == side && *part++ != largest) is = side != 0 ? 0 : 1;
+  std::vector<std::array<int, 3>> beside(at(parts.count), {0, 0, 0});  // edges to each side
+  std::vector<char> open(at(parts.count), 0);
+  for (const MeshEdge& e : edges)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int p = e.t[i] < 0 ? -1 : part[at(e.t[i])];
+      if (p < 0) continue;
+      if (e.count != 2)
+        open[at(p)] = 1;
+      else if (const Side other = sides[at(e.t[1 - i])]; other != side)
+        ++beside[at(p)][static_cast<std::size_t>(other)];
+    }
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (part[k] < 0) continue;
+    const auto& [above, below, wall] = beside[at(part[k])];
+    const bool hole = open[at(part[k])] == 0 && (above == 0 || below == 0);
+    if (side == Side::wall ? !hole : part[k] == largest) continue;
+    sides[k] = wall >= std::max(above, below) ? Side::wall : above > below ? Side::above : Side::below;
+  }
 }
 
-/// For each triangle whether it belongs to the side that faces along `direction`.
-std::vector<char> upper_side(const Mesh& mesh, const Vec3& direction) {
-  std::vector<char> out;
+/// Of each triangle.
+std::vector<Side> sides_of(const Mesh& mesh, const Vec3& up) {
+  std::vector<Side> out;
   for (const auto& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[at(t[0])], &b = mesh.vertices[at(t[1])], &c = mesh.vertices[at(t[2])];
-    out.push_back(direction.dot((b - a).cross(c - a)) > 0 ? 1 : 0);
+    const Vec3 normal = (b - a).cross(c - a);
+    const double rise = up.dot(normal), steepest = kSteepestSide * normal.norm();
+    out.push_back(rise > steepest ? Side::above : rise < -steepest ? Side::below : Side::wall);
   }
-  turn_scraps(mesh, 1, out);
-  turn_scraps(mesh, 0, out);
+  const std::vector<MeshEdge> edges = mesh_edges(mesh);
+  for (const Side side : {Side::above, Side::below, Side::wall}) turn_scraps(mesh, edges, side, out);
   return out;
 }
 
@@ -253,9 +277,9 @@ MeshPiece piece_between(const Mesh& mesh, const Round& round, double from, doubl
   MeshPiece out;
   const Vec3 behind = round.tangent(from), ahead = -round.tangent(to);
   const Mesh surface = in_front(in_front(mesh, round, behind), round, ahead);
-  const std::vector<char> above = upper_side(surface, round.axis);
-  out.above = part_of(surface, above, 1);
-  out.below = part_of(surface, above, 0);
+  const std::vector<Side> sides = sides_of(surface, round.axis);
+  out.above = part_of(surface, sides, Side::above);
+  out.below = part_of(surface, sides, Side::below);
   drop_unused_vertices(out.above);
   drop_unused_vertices(out.below);
   out.mesh = closed(in_front(closed(in_front(mesh, round, behind), behind, problem), round, ahead), ahead, problem);

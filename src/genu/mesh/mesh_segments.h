@@ -23,7 +23,7 @@ struct MeshSection {
 
 struct MeshPiece {
   Mesh mesh;          ///< closed, in the frame of the whole
-  Mesh above, below;  ///< its part of the surface that faces along the axis, and against it: what bones touch
+  Mesh above, below;  ///< its surface within 60 deg of facing along the axis, and against it: what bones touch
   double volume = 0;  ///< m^3
   Vec3 centroid;      ///< m
   double length = 0;  ///< m, along the centreline

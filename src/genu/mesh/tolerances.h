@@ -71,6 +71,11 @@ inline constexpr int kSpanBins = 1440;
 /// [points] Of the centreline. Fails first: if too small, pieces differ in length.
 inline constexpr int kCentrelinePoints = 180;
 
+/// [1] Cosine of the angle between a normal and the axis up to which a triangle is of the wall that no bone touches (60
+/// deg; published upper and lower surfaces of menisci keep to it, but for 0.7 % of one). Fails first: if too small, the
+/// wall presses sideways where a bone comes near; if too large, slopes do not carry.
+inline constexpr double kSteepestSide = 0.5;
+
 // mesh_weld
 
 /// [1] Vertices nearer than this share of the box's diagonal are welded. Fails first: if too large, thin sheets stick

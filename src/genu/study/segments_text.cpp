@@ -23,7 +23,7 @@ std::string side_text(const std::string& piece, const std::string& side, const s
   return out + fmt::format(
                    "\n[contact.{0}_{1}]\nsurfaces = [\"{2}\", \"{0}_{1}\"]\nmodel = \"cartilage\"\nmodulus = 3\n"
                    "poisson = 0.45\nthickness = 6\nlaw = \"linear\"\nquadrature = \"triangles\"\n"
-                   "cast_from = \"{0}_{1}\"\nsearch_depth = 10\n",
+                   "cast_from = \"{0}_{1}\"\n",
                    piece, side, bone);
 }
 
