@@ -3,6 +3,7 @@
 #include "genu/calibrate/laxity_experiment.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <sstream>
 
@@ -115,15 +116,16 @@ TEST_F(LaxityCalibration, DerivativesAreThoseOfDifferences) {
   EXPECT_LT(worst, 1e-5);
 }
 
-/// 0.3 mm and 0.5 deg: true lengths lie within two standard errors in 90 to 98 of 100 cases; here 5 lengths in 20
-/// draws.
+/// 0.3 mm and 0.5 deg: true lengths lie within two standard errors in 90 to 98 of 100 cases; here 3 lengths in 20
+/// draws, in the long form in 200.
 TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
   const std::string clean = table({0, 10, 20}, 4);
   const double truth[] = {1, kLengths[0], kLengths[4]};
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, 1);
   int within = 0, all = 0;
-  for (int draw = 0; draw < 20; ++draw) {
+  const int draws = std::getenv("GENU_LONG") != nullptr ? 200 : 20;
+  for (int draw = 0; draw < draws; ++draw) {
     std::istringstream lines(clean);
     std::string line, noisy = "flexion_deg,test,load_N,load_Nm,displacement_mm,displacement_deg\n";
     std::getline(lines, line);
@@ -150,6 +152,9 @@ TEST_F(LaxityCalibration, TheTruthLiesWithinTwoStandardErrors) {
   std::printf("%d of %d within two standard errors\n", within, all);
   EXPECT_GE(within, 90 * all / 100);
   EXPECT_LT(within, all);
+  if (draws == 200) {
+    EXPECT_LE(within, 98 * all / 100);
+  }
 }
 
 TEST_F(LaxityCalibration, ALigamentThatIsSlackAtTheStartIsMadeTaut) {

@@ -117,6 +117,42 @@ TEST(LeastSquares, EveryReasonToStop) {
   EXPECT_EQ(least_squares(linear(MatX::Zero(3, 1), Vec3(1, 2, 3)), VecX::Zero(1)).stop, LeastSquaresStop::flat);
 }
 
+TEST(LeastSquares, IsLeftWhereTheProblemAsksForIt) {
+  LeastSquaresProblem p = rosenbrock();
+  p.leave = [](const VecX& x) { return x[0] > -1; };
+  const LeastSquaresResult on_the_way = least_squares(p, Vec2(-1.2, 1));
+  EXPECT_EQ(on_the_way.stop, LeastSquaresStop::left);
+  EXPECT_FALSE(converged(on_the_way.stop));
+  EXPECT_GT(on_the_way.x[0], -1);
+  EXPECT_GT(on_the_way.iterations, 0);
+  const LeastSquaresResult at_once = least_squares(p, Vec2(0, 1));
+  EXPECT_EQ(at_once.stop, LeastSquaresStop::left);
+  EXPECT_EQ(at_once.iterations, 0);
+  EXPECT_EQ(at_once.x, VecX(Vec2(0, 1)));
+}
+
+/// The minimum of |x| + y at an edge, x = 0, beyond which residuals have other derivatives: steps along it become
+/// short.
+TEST(LeastSquares, CreepingAlongAnEdgeIsNoConvergence) {
+  LeastSquaresProblem p;
+  p.residuals = [](const VecX& x) { return std::optional<VecX>(Vec2(10 * std::abs(x[0] - x[1]) + 1, x[1] - 3)); };
+  p.jacobian = [](const VecX& x) {
+    const double side = x[0] > x[1] ? 10 : -10;
+    MatX J(2, 2);
+    J << side, -side, 0, 1;
+    return std::optional<MatX>(J);
+  };
+  LeastSquaresOptions how;
+  how.most_iterations = 1000;
+  const LeastSquaresResult all = least_squares(p, Vec2(1, 0), how);
+  how.most_creeping = 5;
+  const LeastSquaresResult r = least_squares(p, Vec2(1, 0), how);
+  EXPECT_FALSE(converged(r.stop)) << to_string(r.stop);
+  EXPECT_LE(r.trials, all.trials);
+  std::printf("%s: %d trials; without: %s, %d trials\n", to_string(r.stop), r.trials, to_string(all.stop), all.trials);
+  EXPECT_TRUE(converged(least_squares(rosenbrock(), Vec2(-1.2, 1), how).stop)) << "a curved valley is no edge";
+}
+
 TEST(LeastSquares, SaysWhatIsNotDetermined) {
   // Only x + y and z are; u is in nothing.
   MatX A(4, 4);

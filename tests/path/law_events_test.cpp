@@ -215,6 +215,21 @@ TEST(LawEvents, OfALeapAreAtItsEndAndOfTheNextSubstepNotToldAgain) {
   EXPECT_EQ(events.over({from, nullptr}, {from, nullptr}, 1e-9, {}).size(), 1u);
 }
 
+TEST(LawEvents, APathOnWhichTheyAreNotLocatedHasTheSamePoses) {
+  const std::string smooth = rope("quadratic", "law = \"quadratic\"\nstiffness = 2000\nslack_length = 25");
+  const std::string scene = crank(0.2) + smooth + turn(0.2, 2.9, 40);
+  PathOptions without;
+  without.locate_law_breaks = false;
+  const Followed all = follow(scene), poses = follow(scene, without);
+  ASSERT_TRUE(poses.result.complete) << poses.story();
+  EXPECT_FALSE(all.of(Kind::taut).empty()) << all.story();
+  EXPECT_TRUE(poses.of(Kind::taut).empty()) << poses.story();
+  EXPECT_EQ(poses.result.substeps, all.result.substeps);
+  ASSERT_EQ(poses.points.size(), all.points.size());
+  for (std::size_t k = 0; k < all.points.size(); ++k)
+    EXPECT_EQ(poses.points[k].pose.state.coordinates[0], all.points[k].pose.state.coordinates[0]) << k;
+}
+
 TEST(LawEvents, AModelWithoutSmoothBreaksHasNone) {
   EXPECT_TRUE(
       LawEvents(test::scene_model(test::bone_on_ground() + test::spring("s", "[0, 0, 0]", "[0, 0, -20]", 1, 20) +

@@ -26,8 +26,8 @@ bool can_be_written(const Prepared& prepared, const std::vector<CalibrationUnkno
          !out.has_errors();
 }
 
-/// `start` gets what the scene's own numbers give.
-bool can_be_fitted(const CalibrationProblem& problem, const std::string& scene, CalibrationProblem::At& start,
+/// `start` gets what the scene's own numbers give, or shorter lengths.
+bool can_be_fitted(const CalibrationProblem& problem, const std::string& scene, SolvableStart& start,
                    Diagnostics& out) {
   std::size_t priors = 0;
   std::string file;
@@ -42,10 +42,10 @@ bool can_be_fitted(const CalibrationProblem& problem, const std::string& scene, 
         Code::missing_key, file,
         fmt::format("holds {} values, fewer than the {} numbers to be fitted", values, problem.unknowns().size()));
   if (out.has_errors()) return false;
-  start = problem.at(VecX::Zero(static_cast<Eigen::Index>(problem.unknowns().size())), true);
-  if (start.residuals.size() == 0)
-    out.error(Code::not_solved, scene, "cannot be fitted from these values: " + start.failed);
-  else if (!std::isfinite(start.residuals.squaredNorm()))
+  start = solvable_start(problem, VecX::Zero(static_cast<Eigen::Index>(problem.unknowns().size())));
+  if (start.at.residuals.size() == 0)
+    out.error(Code::not_solved, scene, "cannot be fitted from these values: " + start.at.failed);
+  else if (!std::isfinite(start.at.residuals.squaredNorm()))
     out.error(Code::out_of_range, file,
               "cannot be fitted: beside its values, or how they differ, the scene's are beyond all numbers");
   return !out.has_errors();
@@ -144,6 +144,22 @@ std::function<std::string(const std::string&)> study_of(const Prepared& fitted,
   };
 }
 
+/// Adds the fit to the verdict of the scene's results: in the headline where it cannot be right.
+void say_fit(const CalibrationProblem& problem, CalibrationResult& result) {
+  const CalibrationReport& report = result.report;
+  RunSummary& s = result.solution.summary;
+  const auto infinite = [](const auto& p) { return !std::isfinite(p.deviation); };
+  const bool determined = std::none_of(report.parameters.begin(), report.parameters.end(), infinite);
+  const bool right = report.converged && report.misfit.empty();
+  std::string sentence =
+      fmt::format("{} numbers fitted to {} values; {}", report.parameters.size(), problem.target_rows(), report.stop);
+  if (!report.misfit.empty()) sentence += "; " + report.misfit;
+  s.verdict.insert(right ? s.verdict.end() : s.verdict.begin(), sentence + ".");
+  if (!right && s.verdict_class == RunSummary::Class::solved) s.verdict_class = RunSummary::Class::doubtful;
+  if (!right && s.exit_code == kExitOk) s.exit_code = kExitDoubtful;
+  if (!report.converged || !determined) s.exit_code = kExitIncomplete;
+}
+
 }  // namespace
 
 int run_calibration(const SceneSource& source, const std::optional<std::string>& folder,
@@ -176,7 +192,7 @@ int run_calibration(const SceneSource& source, const std::optional<std::string>&
   const CalibrationProblem problem(unknowns, experiments.followed, std::clamp(std::cbrt(error), 1e-4, 1e-2));
   if (choice.targets.empty() && !(files.empty() && experiments.candidates.empty()))
     return without_fit(*prepared, folder, problem, experiments, choice, options, files, out, result);
-  CalibrationProblem::At start;
+  SolvableStart start;
   if (!can_be_fitted(problem, source.path, start, out)) return kExitRefused;
   const CalibrationSearch found =
       search(problem, {choice.most_iterations, choice.starts, choice.spread, options.cancelled}, start);
@@ -193,12 +209,7 @@ int run_calibration(const SceneSource& source, const std::optional<std::string>&
   result.report.runs = problem.runs();
   add_design(choice, unknowns, found.fit.x, found.jacobian, experiments.candidates, files, result);
   RunSummary& s = result.solution.summary;
-  s.verdict.push_back(
-      fmt::format("{} numbers fitted to {} values; {}.", unknowns.size(), problem.target_rows(), result.report.stop));
-  const auto infinite = [](const auto& p) { return !std::isfinite(p.deviation); };
-  const auto& parameters = result.report.parameters;
-  if (!result.report.converged || std::any_of(parameters.begin(), parameters.end(), infinite))
-    s.exit_code = kExitIncomplete;
+  say_fit(problem, result);
   if (!folder) return s.exit_code;
   files.emplace_back("calibration.csv", calibration_table(result.report).to_csv());
   files.emplace_back("comparison.csv", findings.comparison.to_csv());

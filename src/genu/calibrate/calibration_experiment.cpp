@@ -42,9 +42,8 @@ std::optional<Prepared> ScenesUnknowns::with(const VecX& u) const {
   return changed;
 }
 
-std::optional<MatX> ScenesUnknowns::rates(const Prepared& at_u, const VecX& u, const PosePoint& point,
+std::optional<MatX> ScenesUnknowns::rates(Sensitivity& sensitivity, const VecX& u, const PosePoint& point,
                                           const std::vector<Output>& outputs) const {
-  Sensitivity sensitivity(at_u.scene, at_u.model);
   if (!sensitivity.factor(point)) return std::nullopt;
   MatX out = MatX::Zero(static_cast<Eigen::Index>(outputs.size()), u.size());
   for (std::size_t k = 0; k < unknowns_.size(); ++k)
@@ -59,9 +58,9 @@ std::optional<MatX> ScenesUnknowns::rates(const Prepared& at_u, const VecX& u, c
   return out;
 }
 
-std::optional<MatX> ScenesUnknowns::derivatives(const Prepared& at_u, const VecX& u, const PosePoint& point,
+std::optional<MatX> ScenesUnknowns::derivatives(Sensitivity& sensitivity, const VecX& u, const PosePoint& point,
                                                 const std::vector<Output>& outputs) const {
-  auto out = rates(at_u, u, point, outputs);
+  auto out = rates(sensitivity, u, point, outputs);
   if (out && !out->allFinite()) out.reset();
   return out;
 }

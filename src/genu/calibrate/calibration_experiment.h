@@ -37,10 +37,12 @@ class ScenesUnknowns {
   /// The scene with the numbers at u; empty where its laws cannot be.
   std::optional<Prepared> with(const VecX& u) const;
   /// Derivatives of outputs at a pose in the outputs' units, outputs by unknowns; empty where one does not exist.
-  std::optional<MatX> derivatives(const Prepared& at_u, const VecX& u, const PosePoint& point,
+  /// `sensitivity`: of the scene at u; one for all poses in turn remembers where layers touch, which saves most of the
+  /// time.
+  std::optional<MatX> derivatives(Sensitivity& sensitivity, const VecX& u, const PosePoint& point,
                                   const std::vector<Output>& outputs) const;
   /// The same with NaN where an output has none; empty where the pose has none.
-  std::optional<MatX> rates(const Prepared& at_u, const VecX& u, const PosePoint& point,
+  std::optional<MatX> rates(Sensitivity& sensitivity, const VecX& u, const PosePoint& point,
                             const std::vector<Output>& outputs) const;
   /// Takes a pose into account.
   void note_stretch(const Prepared& at_u, const State& state, CalibrationPrediction& out) const;

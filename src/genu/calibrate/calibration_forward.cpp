@@ -57,11 +57,12 @@ ResultTable result_errors(const ScenesUnknowns& unknowns, const Prepared& fitted
   ResultTable table;
   for (const char* column : {"step", "increment"}) table.add_column(column);
   for (const Output& o : outputs) table.add_column(o.column);
+  Sensitivity sensitivity(fitted.scene, fitted.model);
   for (const PoseRecord& record : records) {
     table.add_row();
     table.set("step", static_cast<long>(record.point.step));
     table.set("increment", static_cast<long>(record.point.increment));
-    const auto rates = unknowns.rates(fitted, u, record.point, outputs);
+    const auto rates = unknowns.rates(sensitivity, u, record.point, outputs);
     if (!rates) continue;
     for (std::size_t o = 0; o < outputs.size(); ++o) {
       const auto g = rates->row(static_cast<Eigen::Index>(o));

@@ -126,6 +126,20 @@ class FindingsWriter {
     const Eigen::Index rows = problem_.target_rows();
     r.rms = rms(search_.at_end.residuals.head(rows));
     if (search_.at_start.residuals.size() > 0) r.start_rms = rms(search_.at_start.residuals.head(rows));
+    add_misfit();
+  }
+
+  /// The sum of squares of m residuals in units of their errors is about m - n, with a deviation of sqrt(2 (m - n)).
+  void add_misfit() {
+    const VecX& residuals = search_.at_end.residuals;
+    const auto spare = static_cast<double>(residuals.size() - static_cast<Eigen::Index>(free_.size()));
+    if (!has_stated_errors(problem_) || !(spare > 0)) return;
+    const double share = residuals.squaredNorm() / spare;
+    if (share <= 1 + kMisfit * std::sqrt(2 / spare)) return;
+    out_.report.misfit = fmt::format(
+        "the scene does not follow the target: the residuals are {:.2g} times the stated errors, which cannot be "
+        "chance",
+        std::sqrt(share));
   }
 
   void add_slack() {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -9,102 +11,6 @@
 #include "genu/calibrate/tolerances.h"
 
 namespace genu {
-
-CalibrationProblem::CalibrationProblem(const std::vector<CalibrationUnknown>& unknowns,
-                                       const std::vector<std::unique_ptr<CalibrationExperiment>>& experiments,
-                                       double difference)
-    : unknowns_(unknowns), experiments_(experiments), difference_(difference) {}
-
-Eigen::Index CalibrationProblem::target_rows() const {
-  std::size_t count = 0;
-  for (const auto& e : experiments_)
-    if (!e->held_out) count += e->values().size();
-  return static_cast<Eigen::Index>(count);
-}
-
-CalibrationProblem::At CalibrationProblem::at(const VecX& u, bool derivatives) const {
-  At out;
-  out.u = u;
-  out.predictions.resize(experiments_.size());
-  tbb::parallel_for(std::size_t{0}, experiments_.size(), [&](std::size_t e) {
-    if (experiments_[e]->held_out) return;
-    out.predictions[e] = experiments_[e]->predict(u, derivatives);
-    ++runs_;
-  });
-  Eigen::Index priors = 0;
-  for (const CalibrationUnknown& unknown : unknowns_) priors += unknown.prior ? 1 : 0;
-  const Eigen::Index rows = target_rows() + priors;
-  VecX residuals(rows);
-  MatX J = MatX::Zero(rows, u.size());
-  bool exact = derivatives;
-  Eigen::Index first = 0;
-  for (std::size_t e = 0; e < experiments_.size(); ++e) {
-    if (experiments_[e]->held_out) continue;
-    const CalibrationPrediction& p = out.predictions[e];
-    if (p.values.size() == 0) {
-      out.failed = p.failed;
-      return out;
-    }
-    const VecX scales = experiments_[e]->scales();
-    residuals.segment(first, scales.size()) = (p.values - experiments_[e]->wanted()).cwiseQuotient(scales);
-    exact = exact && p.derivatives.size() > 0;
-    if (exact) J.middleRows(first, scales.size()) = scales.cwiseInverse().asDiagonal() * p.derivatives;
-    first += scales.size();
-  }
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-    const CalibrationUnknown& unknown = unknowns_[k];
-    if (!unknown.prior) continue;
-    const auto column = static_cast<Eigen::Index>(k);
-    residuals[first] = (unknown.shown(u[column]) - unknown.prior->mean) / unknown.prior->deviation;
-    J(first++, column) = unknown.shown_slope(u[column]) / unknown.prior->deviation;
-  }
-  out.residuals = residuals;
-  if (exact) out.derivatives = J;
-  return out;
-}
-
-std::optional<MatX> CalibrationProblem::jacobian(const At& here) const {
-  if (here.derivatives.size() > 0) return here.derivatives;
-  const auto n = static_cast<std::size_t>(here.u.size());
-  std::vector<VecX> beside(2 * n);
-  tbb::parallel_for(std::size_t{0}, 2 * n, [&](std::size_t k) {
-    VecX u = here.u;
-    u[static_cast<Eigen::Index>(k / 2)] += k % 2 == 0 ? difference_ : -difference_;
-    beside[k] = at(u, false).residuals;
-  });
-  MatX J(here.residuals.size(), here.u.size());
-  for (std::size_t k = 0; k < n; ++k) {
-    if (beside[2 * k].size() == 0 || beside[2 * k + 1].size() == 0) return std::nullopt;
-    J.col(static_cast<Eigen::Index>(k)) = (beside[2 * k] - beside[2 * k + 1]) / (2 * difference_);
-  }
-  return J;
-}
-
-double derivative_noise(bool exact) { return exact ? kExactDerivativeNoise : kDerivativeNoise; }
-
-std::optional<double> taut_start(const CalibrationUnknown& unknown, double u,
-                                 const std::vector<CalibrationPrediction::Stretch>& stretch, double strain) {
-  std::size_t nearest = 0;
-  for (std::size_t m = 1; m < stretch.size(); ++m)
-    if (stretch[m].longest > stretch[nearest].longest) nearest = m;
-  if (!(stretch[nearest].longest > 0)) return std::nullopt;
-  const auto& member = unknown.members[nearest];
-  const double now = unknown.value(member, u), ratio = stretch[nearest].longest / (1 + strain);  // of slack lengths
-  double value = 0;
-  switch (member.parameter.kind) {
-    case Parameter::Kind::slack_length:
-      value = now * ratio;
-      break;
-    case Parameter::Kind::reference_strain:
-      value = (1 + now) / ratio - 1;
-      break;
-    default:
-      return std::nullopt;
-  }
-  const double taut = unknown.u_of(member, value);
-  if (!std::isfinite(taut) || taut < unknown.lower || taut > unknown.upper) return std::nullopt;
-  return taut;
-}
 
 namespace {
 
@@ -123,8 +29,7 @@ VecX spread_point(int index, Eigen::Index n) {
 
 class StartSearcher {
  public:
-  StartSearcher(const CalibrationProblem& problem, const CalibrationSearchOptions& options,
-                const CalibrationProblem::At& start)
+  StartSearcher(const CalibrationProblem& problem, const CalibrationSearchOptions& options, const SolvableStart& start)
       : problem_(problem), options_(options), first_(start) {
     const auto n = static_cast<Eigen::Index>(problem.unknowns().size());
     how_.lower.resize(n);
@@ -138,6 +43,7 @@ class StartSearcher {
       bounded_ = bounded_ || std::isfinite(u.lower) || std::isfinite(u.upper);
     }
     how_.most_iterations = options.most_iterations;
+    how_.most_creeping = kMostCreeping;
   }
 
   struct Found {
@@ -145,33 +51,30 @@ class StartSearcher {
     CalibrationProblem::At at_start, at_end;
     std::vector<CalibrationStart> starts;
     std::vector<std::size_t> slack;
+
+    bool done() const { return converged(fit.stop) && slack.empty(); }
   };
 
-  /// From one start, and again with what is slack in every pose made taut, as long as that is better.
+  /// From one start; where that does not end well, again from where it ended, with every length so short that it is
+  /// stretched there.
   Found from(int number) const {
-    Found best = fit(std::to_string(number + 1), start(number));
-    for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
-      VecX u = best.fit.x;
-      std::string names;
-      for (const std::size_t k : best.slack) {
-        const auto stretch = longest(best.at_end, k);
-        const auto column = static_cast<Eigen::Index>(k);
-        const auto taut = taut_start(problem_.unknowns()[k], u[column], stretch, kTautStrain);
-        if (!taut) continue;
-        u[column] = *taut;
-        names += (names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
-      }
-      if (names.empty()) break;
-      Found taut = fit(fmt::format("{}, {} made taut", number + 1, names), u);
+    const SolvableStart start = number == 0 ? first_ : solvable_start(problem_, start_of(number));
+    const std::string name = std::to_string(number + 1);
+    Found best = made_taut(name, keeping_taut(start.how.empty() ? name : name + ", " + start.how, start.at));
+    for (const double strain : kTautAgain) {
+      if (best.done() || !leaves_something(best.fit.residuals) || asked_to_stop(options_.cancelled)) break;
+      const CalibrationProblem::At& at = best.at_end.residuals.size() > 0 ? best.at_end : best.at_start;
+      const VecX u = stretched(at, strain);
+      if (u == at.u) continue;
+      const std::string words = fmt::format("{}, all stretched by {:g} %", name, 100 * strain);
+      Found again = made_taut(name, keeping_taut(words, problem_.at(u, true)));
       std::vector<CalibrationStart> starts = best.starts;
-      starts.insert(starts.end(), taut.starts.begin(), taut.starts.end());
-      const bool better = cost(taut) < (1 - kWorthATautStart) * cost(best) && leaves_something(best.fit.residuals);
-      if (better) {
-        taut.at_start = best.at_start;
-        best = std::move(taut);
+      starts.insert(starts.end(), again.starts.begin(), again.starts.end());
+      if (cost(again) < (1 - kWorthATautStart) * cost(best)) {
+        again.at_start = best.at_start;
+        best = std::move(again);
       }
       best.starts = std::move(starts);
-      if (!better) break;
     }
     return best;
   }
@@ -186,20 +89,103 @@ class StartSearcher {
   }
 
  private:
-  VecX start(int number) const {
+  VecX start_of(int number) const {
     const auto n = static_cast<Eigen::Index>(problem_.unknowns().size());
-    VecX u = VecX::Zero(n);
-    if (number == 0) return u;
-    u = spread_point(number, n);
+    VecX u = spread_point(number, n);
     for (Eigen::Index k = 0; k < n; ++k)
       u[k] = std::clamp(u[k] * options_.spread * problem_.unknowns()[static_cast<std::size_t>(k)].standard_change(),
                         how_.lower[k], how_.upper[k]);
     return u;
   }
 
-  Found fit(const std::string& name, const VecX& u) const {
+  /// The fit again, with what is slack in every pose made taut, as long as that is better.
+  Found made_taut(const std::string& number, Found best) const {
+    for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
+      const auto taut = taut_ones(best.at_end, best.slack);
+      if (taut.names.empty()) break;
+      Found again = fit(number + ", " + taut.names + " made taut", problem_.at(taut.u, true), {});
+      std::vector<CalibrationStart> starts = best.starts;
+      starts.insert(starts.end(), again.starts.begin(), again.starts.end());
+      const bool better = cost(again) < (1 - kWorthATautStart) * cost(best) && leaves_something(best.fit.residuals);
+      if (better) {
+        again.at_start = best.at_start;
+        best = std::move(again);
+      }
+      best.starts = std::move(starts);
+      if (!better) break;
+    }
+    return best;
+  }
+
+  /// The fit, which is left where an unknown is slack in every pose, and continued with it just taut: without a
+  /// gradient of it the others would creep to a false minimum. What becomes slack again and again is left so.
+  Found keeping_taut(std::string name, CalibrationProblem::At start) const {
+    std::vector<int> often(problem_.unknowns().size(), 0);
+    const std::string number = name.substr(0, name.find(','));
+    std::vector<CalibrationStart> starts;
+    CalibrationProblem::At first = start;
+    for (;;) {
+      const auto to_be_taut = [&](const CalibrationProblem::At& at) {
+        std::vector<std::size_t> out;
+        if (leaves_something(at.residuals))
+          for (const std::size_t k : slack_in(at))
+            if (often[k] < kTautOnTheWay) out.push_back(k);
+        return out;
+      };
+      Found found = fit(name, std::move(start),
+                        [&](const CalibrationProblem::At& at) { return !taut_ones(at, to_be_taut(at)).names.empty(); });
+      starts.insert(starts.end(), found.starts.begin(), found.starts.end());
+      if (found.fit.stop != LeastSquaresStop::left) {
+        found.starts = std::move(starts);
+        found.at_start = std::move(first);
+        return found;
+      }
+      const std::vector<std::size_t> slack = to_be_taut(found.at_end);
+      for (const std::size_t k : slack) ++often[k];
+      const auto taut = taut_ones(found.at_end, slack);
+      name = number + ", " + taut.names + " made taut";
+      start = problem_.at(taut.u, true);
+      if (start.residuals.size() == 0) start = std::move(found.at_end);
+    }
+  }
+
+  /// u with these unknowns just taut where that is possible, and their names.
+  struct TautOnes {
+    VecX u;
+    std::string names;
+  };
+  TautOnes taut_ones(const CalibrationProblem::At& at, const std::vector<std::size_t>& slack) const {
+    TautOnes out{at.u, ""};
+    for (const std::size_t k : slack) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const auto taut = taut_start(problem_.unknowns()[k], at.u[column], longest(at, k), kTautStrain);
+      if (!taut) continue;
+      out.u[column] = *taut;
+      out.names += (out.names.empty() ? "" : ", ") + problem_.unknowns()[k].name;
+    }
+    return out;
+  }
+
+  /// u with every slack length so short that it has at least this strain where it is longest.
+  VecX stretched(const CalibrationProblem::At& at, double strain) const {
+    VecX u = at.u;
+    for (std::size_t k = 0; k < problem_.unknowns().size(); ++k) {
+      const auto members = longest(at, k);
+      const auto column = static_cast<Eigen::Index>(k);
+      if (members.empty() ||
+          std::any_of(members.begin(), members.end(), [&](const auto& m) { return m.longest >= 1 + strain; }))
+        continue;
+      if (const auto taut = taut_start(problem_.unknowns()[k], u[column], members, strain)) u[column] = *taut;
+    }
+    return u;
+  }
+
+  /// `leave`: whether to stop there; may be empty.
+  Found fit(const std::string& name, CalibrationProblem::At start,
+            const std::function<bool(const CalibrationProblem::At&)>& leave) const {
     Found out;
-    CalibrationProblem::At last;
+    const VecX u = start.u;
+    CalibrationProblem::At last = std::move(start);
     bool exact = true;
     const auto residuals = [&](const VecX& x) -> std::optional<VecX> {
       if (last.residuals.size() > 0 && last.u == x) return last.residuals;
@@ -218,8 +204,8 @@ class StartSearcher {
     if (!bounded_) how.lower = how.upper = VecX();
     how.noise = derivative_noise(true);
     LeastSquaresProblem problem{residuals, jacobian, options_.cancelled};
+    if (leave) problem.leave = [&](const VecX&) { return leave(last); };
     // Central differences are worse: where they are needed is known after the first residuals.
-    last = u == first_.u ? first_ : problem_.at(u, true);
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
     out.fit = least_squares(problem, u, how);
@@ -261,7 +247,7 @@ class StartSearcher {
 
   const CalibrationProblem& problem_;
   const CalibrationSearchOptions& options_;
-  const CalibrationProblem::At& first_;
+  const SolvableStart& first_;
   LeastSquaresOptions how_;
   bool bounded_ = false;
 };
@@ -269,7 +255,7 @@ class StartSearcher {
 }  // namespace
 
 CalibrationSearch search(const CalibrationProblem& problem, const CalibrationSearchOptions& options,
-                         const CalibrationProblem::At& start) {
+                         const SolvableStart& start) {
   const StartSearcher searcher(problem, options, start);
   std::vector<StartSearcher::Found> found(static_cast<std::size_t>(std::max(1, options.starts)));
   tbb::parallel_for(std::size_t{0}, found.size(),

@@ -120,14 +120,14 @@ class LaxityExperiment : public CalibrationExperiment {
     return square > 0 ? std::sqrt(square / count) : 1;
   }
 
-  /// The clinical motion with its derivatives.
-  Row row_of(const Prepared& own, const VecX& u, const PoseRecord& record, bool derivatives) const {
+  /// The clinical motion, with its derivatives where there is a `sensitivity`.
+  Row row_of(const Prepared& own, const VecX& u, const PoseRecord& record, Sensitivity* sensitivity) const {
     Row row{record, {}, {}};
     const GroodSuntayDef& axes = *own.scene.joints[genu::at(knee_.joint)].grood_suntay;
     const auto& poses = record.point.pose.state.poses;
     if (const auto motion = grood_suntay(axes, poses[genu::at(axes.femur.body)], poses[genu::at(axes.tibia.body)]))
       row.motion = *motion;
-    if (!derivatives) return row;
+    if (sensitivity == nullptr) return row;
     std::vector<Output> outputs;
     for (std::size_t kind = 0; kind < kLaxityTests; ++kind) {
       const LaxityTest test{static_cast<LaxityTest::Kind>(kind), 0};
@@ -136,7 +136,7 @@ class LaxityExperiment : public CalibrationExperiment {
                            return rate ? test.displacement(*rate) : std::nan("");
                          }});
     }
-    row.motion_rate = scene_.derivatives(own, u, record.point, outputs);
+    row.motion_rate = scene_.derivatives(*sensitivity, u, record.point, outputs);
     return row;
   }
 
@@ -152,15 +152,17 @@ class LaxityExperiment : public CalibrationExperiment {
       part.failed = "no neutral pose at " + place;
       return part;
     }
-    const Row neutral = row_of(own, u, solved.back(), derivatives);
+    Sensitivity rates(own.scene, own.model);
+    Sensitivity* sensitivity = derivatives ? &rates : nullptr;
+    const Row neutral = row_of(own, u, solved.back(), sensitivity);
     part.states.push_back(neutral.record.point.pose.state);
     for (std::size_t j = 0; j < own.model.joints.size(); ++j)
       own.model.joints[j].start = part.states.front().coordinates[j];
     for (std::size_t c = 0; c < target_.curves.size() && part.failed.empty(); ++c) {
       const LaxityTarget::Curve& curve = target_.curves[c];
       if (curve.flexion != flexion) continue;
-      take_row(c, 0, own, u, neutral, neutral, derivatives, part);
-      for (const bool positive : {true, false}) follow(c, positive, own, u, neutral, derivatives, part);
+      take_row(c, 0, own, u, neutral, neutral, sensitivity, part);
+      for (const bool positive : {true, false}) follow(c, positive, own, u, neutral, sensitivity, part);
     }
     return part;
   }
@@ -169,6 +171,7 @@ class LaxityExperiment : public CalibrationExperiment {
   std::vector<PoseRecord> poses_of(const Prepared& own) const {
     RunOptions options;
     options.cancelled = cancelled_;
+    options.path.locate_law_breaks = false;
     ContactField field = contact_field(own);
     if (!std::all_of(target_.columns.begin(), target_.columns.end(), is_displacement))
       return solve_path(own, field, options).records;
@@ -197,7 +200,7 @@ class LaxityExperiment : public CalibrationExperiment {
   }
 
   /// One test in one direction.
-  void follow(std::size_t c, bool positive, Prepared& own, const VecX& u, const Row& neutral, bool derivatives,
+  void follow(std::size_t c, bool positive, Prepared& own, const VecX& u, const Row& neutral, Sensitivity* sensitivity,
               Part& part) const {
     const LaxityTarget::Curve& curve = target_.curves[c];
     const int load = knee_.loads[static_cast<std::size_t>(curve.kind)];
@@ -216,15 +219,15 @@ class LaxityExperiment : public CalibrationExperiment {
                         LaxityTest{curve.kind, 0}.name(), loads.back(), LaxityTest{curve.kind, 0}.load_unit());
         return;
       }
-      const Row row = row_of(own, u, *record, derivatives);
+      const Row row = row_of(own, u, *record, sensitivity);
       part.states.push_back(record->point.pose.state);
-      take_row(c, loads[k], own, u, row, neutral, derivatives, part);
+      take_row(c, loads[k], own, u, row, neutral, sensitivity, part);
     }
   }
 
   /// The target's values at one load of a curve.
   void take_row(std::size_t c, double load, const Prepared& own, const VecX& u, const Row& row, const Row& neutral,
-                bool derivatives, Part& part) const {
+                Sensitivity* sensitivity, Part& part) const {
     const LaxityTest test{target_.curves[c].kind, 0};
     std::optional<ResultTable> table;
     std::optional<MatX> rates;
@@ -234,7 +237,7 @@ class LaxityExperiment : public CalibrationExperiment {
       const std::string& column = target_.columns[v.column];
       if (is_displacement(column)) {
         part.values.emplace_back(k, test.shown() * (test.displacement(row.motion) - test.displacement(neutral.motion)));
-        if (!derivatives) continue;
+        if (sensitivity == nullptr) continue;
         part.exact = part.exact && row.motion_rate && neutral.motion_rate;
         const auto kind = static_cast<Eigen::Index>(test.kind);
         if (part.exact)
@@ -246,8 +249,8 @@ class LaxityExperiment : public CalibrationExperiment {
       alone.point.step = 0;
       if (!table) table = pose_table(own.scene, own.model, {laxity_step(knee_, compression_, 0, -1, 0, 0, 1)}, {alone});
       part.values.emplace_back(k, table->number(0, column));
-      if (!derivatives) continue;
-      if (!rates) rates = scene_.derivatives(own, u, row.record.point, outputs_);
+      if (sensitivity == nullptr) continue;
+      if (!rates) rates = scene_.derivatives(*sensitivity, u, row.record.point, outputs_);
       part.exact = part.exact && rates;
       const auto same = [&](const Output& o) { return o.column == column; };
       const auto o = std::find_if(outputs_.begin(), outputs_.end(), same) - outputs_.begin();

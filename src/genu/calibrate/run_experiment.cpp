@@ -123,13 +123,14 @@ class RunExperiment : public CalibrationExperiment {
 
   void differentiate(const Prepared& p, const VecX& u, const std::vector<PoseRecord>& records,
                      const std::vector<std::vector<RowWeight>>& rows, CalibrationPrediction& out) const {
+    Sensitivity sensitivity(p.scene, p.model);
     std::map<std::size_t, MatX> at_row;
     MatX J = MatX::Zero(static_cast<Eigen::Index>(values_.size()), u.size());
     for (std::size_t k = 0; k < rows.size(); ++k)
       for (const RowWeight& r : rows[k]) {
         auto found = at_row.find(r.row);
         if (found == at_row.end()) {
-          const auto own = scene_.derivatives(p, u, records[r.row].point, outputs_);
+          const auto own = scene_.derivatives(sensitivity, u, records[r.row].point, outputs_);
           if (!own) return;
           found = at_row.emplace(r.row, *own).first;
         }

@@ -2,6 +2,8 @@
 // from these headers: [unit], bound, what fails first if the value is wrong.
 #pragma once
 
+#include <array>
+
 namespace genu {
 
 // calibration_unknowns
@@ -35,6 +37,22 @@ inline constexpr double kTautStrain = 0.005;
 /// [1] Fits again from taut starts, as long as each is better than the one before. Fails first: if too small, a second
 /// ligament that the first one has made slack stays so.
 inline constexpr int kTautRounds = 4;
+
+/// [1] How often a ligament that becomes slack in every pose during a fit is made taut at once. Fails first: if too
+/// small, the others creep to a false minimum; if too large, slow fits of ligaments that are slack in truth.
+inline constexpr int kTautOnTheWay = 2;
+
+/// [1] By how much slack lengths are shortened where a start has rows that cannot be solved, one after the other. Fails
+/// first: if too small, starts are refused; if too large, new starts are far off.
+inline constexpr std::array<double, 3> kShorterLengths = {0.02, 0.04, 0.08};
+
+/// [1] After a fit that did not converge: strains that all ligaments get where they are longest, one start after the
+/// other. Fails first: if too small, the same ligaments become slack again; if too large, the start is far off.
+inline constexpr std::array<double, 2> kTautAgain = {0.03, 0.06};
+
+/// [1] Steps that creep (core's kCreep), one after the other, after which another start is tried. Fails first: if too
+/// small, fits are given up in curved valleys; if too large, slow fits.
+inline constexpr int kMostCreeping = 6;
 
 /// [of the sum of squares] By how much a taut start must be better. Fails first: if too large, a weak ligament stays
 /// slack.
@@ -76,6 +94,10 @@ inline constexpr double kPriorRules = 0.99;
 /// [1] Standard error of the direction that is determined least over that of the best, from which it is named. Fails
 /// first: nothing (words only).
 inline constexpr double kPoorDirection = 100;
+
+/// [standard deviations of the sum of squares] From which residuals are beyond the stated errors. Fails first: if too
+/// small, good fits are doubted.
+inline constexpr double kMisfit = 5;
 
 // calibration_target
 

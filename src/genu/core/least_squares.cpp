@@ -23,6 +23,7 @@ class LeastSquaresSearcher {
     ++result_.trials;
     if (!first) return result_;
     result_.residuals = *first;
+    if (leaves()) return result_;
     while (!step()) ++result_.iterations;
     return std::move(result_);
   }
@@ -34,6 +35,7 @@ class LeastSquaresSearcher {
   }
 
   bool cancelled() const { return problem_.cancelled && problem_.cancelled(); }
+  bool leaves() { return problem_.leave && problem_.leave(result_.x) && stop(Stop::left); }
 
   /// One linearisation and the steps tried on it; true when there is nothing more to do.
   bool step() {
@@ -113,7 +115,8 @@ class LeastSquaresSearcher {
     };
     const auto promise = [&](const VecX& z) { return -2 * z.dot(gradient) - (scaled * z).squaredNorm(); };
     // Where residuals stay large and curved, every good step is damped, and would never be short enough to tell.
-    if (promise(step_of(0)) <= options_.reduction_tolerance * cost) return stop(Stop::flat);
+    const double undamped = promise(step_of(0));
+    if (undamped <= options_.reduction_tolerance * cost) return stop(Stop::flat);
     double faster = 2;
     while (damping_ < kMaxLeastSquaresDamping) {
       const VecX whole = step_of(damping_);
@@ -132,7 +135,12 @@ class LeastSquaresSearcher {
         result_.x += dx;
         result_.residuals = *residuals;
         damping_ *= std::max(0.1, 1 - std::pow(2 * gain - 1, 3));
-        return false;
+        const double less = cost - residuals->squaredNorm();
+        creeping_ = less < kCreep * cost && less < kCreepShare * undamped ? creeping_ + 1 : 0;
+        const bool stuck = options_.most_creeping > 0 && creeping_ >= options_.most_creeping;
+        const bool ends = leaves() || (stuck && stop(Stop::creeping));
+        if (ends) ++result_.iterations;
+        return ends;
       }
       damping_ *= faster;
       faster *= 2;
@@ -143,6 +151,7 @@ class LeastSquaresSearcher {
   const LeastSquaresProblem& problem_;
   const LeastSquaresOptions& options_;
   double damping_;
+  int creeping_ = 0;  ///< steps in a row
   VecX scale_;
   LeastSquaresResult result_;
 };
@@ -157,8 +166,12 @@ const char* to_string(LeastSquaresStop stop) {
       return "converged: no step would lower the sum of squares";
     case Stop::no_progress:
       return "stalled: however short the step, the sum of squares does not fall";
+    case Stop::creeping:
+      return "stalled: step after step the sum of squares hardly falls, far from what the derivatives promise";
     case Stop::most_iterations:
       return "stopped after the most iterations allowed";
+    case Stop::left:
+      return "left for another start";
     case Stop::cancelled:
       return "interrupted";
     case Stop::no_start:

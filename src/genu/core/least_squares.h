@@ -17,6 +17,8 @@ struct LeastSquaresProblem {
   /// Their derivatives at x; empty where there are none.
   std::function<std::optional<MatX>(const VecX& x)> jacobian;
   std::function<bool()> cancelled;  ///< may be empty
+  /// Asked at the start and after each step that was taken, whether to stop at x; may be empty.
+  std::function<bool(const VecX& x)> leave = {};
 };
 
 struct LeastSquaresOptions {
@@ -30,13 +32,18 @@ struct LeastSquaresOptions {
   double noise = 0;
   VecX lower = {}, upper = {};  ///< bounds of the unknowns; empty: none
   VecX most_steps = {};         ///< of each unknown, in the place of most_step; empty: none
+  /// After so many steps in a row with little gain, beside the sum of squares (kCreep) and beside what a step without
+  /// damping promises (kCreepShare), the fit ends: it creeps along an edge. 0: never.
+  int most_creeping = 0;
 };
 
 enum class LeastSquaresStop {
   small_step,   ///< the last step is below the tolerance: converged
   flat,         ///< no step would lower the sum of squares by more than the tolerance: converged
   no_progress,  ///< however short the step, the sum of squares does not fall
+  creeping,     ///< step after step it hardly falls
   most_iterations,
+  left,  ///< where LeastSquaresProblem::leave asked for it
   cancelled,
   no_start,  ///< no residuals at the start
   no_derivatives

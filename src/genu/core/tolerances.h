@@ -14,6 +14,14 @@ inline constexpr double kMaxLeastSquaresDamping = 1e12;
 /// restricted step passes for convergence.
 inline constexpr double kFreeStepDamping = 1e-2;
 
+/// [of the sum of squares] A step that gains less creeps, if it also gains less than kCreepShare. Fails first: if too
+/// large, a fit along a curved valley is given up; if too small, fits at an edge take all iterations.
+inline constexpr double kCreep = 1e-3;
+
+/// [of what a step without damping promises] See kCreep. Fails first: if too large, the last steps before a minimum
+/// count as creeping.
+inline constexpr double kCreepShare = 0.2;
+
 /// [1] Component of an undetermined direction (unit vector) that counts as part of it. Fails first: if too small,
 /// round-off names parameters that the data determine.
 inline constexpr double kUndeterminedShare = 1e-3;

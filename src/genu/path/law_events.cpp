@@ -51,7 +51,9 @@ struct Cubic {
 
 }  // namespace
 
-LawEvents::LawEvents(const JointModel& model) : model_(&model), rounding_(kLengthRounding * model.scales.length) {
+LawEvents::LawEvents(const JointModel& model, bool locate)
+    : model_(&model), rounding_(kLengthRounding * model.scales.length) {
+  if (!locate) return;
   for (std::size_t i = 0; i < model.ligaments.size(); ++i)
     for (const LawBreak& b : model.ligaments[i].law.breaks())
       if (!b.sharp()) watched_.push_back({static_cast<int>(i), b});

@@ -40,9 +40,10 @@ class LawEvents {
     EventAt event_at;
   };
 
-  explicit LawEvents(const JointModel& model);
+  /// Without `locate` no break is watched.
+  explicit LawEvents(const JointModel& model, bool locate = true);
 
-  /// Whether the model has no such break: the calls below then do nothing.
+  /// Whether no break is watched: the calls below then do nothing.
   bool none() const { return watched_.empty(); }
 
   /// m: a length closer to a break is at it.

@@ -19,7 +19,7 @@ class PathFollower {
         options_(options),
         event_(event),
         prediction_(solver.model()),
-        law_events_(solver.model()),
+        law_events_(solver.model(), options.locate_law_breaks),
         event_newton_(solver.model()),
         side_watch_(solver.model()) {}
 

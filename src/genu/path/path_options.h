@@ -15,6 +15,9 @@ struct PathOptions {
   double event_tolerance = 1e-9;     ///< of a step's parameter: accuracy of the position of events
   double smallest_increment = 1e-8;  ///< of a step's parameter: below this the path is stuck
   double largest_window = 0.0087;    ///< rad (0.5 deg): a longer gap without solution is not stepped over
+  /// Whether breaks that ligaments' laws pass between two poses are located and reported (law_events.h). The path is
+  /// the same without.
+  bool locate_law_breaks = true;
 };
 
 struct PathResult {

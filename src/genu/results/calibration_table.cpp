@@ -64,6 +64,8 @@ std::string to_text(const CalibrationReport& report) {
   const auto line = [&](const std::string& name, const std::string& text) {
     out += fmt::format("  {:<12}{}\n", name, text);
   };
+  if (!report.converged) line("caution", "the fit has not converged: its numbers are not those of the target");
+  if (!report.misfit.empty()) line("caution", report.misfit);
   std::size_t width = 9;
   for (const auto& p : report.parameters) width = std::max(width, p.name.size());
   out += fmt::format("  {:<{}}  {:>14}  {:>14}  {:>14}  unit\n", "parameter", width, "start", "fitted", "std. error");

@@ -40,6 +40,7 @@ struct CalibrationReport {
   std::vector<Column> columns;
   std::string stop;  ///< why it ended, in words
   bool converged = false;
+  std::string misfit;              ///< a sentence: residuals are far beyond the stated errors; empty: they are not
   int iterations = 0, runs = 0;    ///< of the scene, those for derivatives too
   bool exact = false;              ///< derivatives are exact, not differences
   std::vector<std::string> slack;  ///< sentences: what is slack in every pose, and from where on it would pull

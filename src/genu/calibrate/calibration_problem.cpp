@@ -1,0 +1,81 @@
+#include "genu/calibrate/calibration_problem.h"
+
+#include <tbb/parallel_for.h>
+
+#include "genu/calibrate/tolerances.h"
+
+namespace genu {
+
+CalibrationProblem::CalibrationProblem(const std::vector<CalibrationUnknown>& unknowns,
+                                       const std::vector<std::unique_ptr<CalibrationExperiment>>& experiments,
+                                       double difference)
+    : unknowns_(unknowns), experiments_(experiments), difference_(difference) {}
+
+Eigen::Index CalibrationProblem::target_rows() const {
+  std::size_t count = 0;
+  for (const auto& e : experiments_)
+    if (!e->held_out) count += e->values().size();
+  return static_cast<Eigen::Index>(count);
+}
+
+CalibrationProblem::At CalibrationProblem::at(const VecX& u, bool derivatives) const {
+  At out;
+  out.u = u;
+  out.predictions.resize(experiments_.size());
+  tbb::parallel_for(std::size_t{0}, experiments_.size(), [&](std::size_t e) {
+    if (experiments_[e]->held_out) return;
+    out.predictions[e] = experiments_[e]->predict(u, derivatives);
+    ++runs_;
+  });
+  Eigen::Index priors = 0;
+  for (const CalibrationUnknown& unknown : unknowns_) priors += unknown.prior ? 1 : 0;
+  const Eigen::Index rows = target_rows() + priors;
+  VecX residuals(rows);
+  MatX J = MatX::Zero(rows, u.size());
+  bool exact = derivatives;
+  Eigen::Index first = 0;
+  for (std::size_t e = 0; e < experiments_.size(); ++e) {
+    if (experiments_[e]->held_out) continue;
+    const CalibrationPrediction& p = out.predictions[e];
+    if (p.values.size() == 0) {
+      out.failed = p.failed;
+      return out;
+    }
+    const VecX scales = experiments_[e]->scales();
+    residuals.segment(first, scales.size()) = (p.values - experiments_[e]->wanted()).cwiseQuotient(scales);
+    exact = exact && p.derivatives.size() > 0;
+    if (exact) J.middleRows(first, scales.size()) = scales.cwiseInverse().asDiagonal() * p.derivatives;
+    first += scales.size();
+  }
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+    const CalibrationUnknown& unknown = unknowns_[k];
+    if (!unknown.prior) continue;
+    const auto column = static_cast<Eigen::Index>(k);
+    residuals[first] = (unknown.shown(u[column]) - unknown.prior->mean) / unknown.prior->deviation;
+    J(first++, column) = unknown.shown_slope(u[column]) / unknown.prior->deviation;
+  }
+  out.residuals = residuals;
+  if (exact) out.derivatives = J;
+  return out;
+}
+
+std::optional<MatX> CalibrationProblem::jacobian(const At& here) const {
+  if (here.derivatives.size() > 0) return here.derivatives;
+  const auto n = static_cast<std::size_t>(here.u.size());
+  std::vector<VecX> beside(2 * n);
+  tbb::parallel_for(std::size_t{0}, 2 * n, [&](std::size_t k) {
+    VecX u = here.u;
+    u[static_cast<Eigen::Index>(k / 2)] += k % 2 == 0 ? difference_ : -difference_;
+    beside[k] = at(u, false).residuals;
+  });
+  MatX J(here.residuals.size(), here.u.size());
+  for (std::size_t k = 0; k < n; ++k) {
+    if (beside[2 * k].size() == 0 || beside[2 * k + 1].size() == 0) return std::nullopt;
+    J.col(static_cast<Eigen::Index>(k)) = (beside[2 * k] - beside[2 * k + 1]) / (2 * difference_);
+  }
+  return J;
+}
+
+double derivative_noise(bool exact) { return exact ? kExactDerivativeNoise : kDerivativeNoise; }
+
+}  // namespace genu
