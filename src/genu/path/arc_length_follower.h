@@ -95,6 +95,7 @@ class ArcLengthFollower {
   void add_rows(double low, const Point& from, double high, const Point& to, std::vector<Feature>& out);
   void add_rows_between(const Point& before, const Point& changed);
   std::vector<int> rows_between(double from, double to) const;
+  Found locate(const Measure& measure, double low, const Point& from, double high, const Point& to, double tolerance);
   Found locate(const Measure& measure, double low, const Point& from, double high, const Point& to);
   void add_law_events(double arc, const Point& next, std::vector<Feature>& out);
   bool settle_on(double t, Point& point);

@@ -5,6 +5,7 @@
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/state_difference.h"
 #include "genu/path/arc_length_follower.h"
+#include "genu/path/flutter_tolerance.h"
 #include "genu/path/tolerances.h"
 
 namespace genu {
@@ -97,7 +98,7 @@ bool ArcLengthFollower::add_stability(double arc, const Point& next, double turn
   const std::string verdict = to_string(next.stability.verdict);
   if (next.stability.complex_pair && !here_.stability.complex_pair) {
     const Measure complex = [](const Point& p) { return p.stability.complex_pair ? 1.0 : -1.0; };
-    const Found there = locate(complex, 0, here_, arc, next);
+    const Found there = locate(complex, 0, here_, arc, next, flutter_tolerance(solver_.model(), kEventArc, arc));
     out.push_back({there.arc, there.point, PathEvent::Kind::flutter, 0, false, kFlutter});
   }
   const double before = here_.stability.smallest, after = next.stability.smallest;
@@ -200,8 +201,13 @@ std::vector<int> ArcLengthFollower::rows_between(double from, double to) const {
 
 ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, double low, const Point& from, double high,
                                                    const Point& to) {
+  return locate(measure, low, from, high, to, kEventArc);
+}
+
+ArcLengthFollower::Found ArcLengthFollower::locate(const Measure& measure, double low, const Point& from, double high,
+                                                   const Point& to, double tolerance) {
   const double after = measure(to);
-  Bracket bracket(low, measure(from), high, after, kEventArc);
+  Bracket bracket(low, measure(from), high, after, tolerance);
   Found best{high, to, after, true};
   Balanced before = from.at.pose, behind = to.at.pose;
   while (bracket.open()) {

@@ -131,7 +131,10 @@ class PathFollower {
     double value;  ///< of the measure
     bool leaps;    ///< the poses on both sides do not meet: they lie on two branches, or no pose was found between
   };
-  Found locate(const Measure& measure, double t_end, const State& end);
+  Found locate(const Measure& measure, double t_end, const State& end, double tolerance);
+  Found locate(const Measure& measure, double t_end, const State& end) {
+    return locate(measure, t_end, end, options_.event_tolerance);
+  }
   bool find_turns(double t, const State& next, std::vector<Turn>& turns);
   bool find_stability_change(double t, const State& next, std::vector<Turn>& turns);
   double reaction_rate(const Tangent& tangent) const;

@@ -7,6 +7,7 @@
 
 #include "genu/core/bracket.h"
 #include "genu/equilibrium/state_difference.h"
+#include "genu/path/flutter_tolerance.h"
 #include "genu/path/path_cubic.h"
 #include "genu/path/path_follower.h"
 #include "genu/path/tolerances.h"
@@ -26,9 +27,9 @@ std::string PathFollower::reaction_words(const Tangent& after, const State& stat
   return genu::reaction_words(solver_.model(), plan_, driven_, reaction_rate(after), state);
 }
 
-PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, const State& end) {
+PathFollower::Found PathFollower::locate(const Measure& measure, double t_end, const State& end, double tolerance) {
   const double after = measure(next_);
-  Bracket bracket(t_, measure(tangent_), t_end, after, options_.event_tolerance);
+  Bracket bracket(t_, measure(tangent_), t_end, after, tolerance);
   Found out{t_end, end, after, true};
   State before = pose_.state, behind = end;
   while (bracket.open()) {
@@ -84,7 +85,9 @@ bool PathFollower::reaction_may_turn(double t, const State& next) const {
 bool PathFollower::find_turns(double t, const State& next, std::vector<Turn>& turns) {
   if (!find_stability_change(t, next, turns)) return false;
   if (next_.stability.complex_pair && !stability().complex_pair) {
-    const Found there = locate([](const Tangent& x) { return x.stability.complex_pair ? 1.0 : -1.0; }, t, next);
+    const double tolerance = flutter_tolerance(solver_.model(), options_.event_tolerance, t - t_);
+    const Found there =
+        locate([](const Tangent& x) { return x.stability.complex_pair ? 1.0 : -1.0; }, t, next, tolerance);
     turns.push_back({there.t, PathEvent::Kind::flutter, there.state, "complex pair of stiffness eigenvalues"});
   }
   if (reaction_may_turn(t, next)) {

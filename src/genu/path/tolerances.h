@@ -103,6 +103,12 @@ inline constexpr double kMaxArcCorrection = 0.5;
 /// [1] Newton iterations to an event. Fails first: if too small, bisection instead (time).
 inline constexpr int kMaxEventIterations = 8;
 
+// flutter_tolerance
+
+/// [substep] How near the beginning of a flutter is located where elastic layers act. Fails first: if too small,
+/// bisections for a jump of a ray (time).
+inline constexpr double kFlutterShare = 1.0 / 128;
+
 // law_events
 
 /// [rise] Miss of a break by the cubic of a ligament's length, over its rise, that is looked at. Fails first: if too
