@@ -18,7 +18,7 @@ std::string joined(const std::vector<std::string>& parts, const char* between = 
 
 std::string axis_name(const Vec3& axis) {
   Eigen::Index i = 0;
-  axis.cwiseAbs().maxCoeff(&i);
+  if (axis.cwiseAbs().maxCoeff(&i) < 1) return fmt::format("({:.4g}, {:.4g}, {:.4g})", axis[0], axis[1], axis[2]);
   return std::string(axis[i] < 0 ? "-" : "") + "xyz"[i];
 }
 
