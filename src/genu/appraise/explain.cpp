@@ -167,7 +167,7 @@ class Explanation {
       if (scene_.gravity && b.mass > 0)
         heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
       else if (scene_.gravity && b.solid)
-        heavy.push_back(b.name + " of " + b.solid->file);
+        heavy.push_back(b.name + " of " + b.solid->file.text());
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("cartilage layer", layers.size(), "pairs: " + joined(layers) + "; no unknowns");
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");
