@@ -29,7 +29,7 @@ TEST(SceneEdit, BonesAreToldFromTheNewFolder) {
   const test::TemporaryFolder folder;
   Diagnostics out;
   std::string text = test::text_of(test::meshed_scene(folder));
-  const std::string bone = "\nthickness = { bone = \"femur_lateral.ply\", units = \"mm\" }";
+  const std::string bone = "\nthickness = { bone = [\"femur_lateral.ply\", \"femur_medial.ply\"], units = \"mm\" }";
   for (const std::string name : {"femur_lateral", "tibia_lateral"}) {
     const std::size_t end = text.find('\n', text.find("units = \"mm\"", text.find("[surface." + name + "]")));
     text.insert(end, name == "femur_lateral" ? bone : "\nthickness = 2");
@@ -42,7 +42,8 @@ TEST(SceneEdit, BonesAreToldFromTheNewFolder) {
   const std::string edited =
       with_fitted_surfaces(file, *scene, {{0, "medial", "femur_medial", "tibia_medial"}}, {}, folder / "new/out", out);
   EXPECT_FALSE(out.has_errors());
-  EXPECT_NE(edited.find("bone = \"../../femur_lateral.ply\""), std::string::npos) << edited;
+  EXPECT_NE(edited.find("bone = [\"../../femur_lateral.ply\", \"../../femur_medial.ply\"]"), std::string::npos)
+      << edited;
 }
 
 TEST(SceneEdit, SolidsOfBodiesAreToldFromTheNewFolder) {

@@ -47,6 +47,26 @@ TEST(SceneValues, MeshesAreFoundFromTheNewFolder) {
   EXPECT_TRUE(parse_scene(text, folder / "out/deep/scene.toml", out)) << test::messages(out);
 }
 
+TEST(SceneValues, SoAreThePiecesOfAMesh) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "knee");
+  for (const char* bone : {"tibia.stl", "patella.stl"})
+    std::filesystem::copy(test::kLeskovar + bone, folder / (std::string("knee/") + bone));
+  std::string scene_text = test::read_file(test::kLeskovar + "scene-bones.toml");
+  const std::string one = "file = \"tibia.stl\"", two = "file = [\"tibia.stl\", \"patella.stl\"]";
+  ASSERT_NE(scene_text.find(one), std::string::npos);
+  scene_text.replace(scene_text.find(one), one.size(), two);
+  const std::string file = folder.write("knee/scene.toml", scene_text);
+  Diagnostics out;
+  const auto scene = read_scene(file, out);
+  ASSERT_TRUE(scene) << test::messages(out);
+  const std::string text = with_values(file, *scene, {}, folder / "out", out);
+  EXPECT_NE(text.find("file = [\"../knee/tibia.stl\", \"../knee/patella.stl\"]"), std::string::npos) << text;
+  EXPECT_NE(with_mesh_names(scene_text, [](const std::string& name) { return "x" + name; })
+                .find("[\"xtibia.stl\", \"xpatella.stl\"]"),
+            std::string::npos);
+}
+
 TEST(SceneValues, SaysWhatTheFileDoesNotSay) {
   const std::string file = test::kLeskovar + "scene.toml";
   Diagnostics out;

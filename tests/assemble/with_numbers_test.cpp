@@ -97,12 +97,15 @@ TEST(WithNumbers, OfASceneInMemoryTouchNoFile) {
     rename(name);
     meshes->put(name, *mesh);
   }
+  const auto rename_all = [&](PieceFiles& names) {
+    for (std::string& file : names.paths) rename(file);
+  };
   for (SurfaceDef& s : scene.surfaces) {
-    rename(s.file);
-    if (s.thickness) rename(s.thickness->bone);
+    rename_all(s.file);
+    if (s.thickness) rename_all(s.thickness->bone);
   }
   for (BodyDef& b : scene.bodies)
-    if (b.solid) rename(b.solid->file);
+    if (b.solid) rename_all(b.solid->file);
   const auto prepared = prepare(scene, meshes, out);
   EXPECT_TRUE(prepared) << test::messages(out);
 }

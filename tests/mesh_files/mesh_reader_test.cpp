@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "genu/mesh/mesh_check.h"
@@ -53,6 +54,57 @@ TEST(MeshReader, BinaryStlComesBackAsItWasWrittenAndWelded) {
   }
   EXPECT_LT(worst, 0.03 * 6e-8);  // half a float32 step
   EXPECT_EQ(check_mesh(*back).boundary_edges, 0u);
+}
+
+TEST(MeshReader, FilesOfPiecesAreOneMesh) {
+  TemporaryFolder folder;
+  const std::string first = folder.write("first.stl", "solid a\n" + kFirst + "endsolid a\n");
+  const std::string second = folder.write("second.stl", "solid b\n" + kSecond + "endsolid b\n");
+  PieceFiles both;
+  both.paths = {first, second};
+  Diagnostics out;
+  MeshFileFacts facts;
+  const auto mesh = read_mesh(both, 1e-3, out, &facts);
+  ASSERT_TRUE(mesh && out.items().empty());
+  EXPECT_EQ(mesh->vertices.size(), 4u);
+  EXPECT_EQ(mesh->triangles.size(), 2u);
+  EXPECT_EQ(mesh->vertices[2], Vec3(1e-3, 1e-3, 0));
+  EXPECT_EQ(facts.ends, (std::vector<std::size_t>{1, 2}));
+  ASSERT_EQ(facts.borders.size(), 1u);
+  EXPECT_EQ(facts.borders[0].vertices, 2u);
+  EXPECT_EQ(facts.triangles, 2u);
+
+  both.paths = {first, folder.write("third.stl", "solid b\n" + kSecond + kFirst + "endsolid b\n")};
+  ASSERT_TRUE(read_mesh(both, 1e-3, out));
+  ASSERT_EQ(out.items().size(), 1u);
+  EXPECT_EQ(out.items()[0].file, both.text());
+  EXPECT_EQ(out.items()[0].rule, "dropped 1 triangles that stand in two of these files");
+}
+
+TEST(MeshReader, EachUnreadablePieceIsNamed) {
+  TemporaryFolder folder;
+  PieceFiles files;
+  files.paths = {folder.write("a.stl", "solid a\n" + kFirst + "endsolid a\n"), folder.write("b.stl", "solid cut short"),
+                 folder / "none.stl"};
+  Diagnostics out;
+  EXPECT_FALSE(read_mesh(files, 1, out));
+  ASSERT_EQ(out.items().size(), 2u);
+  EXPECT_EQ(out.items()[0].file, files.paths[1]);
+  EXPECT_EQ(out.items()[1].file, files.paths[2]);
+}
+
+TEST(MeshReader, TheUnitOfPiecesIsThatOfAllTogether) {
+  TemporaryFolder folder;
+  const auto sheet = [](double x) {
+    return ascii_facet(fmt::format("vertex {0} 0 0\nvertex {1} 0 0\nvertex {1} 0.01 0\n", x, x + 0.002));
+  };
+  PieceFiles files;
+  files.paths = {folder.write("a.stl", "solid a\n" + sheet(0) + "endsolid a\n"),
+                 folder.write("b.stl", "solid b\n" + sheet(0.08) + "endsolid b\n")};
+  Diagnostics out;
+  double unit = 0;
+  ASSERT_TRUE(read_mesh_of_some_unit(files, unit, out));
+  EXPECT_EQ(unit, 1);
 }
 
 TEST(MeshReader, AllFormatsGiveTheSameSheet) {

@@ -74,6 +74,22 @@ TEST(ReadJoints, Type) {
                  "is no key of a free joint");
 }
 
+TEST(ReadJoints, RotationsAboutAnyDirections) {
+  const Scene scene = good(
+      edited(kRotations, R"(rotations = ["flexion 0.1 0 -2", "adduction 0.9988 0 0.0499", "rotation 0 1 0.0002"])"));
+  const auto& r = scene.joints[0].rotations;
+  EXPECT_LT((r[0].axis - Vec3(0.1, 0, -2).normalized()).norm(), 1e-15);
+  EXPECT_LT((r[2].axis - Vec3(0, 1, 0.0002).normalized()).norm(), 1e-15);
+  EXPECT_LT((r[1].axis - Vec3(0.9988, 0, 0.0499)).norm(), 1e-3);
+  EXPECT_LT(std::abs(r[1].axis.dot(r[0].axis)), 1e-15);
+  EXPECT_LT(std::abs(r[1].axis.dot(r[2].axis)), 1e-15);
+  for (const std::string bad : {"0 0 0", "1 0", "1 0 nan", "1 0 1e400", "1 0 0 0", "1 0 0x", "[1, 0, 0]"})
+    expect_refused("\"flexion -z\"", "@\"flexion " + bad + "\"", "joint.knee.rotations[1]", "\"flexion " + bad + "\"",
+                   "or \"NAME X Y Z\" with a direction");
+  expect_refused("\"adduction x\"", "@\"adduction 1 0 0.1\"", "joint.knee.rotations[2]", "\"adduction 1 0 0.1\"",
+                 "must be perpendicular to the rotation before it");
+}
+
 TEST(ReadJoints, Rotations) {
   const std::string rule = "must be \"NAME AXIS\"";
   for (const std::string bad : {"flexion", "flexion w", "flexion -z z", "-z", "2x x", "flexion --z", ""}) {

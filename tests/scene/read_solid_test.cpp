@@ -58,7 +58,7 @@ TEST_F(ReadSolid, InSiUnitsWithDynamicsOrGravity) {
     const Scene scene = read(text);
     ASSERT_EQ(scene.bodies.size(), 2u);
     ASSERT_TRUE(scene.bodies[1].solid);
-    EXPECT_EQ(scene.bodies[1].solid->file, folder_ / "link.stl");
+    EXPECT_EQ(scene.bodies[1].solid->file.text(), folder_ / "link.stl");
     EXPECT_EQ(scene.bodies[1].solid->file_unit, 1e-3);
     EXPECT_EQ(scene.bodies[1].solid->density, 1100);
     EXPECT_EQ(scene.bodies[1].solid->placement.p, Vec3(0.01, 0, 0));

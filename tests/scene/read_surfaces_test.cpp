@@ -106,18 +106,41 @@ TEST_F(MeshSurface, FileIsRelativeToTheScene) {
   ASSERT_TRUE(scene) << all_messages(out);
   const SurfaceDef& mesh = scene->surfaces[0];
   EXPECT_EQ(mesh.shape, SurfaceDef::Shape::mesh);
-  EXPECT_EQ(mesh.file, (folder_ / "geometry" / "a.stl").string());
+  EXPECT_EQ(mesh.file.text(), (folder_ / "geometry" / "a.stl").string());
   EXPECT_EQ(mesh.file_unit, 1);
   EXPECT_DOUBLE_EQ(mesh.fit_radius.value_or(0), 0.005);
   EXPECT_EQ(mesh.degree, 3);
-  EXPECT_EQ(mesh.file_where.line, 21);
-  EXPECT_EQ(mesh.file_where.column, 8);
+  ASSERT_EQ(mesh.file.where.size(), 1u);
+  EXPECT_EQ(mesh.file.where[0].line, 21);
+  EXPECT_EQ(mesh.file.where[0].column, 8);
 }
 
 TEST_F(MeshSurface, UnitsOfTheFileAreItsOwn) {
   const std::string file = (folder_ / "geometry" / "a.stl").string();
   EXPECT_EQ(ball_with("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").file_unit, 1e-3);
   EXPECT_FALSE(ball_with("shape = \"mesh\"\nfile = \"" + file + "\"\nunits = \"mm\"\n").degree.has_value());
+}
+
+TEST_F(MeshSurface, FilesOfItsPiecesKeepTheirOrderAndPlaces) {
+  const std::string a = (folder_ / "geometry" / "a.stl").string(), b = (folder_ / "geometry" / "b.stl").string();
+  std::filesystem::copy_file(a, b);
+  const std::string text =
+      edited(kBall, "shape = \"mesh\"\nfile = [\"geometry/b.stl\",\n  \"geometry/a.stl\"]\nunits = \"mm\"\n");
+  Diagnostics out;
+  const auto scene = parse_scene(text, (folder_ / "scene.toml").string(), out);
+  ASSERT_TRUE(scene) << all_messages(out);
+  const PieceFiles& files = scene->surfaces[0].file;
+  EXPECT_EQ(files.paths, (std::vector<std::string>{b, a}));
+  EXPECT_EQ(files.where_of(a), (SourceLocation{22, 3}));
+  EXPECT_EQ(mesh_files(*scene), files.paths);
+  const auto refused = [&](const std::string& list, const std::string& key, const std::string& found,
+                           const std::string& rule) {
+    expect_surface_refused("shape = \"mesh\"\nfile = " + list + "\nunits = \"m\"\n", key, found, rule);
+  };
+  refused("@[]", "file", "[]", "must name a mesh file, or list the files of its pieces");
+  refused("[\"" + a + "\", @\"no.stl\"]", "file[2]", "\"no.stl\"", "no such file: no.stl");
+  refused("[\"" + a + "\", @7]", "file[2]", "7", "must be a string");
+  refused("[\"" + a + "\", @\"" + a + "\"]", "file[2]", "\"" + a + "\"", "is in this list before");
 }
 
 TEST_F(MeshSurface, Errors) {

@@ -203,7 +203,7 @@ TEST(Reader, LenhartKnee) {
   if (!scene) GTEST_SKIP() << "lenhart_knee.toml is not here";
   ASSERT_EQ(scene->surfaces.size(), 2u);
   EXPECT_EQ(scene->surfaces[1].file_unit, 1);
-  EXPECT_TRUE(fs::exists(scene->surfaces[1].file));
+  EXPECT_TRUE(fs::exists(scene->surfaces[1].file.text()));
   EXPECT_EQ(scene->contacts.at(0).regions.size(), 2u);
   ASSERT_EQ(scene->ligaments.size(), 55u);
   const LigamentDef& last = scene->ligaments.back();

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "genu/atlas/fitted_knee.h"
+#include "genu/mesh/nearest_point.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/scene/reader.h"
 #include "genu/study/fit_doubts.h"

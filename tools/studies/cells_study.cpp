@@ -47,7 +47,7 @@ std::optional<CellSize> solve_size(Scene scene, const Scene& formulas, double ed
     Mesh mesh = surface->triangles(1e-3 * (plateau ? edge : kFemurEdge), formula.placement.p, 0.05);
     if (plateau) size.cells += static_cast<int>(mesh.triangles.size()), area += 1e6 * area_of(mesh);
     for (Vec3& v : mesh.vertices) v *= to::kMillimetre;
-    meshes->put(def->file, mesh);
+    meshes->put(def->file.text(), mesh);
   }
   size.area = area / size.cells;
   size.spring = spring_of(scene.layers.at(0), size.area);

@@ -18,7 +18,7 @@ std::string joined(const std::vector<std::string>& parts, const char* between = 
 
 std::string axis_name(const Vec3& axis) {
   Eigen::Index i = 0;
-  axis.cwiseAbs().maxCoeff(&i);
+  if (axis.cwiseAbs().maxCoeff(&i) < 1) return fmt::format("({:.4g}, {:.4g}, {:.4g})", axis[0], axis[1], axis[2]);
   return std::string(axis[i] < 0 ? "-" : "") + "xyz"[i];
 }
 
@@ -167,7 +167,7 @@ class Explanation {
       if (scene_.gravity && b.mass > 0)
         heavy.push_back(fmt::format("{} {:g} kg", b.name, b.mass));
       else if (scene_.gravity && b.solid)
-        heavy.push_back(b.name + " of " + b.solid->file);
+        heavy.push_back(b.name + " of " + b.solid->file.text());
     effect("rigid contact", scene_.contacts.size(), "pairs: " + joined(pairs));
     effect("cartilage layer", layers.size(), "pairs: " + joined(layers) + "; no unknowns");
     effect("ligaments", scene_.ligaments.size(), "laws: " + joined(laws) + "; no unknowns");

@@ -8,8 +8,8 @@
 
 namespace genu {
 
-/// Adds all of `found` to `out`, at the place and key of the scene where `mesh_file` stands.
-void add_at_key(const SceneTables& scene, const SourceLocation& where, const std::string& key,
-                const std::string& mesh_file, const Diagnostics& found, Diagnostics& out);
+/// Adds all of `found` to `out`, at the place and key of the scene where the file stands that it is about.
+void add_at_key(const SceneTables& scene, const std::string& key, const PieceFiles& files, const Diagnostics& found,
+                Diagnostics& out);
 
 }  // namespace genu

@@ -11,6 +11,7 @@
 #include "genu/assemble/changed_scene.h"
 #include "genu/assemble/facing.h"
 #include "genu/assemble/mesh_diagnostics.h"
+#include "genu/assemble/piece_notes.h"
 #include "genu/assemble/read_bones.h"
 #include "genu/assemble/read_solids.h"
 #include "genu/assemble/tolerances.h"
@@ -52,19 +53,19 @@ std::vector<DoubtfulPlace> set_flaws_apart(Mesh& mesh, const SurfaceDef& def, Di
     if (++count <= kFlawsInMessage) told += (told.empty() ? "" : "; ") + what;
     // What lies inside another piece is out of reach and leaves nothing missing.
     if (flaw.kind == Flaw::Kind::inner_piece) continue;
-    places.push_back({def.file + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
+    places.push_back({def.file.text() + " has " + what, flaw.points, 0, flaw.kind != Flaw::Kind::stray_piece});
   }
   if (count == 0) return places;
   if (count > kFlawsInMessage)
     told += fmt::format("; and {} more (genu mesh-check lists them)", count - kFlawsInMessage);
-  out.warning(Code::mesh_flawed, def.file,
+  out.warning(Code::mesh_flawed, def.file.text(),
               "has flaws, left out of its surface; a pose whose contact touches one is refused: " + told);
   return places;
 }
 
 void warn_steps(const std::optional<StairSteps>& steps, const SurfaceDef& def, Diagnostics& out) {
   if (!steps) return;
-  out.warning(Code::mesh_coordinates, def.file,
+  out.warning(Code::mesh_coordinates, def.file.text(),
               fmt::format("is a staircase of {} steps of {:.3g} mm, a segmentation that was not smoothed: it is about "
                           "{:.2g} mm off the surface it stands for",
                           steps->levels, to::kMillimetre * steps->height, to::kMillimetre * steps->rms));
@@ -72,7 +73,7 @@ void warn_steps(const std::optional<StairSteps>& steps, const SurfaceDef& def, D
 
 void warn_turned(std::size_t turned, const SurfaceDef& def, Diagnostics& out) {
   if (turned == 0) return;
-  out.warning(Code::mesh_repaired, def.file,
+  out.warning(Code::mesh_repaired, def.file.text(),
               fmt::format("has {} triangles wound against the rest of it: turned round", turned));
 }
 
@@ -86,7 +87,7 @@ void turn_inside_out(Mesh& mesh, const MeshReport& report, const SurfaceDef& def
   if (!(volume < 0)) return;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   out.warning(
-      Code::mesh_repaired, def.file,
+      Code::mesh_repaired, def.file.text(),
       "is inside out: its normals point into the volume it closes; turned round (inside = true keeps a hollow)");
 }
 
@@ -125,7 +126,7 @@ void warn_thin(const Prepared& p, Diagnostics& out) {
 void add_at(const PlacedScene& scene, const SurfaceDef& def, const Diagnostics& found, Diagnostics& out) {
   Diagnostics of_file;
   for (Diagnostic d : found.items()) {
-    if (d.key != def.file + ".fit_radius") {
+    if (d.key != def.file.text() + ".fit_radius") {
       of_file.add(d);
       continue;
     }
@@ -135,7 +136,7 @@ void add_at(const PlacedScene& scene, const SurfaceDef& def, const Diagnostics& 
     d.key = "surface." + def.name + ".fit_radius";
     out.add(d);
   }
-  add_at_key(scene, def.file_where, "surface." + def.name + ".file", def.file, of_file, out);
+  add_at_key(scene, "surface." + def.name + ".file", def.file, of_file, out);
 }
 
 /// Whether nothing but the triangles of a surface is asked for: then it is not made smooth.
@@ -158,8 +159,8 @@ bool triangles_alone(const PlacedScene& scene, std::size_t surface) {
 }
 
 std::shared_ptr<const Surface> as_triangles(Mesh mesh, std::vector<DoubtfulPlace> doubtful, SurfaceNote& note) {
-  note.text = fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
-                          to::kMillimetre * note.mesh->edge_length[2]);
+  note.text += fmt::format("{} triangles, edge {:.2f} mm; used as they are", note.mesh->triangles,
+                           to::kMillimetre * note.mesh->edge_length[2]);
   auto facets = std::make_shared<FacetSurface>(std::move(mesh));
   for (DoubtfulPlace& d : doubtful) d.reach = note.mesh->edge_length[2];
   facets->set_doubtful(std::move(doubtful));
@@ -179,8 +180,10 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
     mesh = meshes.read(def.file, def.file_unit, found, &facts);
     note.space = facts.space;
     if (mesh) {
+      note.text = pieces_text(def.file, facts.borders);
+      warn_meetings(*mesh, facts.ends, def, found);
       note.mesh = check_mesh(*mesh);
-      check_scale(*note.mesh, def.file, length_unit_name(def.file_unit), found);
+      check_scale(*note.mesh, def.file.text(), length_unit_name(def.file_unit), found);
       make_winding_consistent(*mesh, mesh_edges(*mesh));
       turn_inside_out(*mesh, *note.mesh, def, found);
       doubtful = set_flaws_apart(*mesh, def, found);
@@ -197,9 +200,9 @@ std::shared_ptr<const Surface> build_mesh_surface(const PlacedScene& scene, cons
     return as_triangles(std::move(*mesh), std::move(doubtful), note);
   }
   if (mesh && !found.has_errors())
-    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file, found);
+    surface = BlendSurface::build(std::move(*mesh), {def.fit_radius, def.degree}, def.file.text(), found);
   if (surface) {
-    note.text = describe(*note.mesh, surface->facts());
+    note.text += describe(*note.mesh, surface->facts());
     surface->set_doubtful(std::move(doubtful));
     note.blend = surface;
   }
@@ -288,7 +291,7 @@ void warn_spaces(const Prepared& p, Diagnostics& out) {
     out.add(warning_at({p.scene.file, c.where}, Code::layout, "contact." + c.name + ".surfaces", {},
                        fmt::format("are in two frames by their files' own headers: {} says SPACE={}, {} SPACE={}; "
                                    "export both in one frame",
-                                   a.file, of_a, b.file, of_b)));
+                                   a.file.text(), of_a, b.file.text(), of_b)));
   };
   for (const ContactDef& c : p.scene.contacts) look(c);
   for (const LayerDef& layer : p.scene.layers) look(layer.pair);

@@ -15,8 +15,8 @@ std::shared_ptr<const BoneUnder> read_bone(const PlacedScene& scene, const Surfa
   const SurfaceDef::Thickness& thickness = *surface.thickness;
   Diagnostics found;
   auto mesh = meshes.read(thickness.bone, thickness.bone_unit, found);
-  if (mesh) check_scale(check_mesh(*mesh), thickness.bone, length_unit_name(thickness.bone_unit), found);
-  add_at_key(scene, thickness.bone_where, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
+  if (mesh) check_scale(check_mesh(*mesh), thickness.bone.text(), length_unit_name(thickness.bone_unit), found);
+  add_at_key(scene, "surface." + surface.name + ".thickness.bone", thickness.bone, found, out);
   if (!mesh || found.has_errors()) return nullptr;
   make_winding_consistent(*mesh, mesh_edges(*mesh));
   turn_odd_pieces(*mesh);

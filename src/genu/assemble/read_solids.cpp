@@ -32,7 +32,7 @@ std::string places(const std::vector<Flaw>& flaws, Flaw::Kind kind, double unit)
 bool bounds_a_volume(const Mesh& mesh, const Solid& solid, Diagnostics& out) {
   Mesh cut = mesh;
   const std::vector<Flaw> flaws = cut_out_flaws(cut);
-  const auto error = [&](const std::string& rule) { out.error(Code::mesh_unusable, solid.file, rule); };
+  const auto error = [&](const std::string& rule) { out.error(Code::mesh_unusable, solid.file.text(), rule); };
   bool good = true;
   for (const Flaw::Kind kind : {Flaw::Kind::non_manifold, Flaw::Kind::unorientable})
     if (const std::string where = places(flaws, kind, solid.file_unit); !where.empty()) {
@@ -48,14 +48,14 @@ bool bounds_a_volume(const Mesh& mesh, const Solid& solid, Diagnostics& out) {
     good = false;
   }
   if (const std::string where = places(flaws, Flaw::Kind::crossing, solid.file_unit); good && !where.empty())
-    out.warning(Code::mesh_flawed, solid.file,
+    out.warning(Code::mesh_flawed, solid.file.text(),
                 "runs through itself, and what lies in two of its parts counts twice: " + where);
   return good;
 }
 
 /// All triangles outward, but for those of cavities; `turned` were turned before, for a winding that agrees.
 void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostics& out) {
-  const auto warn = [&](const std::string& rule) { out.warning(Code::mesh_repaired, solid.file, rule); };
+  const auto warn = [&](const std::string& rule) { out.warning(Code::mesh_repaired, solid.file.text(), rule); };
   if (solid_inertia(mesh).volume < 0) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     warn("is inside out: its normals point into the volume it closes; taken the other way round");
@@ -75,7 +75,7 @@ void face_outward(Mesh& mesh, std::size_t turned, const Solid& solid, Diagnostic
 std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& meshes, Diagnostics& out) {
   auto mesh = meshes.read(solid.file, solid.file_unit, out);
   if (!mesh) return std::nullopt;
-  check_scale(check_mesh(*mesh), solid.file, length_unit_name(solid.file_unit), out);
+  check_scale(check_mesh(*mesh), solid.file.text(), length_unit_name(solid.file_unit), out);
   if (out.has_errors()) return std::nullopt;
   const std::size_t turned = make_winding_consistent(*mesh, mesh_edges(*mesh)).flipped;
   if (!bounds_a_volume(*mesh, solid, out)) return std::nullopt;
@@ -83,7 +83,7 @@ std::optional<SolidInertia> read_solid_mesh(const Solid& solid, MeshLibrary& mes
   for (Vec3& v : mesh->vertices) v = solid.placement * v;
   const SolidInertia found = solid_inertia(*mesh);
   if (fullness(*mesh, found.volume) > kMinFullness) return found;
-  out.error(Code::mesh_unusable, solid.file, "closes no volume: it is flat");
+  out.error(Code::mesh_unusable, solid.file.text(), "closes no volume: it is flat");
   return std::nullopt;
 }
 
@@ -95,13 +95,14 @@ std::vector<RunSummary::BodyFacts> read_solids(Scene& scene, MeshLibrary& meshes
     if (!body.solid) continue;
     Diagnostics found;
     const auto solid = read_solid_mesh(*body.solid, meshes, found);
-    add_at_key(scene, body.solid->file_where, "body." + body.name + ".solid.file", body.solid->file, found, out);
+    add_at_key(scene, "body." + body.name + ".solid.file", body.solid->file, found, out);
     if (!solid) continue;
     const double density = body.solid->density;
     body.mass = density * solid->volume;
     body.centre_of_mass = solid->centroid;
     body.inertia = density * solid->about_centroid;
-    facts.push_back({body.name, body.solid->file, density, solid->volume, body.mass, solid->centroid, body.inertia});
+    facts.push_back(
+        {body.name, body.solid->file.text(), density, solid->volume, body.mass, solid->centroid, body.inertia});
   }
   return facts;
 }

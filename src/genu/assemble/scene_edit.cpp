@@ -111,7 +111,7 @@ std::string with_fitted_surfaces(const std::string& file, const SceneTables& sce
                        "is not written as a table with a header of its own, [" + what + "], and cannot be replaced"));
     first = std::min(first, where.line);
   };
-  const auto rename = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
+  const auto rename_one = [&](const TomlNode* name, const std::string& opened, const std::string& key) {
     const fs::path from = fs::absolute(folder).lexically_normal(), to = fs::absolute(opened).lexically_normal();
     const std::string path = to.lexically_relative(from).generic_string();
     const bool plain = toml_string(path) == '"' + path + '"';  // reads back as it is, in any quotes
@@ -119,6 +119,11 @@ std::string with_fitted_surfaces(const std::string& file, const SceneTables& sce
       out.add(error_at({file, name->where}, Code::wrong_form, key, {},
                        "cannot be told from the new scene's folder: give the mesh a name without quotes, "
                        "backslashes and control characters"));
+  };
+  const auto rename = [&](const TomlNode* names, const PieceFiles& opened, const std::string& key) {
+    const bool list = names && names->kind == TomlNode::Kind::array;
+    for (std::size_t k = 0; k < opened.paths.size(); ++k)
+      rename_one(list ? &names->children[k] : names, opened.paths[k], key);
   };
   for (const BodyDef& body : scene.bodies)
     if (body.solid)

@@ -20,8 +20,12 @@ namespace fs = std::filesystem;
 /// Calls visit(key, node) for every name of a mesh file.
 void for_mesh_names(const TomlNode& document, const std::function<void(const std::string&, const TomlNode&)>& visit) {
   const auto look = [&](const TomlNode* table, const char* member, const std::string& key) {
-    if (const TomlNode* name = table ? table->member(member) : nullptr; name && name->kind == TomlNode::Kind::string)
-      visit(key + "." + member, *name);
+    const TomlNode* names = table ? table->member(member) : nullptr;
+    if (names == nullptr) return;
+    if (names->kind == TomlNode::Kind::string) visit(key + "." + member, *names);
+    if (names->kind == TomlNode::Kind::array)  // of the pieces of one mesh
+      for (const TomlNode& name : names->children)
+        if (name.kind == TomlNode::Kind::string) visit(key + "." + member, name);
   };
   if (const TomlNode* bodies = document.member("body"))
     for (const TomlNode& body : bodies->children) look(body.member("solid"), "file", "body." + body.key + ".solid");

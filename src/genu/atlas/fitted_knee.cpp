@@ -6,25 +6,10 @@
 #include <numbers>
 
 #include "genu/atlas/tolerances.h"
+#include "genu/mesh/nearest_point.h"
 
 namespace genu {
 namespace {
-
-/// The point of a triangle nearest to x (Ericson 2005, 5.1.5).
-Vec3 nearest_on_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = x - a, bp = x - b, cp = x - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d1 <= 0 && d2 <= 0) return a;
-  if (d3 >= 0 && d4 <= d3) return b;
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
-  const double sum = va + vb + vc;
-  if (!(sum > 0)) return a;  // without area
-  return a + vb / sum * ab + vc / sum * ac;
-}
 
 /// Starts: straight, and tilted about each axis of the knee both ways.
 std::vector<Affine> starts_of(const KneeAxes& axes, const ReferenceKnee::Plateau& plateau, double up) {
@@ -108,20 +93,6 @@ FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, cons
 }  // namespace
 
 bool FittedBone::poor() const { return !(median <= kPoorMisfit) || !(matched >= kLeastMatched); }
-
-Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x) {
-  Vec3 nearest = x;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& t : mesh.triangles) {
-    const Vec3 p = nearest_on_triangle(x, mesh.vertices[at(t[0])], mesh.vertices[at(t[1])], mesh.vertices[at(t[2])]);
-    const double d = (p - x).squaredNorm();
-    if (d < least) {
-      least = d;
-      nearest = p;
-    }
-  }
-  return nearest;
-}
 
 Vec3 middle_of(const FittedBone& bone, const std::vector<std::string>& bundles) {
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;

@@ -57,7 +57,4 @@ std::vector<double> slack_lengths(const FittedKnee& fitted, double closer = 0);
 /// The middle of the fibres of these bundles on one of the bones. m
 Vec3 middle_of(const FittedBone& bone, const std::vector<std::string>& bundles);
 
-/// The point of a mesh that is nearest to x. m.
-Vec3 nearest_on_mesh(const Mesh& mesh, const Vec3& x);
-
 }  // namespace genu

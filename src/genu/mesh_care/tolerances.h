@@ -73,6 +73,12 @@ inline constexpr std::size_t kMaxThicknessRays = 400;
 /// [1] Ray-triangle tests spent on thickness. Fails first: if too large, mesh-check is slow on large meshes.
 inline constexpr double kThicknessRayTests = 4e7;
 
+// piece_meetings
+
+/// [m] Distance of the pieces of a surface below which they are said to touch. Fails first: if too small, a slit in a
+/// surface is not told; if too large, the two plateaus of a tibia are said to touch.
+inline constexpr double kPiecesTouch = 0.5e-3;
+
 // mesh_smooth
 
 /// [edge] Wavelength above which smoothing leaves a shape. Fails first: if too large, condyles are flattened.

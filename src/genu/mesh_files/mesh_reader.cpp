@@ -138,6 +138,40 @@ Mesh in_metres(const std::string& path, Mesh mesh, double metres_per_unit, MeshF
 /// m
 double guessed_unit(const Mesh& mesh) { return guess_unit(bounding_box(mesh).diagonal()) == "m" ? 1.0 : 1e-3; }
 
+/// Pieces in two frames are seldom meant: between RAS and LPS one of them stands back to front.
+bool in_one_space(const PieceFiles& files, const std::vector<MeshFileFacts>& pieces, Diagnostics& out) {
+  std::size_t named = 0;
+  while (named < pieces.size() && pieces[named].space.empty()) ++named;
+  for (std::size_t k = named; k < pieces.size(); ++k) {
+    if (pieces[k].space.empty() || pieces[k].space == pieces[named].space) continue;
+    out.error(Code::layout, files.paths[k],
+              fmt::format("says SPACE={} and {} says SPACE={}: export the pieces of a mesh in one frame",
+                          pieces[k].space, files.paths[named], pieces[named].space));
+    return false;
+  }
+  return true;
+}
+
+MeshFileFacts facts_of(const std::vector<MeshFileFacts>& pieces, const JoinedMesh& joined) {
+  MeshFileFacts all;
+  for (const MeshFileFacts& piece : pieces) {
+    all.vertices += piece.vertices;
+    all.triangles += piece.triangles;
+    all.weld.joined += piece.weld.joined;
+    all.weld.joined_near += piece.weld.joined_near;
+    all.weld.degenerate += piece.weld.degenerate;
+    all.weld.duplicate += piece.weld.duplicate;
+    all.weld.both_ways += piece.weld.both_ways;
+    all.single = piece.rounding > all.rounding ? piece.single : all.single;
+    all.rounding = std::max(all.rounding, piece.rounding);
+    if (all.space.empty()) all.space = piece.space;
+    all.notes.insert(all.notes.end(), piece.notes.begin(), piece.notes.end());
+  }
+  all.ends = joined.ends;
+  all.borders = joined.borders;
+  return all;
+}
+
 }  // namespace
 
 const MeshLibrary::Entry& MeshLibrary::entry(const std::string& path) {
@@ -160,8 +194,10 @@ void MeshLibrary::put(const std::string& name, const Mesh& mesh) {
   entries_.insert_or_assign(name, std::move(e));
 }
 
-std::optional<Mesh> MeshLibrary::read(const std::string& path, double metres_per_unit, Diagnostics& out,
+std::optional<Mesh> MeshLibrary::read(const PieceFiles& files, double metres_per_unit, Diagnostics& out,
                                       MeshFileFacts* facts) {
+  if (files.several()) return join(files, metres_per_unit, out, facts);
+  const std::string path = files.text();
   const Entry& e = entry(path);
   if (e.fault) {
     out.error(e.fault->code, path, e.fault->text);
@@ -173,11 +209,36 @@ std::optional<Mesh> MeshLibrary::read(const std::string& path, double metres_per
   return mesh;
 }
 
-std::optional<Mesh> MeshLibrary::read_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
+std::optional<Mesh> MeshLibrary::join(const PieceFiles& files, double metres_per_unit, Diagnostics& out,
+                                      MeshFileFacts* facts) {
+  std::vector<Mesh> pieces;
+  std::vector<MeshFileFacts> of_pieces;
+  double tolerance = 0;
+  for (const std::string& path : files.paths) {
+    auto mesh = read(path, metres_per_unit, out, &of_pieces.emplace_back());
+    if (!mesh) continue;
+    tolerance = std::max(tolerance, metres_per_unit * weld_tolerance(entry(path).mesh));
+    pieces.push_back(std::move(*mesh));
+  }
+  if (pieces.size() < files.paths.size()) return std::nullopt;
+  if (!in_one_space(files, of_pieces, out)) return std::nullopt;
+  JoinedMesh joined = join_pieces(pieces, tolerance);
+  if (joined.repeated > 0)
+    out.warning(Code::mesh_repaired, files.text(),
+                fmt::format("dropped {} triangles that stand in two of these files", joined.repeated));
+  if (facts != nullptr) *facts = facts_of(of_pieces, joined);
+  return std::move(joined.mesh);
+}
+
+std::optional<Mesh> MeshLibrary::read_of_some_unit(const PieceFiles& files, double& metres_per_unit, Diagnostics& out,
                                                    MeshFileFacts* facts) {
-  const Entry& e = entry(path);
-  if (!e.fault) metres_per_unit = guessed_unit(e.mesh);
-  return read(path, metres_per_unit, out, facts);
+  Mesh points;  // of all files
+  for (const std::string& path : files.paths) {
+    const Mesh& mesh = entry(path).mesh;
+    points.vertices.insert(points.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  }
+  if (!points.vertices.empty()) metres_per_unit = guessed_unit(points);
+  return read(files, metres_per_unit, out, facts);
 }
 
 namespace {
@@ -201,13 +262,15 @@ std::optional<Mesh> read_once(const std::string& path, double& metres_per_unit, 
 
 }  // namespace
 
-std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts) {
-  return read_once(path, metres_per_unit, false, out, facts);
+std::optional<Mesh> read_mesh(const PieceFiles& files, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts) {
+  if (files.several()) return MeshLibrary().read(files, metres_per_unit, out, facts);
+  return read_once(files.text(), metres_per_unit, false, out, facts);
 }
 
-std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit, Diagnostics& out,
+std::optional<Mesh> read_mesh_of_some_unit(const PieceFiles& files, double& metres_per_unit, Diagnostics& out,
                                            MeshFileFacts* facts) {
-  return read_once(path, metres_per_unit, true, out, facts);
+  if (files.several()) return MeshLibrary().read_of_some_unit(files, metres_per_unit, out, facts);
+  return read_once(files.text(), metres_per_unit, true, out, facts);
 }
 
 }  // namespace genu

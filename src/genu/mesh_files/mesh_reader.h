@@ -11,7 +11,9 @@
 
 #include "genu/core/diagnostics.h"
 #include "genu/core/input_files.h"
+#include "genu/core/piece_files.h"
 #include "genu/mesh/mesh.h"
+#include "genu/mesh/mesh_join.h"
 #include "genu/mesh/mesh_weld.h"
 
 namespace genu {
@@ -23,7 +25,9 @@ struct MeshFileFacts {
   double rounding = 0;     ///< m: the step of its numbers (coordinate_step.h); 0: double precision, or too few to tell
   bool single = false;     ///< that is float32's step at the largest coordinate, not one the exporter chose
   std::string space = {};  ///< the frame that the file names (mesh_space.h): "RAS", "LPS"; empty: none
-  std::vector<std::string> notes = {};  ///< what is not as its format has it, and was read all the same
+  std::vector<std::string> notes = {};           ///< what is not as its format has it, and was read all the same
+  std::vector<std::size_t> ends = {};            ///< of a mesh of several files: JoinedMesh::ends, else empty
+  std::vector<JoinedMesh::Border> borders = {};  ///< between the pieces of these files
 };
 
 /// The meshes that a piece of work uses. Each file is opened and parsed once, whoever asks for it and however often;
@@ -37,15 +41,17 @@ class MeshLibrary {
   /// degenerate and repeated triangles (a warning gives their number) and turns file units into metres. Vertices keep
   /// the order of their first appearance; the winding is the file's. Coordinates that single precision rounds to more
   /// than 2 um, as far from the origin, get a warning.
+  /// Several files are read like that each, and joined: vertices of two pieces within the larger of their tolerances
+  /// become one, triangles that an earlier piece has are dropped (a warning), and pieces that do not touch stay apart.
   /// Empty with an error in `out` that names the file, what is wrong and what to do, for a file that is missing, not
   /// readable, of another format, empty, truncated, larger than memory, or without triangles or with coordinates that
   /// are not numbers or lie beyond 1e9 units.
-  [[nodiscard]] std::optional<Mesh> read(const std::string& path, double metres_per_unit, Diagnostics& out,
+  [[nodiscard]] std::optional<Mesh> read(const PieceFiles& files, double metres_per_unit, Diagnostics& out,
                                          MeshFileFacts* facts = nullptr);
 
-  /// The same for a file of unknown unit: m where that alone makes it a knee's surface, else mm. `metres_per_unit`
-  /// gets it.
-  [[nodiscard]] std::optional<Mesh> read_of_some_unit(const std::string& path, double& metres_per_unit,
+  /// The same for files of unknown unit: m where that alone makes the whole a knee's surface, else mm.
+  /// `metres_per_unit` gets it.
+  [[nodiscard]] std::optional<Mesh> read_of_some_unit(const PieceFiles& files, double& metres_per_unit,
                                                       Diagnostics& out, MeshFileFacts* facts = nullptr);
 
   /// From now on read(name) gives this mesh (its coordinates in units of that call), cleaned as a file's would be.
@@ -60,18 +66,19 @@ class MeshLibrary {
     std::optional<Fault> fault;  ///< why there is no mesh
   };
   const Entry& entry(const std::string& path);
+  std::optional<Mesh> join(const PieceFiles& files, double metres_per_unit, Diagnostics& out, MeshFileFacts* facts);
 
   std::shared_ptr<InputFiles> files_;
   std::mutex mutex_;
   std::map<std::string, Entry> entries_;
 };
 
-/// MeshLibrary::read() of one file for one use.
-[[nodiscard]] std::optional<Mesh> read_mesh(const std::string& path, double metres_per_unit, Diagnostics& out,
+/// MeshLibrary::read() for one use.
+[[nodiscard]] std::optional<Mesh> read_mesh(const PieceFiles& files, double metres_per_unit, Diagnostics& out,
                                             MeshFileFacts* facts = nullptr);
 
-/// MeshLibrary::read_of_some_unit() of one file for one use.
-[[nodiscard]] std::optional<Mesh> read_mesh_of_some_unit(const std::string& path, double& metres_per_unit,
+/// MeshLibrary::read_of_some_unit() for one use.
+[[nodiscard]] std::optional<Mesh> read_mesh_of_some_unit(const PieceFiles& files, double& metres_per_unit,
                                                          Diagnostics& out, MeshFileFacts* facts = nullptr);
 
 }  // namespace genu

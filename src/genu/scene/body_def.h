@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "genu/core/piece_files.h"
 #include "genu/core/pose.h"
 #include "genu/core/source_location.h"
 #include "genu/core/types.h"
@@ -14,11 +15,11 @@ namespace genu {
 struct BodyDef {
   /// A closed mesh full of a material.
   struct Solid {
-    std::string file;      ///< path as opened
-    double file_unit = 1;  ///< m per unit of the file
+    PieceFiles file;       ///< paths as opened
+    double file_unit = 1;  ///< m per unit of the files
     Pose placement;        ///< X_body_mesh
     double density = 0;    ///< kg/m^3
-    SourceLocation where, file_where;
+    SourceLocation where;
   };
   std::string name;
   bool fixed = false;

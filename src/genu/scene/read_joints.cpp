@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "genu/scene/read_parts.h"
+#include "genu/scene/tolerances.h"
 #include "genu/scene/words.h"
 
 namespace genu {
@@ -17,22 +21,54 @@ struct Axis {
 constexpr std::array<Axis, 6> kAxes = {
     {{"x", 0, 1}, {"y", 1, 1}, {"z", 2, 1}, {"-x", 0, -1}, {"-y", 1, -1}, {"-z", 2, -1}}};
 
+/// "-z", or the three numbers of a direction "0.1 0 0.99".
+std::optional<Vec3> direction_of(const std::vector<std::string>& words) {
+  if (words.size() == 1) {
+    const auto found = std::find_if(kAxes.begin(), kAxes.end(), [&](const Axis& a) { return words[0] == a.word; });
+    return found == kAxes.end() ? std::nullopt : std::optional(Vec3(found->sign * Vec3::Unit(found->index)));
+  }
+  if (words.size() != 3) return std::nullopt;
+  Vec3 direction;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::string& word = words[static_cast<std::size_t>(k)];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), direction[k]);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  }
+  if (!(direction.cwiseAbs().maxCoeff() <= kMaxNumber) || !(direction.norm() > kLeastDirection)) return std::nullopt;
+  return direction.normalized();
+}
+
 /// "flexion -z"
 std::optional<JointDef::Rotation> read_rotation(ReadContext& context, const Item& item) {
   const auto text = read_string(context, item);
   if (!text) return {};
-  std::istringstream words(*text);
-  std::string name, axis, more;
-  words >> name >> axis >> more;
-  const auto found = std::find_if(kAxes.begin(), kAxes.end(), [&](const Axis& a) { return axis == a.word; });
-  if (!is_name(name) || found == kAxes.end() || !more.empty()) {
-    refuse(context, item, Code::wrong_form, "must be \"NAME AXIS\" with a name and one of x, y, z, -x, -y, -z");
+  std::istringstream stream(*text);
+  std::string name;
+  stream >> name;
+  const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  const auto axis = direction_of(words);
+  if (!is_name(name) || !axis) {
+    refuse(context, item, Code::wrong_form,
+           "must be \"NAME AXIS\" with a name and one of x, y, z, -x, -y, -z, or \"NAME X Y Z\" with a direction");
     return {};
   }
   JointDef::Rotation rotation;
   rotation.name = name;
-  rotation.axis = found->sign * Vec3::Unit(found->index);
+  rotation.axis = *axis;
   return rotation;
+}
+
+/// Directions are written with few digits: neighbours become exactly perpendicular.
+void make_perpendicular(JointDef& joint) {
+  Vec3 &first = joint.rotations[0].axis, &second = joint.rotations[1].axis, &third = joint.rotations[2].axis;
+  if (first.dot(second) == 0 && second.dot(third) == 0) return;
+  const Vec3 across = first.cross(third);
+  if (across.norm() > kAxesApart) {
+    second = (across.dot(second) < 0 ? -across : across).normalized();
+  } else {
+    second = (second - first * first.dot(second)).normalized();
+    third = (third - second * second.dot(third)).normalized();
+  }
 }
 
 bool read_rotations(ReadContext& context, const Item& item, JointDef& joint) {
@@ -44,11 +80,14 @@ bool read_rotations(ReadContext& context, const Item& item, JointDef& joint) {
     if (rotation) joint.rotations[k] = *rotation;
   }
   for (std::size_t k = 1; good && k < 3; ++k) {
-    if (joint.rotations[k].axis.dot(joint.rotations[k - 1].axis) == 0) continue;
+    const double cosine = std::abs(joint.rotations[k].axis.dot(joint.rotations[k - 1].axis));
+    if (cosine <= kAxesAskew) continue;
     refuse(context, item.element(k), Code::conflict,
-           "turns about the same axis as the rotation before it: neighbours must differ");
+           cosine > 1 - kAxesAskew ? "turns about the same axis as the rotation before it: neighbours must differ"
+                                   : "must be perpendicular to the rotation before it, to three digits");
     good = false;
   }
+  if (good) make_perpendicular(joint);
   return good;
 }
 

@@ -60,8 +60,8 @@ struct ReadPath {
 };
 ReadPath read_path(ReadContext& context, Section& section, const std::string& what);
 
-/// The file of a mesh, which must exist, as it is to be opened. `where` gets the value's place.
-std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocation& where);
+/// The file of a mesh, or a list of the files of its pieces. They must exist, and are as they are to be opened.
+PieceFiles read_mesh_files(ReadContext& context, const Item& item);
 
 /// `thickness` of a surface.
 std::optional<SurfaceDef::Thickness> read_surface_thickness(ReadContext& context, const Item& item);

@@ -16,8 +16,7 @@ bool read_solid(ReadContext& context, Section& body_section, BodyDef& body) {
   Section section(context, item, "a solid");
   BodyDef::Solid solid;
   solid.where = item.node->where;
-  solid.file_where = item.node->where;
-  solid.file = read_mesh_file(context, section.require("file"), solid.file_where);
+  solid.file = read_mesh_files(context, section.require("file"));
   solid.file_unit = read_length_unit(context, section.require("units"));
   solid.placement = read_placement(context, section);
   const NumberRule density{.unit = 1, .unit_name = "kg/m^3", .above = {}, .at_least = {}};

@@ -67,7 +67,7 @@ void read_polynomial(ReadContext& context, Section& section, SurfaceDef& surface
 }
 
 void read_mesh(ReadContext& context, Section& section, SurfaceDef& surface) {
-  surface.file = read_mesh_file(context, section.require("file"), surface.file_where);
+  surface.file = read_mesh_files(context, section.require("file"));
   surface.file_unit = read_length_unit(context, section.require("units"));
   const Item radius = section.find("fit_radius");
   surface.fit_radius = read_number(context, radius, positive(length_rule(context)));
@@ -119,12 +119,10 @@ void read_shape(ReadContext& context, Section& section, SurfaceDef& surface) {
   read_numbers(context, section, kind_of(surface), surface);
 }
 
-}  // namespace
-
-std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocation& where) {
+/// Adds a file that exists, as it is to be opened.
+void read_mesh_file(ReadContext& context, const Item& item, PieceFiles& files) {
   const auto name = read_string(context, item);
-  if (!name) return {};
-  where = item.node->where;
+  if (!name) return;
   const fs::path path = context.folder / fs::path(*name);
   std::string file = path.lexically_normal().string();
   std::error_code failed;
@@ -137,8 +135,26 @@ std::string read_mesh_file(ReadContext& context, const Item& item, SourceLocatio
     refuse(context, item, Code::cannot_read, "cannot be read: " + file + ": " + failed.message());
   } else if (!fs::is_regular_file(status)) {
     refuse(context, item, Code::is_folder, "is not a file: " + file);
+  } else if (std::find(files.paths.begin(), files.paths.end(), file) != files.paths.end()) {
+    refuse(context, item, Code::duplicate, "is in this list before: a mesh has each of its pieces once");
   }
-  return file;
+  files.paths.push_back(std::move(file));
+  files.where.push_back(item.node->where);
+}
+
+}  // namespace
+
+PieceFiles read_mesh_files(ReadContext& context, const Item& item) {
+  PieceFiles files;
+  if (!item) return files;
+  if (item.node->kind != TomlNode::Kind::array) {
+    read_mesh_file(context, item, files);
+    return files;
+  }
+  const std::size_t count = item.node->children.size();
+  if (count == 0) refuse(context, item, Code::wrong_form, "must name a mesh file, or list the files of its pieces");
+  for (std::size_t k = 0; k < count; ++k) read_mesh_file(context, item.element(k), files);
+  return files;
 }
 
 void read_surfaces(ReadContext& context, Section& root) {

@@ -10,7 +10,7 @@ namespace {
 
 void read_thickness_to_bone(ReadContext& context, const Item& item, SurfaceDef::Thickness& thickness) {
   Section section(context, item, "a thickness down to a bone");
-  thickness.bone = read_mesh_file(context, section.require("bone"), thickness.bone_where);
+  thickness.bone = read_mesh_files(context, section.require("bone"));
   thickness.bone_unit = read_length_unit(context, section.require("units"));
   const NumberRule length = positive(length_rule(context));
   thickness.least = read_number(context, section.find("minimum"), length).value_or(thickness.least);

@@ -28,11 +28,12 @@ bool RegionDef::contains(const Vec3& p) const {
 
 std::vector<std::string> mesh_files(const SceneTables& scene) {
   std::vector<std::string> files;
+  const auto add = [&](const PieceFiles& of) { files.insert(files.end(), of.paths.begin(), of.paths.end()); };
   for (const BodyDef& body : scene.bodies)
-    if (body.solid) files.push_back(body.solid->file);
+    if (body.solid) add(body.solid->file);
   for (const SurfaceDef& surface : scene.surfaces) {
-    if (!surface.file.empty()) files.push_back(surface.file);
-    if (surface.thickness && surface.thickness->measured) files.push_back(surface.thickness->bone);
+    add(surface.file);
+    if (surface.thickness && surface.thickness->measured) add(surface.thickness->bone);
   }
   return files;
 }

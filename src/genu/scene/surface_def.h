@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "genu/core/piece_files.h"
 #include "genu/core/pose.h"
 #include "genu/core/source_location.h"
 #include "genu/core/types.h"
@@ -31,11 +32,11 @@ struct SurfaceDef {
   struct Thickness {
     bool measured = false;
     double constant = 0;    ///< m, where it is not measured
-    std::string bone;       ///< mesh: path as opened
-    double bone_unit = 1;   ///< m per unit of that file
+    PieceFiles bone;        ///< mesh: paths as opened
+    double bone_unit = 1;   ///< m per unit of these files
     double least = 0.5e-3;  ///< m: what is thinner counts as this thick
     double most = 10e-3;    ///< m: how far the bone is looked for
-    SourceLocation where, bone_where;
+    SourceLocation where;
   };
   std::string name;
   int body = -1;
@@ -47,14 +48,13 @@ struct SurfaceDef {
   double major_radius = 0;           ///< torus: m
   double minor_radius = 0;           ///< torus: m
   std::vector<Term> terms;           ///< polynomial
-  std::string file;                  ///< mesh: path as opened (already relative to the scene's folder)
-  double file_unit = 1;              ///< mesh: m per unit of the file
+  PieceFiles file;                   ///< mesh: paths as opened (already relative to the scene's folder)
+  double file_unit = 1;              ///< mesh: m per unit of the files
   std::optional<double> fit_radius;  ///< mesh: m
   std::optional<int> degree;         ///< mesh: 2 to 4
   std::optional<Patch> patch;
   std::optional<Thickness> thickness;  ///< where the surface has one of its own
   SourceLocation where;
-  SourceLocation file_where;
   SourceLocation fit_radius_where;  ///< where one is given
 };
 

@@ -56,6 +56,20 @@ inline constexpr double kMaxMotionTolerance = 1e-2;
 /// small, flat bodies are refused.
 inline constexpr double kInertiaRounding = 1e-9;
 
+// read_joints
+
+/// [1] Cosine of the angle between neighbouring rotations' axes up to which they are perpendicular as written. Fails
+/// first: if too small, directions of three digits are refused; if too large, an axis is moved visibly.
+inline constexpr double kAxesAskew = 1e-3;
+
+/// [1] Sine of the angle between the first and the third axis above which the second is perpendicular to both. Fails
+/// first: if too small, it is along the rounding of nearly equal axes.
+inline constexpr double kAxesApart = 0.1;
+
+/// [1] Length of a direction as written that is none. Fails first: if too large, directions of small numbers are
+/// refused.
+inline constexpr double kLeastDirection = 1e-6;
+
 // read_parts
 
 /// [rad] Directions closer than this define no plane (6 digits of input). Fails first: if too small, frames of

@@ -85,7 +85,7 @@ Mesh triangles_of(const Prepared& p, std::size_t i, const Places& places) {
 }
 
 /// Triangles of a file, where it could be read.
-std::optional<Mesh> mesh_of_file(MeshLibrary& meshes, const std::string& file, double unit, const Pose& placement) {
+std::optional<Mesh> mesh_of_file(MeshLibrary& meshes, const PieceFiles& file, double unit, const Pose& placement) {
   Diagnostics ignored;
   auto mesh = meshes.read(file, unit, ignored);
   if (!mesh || ignored.has_errors()) return std::nullopt;
@@ -102,8 +102,8 @@ std::vector<ReportMesh> report_meshes(const Prepared& p, const ReportRun& run, s
     const SurfaceDef& def = p.scene.surfaces[i];
     out.push_back(shown(def.name, def.body, ReportMesh::Kind::surface, triangles_of(p, i, places), most));
   }
-  std::set<std::pair<int, std::string>> added;  // one bone often lies under several surfaces
-  const auto add_bone = [&](const std::string& name, int body, const std::string& file, double unit, const Pose& X) {
+  std::set<std::pair<int, PieceFiles>> added;  // one bone often lies under several surfaces
+  const auto add_bone = [&](const std::string& name, int body, const PieceFiles& file, double unit, const Pose& X) {
     if (!added.emplace(body, file).second) return;
     if (auto mesh = mesh_of_file(*p.meshes, file, unit, X))
       out.push_back(shown(name, body, ReportMesh::Kind::bone, std::move(*mesh), most));

@@ -150,9 +150,11 @@ std::optional<Failure> cut_out(const Failure& whole, Names& names, const Prepare
     const auto users = std::count_if(prepared.scene.surfaces.begin(), prepared.scene.surfaces.end(),
                                      [&](const SurfaceDef& other) { return other.file == def.file; });
     const std::string bytes =
-        users == 1 ? cut_mesh(def, *prepared.meshes, feet_on(static_cast<int>(i), prepared, found), reach) : "";
+        users == 1 && !def.file.several()
+            ? cut_mesh(def, *prepared.meshes, feet_on(static_cast<int>(i), prepared, found), reach)
+            : "";
     if (bytes.empty()) continue;
-    const std::string old = names.name_of(def.file), name = fs::path(old).stem().string() + ".ply";
+    const std::string old = names.name_of(def.file.text()), name = fs::path(old).stem().string() + ".ply";
     for (auto& [known, content] : cut.meshes)
       if (known == old) known = name, content = bytes;
     cut.scene = with_mesh_names(cut.scene, [&](const std::string& n) { return n == old ? name : n; });

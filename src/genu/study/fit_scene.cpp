@@ -67,7 +67,8 @@ class SceneFitter {
     NamedFit named;
     named.name = own ? def.name : def.name + "_" + pair;
     named.body = prepared_.scene.bodies[at(def.body)].name;
-    named.source = std::filesystem::path(def.file).filename().string();
+    for (const std::string& file : def.file.paths)
+      named.source += (named.source.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
 
     // The box round a path that winds reaches farther from it than the margin.
     const Mesh mesh = prepared_.surfaces[at(index)]->triangles(0, Vec3::Zero(), 0);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "genu/atlas/fitted_knee.h"
+#include "genu/mesh/nearest_point.h"
 #include "genu/landmarks/landmark_file.h"
 #include "genu/landmarks/landmark_frame.h"
 #include "genu/landmarks/landmark_names.h"
