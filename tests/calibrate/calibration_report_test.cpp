@@ -21,11 +21,13 @@ constexpr std::pair<LaxityTest::Kind, double> kFullLoads[] = {
     {LaxityTest::Kind::drawer, 134}, {LaxityTest::Kind::varus, 10}, {LaxityTest::Kind::rotation, 5}};
 constexpr int kReadings = 4;  // of each load: measured again, not computed again
 
-/// Ten bundles of 55 fibres, full loads at each angle, from the true lengths on: only the noise moves the fit.
+/// Nine bundles, full and half loads at each angle, from the true lengths on: only the noise moves the fit. The tenth,
+/// the posterior capsule, is hardly stretched by these loads: with noise it is slack in many draws, and stays as it is
+/// here.
 TEST(CalibrationReport, TheTrueLengthsOfTheMeasuredKneeLieWithinTwoStandardErrors) {
   GENU_NEEDS_DATA("lenhart2015/ACLC01-R-femur-cart.stl");
   const bool whole = std::getenv("GENU_LONG") != nullptr;
-  const int draws = whole ? 200 : 3;
+  const int draws = whole ? 200 : 2;
   const std::vector<double> angles = {0, 60 * units::kDegree};
   Diagnostics out;
   test::TemporaryFolder folder;
@@ -35,11 +37,11 @@ TEST(CalibrationReport, TheTrueLengthsOfTheMeasuredKneeLieWithinTwoStandardError
   auto prepared = prepare(folder.write("knee.toml", text), out);
   ASSERT_TRUE(prepared) << test::messages(out);
   UnknownChoice choice;
-  for (const char* name : {"ACLam", "ACLpl", "LCL", "MCLd", "MCLp", "MCLs", "PCLal", "PCLpm", "PFL", "pCAP"})
+  for (const char* name : {"ACLam", "ACLpl", "LCL", "MCLd", "MCLp", "MCLs", "PCLal", "PCLpm", "PFL"})
     choice.vary.push_back(std::string(name) + "*.slack_length:together");
   const auto unknowns = choose_unknowns(prepared->source, choice, out);
   auto knee = with_laxity_loads(*prepared, out);
-  ASSERT_TRUE(knee && unknowns.size() == 10) << test::messages(out);
+  ASSERT_TRUE(knee && unknowns.size() == 9) << test::messages(out);
   share_search(knee->prepared);
   LaxityTarget target;
   for (const double angle : angles)

@@ -1,5 +1,7 @@
 #include "genu/calibrate/calibration_problem.h"
 
+#include <cmath>
+
 #include <tbb/parallel_for.h>
 
 #include "genu/calibrate/tolerances.h"
@@ -74,6 +76,19 @@ std::optional<MatX> CalibrationProblem::jacobian(const At& here) const {
     J.col(static_cast<Eigen::Index>(k)) = (beside[2 * k] - beside[2 * k + 1]) / (2 * difference_);
   }
   return J;
+}
+
+bool CalibrationProblem::has_stated_errors() const {
+  for (const auto& e : experiments_)
+    if (!e->held_out && !e->columns().empty()) return e->columns().front().stated;
+  return false;
+}
+
+std::optional<double> CalibrationProblem::misfit(const VecX& residuals, Eigen::Index fitted) const {
+  const auto spare = static_cast<double>(residuals.size() - fitted);
+  if (!has_stated_errors() || !(spare > 0)) return std::nullopt;
+  const double share = residuals.squaredNorm() / spare;
+  return share > 1 + kMisfit * std::sqrt(2 / spare) ? std::optional(share) : std::nullopt;
 }
 
 double derivative_noise(bool exact) { return exact ? kExactDerivativeNoise : kDerivativeNoise; }

@@ -35,6 +35,13 @@ class CalibrationProblem {
   /// The residuals are target's values first, then priors.
   Eigen::Index target_rows() const;
 
+  /// Whether errors of measurement are stated: of all columns, or of none.
+  bool has_stated_errors() const;
+  /// Sum of squares of m residuals over m - `fitted`, where that is beyond what stated errors make by chance: 1, with a
+  /// deviation of sqrt(2 / (m - fitted)), of which kMisfit count as chance. Empty where it is not, or nothing is
+  /// stated.
+  std::optional<double> misfit(const VecX& residuals, Eigen::Index fitted) const;
+
   const std::vector<CalibrationUnknown>& unknowns() const { return unknowns_; }
   const std::vector<std::unique_ptr<CalibrationExperiment>>& experiments() const { return experiments_; }
   int runs() const { return runs_; }  ///< of experiments

@@ -10,12 +10,6 @@
 
 namespace genu {
 
-bool has_stated_errors(const CalibrationProblem& problem) {
-  for (const auto& e : problem.experiments())
-    if (!e->held_out && !e->columns().empty()) return e->columns().front().stated;
-  return false;
-}
-
 namespace {
 
 class FindingsWriter {
@@ -52,7 +46,7 @@ class FindingsWriter {
       free_.push_back(static_cast<Eigen::Index>(k));
     }
     const double noise = derivative_noise(search_.exact);
-    const auto variance = has_stated_errors(problem_) ? std::optional(1.0) : std::nullopt;
+    const auto variance = problem_.has_stated_errors() ? std::optional(1.0) : std::nullopt;
     const VecX& r = search_.at_end.residuals;
     errors_ = least_squares_uncertainty(free, r, noise, variance);
     const Eigen::Index rows = problem_.target_rows();
@@ -129,17 +123,13 @@ class FindingsWriter {
     add_misfit();
   }
 
-  /// The sum of squares of m residuals in units of their errors is about m - n, with a deviation of sqrt(2 (m - n)).
   void add_misfit() {
-    const VecX& residuals = search_.at_end.residuals;
-    const auto spare = static_cast<double>(residuals.size() - static_cast<Eigen::Index>(free_.size()));
-    if (!has_stated_errors(problem_) || !(spare > 0)) return;
-    const double share = residuals.squaredNorm() / spare;
-    if (share <= 1 + kMisfit * std::sqrt(2 / spare)) return;
+    const auto share = problem_.misfit(search_.at_end.residuals, static_cast<Eigen::Index>(free_.size()));
+    if (!share) return;
     out_.report.misfit = fmt::format(
         "the scene does not follow the target: the residuals are {:.2g} times the stated errors, which cannot be "
         "chance",
-        std::sqrt(share));
+        std::sqrt(*share));
   }
 
   void add_slack() {

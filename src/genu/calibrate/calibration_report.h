@@ -20,7 +20,4 @@ struct CalibrationFindings {
 /// `search.at_end` must have residuals. Predicts what is held out.
 CalibrationFindings find_out(const CalibrationProblem& problem, const CalibrationSearch& search);
 
-/// The squares of errors that residuals are divided by are known: errors are stated, or priors need them.
-bool has_stated_errors(const CalibrationProblem& problem);
-
 }  // namespace genu

@@ -35,12 +35,16 @@ class StartSearcher {
     how_.lower.resize(n);
     how_.upper.resize(n);
     how_.most_steps.resize(n);
+    slack_lengths_ = VecX::Zero(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const CalibrationUnknown& u = problem.unknowns()[static_cast<std::size_t>(k)];
       how_.lower[k] = u.lower;
       how_.upper[k] = u.upper;
       how_.most_steps[k] = u.most_step();
       bounded_ = bounded_ || std::isfinite(u.lower) || std::isfinite(u.upper);
+      const auto& kind = u.members.front().parameter.kind;
+      if (kind == Parameter::Kind::slack_length || kind == Parameter::Kind::reference_strain)
+        slack_lengths_[k] = 1 / (kHeldChange * u.standard_change());
     }
     how_.most_iterations = options.most_iterations;
     how_.most_creeping = kMostCreeping;
@@ -55,19 +59,23 @@ class StartSearcher {
     bool done() const { return converged(fit.stop) && slack.empty(); }
   };
 
-  /// From one start; where that does not end well, again from where it ended, with every length so short that it is
+  /// From one start; where that does not end well, again held near it, then with every length so short that it is
   /// stretched there.
   Found from(int number) const {
     const SolvableStart start = number == 0 ? first_ : solvable_start(problem_, start_of(number));
     const std::string name = std::to_string(number + 1);
-    Found best = made_taut(name, keeping_taut(start.how.empty() ? name : name + ", " + start.how, start.at));
+    Found best = made_taut(name, keeping_taut(start.how.empty() ? name : name + ", " + start.how, start.at, false));
     for (const double strain : kTautAgain) {
       if (best.done() || !leaves_something(best.fit.residuals) || asked_to_stop(options_.cancelled)) break;
-      const CalibrationProblem::At& at = best.at_end.residuals.size() > 0 ? best.at_end : best.at_start;
-      const VecX u = stretched(at, strain);
-      if (u == at.u) continue;
-      const std::string words = fmt::format("{}, all stretched by {:g} %", name, 100 * strain);
-      Found again = made_taut(name, keeping_taut(words, problem_.at(u, true)));
+      if (problem_.has_stated_errors() && best.fit.residuals.size() > 0 &&
+          !problem_.misfit(best.fit.residuals, start.at.u.size()))
+        break;  // as good as the errors allow
+      if (slack_lengths_.isZero() || start.at.derivatives.size() == 0) break;
+      const VecX u = stretched(start.at, strain);
+      if (strain > 0 && u == start.at.u) continue;
+      const std::string words = strain > 0 ? fmt::format("{}, all stretched by {:g} %", name, 100 * strain)
+                                           : fmt::format("{}, held near the start", name);
+      Found again = made_taut(name, keeping_taut(words, problem_.at(u, true), true));
       std::vector<CalibrationStart> starts = best.starts;
       starts.insert(starts.end(), again.starts.begin(), again.starts.end());
       if (cost(again) < (1 - kWorthATautStart) * cost(best)) {
@@ -103,7 +111,7 @@ class StartSearcher {
     for (int round = 0; round < kTautRounds && !best.slack.empty(); ++round) {
       const auto taut = taut_ones(best.at_end, best.slack);
       if (taut.names.empty()) break;
-      Found again = fit(number + ", " + taut.names + " made taut", problem_.at(taut.u, true), {});
+      Found again = fit(number + ", " + taut.names + " made taut", problem_.at(taut.u, true), {}, false);
       std::vector<CalibrationStart> starts = best.starts;
       starts.insert(starts.end(), again.starts.begin(), again.starts.end());
       const bool better = cost(again) < (1 - kWorthATautStart) * cost(best) && leaves_something(best.fit.residuals);
@@ -119,7 +127,7 @@ class StartSearcher {
 
   /// The fit, which is left where an unknown is slack in every pose, and continued with it just taut: without a
   /// gradient of it the others would creep to a false minimum. What becomes slack again and again is left so.
-  Found keeping_taut(std::string name, CalibrationProblem::At start) const {
+  Found keeping_taut(std::string name, CalibrationProblem::At start, bool held) const {
     std::vector<int> often(problem_.unknowns().size(), 0);
     const std::string number = name.substr(0, name.find(','));
     std::vector<CalibrationStart> starts;
@@ -132,8 +140,8 @@ class StartSearcher {
             if (often[k] < kTautOnTheWay) out.push_back(k);
         return out;
       };
-      Found found = fit(name, std::move(start),
-                        [&](const CalibrationProblem::At& at) { return !taut_ones(at, to_be_taut(at)).names.empty(); });
+      const auto leave = [&](const CalibrationProblem::At& at) { return !taut_ones(at, to_be_taut(at)).names.empty(); };
+      Found found = fit(name, std::move(start), leave, held);
       starts.insert(starts.end(), found.starts.begin(), found.starts.end());
       if (found.fit.stop != LeastSquaresStop::left) {
         found.starts = std::move(starts);
@@ -180,25 +188,38 @@ class StartSearcher {
     return u;
   }
 
-  /// `leave`: whether to stop there; may be empty.
+  /// With `held` it is first held near its start, less and less:
+  ///
+  ///   |r(u)|^2 + h |r(u_0)|^2 / n sum_k ((u_k - u_0k) / s_k)^2,   h of kHeldShares
+  ///
+  /// with s = kHeldChange standard changes. Numbers that the target hardly determines then wait until the others are
+  /// near, instead of running off to another minimum. `leave`: whether to stop there; may be empty.
   Found fit(const std::string& name, CalibrationProblem::At start,
-            const std::function<bool(const CalibrationProblem::At&)>& leave) const {
+            const std::function<bool(const CalibrationProblem::At&)>& leave, bool held) const {
     Found out;
     const VecX u = start.u;
     CalibrationProblem::At last = std::move(start);
     bool exact = true;
+    VecX hold;  // of each unknown, 1 / u; empty: free
     const auto residuals = [&](const VecX& x) -> std::optional<VecX> {
-      if (last.residuals.size() > 0 && last.u == x) return last.residuals;
-      CalibrationProblem::At here = problem_.at(x, exact);
-      exact = here.derivatives.size() > 0 || here.residuals.size() == 0;
-      if (here.residuals.size() == 0) return std::nullopt;
-      last = std::move(here);
-      return last.residuals;
+      if (last.residuals.size() == 0 || last.u != x) {
+        CalibrationProblem::At here = problem_.at(x, exact);
+        exact = here.derivatives.size() > 0 || here.residuals.size() == 0;
+        if (here.residuals.size() == 0) return std::nullopt;
+        last = std::move(here);
+      }
+      VecX all(last.residuals.size() + hold.size());
+      all << last.residuals, hold.cwiseProduct((x - u).head(hold.size()));
+      return all;
     };
     // The last residuals asked for may be those of a step that was not taken.
     const auto jacobian = [&](const VecX& x) -> std::optional<MatX> {
       if (last.u != x) last = problem_.at(x, exact);
-      return problem_.jacobian(last);
+      const auto J = problem_.jacobian(last);
+      if (!J || hold.size() == 0) return J;
+      MatX all(J->rows() + hold.size(), J->cols());
+      all << *J, MatX(hold.asDiagonal());
+      return all;
     };
     LeastSquaresOptions how = how_;
     if (!bounded_) how.lower = how.upper = VecX();
@@ -208,7 +229,23 @@ class StartSearcher {
     // Central differences are worse: where they are needed is known after the first residuals.
     if (last.residuals.size() > 0 && last.derivatives.size() == 0) how.noise = derivative_noise(false), exact = false;
     out.at_start = last;
-    out.fit = least_squares(problem, u, how);
+    VecX from = u;
+    int iterations = 0;
+    bool leaves = leave && leave(last);
+    for (const double share : kHeldShares) {
+      if (!held || leaves || !leaves_something(out.at_start.residuals)) break;
+      hold = std::sqrt(share * out.at_start.residuals.squaredNorm() / static_cast<double>(u.size())) * slack_lengths_;
+      LeastSquaresOptions short_fit = how;
+      short_fit.most_iterations = kHeldIterations;
+      const LeastSquaresResult near = least_squares(problem, from, short_fit);
+      from = near.x;
+      iterations += near.iterations;
+      leaves = near.stop == LeastSquaresStop::left || near.stop == LeastSquaresStop::cancelled;
+      if (near.residuals.squaredNorm() < kHeldEnough * out.at_start.residuals.squaredNorm()) break;
+    }
+    hold.resize(0);
+    out.fit = least_squares(problem, from, how);
+    out.fit.iterations += iterations;
     if (out.fit.residuals.size() > 0) out.at_end = last.u == out.fit.x ? last : problem_.at(out.fit.x, exact);
     CalibrationStart row{name, u, out.fit.x, out.fit.stop, out.fit.iterations, 0};
     row.rms = out.fit.residuals.size() > 0
@@ -249,6 +286,7 @@ class StartSearcher {
   const CalibrationSearchOptions& options_;
   const SolvableStart& first_;
   LeastSquaresOptions how_;
+  VecX slack_lengths_;  ///< 1 / (kHeldChange standard changes) of unknowns that are slack lengths; 0: of others
   bool bounded_ = false;
 };
 

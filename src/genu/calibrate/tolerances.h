@@ -46,9 +46,24 @@ inline constexpr int kTautOnTheWay = 2;
 /// first: if too small, starts are refused; if too large, new starts are far off.
 inline constexpr std::array<double, 3> kShorterLengths = {0.02, 0.04, 0.08};
 
-/// [1] After a fit that did not converge: strains that all ligaments get where they are longest, one start after the
-/// other. Fails first: if too small, the same ligaments become slack again; if too large, the start is far off.
-inline constexpr std::array<double, 2> kTautAgain = {0.03, 0.06};
+/// [1] After a fit that did not converge: least strains that all ligaments get where they are longest, one held start
+/// after the other. Fails first: if too small, the same ligaments become slack again; if too large, the start is far
+/// off.
+inline constexpr std::array<double, 3> kTautAgain = {0, 0.03, 0.06};
+
+/// [1] Shares of the sum of squares with which slack lengths are held near their start, one after the other. Fails
+/// first: if too small, weak ligaments run off to a false minimum; if too large, slow fits.
+inline constexpr std::array<double, 3> kHeldShares = {0.1, 0.01, 0.001};
+
+/// [standard change] How far from its start a slack length may be, roughly, while it is held: 5 %, 0.05 of strain.
+/// Fails first: if too small, the held fits stay at the start; if too large, they do not hold.
+inline constexpr double kHeldChange = 5;
+
+/// [1] Iterations of each held fit. Fails first: if too small, the start moves too little; if too large, slow fits.
+inline constexpr int kHeldIterations = 4;
+
+/// [of the sum of squares] From here on nothing is held any more. Fails first: if too small, slow fits.
+inline constexpr double kHeldEnough = 1e-3;
 
 /// [1] Steps that creep (core's kCreep), one after the other, after which another start is tried. Fails first: if too
 /// small, fits are given up in curved valleys; if too large, slow fits.

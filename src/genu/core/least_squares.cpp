@@ -136,7 +136,8 @@ class LeastSquaresSearcher {
         result_.residuals = *residuals;
         damping_ *= std::max(0.1, 1 - std::pow(2 * gain - 1, 3));
         const double less = cost - residuals->squaredNorm();
-        creeping_ = less < kCreep * cost && less < kCreepShare * undamped ? creeping_ + 1 : 0;
+        const bool promised_more = undamped > kCreepPromise * cost && less < kCreepShare * undamped;
+        creeping_ = promised_more && less < kCreep * cost ? creeping_ + 1 : 0;
         const bool stuck = options_.most_creeping > 0 && creeping_ >= options_.most_creeping;
         const bool ends = leaves() || (stuck && stop(Stop::creeping));
         if (ends) ++result_.iterations;

@@ -33,7 +33,7 @@ struct LeastSquaresOptions {
   VecX lower = {}, upper = {};  ///< bounds of the unknowns; empty: none
   VecX most_steps = {};         ///< of each unknown, in the place of most_step; empty: none
   /// After so many steps in a row with little gain, beside the sum of squares (kCreep) and beside what a step without
-  /// damping promises (kCreepShare), the fit ends: it creeps along an edge. 0: never.
+  /// damping promises (kCreepShare, kCreepPromise), the fit ends: it creeps along an edge. 0: never.
   int most_creeping = 0;
 };
 

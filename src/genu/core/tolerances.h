@@ -18,6 +18,10 @@ inline constexpr double kFreeStepDamping = 1e-2;
 /// large, a fit along a curved valley is given up; if too small, fits at an edge take all iterations.
 inline constexpr double kCreep = 1e-3;
 
+/// [of the sum of squares] What a step without damping promises where steps creep. Fails first: if too small, the last
+/// steps of a fit to noise, most of which no step can lower, count as creeping.
+inline constexpr double kCreepPromise = 0.01;
+
 /// [of what a step without damping promises] See kCreep. Fails first: if too large, the last steps before a minimum
 /// count as creeping.
 inline constexpr double kCreepShare = 0.2;
