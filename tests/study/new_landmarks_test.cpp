@@ -154,18 +154,19 @@ TEST(NewLandmarks, TellSideAndAxes) {
       good_landmarks("name,x,y,z\n" + line + "HJC,10,400,0\nKJC,1,2,3\nankle centre,0,-400,0\n");
   EXPECT_EQ(right.left_by_epicondyles(knee.layout), false);
   EXPECT_EQ(right.proximal(), Vec3(0, 1, 0));
-  const auto words = clinical_words(right, knee.layout, false);
+  const KneeFrames files = frames_of_files(knee.layout);
+  const auto words = clinical_words(right, knee.layout, files, false);
   EXPECT_EQ(words.at("femur_origin"), "[1, 2, 3]");
   EXPECT_EQ(words.at("tibia_origin"), "[1, 2, 3]");
-  EXPECT_EQ(words.at("femur_proximal"), "[0.0226, 0.9997, -0.0075]");
-  EXPECT_EQ(words.at("tibia_proximal"), "[0.0025, 1.0000, 0.0075]");
+  EXPECT_EQ(words.at("femur_proximal"), "[0.0226066, 0.9997160, -0.0075355]");
+  EXPECT_EQ(words.at("tibia_proximal"), "[0.0024875, 0.9999691, 0.0074625]");
   EXPECT_EQ(words.at("tibia_anterior"), "\"x\"");
   EXPECT_EQ(words.at("femur_anterior").substr(0, 4), "[0.9");  // perpendicular to hip and epicondyles
   const KneeLandmarks left =
       good_landmarks("name,x,y,z\n" + point_line("LEC", epicondyle(-1)) + point_line("MEC", epicondyle(1)));
   EXPECT_EQ(left.left_by_epicondyles(knee.layout), true);
-  EXPECT_EQ(clinical_words(left, knee.layout, true).at("femur_anterior").substr(0, 4), "[0.9");
-  EXPECT_EQ(clinical_words({}, knee.layout, false).at("femur_proximal"), "\"y\"");
+  EXPECT_EQ(clinical_words(left, knee.layout, files, true).at("femur_anterior").substr(0, 4), "[0.9");
+  EXPECT_EQ(clinical_words({}, knee.layout, files, false).at("femur_proximal"), "\"y\"");
 }
 
 NewScene asked_with(const std::string& folder, const std::string& landmarks) {

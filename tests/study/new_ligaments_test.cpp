@@ -217,13 +217,13 @@ ResultTable poses_to(double flexion, const std::string& name) {
 TEST(NewLigaments, SettleByTheirLongest) {
   const std::string name = "MCLs1";
   std::map<std::string, std::string> lengths = {{"length of " + name, "reference_strain = 0.1"}};
-  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(90, name), 0, {}, lengths));
   EXPECT_EQ(lengths.begin()->second, "slack_length = 36.79");  // 39 mm at a strain of 0.06
-  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, lengths));
-  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, lengths));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 1, {}, lengths));
+  EXPECT_TRUE(settle_ligaments(poses_to(110, name), 2, {}, lengths));
   EXPECT_EQ(lengths.begin()->second, "slack_length = 36.11");  // beyond 100 deg at 0.08
   std::map<std::string, std::string> none;
-  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, none));
+  EXPECT_FALSE(settle_ligaments(poses_to(90, name), 0, {}, none));
 }
 
 /// The reference pose is the first that was found.

@@ -23,18 +23,22 @@
 namespace genu::cli {
 namespace {
 
+constexpr int kMostPieces = 100;
+
 struct NewArguments {
   NewScene scene;
   std::string kind, side;
-  std::vector<std::string> femur, tibia;  ///< what touches, or bone and cartilage
-  double landmark_error = 0;              ///< mm
+  std::vector<std::string> femur, tibia;  ///< what touches, or pieces of bone and cartilage
+  std::vector<std::string> femur_cartilage, tibia_cartilage;
+  double landmark_error = 0;  ///< mm
 };
 
 /// What was typed of meshes, where no mesh is asked for: nothing is passed over in silence.
 bool says_more_than_it_uses(const CLI::App& command, const NewScene& asked, Diagnostics& out) {
   if (asked.kind == NewScene::Kind::stl) return false;
-  for (const char* option : {"--femur", "--tibia", "--units", "--side", "--proximal", "--anterior", "--landmarks",
-                             "--landmark-units", "--landmark-error", "--picture"})
+  for (const char* option :
+       {"--femur", "--tibia", "--femur-cartilage", "--tibia-cartilage", "--units", "--side", "--proximal", "--anterior",
+        "--landmarks", "--landmark-units", "--landmark-error", "--picture"})
     if (command.count(option) > 0)
       out.add(error_at({}, Code::meshes_needed, option, {}, "belongs to a scene of meshes: --femur F --tibia T"));
   return out.has_errors();
@@ -50,12 +54,13 @@ int write_scene(const CLI::App& command, NewArguments arguments) {
       asked.kind = NewScene::Kind::given;
       asked.text = scene.text;
     }
-  const auto take = [](const std::vector<std::string>& files, std::string& touches, std::string& bone) {
-    if (!files.empty()) touches = files.back();
-    if (files.size() == 2) bone = files.front();
+  const auto take = [](const std::vector<std::string>& files, const std::vector<std::string>& cartilage,
+                       PieceFiles& any, PieceFiles& touches, PieceFiles& bone) {
+    touches.paths = cartilage;
+    (cartilage.empty() ? any : bone).paths = files;
   };
-  take(arguments.femur, asked.femur, asked.femur_bone);
-  take(arguments.tibia, asked.tibia, asked.tibia_bone);
+  take(arguments.femur, arguments.femur_cartilage, asked.femur_any, asked.femur, asked.femur_bone);
+  take(arguments.tibia, arguments.tibia_cartilage, asked.tibia_any, asked.tibia, asked.tibia_bone);
   asked.landmark_error = 1e-3 * arguments.landmark_error;
   if (!arguments.side.empty()) asked.left = arguments.side == "left";
   asked.cancelled = stop_on_interrupt();
@@ -92,10 +97,16 @@ void add_new(CLI::App& command, int& exit_code) {
       ->check(CLI::IsMember(kinds));
   command
       .add_option("--femur", arguments->femur,
-                  "mesh of the femur or its cartilage, or of both, bone first: STL, PLY, OBJ, OFF or VTP")
-      ->expected(1, 2);
-  command.add_option("--tibia", arguments->tibia, "mesh of the tibia or its cartilage, or both, in the same frame")
-      ->expected(1, 2);
+                  "meshes of the femur, its cartilage or both, each in one file or in pieces: STL, PLY, OBJ, OFF or "
+                  "VTP. Which are bone and which are cartilage is told by their shape, and said")
+      ->expected(1, kMostPieces);
+  command.add_option("--tibia", arguments->tibia, "the same of the tibia, in the same frame")->expected(1, kMostPieces);
+  command
+      .add_option("--femur-cartilage", arguments->femur_cartilage,
+                  "meshes of the femur's cartilage; those of --femur are bone then, whatever their shape")
+      ->expected(1, kMostPieces);
+  command.add_option("--tibia-cartilage", arguments->tibia_cartilage, "the same of the tibia")
+      ->expected(1, kMostPieces);
   command.add_option("--units", scene.unit, "unit of the meshes; guessed from their size where it is not given")
       ->check(CLI::IsMember(length_unit_names()));
   command.add_option("--side", arguments->side, "which knee it is; by the shape of the bones where it is not given")

@@ -68,6 +68,20 @@ void take_given(const GivenEnd& given, const Mesh& mesh, FittedBone& bone) {
   }
 }
 
+/// How the reference is turned where it lies on the mesh, by the points that found a partner there; with a reflection
+/// where the map has one.
+Mat3 turn_of(const std::vector<FacingPoint>& points, const Registration& found) {
+  std::vector<Vec3> from, to;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (found.misfits[i] < kMatched) {
+      from.push_back(points[i].at);
+      to.push_back(found.mapped[i]);
+    }
+  if (static_cast<std::ptrdiff_t>(from.size()) < kFewPartners) return found.map.affine.linear;
+  const Mat3 linear = similarity(from, to, found.map.affine.linear.determinant() < 0).linear;
+  return linear / std::cbrt(std::abs(linear.determinant()));
+}
+
 FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, const KneeAxes& axes, double up,
                     Vec3 ReferenceFibre::*end) {
   const ReferenceKnee& knee = reference_knee();
@@ -77,7 +91,9 @@ FittedBone fit_bone(const Mesh& mesh, const ReferenceKnee::Bone& reference, cons
   FittedBone out;
   out.articular = explained(other, target) > kAllArticular;
   const bool both = explained(best, target) > kAllArticular;  // articular bone of the femur is like its cartilage
-  if (out.articular && (!both || other.median < best.median)) best = std::move(other);
+  const bool by_cartilage = out.articular && (!both || other.median < best.median);
+  if (by_cartilage) best = std::move(other);
+  out.turn = turn_of(by_cartilage ? reference.cartilage : reference.bone, best);
   out.median = best.median;
   out.matched = best.matched;
   std::vector<Vec3> from, to;

@@ -34,6 +34,7 @@ struct FittedBone {
   bool poor() const;                  ///< too far off to tell where ligaments insert
   std::vector<Insertion> insertions;  ///< of the fibres of reference_knee(), in their order
   Affine placed;                      ///< the similarity nearest to the map, by the fibres' ends
+  Mat3 turn = Mat3::Identity();       ///< anterior, proximal and lateral of the reference, on the mesh, by its surface
 };
 
 struct FittedKnee {

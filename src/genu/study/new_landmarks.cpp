@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "genu/atlas/fitted_knee.h"
-#include "genu/mesh/nearest_point.h"
 #include "genu/landmarks/landmark_file.h"
 #include "genu/landmarks/landmark_frame.h"
 #include "genu/landmarks/landmark_names.h"
+#include "genu/mesh/nearest_point.h"
 #include "genu/scene/words.h"
 #include "genu/study/fit_doubts.h"
 #include "genu/study/new_numbers.h"
@@ -145,10 +145,6 @@ Vec3 axis_near(const Vec3& direction) {
   return (direction[most] < 0 ? -1.0 : 1.0) * Vec3::Unit(most);
 }
 
-std::string direction_text(const Vec3& d) {
-  return fmt::format("[{:.4f}, {:.4f}, {:.4f}]", d.x() + 0.0, d.y() + 0.0, d.z() + 0.0);
-}
-
 void doubt_end(const GivenEnd& end, const FilePlace& where, const Mesh& femur, const Mesh& tibia,
                const FittedKnee& fitted, Diagnostics& out) {
   const auto doubt = [&](const std::string& rule) {
@@ -232,25 +228,20 @@ void doubt_landmarks(const KneeLandmarks& landmarks, const Mesh& femur, const Me
                    "the ends of ligaments are not used: they move fibres of the reference knee, which does not fit"));
 }
 
-std::map<std::string, std::string> clinical_words(const KneeLandmarks& landmarks, const KneeLayout& knee, bool left) {
-  const std::string proximal = with_quotes(axis_word(knee.proximal)), anterior = with_quotes(axis_word(knee.anterior));
-  std::map<std::string, std::string> out = {{"femur_proximal", proximal},
-                                            {"femur_anterior", anterior},
-                                            {"femur_origin", point_text(knee.centre + knee.gap * knee.proximal)},
-                                            {"tibia_proximal", proximal},
-                                            {"tibia_anterior", anterior},
-                                            {"tibia_origin", point_text(knee.centre)}};
+std::map<std::string, std::string> clinical_words(const KneeLandmarks& landmarks, const KneeLayout& knee,
+                                                  const KneeFrames& frames, bool left) {
   const auto line = landmarks.across();
   const Vec3 *hip = landmarks.place("hip centre"), *ankle = landmarks.place("ankle centre");
   const Vec3* centre = landmarks.place("knee centre");
   Vec3 middle = centre ? *centre : knee.centre;
   if (line && !centre) middle = *landmarks.place("medial epicondyle") + 0.5 * *line;
-  if (centre || line) out["femur_origin"] = point_text(middle);
-  if (centre) out["tibia_origin"] = point_text(middle);
-  const Vec3 up = hip ? (*hip - middle).normalized() : knee.proximal;
-  if (hip) out["femur_proximal"] = direction_text(up);
-  if (line) out["femur_anterior"] = direction_text(up.cross(left ? Vec3(-*line) : *line).normalized());
-  if (ankle) out["tibia_proximal"] = direction_text((middle - *ankle).normalized());
+  KneeFrames known = frames;
+  if (hip) known.femur_proximal = (*hip - middle).normalized();
+  if (line) known.femur_anterior = known.femur_proximal.cross(left ? Vec3(-*line) : *line).normalized();
+  if (ankle) known.tibia_proximal = (middle - *ankle).normalized();
+  std::map<std::string, std::string> out = frame_words(known, left);
+  out["femur_origin"] = point_text(centre || line ? middle : Vec3(knee.centre + knee.gap * knee.proximal));
+  out["tibia_origin"] = point_text(centre ? middle : knee.centre);
   return out;
 }
 

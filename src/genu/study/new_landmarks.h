@@ -9,6 +9,7 @@
 
 #include "genu/atlas/given_end.h"
 #include "genu/core/diagnostics.h"
+#include "genu/study/knee_frames.h"
 #include "genu/study/knee_layout.h"
 
 namespace genu {
@@ -46,10 +47,10 @@ struct KneeLandmarks {
 void doubt_landmarks(const KneeLandmarks& landmarks, const Mesh& femur, const Mesh& tibia, const KneeLayout& knee,
                      bool left, Diagnostics& out);
 
-/// Of bones: proximal and anterior directions and origins of the clinical description, as a scene writes them, under
-/// femur_proximal, femur_anterior, femur_origin, tibia_proximal, ...; those of the files' axes, where no landmark says
-/// better.
-std::map<std::string, std::string> clinical_words(const KneeLandmarks& landmarks, const KneeLayout& knee, bool left);
+/// The clinical description as a scene writes it: frame_words(), and origins under femur_origin and tibia_origin.
+/// `frames` hold where no landmark says better.
+std::map<std::string, std::string> clinical_words(const KneeLandmarks& landmarks, const KneeLayout& knee,
+                                                  const KneeFrames& frames, bool left);
 
 /// A line for the terminal.
 std::string landmarks_choice(const KneeLandmarks& landmarks, const std::string& file);

@@ -39,25 +39,46 @@ constexpr StartLigament kLigaments[] = {
 struct BundleName {
   const char *name, *words;
   double strain;
+  enum class Aim { none, anterior, sideways, rotation } aim = Aim::none;
+
+  double aim_of(const NewKneeAims& aims) const {
+    switch (aim) {
+      case Aim::anterior:
+        return -aims.anterior;
+      case Aim::sideways:
+        return aims.sideways;
+      case Aim::rotation:
+        return -aims.rotation;
+      case Aim::none:
+        break;
+    }
+    return 0;
+  }
 };
-constexpr BundleName kBundles[] = {{"ACLam", "anterior cruciate, anteromedial bundle", 0.015},
-                                   {"ACLpl", "anterior cruciate, posterolateral bundle", 0.025},
-                                   {"PCLal", "posterior cruciate, anterolateral bundle", 0.04},
-                                   {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04},
-                                   {"MCLs", "medial collateral, superficial", 0.06},
-                                   {"MCLd", "medial collateral, deep", 0.045},
-                                   {"MCLp", "posteromedial capsule", 0.045},
-                                   {"LCL", "lateral collateral", 0.08},
-                                   {"PFL", "popliteofibular", 0.06},
-                                   {"pCAP", "posterior capsule", 0.03}};
+constexpr BundleName kBundles[] = {
+    {"ACLam", "anterior cruciate, anteromedial bundle", 0.015, BundleName::Aim::anterior},
+    {"ACLpl", "anterior cruciate, posterolateral bundle", 0.025, BundleName::Aim::anterior},
+    {"PCLal", "posterior cruciate, anterolateral bundle", 0.04},
+    {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04},
+    {"MCLs", "medial collateral, superficial", 0.06, BundleName::Aim::sideways},
+    {"MCLd", "medial collateral, deep", 0.045, BundleName::Aim::sideways},
+    {"MCLp", "posteromedial capsule", 0.045, BundleName::Aim::rotation},
+    {"LCL", "lateral collateral", 0.08, BundleName::Aim::sideways},
+    {"PFL", "popliteofibular", 0.06, BundleName::Aim::rotation},
+    {"pCAP", "posterior capsule", 0.03}};
 
 Vec3 lateral_of(const KneeLayout& knee, bool left) { return left ? Vec3(-knee.right) : knee.right; }
 
-std::string ligament_text(const std::string& name, const std::string& from, const std::string& to, double stiffness,
-                          double transition, const std::string& length) {
+std::string stiffness_text(double stiffness) { return fmt::format("stiffness = {:.4g}", stiffness); }
+
+/// The word that stands for a fibre's stiffness.
+std::string stiffness_word(const std::string& fibre) { return "stiffness of " + fibre; }
+
+std::string ligament_text(const std::string& name, const std::string& from, const std::string& to,
+                          const std::string& stiffness, double transition, const std::string& length) {
   return fmt::format(
       "[ligament.{}]\nfrom = {{ body = \"femur\", point = {}\nto = {{ body = \"tibia\", point = {}\n"
-      "law = \"blankevoort\"\nstiffness = {:g}\ntransition_strain = {:g}\n{}\n\n",
+      "law = \"blankevoort\"\n{}\ntransition_strain = {:g}\n{}\n\n",
       name, from, to, stiffness, transition, length);
 }
 
@@ -70,8 +91,9 @@ std::string of_proportions(const KneeLayout& knee, bool left) {
   const Vec3 up = knee.gap * knee.proximal;  // of the reference pose, where they touch
   std::string out;
   for (const StartLigament& l : kLigaments)
-    out += ligament_text(l.name, point_text(at(l.femur) + up) + " }", point_text(at(l.tibia)) + " }", l.stiffness,
-                         kProportionTransition, fmt::format("reference_strain = {:g}", l.strain));
+    out += ligament_text(l.name, point_text(at(l.femur) + up) + " }", point_text(at(l.tibia)) + " }",
+                         stiffness_text(l.stiffness), kProportionTransition,
+                         fmt::format("reference_strain = {:g}", l.strain));
   return out;
 }
 
@@ -89,8 +111,8 @@ std::string of_reference(const FittedKnee& fitted) {
     for (std::size_t i = 0; i < fibres.size(); ++i)
       if (fibres[i].bundle == bundle.name)
         out += ligament_text(fibres[i].name, insertion_text(fitted.femur.insertions[i]),
-                             insertion_text(fitted.tibia.insertions[i]), fibres[i].stiffness, fibres[i].transition,
-                             "@" + length_word(fibres[i].name) + "@");
+                             insertion_text(fitted.tibia.insertions[i]), "@" + stiffness_word(fibres[i].name) + "@",
+                             fibres[i].transition, "@" + length_word(fibres[i].name) + "@");
   }
   return out;
 }
@@ -102,6 +124,7 @@ std::map<std::string, std::string> lengths_of(const FittedKnee& fitted, double c
   const std::vector<double> slack = slack_lengths(fitted, closer);
   std::map<std::string, std::string> out;
   for (std::size_t i = 0; i < fibres.size(); ++i) {
+    out[stiffness_word(fibres[i].name)] = stiffness_text(fibres[i].stiffness);
     std::string& text = out[length_word(fibres[i].name)];
     if (bones)
       set_slack(text, slack[i]);
@@ -146,6 +169,7 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
         fmt::format("the reference knee does not fit on these bones ({}; {:.0f} and {:.0f} % of it near them), so its "
                     "ligaments are not taken. Is the side right? --side, --proximal and --anterior decide",
                     fit, 100 * fitted.femur.matched, 100 * fitted.tibia.matched),
+        {},
         fitted.femur.median + fitted.tibia.median};
   const auto [low, high] = errors_of(fitted);
   return {of_reference(fitted) + menisci_text(fitted),
@@ -157,10 +181,13 @@ NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout
                       reference_knee().fibres.size(), fit, tenths(low), tenths(high)),
           turned_doubt(fitted, axes_of(knee, left)),
           {},
+          frames_of_bones(fitted),
           fitted.femur.median + fitted.tibia.median};
 }
 
-bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths) {
+bool settle_ligaments(const ResultTable& poses, int round, const NewKneeAims& aims,
+                      std::map<std::string, std::string>& lengths) {
+  stiffen_menisci(aims.menisci, lengths);
   bool any = round < kMeniscusRounds && settle_menisci(poses, lengths);
   const std::vector<ReferenceFibre>& fibres = reference_knee().fibres;
   for (const BundleName& bundle : kBundles)
@@ -175,7 +202,11 @@ bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string,
         if (poses.number(row, "knee.flexion_deg") <= kSettledFlexion) usual = std::max(usual, *length);
       }
       if (most == 0) continue;
-      const double slack = std::max(usual / (1 + bundle.strain), most / (1 + kMostNewStrain));
+      if (const auto stiff = lengths.find(stiffness_word(fibre.name));
+          stiff != lengths.end() && bundle.aim == BundleName::Aim::sideways)
+        stiff->second = stiffness_text(aims.collaterals * fibre.stiffness);
+      const double strain = bundle.strain + bundle.aim_of(aims);
+      const double slack = std::max(usual / (1 + strain), most / (1 + std::max(kMostNewStrain, strain)));
       any = set_slack(lengths[word], slack) || any;
     }
   return any;

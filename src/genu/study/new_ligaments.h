@@ -7,7 +7,9 @@
 
 #include "genu/atlas/fitted_knee.h"
 #include "genu/results/result_table.h"
+#include "genu/study/knee_frames.h"
 #include "genu/study/knee_layout.h"
+#include "genu/study/new_laxity.h"
 
 namespace genu {
 
@@ -18,6 +20,7 @@ struct NewLigaments {
   std::string choice;                          ///< the same for the terminal
   std::optional<std::string> turned;           ///< that the bones stand askew to the axes of their files
   std::optional<std::string> doubt;            ///< why the reference knee could not be laid on the bones
+  std::optional<KneeFrames> frames;            ///< of the bones, where the reference knee fits
   double misfit = 0;                           ///< m: sum of the median misfits of the reference knee on both meshes
 };
 
@@ -27,9 +30,11 @@ struct NewLigaments {
 NewLigaments ligaments_of(const Mesh& femur, const Mesh& tibia, const KneeLayout& knee, bool left, bool bare);
 
 /// Settles slack lengths by the poses of passive flexion that were found with them: the largest strain of each fibre up
-/// to kSettledFlexion is then that of its bundle, 0.015 to 0.08, and beyond not above kMostNewStrain. In the first
-/// rounds (from 0) menisci settle too. Whether a length changed by more than kSettledLength.
-bool settle_ligaments(const ResultTable& poses, int round, std::map<std::string, std::string>& lengths);
+/// to kSettledFlexion is then that of its bundle, 0.015 to 0.08, changed by `aims`, and beyond not above kMostNewStrain
+/// and what the aims add. In the first rounds (from 0) menisci settle too. Whether a length changed by more than
+/// kSettledLength.
+bool settle_ligaments(const ResultTable& poses, int round, const NewKneeAims& aims,
+                      std::map<std::string, std::string>& lengths);
 
 /// What stands between the braces of `reference`: the first pose of passive flexion that was found, in balance under a
 /// small part of the load, to 0.01 mm and 0.01 deg. Empty where there is none.

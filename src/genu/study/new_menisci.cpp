@@ -29,6 +29,8 @@ constexpr double kMeniscusReach = 0.08, kMeniscusSplay = 0.046;
 /// has slid 8 mm further back.
 constexpr double kMeniscusStiffness = 1200, kMeniscusTransition = 0.1;
 
+constexpr const char* kMeniscusStiffnessWord = "stiffness of menisci";
+
 struct MeniscusFibre {
   std::string name;
   Vec3 femur, tibia;  ///< m
@@ -60,8 +62,9 @@ fibres = "meniscus_*"
   for (const MeniscusFibre& f : meniscus_fibres(fitted))
     out += fmt::format(
         "[ligament.{}]\nfrom = {{ body = \"femur\", point = {} }}\nto = {{ body = \"tibia\", point = {} }}\n"
-        "law = \"blankevoort\"\nstiffness = {:g}\ntransition_strain = {:g}\n@{}@\n\n",
-        f.name, point_text(f.femur), point_text(f.tibia), kMeniscusStiffness, kMeniscusTransition, length_word(f.name));
+        "law = \"blankevoort\"\n@{}@\ntransition_strain = {:g}\n@{}@\n\n",
+        f.name, point_text(f.femur), point_text(f.tibia), kMeniscusStiffnessWord, kMeniscusTransition,
+        length_word(f.name));
   return out;
 }
 
@@ -69,7 +72,14 @@ std::map<std::string, std::string> slack_menisci(const FittedKnee& fitted) {
   std::map<std::string, std::string> out;
   for (const MeniscusFibre& f : meniscus_fibres(fitted))
     set_slack(out[length_word(f.name)], 2 * (f.tibia - f.femur).norm());
+  out[kMeniscusStiffnessWord];
+  stiffen_menisci(1, out);
   return out;
+}
+
+void stiffen_menisci(double factor, std::map<std::string, std::string>& lengths) {
+  if (const auto word = lengths.find(kMeniscusStiffnessWord); word != lengths.end())
+    word->second = fmt::format("stiffness = {:.4g}", factor * kMeniscusStiffness);
 }
 
 bool settle_menisci(const ResultTable& poses, std::map<std::string, std::string>& lengths) {

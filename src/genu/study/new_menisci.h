@@ -17,6 +17,9 @@ std::string menisci_text(const FittedKnee& fitted);
 /// What stands for these words in the first trial: so long that they are slack.
 std::map<std::string, std::string> slack_menisci(const FittedKnee& fitted);
 
+/// Their stiffness, in the place of its word where there is one: times `factor`.
+void stiffen_menisci(double factor, std::map<std::string, std::string>& lengths);
+
 /// Sets their lengths such that each strains by kMeniscusStrain in the mean of the poses that were found. Whether one
 /// changed by more than kSettledLength.
 bool settle_menisci(const ResultTable& poses, std::map<std::string, std::string>& lengths);

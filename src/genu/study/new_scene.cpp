@@ -9,6 +9,7 @@
 
 #include "genu/core/atomic_output.h"
 #include "genu/core/length_units.h"
+#include "genu/core/units.h"
 #include "genu/landmarks/landmark_file.h"
 #include "genu/scene/reader.h"
 #include "genu/scene/utf8.h"
@@ -20,19 +21,21 @@
 #include "genu/study/new_bones.h"
 #include "genu/study/new_edit.h"
 #include "genu/study/new_landmarks.h"
+#include "genu/study/new_laxity.h"
 #include "genu/study/new_ligaments.h"
 #include "genu/study/new_numbers.h"
 #include "genu/study/new_picture.h"
+#include "genu/study/new_pieces.h"
+#include "genu/study/new_refusals.h"
 #include "genu/study/new_scene_text.h"
 #include "genu/study/new_words.h"
 #include "genu/study/run_scene.h"
+#include "genu/study/tolerances.h"
 
 namespace genu {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// Which side, and why.
 struct Side {
@@ -50,11 +53,17 @@ Side side_of(const NewScene& asked, const KneeLayout& knee, const NewBones& bone
 }
 
 std::vector<std::string> choices_of(const NewScene& asked, const KneeLayout& knee, const Side& side,
-                                    const KneeLandmarks& landmarks, const NewLigaments& ligaments, const Words& w) {
+                                    const KneeLandmarks& landmarks, const NewLigaments& ligaments,
+                                    const KneeFrames& frames, const Words& w) {
   std::vector<std::string> out;
-  out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}", w.at("proximal"),
+  const double turned = to::kDegree * angle_between(frames_of_files(knee), frames);
+  out.push_back(fmt::format("axes        proximal {}{}, anterior {}{}{}", w.at("proximal"),
                             asked.proximal.empty() ? " (found)" : "", w.at("anterior"),
-                            asked.anterior.empty() ? " (guessed; --anterior says otherwise)" : ""));
+                            asked.anterior.empty() ? " (guessed; --anterior says otherwise)" : "",
+                            turned > 0 ? fmt::format("; the bones are turned by {:.0f} deg to them, and the knee bends "
+                                                     "about its own axes",
+                                                     turned)
+                                       : ""));
   out.push_back(fmt::format("side        {} ({})", w.at("side"), side.why));
   out.push_back(fmt::format("units       femur {}, tibia {}{}", w.at("femur_unit"), w.at("tibia_unit"),
                             asked.unit.empty() ? " (guessed from their size; --units decides)" : ""));
@@ -113,65 +122,12 @@ std::optional<Solution> try_out(const std::string& file, const std::string& name
   return found;
 }
 
-/// A picture is never put in the place of what is none.
-void refuse_picture(const NewScene& asked, Diagnostics& out) {
-  const fs::path file = asked.picture;
-  if (file.extension() != ".svg")
-    out.add(error_at({}, Code::wrong_form, "--picture", with_quotes(printable(asked.picture)), "must end with .svg"));
-  else if (asked.kind != NewScene::Kind::stl)
-    out.add(error_at({}, Code::meshes_needed, "--picture", {}, "belongs to a scene of meshes: --femur F --tibia T"));
-  else if (const auto kept = why_not_replaced(asked.picture, kKneePictureMark);
-           kept && (asked.edit || file.parent_path().lexically_normal() != fs::path(asked.folder).lexically_normal()))
-    out.error(kept->code, {}, kept->text);
-}
-
-bool refuse_words(const NewScene& asked, Diagnostics& out) {
-  const auto refuse_it = [&](Code code, const char* option, const std::string& found, const std::string& rule) {
-    out.add(error_at({}, code, option, with_quotes(found), rule));
-  };
-  std::error_code ignored;
-  const bool meshes = !asked.femur.empty() || !asked.tibia.empty();
-  if (asked.folder.empty()) out.error(Code::no_scene_name, {}, "the scene has no name: genu new NAME");
-  // A scene is a text, and names these.
-  for (const auto& [what, name] : {std::pair("NAME", asked.folder), std::pair("--femur", asked.femur),
-                                   std::pair("--tibia", asked.tibia), std::pair("--femur", asked.femur_bone),
-                                   std::pair("--tibia", asked.tibia_bone), std::pair("--landmarks", asked.landmarks)})
-    if (first_invalid_utf8(name) || std::any_of(name.begin(), name.end(), is_control))
-      refuse_it(Code::not_utf8, what, printable(valid_utf8(name)),
-                "must be a name of UTF-8 text without control characters: rename it");
-  if (asked.edit && !fs::is_directory(asked.folder, ignored))
-    out.error(Code::no_such_file, asked.folder,
-              "is no folder of a scene: --edit writes one again that genu new has written");
-  if (asked.edit && asked.kind != NewScene::Kind::stl)
-    out.add(error_at({}, Code::meshes_needed, "--edit", {}, "belongs to a scene of meshes: --femur F --tibia T"));
-  if (!asked.edit && fs::exists(fs::symlink_status(asked.folder, ignored)))
-    out.error(Code::name_taken, asked.folder,
-              "exists already, and genu new replaces nothing: choose another name, or --edit to write it again");
-  if (asked.kind != NewScene::Kind::stl && meshes)
-    refuse_it(Code::meshes_needed, "--kind", asked.kind == NewScene::Kind::motion ? "motion" : "analytic",
-              "has no meshes: --femur and --tibia belong to --kind stl");
-  if (asked.landmarks.empty() && (!asked.landmark_unit.empty() || asked.landmark_error > 0))
-    out.add(error_at({}, Code::usage, asked.landmark_unit.empty() ? "--landmark-error" : "--landmark-units", {},
-                     "belongs to --landmarks FILE"));
-  if (asked.femur_bone.empty() != asked.tibia_bone.empty())
-    out.error(Code::meshes_needed, {},
-              "cartilage over bone is given for one of femur and tibia: --femur BONE CARTILAGE --tibia BONE CARTILAGE");
-  if (asked.kind == NewScene::Kind::stl && (asked.femur.empty() || asked.tibia.empty()))
-    out.error(Code::meshes_needed, {},
-              "a scene of kind stl needs two meshes in one frame: --femur femur.stl --tibia tibia.stl");
-  for (const auto& [option, word] : {std::pair("--proximal", asked.proximal), std::pair("--anterior", asked.anterior)})
-    if (!word.empty() && !axis_named(word))
-      refuse_it(Code::unknown_name, option, word, "must be one of x, y, z, -x, -y, -z");
-  if (!asked.picture.empty()) refuse_picture(asked, out);
-  return out.has_errors();
-}
-
 /// False where one of them is impossible.
 bool say_all(const std::vector<LayoutDoubt>& doubts, const NewScene& asked, Diagnostics& out) {
   for (const LayoutDoubt& doubt : doubts)
     out.add({doubt.impossible ? Diagnostic::Severity::error : Diagnostic::Severity::warning,
              Code::layout,
-             {asked.femur + ", " + asked.tibia},
+             {asked.femur.text() + ", " + asked.tibia.text()},
              {},
              {},
              doubt.what});
@@ -183,7 +139,7 @@ bool check_layout(const NewBone& femur, const NewBone& tibia, const KneeLayout& 
                   Diagnostics& out) {
   say_all(doubts_about(femur.mesh, tibia.mesh, knee, tibia.unit), asked, out);
   if (const auto left = seems_left(knee); left && asked.left && *asked.left != *left)
-    out.warning(Code::layout, asked.femur + ", " + asked.tibia,
+    out.warning(Code::layout, asked.femur.text() + ", " + asked.tibia.text(),
                 fmt::format("look like a {} knee, and --side says {}: {}", *left ? "left" : "right",
                             *asked.left ? "left" : "right", why_this_side(knee)));
   return !out.has_errors();
@@ -219,6 +175,15 @@ std::optional<KneeLayout> lay_out(const NewScene& asked, const Mesh& femur, cons
   return knee;
 }
 
+bool asks_for_axes(const NewScene& asked) { return !asked.proximal.empty() || !asked.anterior.empty(); }
+
+/// Those of the bones, where they are known and nobody asked for others.
+KneeFrames frames_of(const NewScene& asked, const KneeLayout& knee, const NewLigaments& ligaments) {
+  const bool known = !asks_for_axes(asked) && ligaments.frames && believed(*ligaments.frames);
+  const KneeFrames files = frames_of_files(knee);
+  return known && to::kDegree * angle_between(files, *ligaments.frames) > kAxesKept ? *ligaments.frames : files;
+}
+
 struct Composed {
   std::string text;
   Words words;
@@ -232,11 +197,6 @@ struct Composed {
     return filled_in(text, words);
   }
 };
-
-/// All that is wrong with the file of landmarks, where other errors end the work before it is used.
-void refuse_landmarks(const NewScene& asked, Diagnostics& out) {
-  if (!asked.landmarks.empty()) static_cast<void>(read_landmarks(asked.landmarks, 1, out));
-}
 
 std::optional<Composed> compose(const NewScene& asked, const std::string& name, Diagnostics& out) {
   Words words{{"title", toml_string_of(name)},
@@ -261,19 +221,21 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
   }
   if (!check_layout(bones->femur, bones->tibia, *knee, asked, out)) return std::nullopt;
   const Side side = side_of(asked, *knee, *bones, *landmarks);
-  words.merge(words_of_knee(asked, *knee, side.left, *bones, *landmarks));
   doubt_landmarks(*landmarks, bones->femur_shape(), bones->tibia_shape(), *knee, side.left, out);
   const NewLigaments ligaments =
       ligaments_of(bones->femur_shape(), bones->tibia_shape(), *knee, side.left, !bones->femur_bone);
   if (!say_all(fit_doubts(bones->femur_shape(), bones->tibia_shape(), *knee, ligaments.misfit), asked, out))
     return std::nullopt;
-  for (const auto& doubt : {ligaments.turned, ligaments.doubt})
-    if (doubt) out.warning(Code::layout, asked.femur + ", " + asked.tibia, *doubt);
+  const KneeFrames frames = frames_of(asked, *knee, ligaments);
+  const bool along_files = angle_between(frames, frames_of_files(*knee)) == 0;
+  for (const auto& doubt : {along_files ? ligaments.turned : std::nullopt, ligaments.doubt})
+    if (doubt) out.warning(Code::layout, asked.femur.text() + ", " + asked.tibia.text(), *doubt);
+  words.merge(words_of_knee(asked, *knee, frames, side.left, *bones, *landmarks));
   words["ligaments_note"] = ligaments.note;
   ask_for_flexion(words, ligaments.doubt ? kStartFlexion : kWholeFlexion, false);
   return Composed{stl_scene_text(),
                   words,
-                  choices_of(asked, *knee, side, *landmarks, ligaments, words),
+                  choices_of(asked, *knee, side, *landmarks, ligaments, frames, words),
                   ligaments.text,
                   ligaments.lengths,
                   NewKnee{*bones, *knee, side.left, *landmarks, ligaments.choice, ligaments.doubt.value_or("")}};
@@ -283,6 +245,7 @@ std::optional<Composed> compose(const NewScene& asked, const std::string& name, 
 struct Tried {
   std::string text;
   std::optional<Solution> found;
+  std::string laxity{};  ///< what it gives, where that was tested
 };
 
 /// Puts the user's changes into a scene that is written again, and tries it out where it stands.
@@ -302,32 +265,69 @@ bool keep_changes(const NewScene& asked, const NewSceneFiles& files, const Earli
   return error.empty() && tried.found;
 }
 
-/// Writes the staged scene, until its trial is as good as it gets. An error in words; empty: none.
-std::string settle(const NewScene& asked, const std::string& staged_file, const std::string& file, Composed& composed,
-                   Tried& tried, Diagnostics& out) {
-  std::string error;
-  const auto write = [&] {
-    tried.text = composed.whole();
-    error = write_file_atomically(staged_file, tried.text);
-  };
-  write();
-  if (!error.empty()) return error;
-  auto& found = tried.found;
-  found = try_out(staged_file, file, asked, true, out);
-  const bool stl = asked.kind == NewScene::Kind::stl;
-  for (int round = 0; round < kSettleRounds && found && settle_ligaments(found->poses, round, composed.lengths);
-       ++round) {
-    refer_to_balance(composed.words, *found);
-    write();
-    if (error.empty()) found = try_out(staged_file, file, asked, false, out);
+/// The staged scene, written and tried out until it is as good as it gets.
+class Settling {
+ public:
+  Settling(const NewScene& asked, std::string staged, std::string file, Composed& composed, Tried& tried,
+           Diagnostics& out)
+      : asked_(asked),
+        staged_(std::move(staged)),
+        file_(std::move(file)),
+        composed_(composed),
+        tried_(tried),
+        out_(out) {}
+
+  /// An error in words; empty: none.
+  std::string settle() {
+    const bool stl = asked_.kind == NewScene::Kind::stl;
+    trial(true);
+    for (int round = 0; round < kSettleRounds && settles(round); ++round) trial(false);
+    if (stl && !asked_.femur_bone.empty() && !composed_.lengths.empty()) aim();
+    if (stl && error_.empty() && found() && !all_solved(found()->summary.exit_code) &&
+        found()->summary.poses_solved > kSettlingRows) {
+      ask_for_flexion(composed_.words, found()->summary.poses_solved - kSettlingRows, true);
+      trial(false);
+    }
+    return error_;
   }
-  if (found && stl && !all_solved(found->summary.exit_code) && found->summary.poses_solved > kSettlingRows) {
-    ask_for_flexion(composed.words, found->summary.poses_solved - kSettlingRows, true);
-    write();
-    if (error.empty()) found = try_out(staged_file, file, asked, false, out);
+
+ private:
+  std::optional<Solution>& found() { return tried_.found; }
+
+  void trial(bool first) {
+    tried_.text = composed_.whole();
+    error_ = write_file_atomically(staged_, tried_.text);
+    if (error_.empty()) found() = try_out(staged_, file_, asked_, first, out_);
   }
-  return error;
-}
+
+  bool settles(int round) {
+    if (!error_.empty() || !found() || !settle_ligaments(found()->poses, round, aims_, composed_.lengths)) return false;
+    refer_to_balance(composed_.words, *found());
+    return true;
+  }
+
+  /// Of bones and their cartilage: tests the knee's laxity, and changes ligaments and menisci until it is that of usual
+  /// knees.
+  void aim() {
+    for (int round = 0; error_.empty() && found() && all_solved(found()->summary.exit_code); ++round) {
+      Diagnostics ignored;
+      const auto prepared = prepare(staged_, ignored);
+      if (!prepared) return;
+      const NewKneeLaxity laxity = laxity_of_new(*prepared, asked_.cancelled);
+      tried_.laxity = laxity.text();
+      if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) return;
+      for (int again = 0; again < kAimTrials && (settles(kMeniscusRounds) || again == 0); ++again) trial(false);
+    }
+  }
+
+  const NewScene& asked_;
+  const std::string staged_, file_;
+  Composed& composed_;
+  Tried& tried_;
+  Diagnostics& out_;
+  NewKneeAims aims_;
+  std::string error_;
+};
 
 std::string write_picture(const NewScene& asked, const Composed& composed, const Tried& tried,
                           const std::string& file) {
@@ -339,14 +339,21 @@ std::string write_picture(const NewScene& asked, const Composed& composed, const
 
 }  // namespace
 
-std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics& out) {
-  fs::path folder = fs::path(asked.folder).lexically_normal();
+std::optional<NewSceneReport> write_new_scene(const NewScene& as_given, Diagnostics& out) {
+  fs::path folder = fs::path(as_given.folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
   const NewSceneFiles files{folder, folder.filename().string()};
-  if (refuse_words(asked, out)) {
-    refuse_landmarks(asked, out);
+  if (refuse_words(as_given, out)) {
+    refuse_landmarks(as_given, out);
     return std::nullopt;
   }
+  std::vector<std::string> pieces;
+  const auto sorted = sort_pieces(as_given, pieces, out);
+  if (!sorted) {
+    refuse_landmarks(as_given, out);
+    return std::nullopt;
+  }
+  const NewScene& asked = *sorted;
   std::optional<EarlierScene> earlier;
   if (asked.edit) earlier = read_earlier(files, out);
   auto composed = compose(asked, files.name, out);
@@ -359,11 +366,13 @@ std::optional<NewSceneReport> write_new_scene(const NewScene& asked, Diagnostics
   const NewSceneFiles staged_files{staged.path(), files.name};
   NewSceneReport report;
   report.file = files.scene();
-  report.choices = composed->choices;
+  report.choices = pieces;
+  report.choices.insert(report.choices.end(), composed->choices.begin(), composed->choices.end());
   Tried tried;
-  std::string error = settle(asked, staged_files.scene(), report.file, *composed, tried, out);
+  std::string error = Settling(asked, staged_files.scene(), report.file, *composed, tried, out).settle();
   if (error.empty()) {
     if (!tried.found) return std::nullopt;
+    if (!tried.laxity.empty()) report.choices.push_back("laxity      " + tried.laxity);
     const std::string fresh = tried.text;
     if (earlier && !keep_changes(asked, files, *earlier, tried, report, out)) return std::nullopt;
     const RunSummary& summary = tried.found->summary;

@@ -195,13 +195,13 @@ grood_suntay = { side = "@side@", femur = { body = "femur", proximal = @femur_pr
 [surface.femur]
 body = "femur"
 shape = "mesh"
-file = "@femur_file@"
+file = @femur_file@
 units = "@femur_unit@"@femur_unit_how@@femur_thickness@
 
 [surface.tibia]
 body = "tibia"
 shape = "mesh"
-file = "@tibia_file@"
+file = @tibia_file@
 units = "@tibia_unit@"@tibia_unit_how@@tibia_thickness@
 
 # --- Contact: an elastic layer on each triangle of the tibia. For rigid contact on smooth surfaces write

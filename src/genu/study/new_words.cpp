@@ -19,13 +19,20 @@ std::string seen_from(const std::string& file, const std::string& folder) {
   const fs::path from = fs::weakly_canonical(fs::absolute(folder, failed), failed),
                  to = fs::weakly_canonical(fs::absolute(file, failed), failed);
   const fs::path relative = to.lexically_relative(from);
-  return toml_string_of((relative.empty() ? to : relative).string());
+  return '"' + toml_string_of((relative.empty() ? to : relative).string()) + '"';
+}
+
+/// One name, or a list of the files of the pieces.
+std::string names_seen_from(const PieceFiles& files, const std::string& folder) {
+  std::string out;
+  for (const std::string& file : files.paths) out += (out.empty() ? "" : ", ") + seen_from(file, folder);
+  return files.several() ? "[" + out + "]" : out;
 }
 
 /// The thickness of cartilage over a bone.
-std::string thickness_text(const std::string& file, const std::string& folder, const std::optional<NewBone>& bone) {
+std::string thickness_text(const PieceFiles& files, const std::string& folder, const std::optional<NewBone>& bone) {
   if (!bone) return "";
-  return fmt::format("\nthickness = {{ bone = \"{}\", units = \"{}\" }}", seen_from(file, folder),
+  return fmt::format("\nthickness = {{ bone = {}, units = \"{}\" }}", names_seen_from(files, folder),
                      length_unit_name(bone->unit));
 }
 
@@ -43,11 +50,11 @@ std::string toml_string_of(const std::string& text) {
   return out;
 }
 
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const NewBones& bones,
-                    const KneeLandmarks& landmarks) {
-  Words w = clinical_words(landmarks, knee, left);
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFrames& frames, bool left,
+                    const NewBones& bones, const KneeLandmarks& landmarks) {
+  Words w = clinical_words(landmarks, knee, frames, left);
   const bool guessed = asked.unit.empty();
-  const std::string right = axis_word(knee.right), side = left ? "left" : "right";
+  const std::string side = left ? "left" : "right";
   const Vec3 lateral = left ? Vec3(-knee.right) : knee.right;
   w["side"] = side;
   w["proximal"] = axis_word(knee.proximal);
@@ -60,16 +67,13 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   w["depth"] = tenths(knee.depth);
   w["cartilage_note"] =
       asked.femur_bone.empty() ? "Of bones without cartilage the layer stands for it, but begins at the bone." : "";
-  w["flexion_axis"] = axis_word(-knee.right);
-  w["adduction_axis"] = axis_word(left ? Vec3(-knee.anterior) : knee.anterior);
-  w["rotation_axis"] = axis_word(left ? Vec3(-knee.proximal) : knee.proximal);
   Eigen::Index up = 0;
   knee.proximal.cwiseAbs().maxCoeff(&up);
   w["reference"] = fmt::format("{} = {}", "xyz"[up], tenths(knee.gap * knee.proximal[up]));
   w["reference_note"] = "The tibia moved until the meshes touch";
   w["centre"] = point_text(knee.centre);
-  w["femur_file"] = seen_from(asked.femur, asked.folder);
-  w["tibia_file"] = seen_from(asked.tibia, asked.folder);
+  w["femur_file"] = names_seen_from(asked.femur, asked.folder);
+  w["tibia_file"] = names_seen_from(asked.tibia, asked.folder);
   w["femur_unit"] = length_unit_name(bones.femur.unit);
   w["tibia_unit"] = length_unit_name(bones.tibia.unit);
   w["femur_thickness"] = thickness_text(asked.femur_bone, asked.folder, bones.femur_bone);
@@ -85,8 +89,8 @@ Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, co
   const std::string below = fmt::format("{} < {}", axis, middle), above = fmt::format("{} >= {}", axis, middle);
   w["medial"] = lateral[sideways] > 0 ? below : above;
   w["lateral"] = lateral[sideways] > 0 ? above : below;
-  w["compression"] = fmt::format("[{:g}, {:g}, {:g}]", 100 * knee.proximal.x() + 0.0, 100 * knee.proximal.y() + 0.0,
-                                 100 * knee.proximal.z() + 0.0);
+  const Vec3 press = 100 * frames.tibia_proximal;
+  w["compression"] = fmt::format("[{:.4g}, {:.4g}, {:.4g}]", press.x() + 0.0, press.y() + 0.0, press.z() + 0.0);
   return w;
 }
 

@@ -18,7 +18,7 @@ using Words = std::map<std::string, std::string>;
 std::string toml_string_of(const std::string& text);
 
 /// All but the ligaments and the motion.
-Words words_of_knee(const NewScene& asked, const KneeLayout& knee, bool left, const NewBones& bones,
-                    const KneeLandmarks& landmarks);
+Words words_of_knee(const NewScene& asked, const KneeLayout& knee, const KneeFrames& frames, bool left,
+                    const NewBones& bones, const KneeLandmarks& landmarks);
 
 }  // namespace genu

@@ -145,6 +145,17 @@ inline constexpr double kMaxStartGap = 0.5;
 /// [1] Triangles below which a mesh gets a warning. Fails first: if too large, good meshes get a warning.
 inline constexpr std::size_t kFewKneeTriangles = 100;
 
+// knee_frames
+
+/// [deg] Turn of the bones against the axes of their files up to which the knee bends about those. Fails first: if too
+/// large, flexion and the loads of laxity are about axes that are none of the knee's.
+inline constexpr double kAxesKept = 3;
+
+/// [deg] Turn of tibia to femur, as the reference knee lies on them, above which their axes are not believed
+/// (shape-model knees: up to 11; drawn bones, whose condyles are round: 35). Fails first: if too small, knees scanned
+/// in flexion bend about the axes of their files; if too large, bones without features bend about axes that are none.
+inline constexpr double kBonesTurned = 25;
+
 // new_landmarks
 
 /// [m] Error (standard deviation) of landmarks whose file states none. Fails first: nothing (chosen, and said to be).
@@ -165,6 +176,76 @@ inline constexpr double kFrameFits = 0.3;
 /// [1] Least cosine between the line through the epicondyles and the axis to the side. Fails first: if too large,
 /// oblique scans get a warning.
 inline constexpr double kEpicondylesAside = 0.8;
+
+// new_laxity (the ranges are those of docs/laxity.md)
+
+/// [m] Least anterior displacement of a usual knee at 134 N. Fails first: nothing (said).
+inline constexpr double kLeastDrawer = 2e-3;
+
+/// [m] Largest such. Fails first: nothing (said).
+inline constexpr double kMostDrawer = 10e-3;
+
+/// [deg] Least varus and valgus together at 10 N m. Fails first: nothing (said).
+inline constexpr double kLeastSideways = 2;
+
+/// [deg] Largest such. Fails first: nothing (said).
+inline constexpr double kMostSideways = 10;
+
+/// [deg] Least internal and external rotation together at 5 N m. Fails first: nothing (said).
+inline constexpr double kLeastRotation = 15;
+
+/// [deg] Largest such. Fails first: nothing (said).
+inline constexpr double kMostRotation = 50;
+
+/// [m] How far inside its range the drawer is to be. Fails first: if too small, finer steps of the test are outside.
+inline constexpr double kDrawerMargin = 0.2e-3;
+
+/// [deg] The same of varus and valgus. Fails first: as above.
+inline constexpr double kSidewaysMargin = 0.5;
+
+/// [deg] The same of rotation. Fails first: as above.
+inline constexpr double kRotationMargin = 1;
+
+/// [1] Strain by which the ACL is slackened in a step. Fails first: if too small, rounds; if too large, knees become
+/// laxer than needed.
+inline constexpr double kAnteriorStep = 0.008;
+
+/// [1] Strain by which collateral ligaments are tightened in a step. Fails first: as above, the other way round.
+inline constexpr double kSidewaysStep = 0.006;
+
+/// [1] Strain by which what holds rotation at 90 deg is slackened in a step. Fails first: as above.
+inline constexpr double kRotationStep = 0.02;
+
+/// [1] Most of that. Fails first: if too large, the posterior corners of the knee hold nothing.
+inline constexpr double kMostRotationAim = 0.06;
+
+/// [1] Most that a strain is changed. Fails first: if too large, a ligament's strain is none of a living knee.
+inline constexpr double kMostAim = 0.024;
+
+/// [1] Factor of the stiffness of the menisci in a step. Fails first: as of the other steps.
+inline constexpr double kMenisciStep = 1.4;
+
+/// [1] Largest such factor. Fails first: if too large, menisci hold a knee whose ligaments are wrong, and a cut PCL is
+/// not felt.
+inline constexpr double kStiffestMenisci = 2;
+
+/// [1] Factor of the stiffness of collateral ligaments in a step. Fails first: as of the other steps.
+inline constexpr double kCollateralStep = 1.2;
+
+/// [1] Largest such factor (LCL 2000 N at a strain of 1, MCL 5500 N without it). Fails first: if too large, a
+/// collateral ligament is stiffer than any that was measured.
+inline constexpr double kStiffestCollaterals = 1.75;
+
+/// [1] Least such factor. Fails first: if too small, a knee whose MCL is cut snaps.
+inline constexpr double kSoftestMenisci = 0.5;
+
+/// [1] Tests of laxity after which ligaments stay as they are. Fails first: if too small, knees are left outside of the
+/// ranges; if too large, time.
+inline constexpr int kAimRounds = 6;
+
+/// [1] Trials between two of these tests in which slack lengths follow. Fails first: if too small, the test is of
+/// lengths that have not settled.
+inline constexpr int kAimTrials = 2;
 
 // new_ligaments
 
@@ -202,6 +283,31 @@ inline constexpr double kSmallMisfit = 0.9e-3;
 /// [1] Ratio of misfits of a knee and its mirror image that tells which it is; the square, of other mistakes. Fails
 /// first: if too large, chance decides.
 inline constexpr double kSideFits = 0.8;
+
+// new_pieces
+
+/// [m] Distance from a bone up to which its cartilage reaches. Fails first: if too small, thick cartilage is taken for
+/// bone; if too large, so is a bone beside another one.
+inline constexpr double kCartilageReach = 8e-3;
+
+/// [1] Part of a mesh within that distance of a bone from which it can be its cartilage. Fails first: if too large,
+/// cartilage that reaches beyond the mesh of its bone is taken for bone.
+inline constexpr double kAllNear = 0.8;
+
+/// [1] The same for the second of two files that shape does not tell apart. Fails first: if too small, two pieces of a
+/// bone are taken for bone and cartilage.
+inline constexpr double kMostlyNear = 0.5;
+
+/// [m] Mean height over a bone above which a sheet is on it. Fails first: if too small, the bone under a closed sheet
+/// of cartilage is taken for cartilage.
+inline constexpr double kCartilageHeight = 0.2e-3;
+
+/// [m] Thickness of a closed mesh above which it is no cartilage (cartilage of knees 2 to 4 mm, a femur's shaft 14).
+/// Fails first: if too small, thick cartilage is taken for bone.
+inline constexpr double kThickestCartilage = 6e-3;
+
+/// [1] Vertices of a mesh that are looked at. Fails first: if too small, chance decides.
+inline constexpr std::size_t kPieceSamples = 400;
 
 // new_picture
 
