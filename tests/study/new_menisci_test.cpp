@@ -28,9 +28,20 @@ TEST(NewMenisci, RunFromTheCondylesForthAndBack) {
 }
 
 TEST(NewMenisci, AreSlackAtFirst) {
-  const auto lengths = slack_menisci(raised_reference());
-  ASSERT_EQ(lengths.size(), 4u);
+  auto lengths = slack_menisci(raised_reference());
+  ASSERT_EQ(lengths.size(), 5u);
+  EXPECT_EQ(lengths.at("stiffness of menisci"), "stiffness = 1200");
+  lengths.erase("stiffness of menisci");
   for (const auto& [word, text] : lengths) EXPECT_EQ(text, "slack_length = 184.61") << word;
+}
+
+TEST(NewMenisci, AreStiffenedWhereTheyHaveAWord) {
+  auto lengths = slack_menisci(raised_reference());
+  stiffen_menisci(1.4, lengths);
+  EXPECT_EQ(lengths.at("stiffness of menisci"), "stiffness = 1680");
+  std::map<std::string, std::string> none;
+  stiffen_menisci(1.4, none);
+  EXPECT_TRUE(none.empty());
 }
 
 TEST(NewMenisci, AreNeutralInTheMeanOfTheFlexion) {
