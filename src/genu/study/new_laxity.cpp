@@ -75,7 +75,9 @@ bool aim_at_ranges(const NewKneeLaxity& found, NewKneeAims& aims) {
   const bool stiff = found.rotation.least < (kLeastRotation + kRotationMargin) / to::kDegree;
   const bool lax = found.complete < kCurves || found.sideways.most > (kMostSideways - kSidewaysMargin) / to::kDegree;
   if (lax) {
-    aims.menisci = std::min(kMenisciStep * aims.menisci, kStiffestMenisci);
+    // Stiff menisci hide a cut PCL: they come last.
+    if (aims.sideways == kMostAim && aims.collaterals == kStiffestCollaterals)
+      aims.menisci = std::min(kMenisciStep * aims.menisci, kStiffestMenisci);
     aims.sideways = std::min(aims.sideways + kSidewaysStep, kMostAim);
     aims.collaterals = std::min(kCollateralStep * aims.collaterals, kStiffestCollaterals);
   } else if (stiff && aims.rotation == kMostRotationAim) {

@@ -39,12 +39,13 @@ constexpr StartLigament kLigaments[] = {
 struct BundleName {
   const char *name, *words;
   double strain;
-  enum class Aim { none, anterior, sideways, rotation } aim = Aim::none;
+  enum class Aim { none, anterior, posterior, sideways, rotation } aim = Aim::none;
 
   double aim_of(const NewKneeAims& aims) const {
     switch (aim) {
       case Aim::anterior:
         return -aims.anterior;
+      case Aim::posterior:  // it still bears most of a drawer where collateral ligaments bear more
       case Aim::sideways:
         return aims.sideways;
       case Aim::rotation:
@@ -58,8 +59,8 @@ struct BundleName {
 constexpr BundleName kBundles[] = {
     {"ACLam", "anterior cruciate, anteromedial bundle", 0.015, BundleName::Aim::anterior},
     {"ACLpl", "anterior cruciate, posterolateral bundle", 0.025, BundleName::Aim::anterior},
-    {"PCLal", "posterior cruciate, anterolateral bundle", 0.04},
-    {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04},
+    {"PCLal", "posterior cruciate, anterolateral bundle", 0.04, BundleName::Aim::posterior},
+    {"PCLpm", "posterior cruciate, posteromedial bundle", 0.04, BundleName::Aim::posterior},
     {"MCLs", "medial collateral, superficial", 0.06, BundleName::Aim::sideways},
     {"MCLd", "medial collateral, deep", 0.045, BundleName::Aim::sideways},
     {"MCLp", "posteromedial capsule", 0.045, BundleName::Aim::rotation},
