@@ -59,8 +59,8 @@ NewKneeLaxity laxity_of_new(const Prepared& prepared, const Cancelled& cancelled
   choice.increments = kTestIncrements;
   choice.cancelled = cancelled;
   for (const double angle : kFlexions) choice.flexions.push_back(angle / to::kDegree);
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  NewKneeLaxity found{{kNone, -kNone}, {kNone, -kNone}, {kNone, -kNone}, 0};
+  constexpr double kNothingSeen = std::numeric_limits<double>::infinity();
+  NewKneeLaxity found{{kNothingSeen, -kNothingSeen}, {kNothingSeen, -kNothingSeen}, {kNothingSeen, -kNothingSeen}, 0};
   Diagnostics ignored;
   LaxityResult result;
   static_cast<void>(test_laxity(prepared, choice, ignored, result));
