@@ -50,5 +50,20 @@ TEST(NoPotential, AScaleOverTheLoadsOwnCoordinateHasOne) {
   EXPECT_EQ(causes("body = \"block\"\nforce = [1, 0, 0]\nscale = { over = \"j.a\", " + over).size(), 1u);
 }
 
+TEST(NoPotential, ManyLayersAreOneCause) {
+  PlacedScene scene;
+  for (const char* name : {"a", "b", "c", "d", "e"}) {
+    scene.layers.emplace_back();
+    scene.layers.back().pair.name = name;
+    scene.layers.back().quadrature = LayerDef::Quadrature::triangles;
+  }
+  ASSERT_EQ(without_potential(scene).size(), 1u);
+  EXPECT_EQ(without_potential(scene)[0].substr(0, 45), "the triangles of cartilage a, b, c and 2 more");
+  scene.layers.resize(2);
+  EXPECT_EQ(without_potential(scene)[0].substr(0, 33), "the triangles of cartilage a, b (");
+  scene.layers.back().quadrature = LayerDef::Quadrature::smooth;
+  EXPECT_EQ(without_potential(scene)[0].substr(0, 30), "the triangles of cartilage a (");
+}
+
 }  // namespace
 }  // namespace genu

@@ -1,7 +1,13 @@
 #include "genu/appraise/no_potential.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 namespace genu {
 namespace {
+
+constexpr std::size_t kLayersNamed = 3;  // in a sentence
 
 std::string reason(const PlacedScene& scene, const LoadDef& load) {
   const bool wrench = load.kind == LoadDef::Kind::wrench;
@@ -13,6 +19,16 @@ std::string reason(const PlacedScene& scene, const LoadDef& load) {
   return {};
 }
 
+/// "medial", "medial, lateral and 40 more".
+std::string layers_of_triangles(const PlacedScene& scene) {
+  std::string out;
+  std::size_t count = 0;
+  for (const LayerDef& layer : scene.layers)
+    if (layer.quadrature == LayerDef::Quadrature::triangles && ++count <= kLayersNamed)
+      out += (out.empty() ? "" : ", ") + layer.pair.name;
+  return count <= kLayersNamed ? out : fmt::format("{} and {} more", out, count - kLayersNamed);
+}
+
 }  // namespace
 
 std::vector<std::string> without_potential(const PlacedScene& scene) {
@@ -20,10 +36,9 @@ std::vector<std::string> without_potential(const PlacedScene& scene) {
   for (const LoadDef& load : scene.loads)
     if (const std::string why = reason(scene, load); !why.empty())
       out.push_back("load " + load.name + " (" + why + ")");
-  for (const LayerDef& layer : scene.layers)
-    if (layer.quadrature == LayerDef::Quadrature::triangles)
-      out.push_back("the triangles of cartilage " + layer.pair.name + " (their stiffness is symmetric only up to the " +
-                    "size of a triangle; quadrature = \"smooth\" has a potential)");
+  if (const std::string layers = layers_of_triangles(scene); !layers.empty())
+    out.push_back("the triangles of cartilage " + layers + " (their stiffness is symmetric only up to the size of a " +
+                  "triangle; quadrature = \"smooth\" has a potential)");
   return out;
 }
 
