@@ -68,6 +68,14 @@ TEST(NewLaxity, ACurveThatEndsIsALaxKnee) {
   EXPECT_NE(ended.text().find("; 11 of 12 curves complete; not all as of usual knees"), std::string::npos);
 }
 
+TEST(NewLaxity, WhatWasChangedIsSaid) {
+  EXPECT_EQ(text_of({}), "");
+  EXPECT_EQ(text_of({.sideways = 0.012, .collaterals = 1.44}),
+            "; for it strain of the collaterals and the PCL +1.2 %, collaterals 1.44 times as stiff");
+  EXPECT_EQ(text_of({.anterior = 0.008, .rotation = 0.02, .menisci = 0.71}),
+            "; for it strain of the ACL -0.8 %, strain of the posterior corners -2.0 %, menisci 0.71 times as stiff");
+}
+
 TEST(NewLaxity, AimsHaveAnEnd) {
   NewKneeLaxity bad = usual_knee();
   bad.sideways.most = 20 / to::kDegree;

@@ -35,6 +35,19 @@ void add(const LaxityCurve& curve, NewKneeLaxity& found) {
 
 }  // namespace
 
+std::string text_of(const NewKneeAims& aims) {
+  std::string out;
+  const auto add = [&](bool changed, const std::string& words) {
+    if (changed) out += (out.empty() ? "; for it " : ", ") + words;
+  };
+  add(aims.anterior != 0, fmt::format("strain of the ACL {:+.1f} %", -100 * aims.anterior));
+  add(aims.sideways != 0, fmt::format("strain of the collaterals and the PCL {:+.1f} %", 100 * aims.sideways));
+  add(aims.rotation != 0, fmt::format("strain of the posterior corners {:+.1f} %", -100 * aims.rotation));
+  add(aims.collaterals != 1, fmt::format("collaterals {:.2f} times as stiff", aims.collaterals));
+  add(aims.menisci != 1, fmt::format("menisci {:.2f} times as stiff", aims.menisci));
+  return out;
+}
+
 bool NewKneeLaxity::usual() const {
   return complete == kCurves && drawer.least > kLeastDrawer && drawer.most < kMostDrawer &&
          sideways.least > kLeastSideways / to::kDegree && sideways.most < kMostSideways / to::kDegree &&

@@ -314,7 +314,7 @@ class Settling {
       const auto prepared = prepare(staged_, ignored);
       if (!prepared) return;
       const NewKneeLaxity laxity = laxity_of_new(*prepared, asked_.cancelled);
-      tried_.laxity = laxity.text();
+      tried_.laxity = laxity.text() + text_of(aims_);
       if (round == kAimRounds || !aim_at_ranges(laxity, aims_)) return;
       for (int again = 0; again < kAimTrials && (settles(kMeniscusRounds) || again == 0); ++again) trial(false);
     }
