@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact_pairs.h"
+#include "genu/mesh/nearest_point.h"
 #include "genu/surface/facet_surface.h"
 #include "support/brute_force.h"
 
@@ -39,7 +40,7 @@ void expect_brute_force(const FacetSurface& facets, double reach, int points) {
   int inside = 0;
   for (int i = 0; i < points; ++i) {
     const Vec3 x = test::random_vector(random, reach);
-    const Vec3 foot = test::nearest_on_mesh(mesh, x);
+    const Vec3 foot = nearest_on_mesh(mesh, x);
     const double winding = test::winding_number(mesh, x);
     ASSERT_LT(std::abs(winding - std::round(winding)), 1e-9);
     const double exact = (winding > 0.5 ? -1 : 1) * (x - foot).norm();
@@ -51,7 +52,7 @@ void expect_brute_force(const FacetSurface& facets, double reach, int points) {
     EXPECT_NEAR(found.direction.norm(), 1, 1e-12);
     // Where two feet are equally near, either direction is right: walking along it changes the distance by as much.
     const Vec3 on = x - found.distance * found.direction;
-    EXPECT_LT((test::nearest_on_mesh(mesh, on) - on).norm(), 1e-8);
+    EXPECT_LT((nearest_on_mesh(mesh, on) - on).norm(), 1e-8);
   }
   EXPECT_GT(inside, points / 50);
   EXPECT_LT(inside, points - points / 50);
@@ -99,7 +100,7 @@ TEST(FarDistance, OverAndUnderAnOpenSheetAndBeyondItsEdge) {
     const FarDistance::Nearest found = far.nearest(x);
     const bool over = std::abs(x.x()) < half && std::abs(x.y()) < half;
     EXPECT_EQ(found.beyond_edge, !over) << x.transpose();
-    const double unsigned_distance = (x - test::nearest_on_mesh(mesh, x)).norm();
+    const double unsigned_distance = (x - nearest_on_mesh(mesh, x)).norm();
     EXPECT_NEAR(found.distance, over ? x.z() : unsigned_distance, 1e-8) << x.transpose();
     EXPECT_TRUE(!over || (found.direction - Vec3::UnitZ()).norm() < 1e-6) << x.transpose();
     beyond += over ? 0 : 1;

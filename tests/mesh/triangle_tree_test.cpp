@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/mesh/nearest_point.h"
 #include "support/brute_force.h"
 #include "support/layers.h"
 
@@ -110,7 +111,7 @@ TEST(TriangleTree, FarIsNeverNear) {
     double least = 1;
     for (int i = 0; i <= 20; ++i) {
       const Vec3 x = origin + i * length / 20 * direction;
-      least = std::min(least, (test::nearest_on_mesh(facing, x) - x).norm());
+      least = std::min(least, (nearest_on_mesh(facing, x) - x).norm());
     }
     int met = -1;
     const double margins[] = {10 * margin, margin};

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genu/mesh/nearest_point.h"
 #include "genu/mesh_files/mesh_reader.h"
 #include "genu/mesh_files/stl_writer.h"
 #include "support/brute_force.h"
@@ -111,7 +112,7 @@ class DirtyMeshes : public ::testing::Test {
       for (const Vec3& p : mesh_[k].vertices) {
         if ((p - place).norm() > kRadius) continue;
         const Vec3 q = X * p;
-        least = std::min(least, (test::nearest_on_mesh(mesh_[1 - k], q) - q).norm());
+        least = std::min(least, (nearest_on_mesh(mesh_[1 - k], q) - q).norm());
       }
     }
     return least;
