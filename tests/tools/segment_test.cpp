@@ -5,6 +5,8 @@
 
 #include "genu/mesh_files/mesh_writer.h"
 #include "genu/surface/analytic.h"
+#include "support/csv_table.h"
+#include "support/data.h"
 #include "support/dirt.h"
 #include "tools/cli_scenes.h"
 
@@ -49,6 +51,25 @@ TEST(CliSegment, RefusesFlawsFilesOfOthersAndBadNames) {
   const Outcome taken = genu("segment " + good + out);
   EXPECT_EQ(taken.exit_code, 2);
   EXPECT_TRUE(contains(taken.err, "will not be replaced")) << taken.err;
+}
+
+/// The measured menisci in 2 x 8 pieces, on the way from extension to 20 deg: no jump, and each is in tension.
+TEST(CliSegment, TheMeasuredKneeBendsOnItsPieces) {
+  GENU_NEEDS_DATA("lenhart2015/ACLC01-R-med-meniscus.stl");
+  const TemporaryFolder folder;
+  const Outcome made =
+      shell("GENU_DATA=" + data_path("") + " " + source_folder() + "/tools/segmented-knee --pieces 8 " +
+            "--flexion 20 --rows 4 --genu " + program() + " " + (folder / "knee"));
+  ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
+  const Outcome run = genu("run " + (folder / "knee/scene.toml") + " --no-report --out " + (folder / "run"));
+  ASSERT_TRUE(run.exit_code == 0 || run.exit_code == 4) << run.err;
+  EXPECT_TRUE(contains(run.out, "poses       5 of 5 solved")) << run.out;
+  EXPECT_FALSE(contains(run.out, "jumped")) << run.out;
+  EXPECT_FALSE(contains(run.out, "% of its thickness")) << run.out;
+  const ResultTable table = read_table(folder / "run/results.csv");
+  for (const char* cut : {"meniscus_medial_hoop_03", "meniscus_medial_hoop_05", "meniscus_lateral_hoop_04"})
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      EXPECT_LT(table.number(row, std::string(cut) + ".force_x_N"), 0) << cut << " at " << row;
 }
 
 }  // namespace
