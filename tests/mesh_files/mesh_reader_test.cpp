@@ -78,7 +78,7 @@ TEST(MeshReader, FilesOfPiecesAreOneMesh) {
   ASSERT_TRUE(read_mesh(both, 1e-3, out));
   ASSERT_EQ(out.items().size(), 1u);
   EXPECT_EQ(out.items()[0].file, both.text());
-  EXPECT_EQ(out.items()[0].rule, "dropped 1 triangles that stand in two of these files");
+  EXPECT_EQ(out.items()[0].rule, "dropped 1 triangles that two of these files share");
 }
 
 TEST(MeshReader, EachUnreadablePieceIsNamed) {

@@ -98,7 +98,7 @@ void add_new(CLI::App& command, int& exit_code) {
   command
       .add_option("--femur", arguments->femur,
                   "meshes of the femur, its cartilage or both, each in one file or in pieces: STL, PLY, OBJ, OFF or "
-                  "VTP. Which are bone and which are cartilage is told by their shape, and said")
+                  "VTP. Their shape shows which are bone and which are cartilage; the first lines say so")
       ->expected(1, kMostPieces);
   command.add_option("--tibia", arguments->tibia, "the same of the tibia, in the same frame")->expected(1, kMostPieces);
   command

@@ -225,7 +225,7 @@ std::optional<Mesh> MeshLibrary::join(const PieceFiles& files, double metres_per
   JoinedMesh joined = join_pieces(pieces, tolerance);
   if (joined.repeated > 0)
     out.warning(Code::mesh_repaired, files.text(),
-                fmt::format("dropped {} triangles that stand in two of these files", joined.repeated));
+                fmt::format("dropped {} triangles that two of these files share", joined.repeated));
   if (facts != nullptr) *facts = facts_of(of_pieces, joined);
   return std::move(joined.mesh);
 }
