@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "genu/core/few.h"
 #include "genu/model/two_body_scatter.h"
 
 namespace genu {
@@ -31,13 +32,9 @@ void for_each_pull(const LigamentPath& path, const std::vector<Pose>& poses, con
 struct LigamentPath::Span {
   std::size_t point = 0;  ///< the first of the two
   Vec3 from, to;
-  std::size_t first = 0, count = 0;  ///< obstacles
-  std::array<genu::Obstacle, kMostArcs> places;
-  std::array<Touch, kMostArcs> touches;
-
-  std::span<const genu::Obstacle> obstacles() const { return {places.data(), count}; }
-  std::span<Touch> all() { return {touches.data(), count}; }
-  std::span<const Touch> all() const { return {touches.data(), count}; }
+  std::size_t first = 0;  ///< obstacle
+  Few<genu::Obstacle, kMostArcs> places;
+  Few<Touch, kMostArcs> touches;
 };
 
 template <typename F>
@@ -58,9 +55,8 @@ LigamentPath::Span LigamentPath::span_at(const std::vector<Pose>& poses, const W
   span.to = poses[at(b.body)] * b.p;
   span.first = first;
   for (std::size_t i = first; i < obstacles_.size() && obstacles_[i].after == obstacles_[first].after; ++i) {
-    span.places[span.count] = {obstacles_[i].surface.get(), poses[at(obstacles_[i].body)]};
-    if (!wraps.empty()) span.touches[span.count] = wraps[first_ + i];
-    ++span.count;
+    span.places.push_back({obstacles_[i].surface.get(), poses[at(obstacles_[i].body)]});
+    span.touches.push_back(wraps.empty() ? Touch() : static_cast<const Touch&>(wraps[first_ + i]));
   }
   return span;
 }
@@ -122,8 +118,7 @@ bool LigamentPath::follow_touches(const std::vector<Pose>& poses, Wraps& wraps) 
     if (!good) return;
     Span span = span_at(poses, wraps, first);
     // An obstacle that a path passes through takes no part.
-    std::array<std::size_t, kMostArcs> kept{};
-    std::size_t count = 0;
+    Few<std::size_t, kMostArcs> kept;
     for (std::size_t i = first; i < end; ++i) {
       bool through = false;
       if (obstacles_[i].ignore_inside) {
@@ -137,16 +132,18 @@ bool LigamentPath::follow_touches(const std::vector<Pose>& poses, Wraps& wraps) 
         wraps[first_ + i].touching = false;
         continue;
       }
-      span.places[count] = span.places[i - first];
-      span.touches[count] = span.touches[i - first];
-      kept[count++] = i;
+      span.places[kept.size()] = span.places[i - first];
+      span.touches[kept.size()] = span.touches[i - first];
+      kept.push_back(i);
     }
-    span.count = count;
-    if (count == 0) return;
+    if (kept.empty()) return;
+    span.places.resize(kept.size());
+    span.touches.resize(kept.size());
     const bool by_length = wraps[first_ + kept[0]].by_length;
-    good = by_length ? settle_touches(span.from, span.to, span.obstacles(), span.all())
-                     : solve_touches(span.from, span.to, span.obstacles(), span.all());
-    for (std::size_t k = 0; good && k < count; ++k) static_cast<Touch&>(wraps[first_ + kept[k]]) = span.touches[k];
+    good = by_length ? settle_touches(span.from, span.to, span.places, span.touches)
+                     : solve_touches(span.from, span.to, span.places, span.touches);
+    for (std::size_t k = 0; good && k < kept.size(); ++k)
+      static_cast<Touch&>(wraps[first_ + kept[k]]) = span.touches[k];
   });
   return good;
 }
@@ -164,7 +161,7 @@ double LigamentPath::touch_margin(const std::vector<Pose>& poses, const Wraps& w
       if (gap && *gap < 0) return std::numeric_limits<double>::infinity();
     }
   Geodesic nearest;
-  return clearance_at(span.from, span.to, span.obstacles(), span.all(), i - first, nearest);
+  return clearance_at(span.from, span.to, span.places, span.touches, i - first, nearest);
 }
 
 void LigamentPath::switch_touch(const std::vector<Pose>& poses, Wraps& wraps, std::size_t i) const {
@@ -176,7 +173,7 @@ void LigamentPath::switch_touch(const std::vector<Pose>& poses, Wraps& wraps, st
   std::size_t first = i;
   while (first > 0 && obstacles_[first - 1].after == obstacles_[i].after) --first;
   const Span span = span_at(poses, wraps, first);
-  clearance_at(span.from, span.to, span.obstacles(), span.all(), i - first, touch.arc);
+  clearance_at(span.from, span.to, span.places, span.touches, i - first, touch.arc);
   touch.touching = true;
   if (!follow_touches(poses, wraps)) touch.touching = false;
 }
@@ -210,25 +207,31 @@ void LigamentPath::add_tension(const std::vector<Pose>& poses, double tension, V
 /// The moves of the touching points of one span, and what they do to the pull of unit tension on its bodies.
 struct LigamentPath::Variation {
   StringHessian hessian;
-  std::array<Geodesic, kMostArcs> arcs;
-  std::array<genu::Obstacle, kMostArcs> places;
-  std::array<std::size_t, kMostArcs> obstacle{};
-  std::size_t count = 0;
-  std::array<int, kMostArcs + 2> moving{};  ///< bodies whose pull changes
-  std::size_t bodies = 0;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6 * (kMostArcs + 2), 2 * kMostArcs> pull_by_moves;
+  Few<Geodesic, kMostArcs> arcs;
+  Few<genu::Obstacle, kMostArcs> places;
+  Few<std::size_t, kMostArcs> obstacle;
+  Few<int, kMostArcs + 2> moving;  ///< bodies whose pull changes
+  /// Of each of them, by the two moves of each arc.
+  using Moves = std::array<Eigen::Matrix<double, 6, 2>, kMostArcs>;
+  std::array<Moves, kMostArcs + 2> pull;
 
   Variation(const LigamentPath& path, const std::vector<Pose>& poses, const Span& span) {
-    for (std::size_t i = 0; i < span.count; ++i) {
+    for (std::size_t i = 0; i < span.places.size(); ++i) {
       if (!span.touches[i].touching) continue;
-      arcs[count] = span.touches[i].arc;
-      places[count] = span.places[i];
-      obstacle[count++] = span.first + i;
+      arcs.push_back(span.touches[i].arc);
+      places.push_back(span.places[i]);
+      obstacle.push_back(span.first + i);
     }
-    if (count == 0) return;
-    string_hessian(span.from, span.to, {places.data(), count}, {arcs.data(), count}, hessian);
-    pull_by_moves.setZero(static_cast<Eigen::Index>(6 * (kMostArcs + 2)), static_cast<Eigen::Index>(2 * count));
+    if (arcs.empty()) return;
+    string_hessian(span.from, span.to, places, arcs, hessian);
     for_each_leg(path, span, [&](const End& x, const End& y) { add_leg(poses, x, y); });
+  }
+
+  /// H^-1.
+  StringHessian::Matrix inverse() const {
+    if (arcs.size() > 1) return hessian.H.partialPivLu().inverse();
+    const Mat2 H = hessian.H;
+    return H.inverse();
   }
 
   /// An end of a leg: on a point, or on arc `arc`.
@@ -242,7 +245,7 @@ struct LigamentPath::Variation {
   template <typename F>
   void for_each_leg(const LigamentPath& path, const Span& span, const F& f) const {
     End last{path.points_[span.point], -1, false, span.from, Vec3::Zero()};
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
       const LigamentPath::Obstacle& o = path.obstacles_[obstacle[i]];
       const auto end = [&](const ArcEnd& e, bool at_end) {
         return End{{o.body, e.p, o.moving, -1 - static_cast<int>(obstacle[i])},
@@ -261,11 +264,27 @@ struct LigamentPath::Variation {
     return end.at_end ? hessian.at_end[at(end.arc)] : hessian.at_begin[at(end.arc)];
   }
 
-  Eigen::Index row_of(int body) {
+  /// Adds tension (dP/dz) H^-1 (dP/dz)^T.
+  void add_stiffness(double tension, MatX& stiffness) const {
+    const StringHessian::Matrix held = tension * inverse();
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      for (std::size_t k = 0; k < arcs.size(); ++k)
+        for (std::size_t l = 0; l < arcs.size(); ++l) {
+          const Mat2 kl = held.block<2, 2>(static_cast<Eigen::Index>(2 * k), static_cast<Eigen::Index>(2 * l));
+          const Eigen::Matrix<double, 6, 2> moved = pull[i][k] * kl;
+          for (std::size_t j = 0; j < moving.size(); ++j)
+            stiffness.block<6, 6>(6 * moving[i], 6 * moving[j]) += moved * pull[j][l].transpose();
+        }
+  }
+
+  Moves& pull_of(int body) {
     std::size_t i = 0;
-    while (i < bodies && moving[i] != body) ++i;
-    if (i == bodies) moving[bodies++] = body;
-    return static_cast<Eigen::Index>(6 * i);
+    while (i < moving.size() && moving[i] != body) ++i;
+    if (i == moving.size()) {
+      moving.push_back(body);
+      for (std::size_t k = 0; k < arcs.size(); ++k) pull[i][k].setZero();
+    }
+    return pull[i];
   }
 
   void add_leg(const std::vector<Pose>& poses, const End& x, const End& y) {
@@ -279,12 +298,12 @@ struct LigamentPath::Variation {
       const Vec3 turn = sign / length * tip->b;  // of e, when the tip moves along b by 1
       for (const End* end : {&x, &y}) {
         if (end->point.moving < 0) continue;
-        const double pull = end == &x ? 1 : -1;  // e on the body of x, -e on that of y
+        const double side = end == &x ? 1 : -1;  // e on the body of x, -e on that of y
         const Vec3 arm = poses[at(end->point.body)].R * end->point.p;
         Vec6 change;
-        change << pull * turn, pull * arm.cross(turn);
-        if (end == tip) change.tail<3>() += pull * tip->b.cross(e);
-        pull_by_moves.block<6, 2>(row_of(end->point.moving), 2 * tip->arc) += change * move(*tip).transpose();
+        change << side * turn, side * arm.cross(turn);
+        if (end == tip) change.tail<3>() += side * tip->b.cross(e);
+        pull_of(end->point.moving)[at(tip->arc)] += change * move(*tip).transpose();
       }
     }
   }
@@ -309,16 +328,8 @@ void LigamentPath::linearize(const std::vector<Pose>& poses, const LawValue& ten
   if (stiffness == nullptr) return;
   if (tension.force != 0)
     for_each_span([&](std::size_t first, std::size_t) {
-      Variation v(*this, poses, span_at(poses, wraps, first));
-      if (v.count == 0) return;
-      const auto P = v.pull_by_moves.topRows(static_cast<Eigen::Index>(6 * v.bodies));
-      const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * kMostArcs, 6 * (kMostArcs + 2)> moves =
-          v.hessian.H.partialPivLu().solve(P.transpose());
-      for (std::size_t i = 0; i < v.bodies; ++i)
-        for (std::size_t j = 0; j < v.bodies; ++j)
-          stiffness->block<6, 6>(6 * v.moving[i], 6 * v.moving[j]) +=
-              tension.force * (P.middleRows<6>(static_cast<Eigen::Index>(6 * i))
-                                   .lazyProduct(moves.middleCols<6>(static_cast<Eigen::Index>(6 * j))));
+      const Variation v(*this, poses, span_at(poses, wraps, first));
+      if (!v.arcs.empty()) v.add_stiffness(tension.force, *stiffness);
     });
   if (tension.stiffness == 0) return;
   for (Eigen::Index j = 0; j < stiffness->cols(); ++j)
@@ -329,11 +340,12 @@ void LigamentPath::add_touch_rate(const std::vector<Pose>& poses, const Wraps& w
                                   double tension, VecX& wrench) const {
   for_each_span([&](std::size_t first, std::size_t) {
     const Span span = span_at(poses, wraps, first);
-    Variation v(*this, poses, span);
-    if (v.count == 0) return;
+    const Variation v(*this, poses, span);
+    if (v.arcs.empty()) return;
     // d(dL/dz): of each leg, how its direction turns across the moves of its tips; of each arc, how its end turns.
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * kMostArcs, 1> rate =
-        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * kMostArcs, 1>::Zero(static_cast<Eigen::Index>(2 * v.count));
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * kMostArcs, 1>::Zero(
+            static_cast<Eigen::Index>(2 * v.arcs.size()));
     v.for_each_leg(*this, span, [&](const Variation::End& x, const Variation::End& y) {
       const auto velocity = [&](const Variation::End& end, std::size_t point) -> const Vec3& {
         if (end.arc < 0) return change.points[point];
@@ -347,10 +359,10 @@ void LigamentPath::add_touch_rate(const std::vector<Pose>& poses, const Wraps& w
           rate.segment<2>(2 * tip->arc) += (tip == &y ? 1 : -1) / length * tip->b.dot(moved) * v.move(*tip);
       if (x.arc >= 0) rate.segment<2>(2 * x.arc) += change.arcs[v.obstacle[at(x.arc)]].turn * v.move(x);
     });
-    const auto P = v.pull_by_moves.topRows(static_cast<Eigen::Index>(6 * v.bodies));
-    const VecX added = -tension * (P * v.hessian.H.partialPivLu().solve(rate).eval());
-    for (std::size_t i = 0; i < v.bodies; ++i)
-      wrench.segment<6>(6 * v.moving[i]) += added.segment<6>(static_cast<Eigen::Index>(6 * i));
+    const VecX moves = -tension * (v.inverse() * rate);
+    for (std::size_t i = 0; i < v.moving.size(); ++i)
+      for (std::size_t k = 0; k < v.arcs.size(); ++k)
+        wrench.segment<6>(6 * v.moving[i]) += v.pull[i][k] * moves.segment<2>(static_cast<Eigen::Index>(2 * k));
   });
 }
 
@@ -358,7 +370,7 @@ double LigamentPath::hold(const std::vector<Pose>& poses, const Wraps& wraps) co
   double least = 1;
   for_each_span([&](std::size_t first, std::size_t) {
     const Variation v(*this, poses, span_at(poses, wraps, first));
-    if (v.count > 0) least = std::min(least, least_hold(v.hessian));
+    if (!v.arcs.empty()) least = std::min(least, least_hold(v.hessian));
   });
   return least;
 }
@@ -367,7 +379,7 @@ bool LigamentPath::is_shortest(const std::vector<Pose>& poses, const Wraps& wrap
   bool shortest = true;
   for_each_span([&](std::size_t first, std::size_t) {
     const Variation v(*this, poses, span_at(poses, wraps, first));
-    if (v.count > 0) shortest = shortest && is_shortest_nearby(v.hessian, {v.arcs.data(), v.count});
+    if (!v.arcs.empty()) shortest = shortest && is_shortest_nearby(v.hessian, v.arcs);
   });
   return shortest;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "genu/core/few.h"
 #include "genu/wrap/tolerances.h"
 
 namespace genu {
@@ -12,21 +13,18 @@ namespace {
 
 /// The touching obstacles of a string and their arcs, side by side.
 struct Touching {
-  std::array<Obstacle, kMostArcs> obstacles;
-  std::array<Geodesic, kMostArcs> arcs;
-  std::array<std::size_t, kMostArcs> index{};
-  std::size_t count = 0;
+  Few<Obstacle, kMostArcs> obstacles;
+  Few<Geodesic, kMostArcs> arcs;
+  Few<std::size_t, kMostArcs> index;
 
   Touching(std::span<const Obstacle> all, std::span<const Touch> touches) {
     for (std::size_t i = 0; i < touches.size(); ++i) {
-      if (!touches[i].touching || count == kMostArcs) continue;
-      obstacles[count] = all[i];
-      arcs[count] = touches[i].arc;
-      index[count++] = i;
+      if (!touches[i].touching || arcs.full()) continue;
+      obstacles.push_back(all[i]);
+      arcs.push_back(touches[i].arc);
+      index.push_back(i);
     }
   }
-  std::span<const Obstacle> places() const { return {obstacles.data(), count}; }
-  std::span<Geodesic> all() { return {arcs.data(), count}; }
 };
 
 Vec3 in_body(const Obstacle& o, const Vec3& x) { return o.X_W.R.transpose() * (x - o.X_W.p); }
@@ -166,16 +164,16 @@ std::vector<Vec3> lifted(const Vec3& from, const Vec3& to, std::span<const Obsta
 
 bool solve_touches(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles, std::span<Touch> touches) {
   Touching now(obstacles, touches);
-  if (now.count == 0) return true;
-  if (!solve_string(from, to, now.places(), now.all())) return false;
-  for (std::size_t k = 0; k < now.count; ++k) touches[now.index[k]].arc = now.arcs[k];
+  if (now.arcs.empty()) return true;
+  if (!solve_string(from, to, now.obstacles, now.arcs)) return false;
+  for (std::size_t k = 0; k < now.arcs.size(); ++k) touches[now.index[k]].arc = now.arcs[k];
   return true;
 }
 
 double length_of(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles,
                  std::span<const Touch> touches) {
-  Touching now(obstacles, touches);
-  return string_length(from, to, now.places(), now.all());
+  const Touching now(obstacles, touches);
+  return string_length(from, to, now.obstacles, now.arcs);
 }
 
 double clearance_at(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles,

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "genu/wrap/tolerances.h"
-
 namespace genu {
 namespace {
 
@@ -14,8 +12,8 @@ using Values = Eigen::Matrix<double, 10, 1>;
 /// Follows the geodesic with everything that is to be known on the way.
 class Shooter {
  public:
-  Shooter(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out)
-      : surface_(surface), length_(length), sign_(length < 0 ? -1 : 1), out_(out) {
+  Shooter(const Surface& surface, const ArcEnd& begin, double length, double error, Geodesic& out)
+      : surface_(surface), length_(length), sign_(length < 0 ? -1 : 1), error_(error), out_(out) {
     y_ << begin.p, sign_ * begin.t, 1, 0, 0, 1;
     scale_ = 1 / std::max({std::abs(begin.kappa), std::abs(begin.mu), std::abs(begin.tau), 1e-300});
     out.most_hollow = -std::numeric_limits<double>::infinity();
@@ -115,7 +113,7 @@ class Shooter {
         const Values& upper = table[static_cast<std::size_t>(k) + 1];
         lower = upper + (upper - lower) / factor;
       }
-      if (row == 0 || !(size(table[0] - table[1]) <= kGeodesicError)) continue;
+      if (row == 0 || !(size(table[0] - table[1]) <= error_)) continue;
       out = table[0];
       return row + 1;
     }
@@ -145,7 +143,7 @@ class Shooter {
   }
 
   const Surface& surface_;
-  double length_, sign_, scale_ = 1, kappa_ = 0;
+  double length_, sign_, error_, scale_ = 1, kappa_ = 0;
   int looks_ = 0, hollows_ = 0;
   Values y_;
   Geodesic& out_;
@@ -201,12 +199,12 @@ bool arc_end(const Surface& surface, const Vec3& p, const Vec3& t, ArcEnd& out) 
   return true;
 }
 
-bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out) {
+bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out, double error) {
   out.begin = begin;
   out.length = length;
   if (!std::isfinite(length)) return false;
   const std::optional<RoundShape> shape = surface.round();
-  if (!shape) return Shooter(surface, begin, length, out).run();
+  if (!shape) return Shooter(surface, begin, length, error, out).run();
   out.most_hollow = begin.kappa;
   out.hollow_at = 0;
   out.hollow_length = begin.kappa > 0 ? std::abs(length) : 0;

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "genu/surface/surface.h"
+#include "genu/wrap/tolerances.h"
 
 namespace genu {
 
@@ -44,8 +45,10 @@ struct Geodesic {
 /// An end on the surface at p, along the tangential part of t. False where there is no surface or no such direction.
 [[nodiscard]] bool arc_end(const Surface& surface, const Vec3& p, const Vec3& t, ArcEnd& out);
 
-/// The geodesic of that length (m) from `begin`. False where it runs off the surface.
-[[nodiscard]] bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out);
+/// The geodesic of that length (m) from `begin`. False where it runs off the surface. `error`: lengths over the radius
+/// of curvature and angles in rad, larger for one that is not the last; not of surfaces that are smooth piece by piece.
+[[nodiscard]] bool shoot(const Surface& surface, const ArcEnd& begin, double length, Geodesic& out,
+                         double error = kGeodesicError);
 
 /// Calls f(point) for points of the geodesic at most `spacing` (m) apart, both ends included, in the body's frame.
 template <typename F>

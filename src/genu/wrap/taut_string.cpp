@@ -8,6 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "genu/core/few.h"
+#include "genu/wrap/round_string.h"
 #include "genu/wrap/tolerances.h"
 
 namespace genu {
@@ -107,6 +109,13 @@ struct System {
   }
 };
 
+/// Newton's step. One arc is what most strings have.
+Vector solved(const System& system) {
+  if (system.residual.size() != 4) return system.jacobian.partialPivLu().solve(-system.residual);
+  const Eigen::Matrix4d jacobian = system.jacobian;
+  return jacobian.partialPivLu().solve(-system.residual.head<4>());
+}
+
 void set_system(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles, std::span<const Geodesic> arcs,
                 System& out) {
   out.resize(arcs.size());
@@ -140,13 +149,13 @@ bool moved_begin(const Surface& surface, const ArcEnd& a, const Eigen::Vector4d&
   return arc_end(surface, p, c * a.t + d * b + (c * along + d * across) * a.n, out);
 }
 
-bool moved(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, Geodesic& out) {
+bool moved(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, double error, Geodesic& out) {
   ArcEnd begin;
-  return moved_begin(surface, arc.begin, step, begin) && shoot(surface, begin, arc.length + step[3], out);
+  return moved_begin(surface, arc.begin, step, begin) && shoot(surface, begin, arc.length + step[3], out, error);
 }
 
 /// The same for a small step: the end moves along the Jacobi fields, which remain as they are.
-bool slid(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, Geodesic& out) {
+bool slid(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& step, double, Geodesic& out) {
   const ArcEnd& e = arc.end;
   const Vec3 b = e.b();
   const double along = step[0] + step[3], across = arc.c * step[1] + arc.a * step[2];
@@ -157,12 +166,13 @@ bool slid(const Surface& surface, const Geodesic& arc, const Eigen::Vector4d& st
          arc_end(surface, e.p + along * e.t + across * b, t, out.end);
 }
 
-using Move = bool (*)(const Surface&, const Geodesic&, const Eigen::Vector4d&, Geodesic&);
+using Move = bool (*)(const Surface&, const Geodesic&, const Eigen::Vector4d&, double error, Geodesic&);
 
 bool move_all(std::span<const Obstacle> obstacles, std::span<const Geodesic> arcs, const Vector& step, Move move,
-              std::span<Geodesic> out) {
+              double error, std::span<Geodesic> out) {
   for (std::size_t i = 0; i < arcs.size(); ++i)
-    if (!move(*obstacles[i].surface, arcs[i], step.segment<4>(static_cast<Eigen::Index>(4 * i)), out[i])) return false;
+    if (!move(*obstacles[i].surface, arcs[i], step.segment<4>(static_cast<Eigen::Index>(4 * i)), error, out[i]))
+      return false;
   return true;
 }
 
@@ -174,6 +184,19 @@ bool is_on(const Surface& surface, const ArcEnd& e) {
   const double bent = std::max({std::abs(now.kappa - e.kappa), std::abs(now.tau - e.tau), std::abs(now.mu - e.mu)});
   return bend * (now.p - e.p).norm() <= kArcUnchanged && (now.n - e.n).norm() <= kArcUnchanged &&
          (now.t - e.t).norm() <= kArcUnchanged && bent <= kArcUnchanged * bend;
+}
+
+/// The string over one sphere or cylinder, to rounding. False where it has to be searched for.
+bool place_round(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles, std::span<Geodesic> arcs) {
+  if (arcs.size() != 1) return false;
+  const Obstacle& o = obstacles[0];
+  const std::optional<RoundShape> shape = o.surface->round();
+  if (!shape) return false;
+  const auto in_body = [&](const Vec3& x) -> Vec3 { return o.X_W.R.transpose() * (x - o.X_W.p); };
+  Geodesic& arc = arcs[0];
+  ArcEnd begin;
+  return place_round_arc(*shape, in_body(from), in_body(to), arc) &&
+         arc_end(*o.surface, arc.begin.p, arc.begin.t, begin) && shoot(*o.surface, begin, arc.length, arc);
 }
 
 /// Follows the arcs that are only begun, or whose surface has changed. One that was solved at a pose nearby is what it
@@ -192,29 +215,44 @@ bool follow_begun(std::span<const Obstacle> obstacles, std::span<Geodesic> arcs)
 }  // namespace
 
 bool solve_string(const Vec3& from, const Vec3& to, std::span<const Obstacle> obstacles, std::span<Geodesic> arcs) {
-  std::array<Geodesic, kMostArcs> storage;
-  const std::span<Geodesic> trial(storage.data(), arcs.size());
-  if (!follow_begun(obstacles, arcs)) return false;
+  Few<Geodesic, kMostArcs> trial(arcs.size());
+  if (!place_round(from, to, obstacles, arcs) && !follow_begun(obstacles, arcs)) return false;
   System system, next;
   set_system(from, to, obstacles, arcs, system);
-  const auto improves = [&](const Vector& step, Move move) {
-    if (!move_all(obstacles, arcs, step, move, trial)) return false;
+  bool exact = true;  // the arcs, to rounding: those of trials need not be
+  const auto improves = [&](const Vector& step, Move move, double error) {
+    if (!move_all(obstacles, arcs, step, move, error, trial)) return false;
     set_system(from, to, obstacles, trial, next);
     return next.worst < system.worst;
   };
+  const auto make_exact = [&] {
+    exact = true;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const ArcEnd begin = arcs[i].begin;
+      if (!shoot(*obstacles[i].surface, begin, arcs[i].length, arcs[i])) return false;
+    }
+    set_system(from, to, obstacles, arcs, system);
+    return true;
+  };
   for (int iteration = 0; iteration < kMaxStringSteps; ++iteration) {
+    if (!exact && system.worst <= kStringSlide && !make_exact()) return false;
     if (system.worst <= kStringSettled) return system.forward;
-    const Vector step = system.jacobian.partialPivLu().solve(-system.residual);
+    const Vector step = solved(system);
     if (!step.allFinite()) return false;
-    const bool last = system.worst <= kStringSlide;
+    const bool last = exact && system.worst <= kStringSlide;
     const int halvings = last || system.worst <= kStringRounding ? 1 : kMaxStringHalvings;
+    const double error = std::max(kGeodesicError, kTrialError * system.worst * system.worst);
     double share = last ? 1 : allowed_share(step, arcs);
     bool better = false;
     for (int halving = 0; halving < halvings && !better; ++halving, share /= 2)
-      better = improves(share * step, last ? slid : moved);
+      better = improves(share * step, last ? slid : moved, error);
     if (better) {
       std::copy(trial.begin(), trial.end(), arcs.begin());
       std::swap(system, next);
+      exact = last || error == kGeodesicError;
+    } else if (!exact) {
+      if (!make_exact()) return false;
+      continue;
     }
     // Rounding decides: no step makes a settled string better.
     if (last || !better) return system.worst <= kStringRounding && system.forward;

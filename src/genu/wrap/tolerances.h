@@ -49,8 +49,12 @@ inline constexpr double kStringSettled = 1e-14;
 inline constexpr double kStringRounding = 1e-9;
 
 /// [rad] Largest angle from which the last step of a string moves its ends along Jacobi fields, without following its
-/// geodesics again. Fails first: if too large, forces lose digits; if too small, strings cost one geodesic more.
+/// geodesics again. Fails first: if too large, stiffnesses lose digits; if too small, strings cost one geodesic more.
 inline constexpr double kStringSlide = 1e-11;
+
+/// [1] Error of the geodesics of a trial string over the square of the largest angle before, which Newton's method
+/// leaves. Fails first: if too large, one trial more; if too small, trials that are more exact than they need to be.
+inline constexpr double kTrialError = 1e-2;
 
 /// [radius of curvature, rad] Difference of a surface from what it was at an end of an arc that counts as none. Fails
 /// first: if too large, arcs of other parameters are taken over; if too small, arcs are followed once more in vain.
