@@ -67,6 +67,10 @@ inline constexpr double kReportedShare = 0.01;
 
 // implausible
 
+/// [1] Factor of a load that can only pull, in the last pose of a path that ended, over its largest: below this it is
+/// nearly slack. Fails first: if too small, a muscle that goes slack is not named.
+inline constexpr double kSlackDriver = 0.05;
+
 /// [rad] Rotation of a bushing above which the answer is doubted: at half a turn its rotation vector jumps. Fails
 /// first: if too large, a jump between two rows is not noticed.
 inline constexpr double kMostBushingTurn = 2.6;
