@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "genu/results/moment_arm_columns.h"
+
 namespace genu {
 namespace {
 
@@ -39,6 +41,40 @@ TEST(ReportPlots, ShowTheMeanStrainOfLigamentsWhoseForceIsDrawn) {
   EXPECT_DOUBLE_EQ(strain.series[0].y[1], -2);
   EXPECT_EQ(strain.series[1].name, "ACL");
   EXPECT_DOUBLE_EQ(strain.series[1].y[0], 2);
+}
+
+TEST(ReportPlots, ShowMomentArmsThatASceneAsksFor) {
+  PlacedScene scene;
+  for (const char* name : {"ACL1", "ACL2", "PFL"}) {
+    LigamentDef l;
+    l.name = name;
+    scene.ligaments.push_back(l);
+  }
+  LoadDef muscle;
+  muscle.name = "muscle";
+  scene.loads.push_back(muscle);
+  JointDef knee;
+  knee.name = "knee";
+  knee.rotations[0].name = "flexion";
+  scene.joints.push_back(knee);
+  scene.moment_arms = {{0, 0}};
+  ResultTable poses;
+  for (const std::string path : {"ACL1", "ACL2", "PFL", "muscle"})
+    poses.add_column(moment_arm_column(scene, path, {0, 0}));
+  poses.add_row();
+  poses.set("ACL1.moment_arm.knee.flexion_mm", 1.0);
+  poses.set("ACL2.moment_arm.knee.flexion_mm", 4.0);
+  poses.set("PFL.moment_arm.knee.flexion_mm", 1e-13);  // none about this coordinate
+  poses.set("muscle.moment_arm.knee.flexion_mm", -30.0);
+  Chart chart;
+  add_report_plots(scene, poses, chart);
+  const ChartPanel* panel = panel_titled(chart, "Moment arms about knee.flexion, mean of fibres [mm]");
+  ASSERT_NE(panel, nullptr);
+  ASSERT_EQ(panel->series.size(), 2u);
+  EXPECT_EQ(panel->series[0].name, "ACL");
+  EXPECT_DOUBLE_EQ(panel->series[0].y[0], 2.5);
+  EXPECT_EQ(panel->series[1].name, "muscle");
+  EXPECT_DOUBLE_EQ(panel->series[1].y[0], -30);
 }
 
 TEST(ReportPlots, ShowLayersJointForcesAndTheClinicalDescription) {

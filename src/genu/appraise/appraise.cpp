@@ -1,7 +1,6 @@
 #include "genu/appraise/appraise.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <limits>
 
@@ -12,6 +11,8 @@
 #include "genu/appraise/layer_doubts.h"
 #include "genu/appraise/layer_verdict.h"
 #include "genu/appraise/overload.h"
+#include "genu/appraise/patella.h"
+#include "genu/appraise/place.h"
 #include "genu/appraise/unstable.h"
 #include "genu/appraise/verdict.h"
 #include "genu/core/timer.h"
@@ -30,18 +31,15 @@ void note_pose(const PosePoint& point, RunSummary& s) {
   s.smallest_gap = std::min(s.smallest_gap, point.report.certificate.smallest_gap);
 }
 
-std::string capital(std::string sentence) {
-  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-  return sentence;
-}
-
 }  // namespace
 
 std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solved, const ResultTable& poses) {
-  std::vector<std::string> doubts = jump_sentences(prepared, solved.events);
+  std::vector<std::string> doubts;
   const auto add = [&](std::vector<std::string> sentences) {
     std::move(sentences.begin(), sentences.end(), std::back_inserter(doubts));
   };
+  if (solved.complete()) add(patella_sentences(prepared, solved.records, solved.events));  // else the verdict has them
+  add(jump_sentences(prepared, solved.events));
   add(unstable_sentences(prepared, solved.records));
   add(implausible(prepared, solved.records, poses));
   return doubts;
@@ -50,14 +48,14 @@ std::vector<std::string> doubts_of(const Prepared& prepared, const Solved& solve
 void classify(const std::vector<std::string>& doubts, bool doubted, RunSummary& s) {
   if (s.exit_code != kExitOk) {
     s.verdict_class = RunSummary::Class::not_solved;
-    for (const std::string& sentence : doubts) s.verdict.push_back(capital(sentence) + ".");
+    for (const std::string& sentence : doubts) s.verdict.push_back(as_sentence(sentence));
     return;
   }
   if (doubts.empty() && !doubted) return;
   s.verdict_class = RunSummary::Class::doubtful;
   s.exit_code = kExitDoubtful;
   for (std::size_t k = doubts.size(); k-- > 0;)
-    s.verdict.insert(s.verdict.begin(), (k > 0 ? capital(doubts[k]) : "Solved, but " + doubts[k]) + ".");
+    s.verdict.insert(s.verdict.begin(), k > 0 ? as_sentence(doubts[k]) : "Solved, but " + doubts[k] + ".");
 }
 
 RunSummary appraise(const Prepared& prepared, ContactField& field, const Solved& solved, const ResultTable& poses,

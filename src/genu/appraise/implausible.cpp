@@ -144,22 +144,36 @@ class Implausible {
           "limit {:g} mm", limits_.travel);
   }
 
-  /// Cables and forces toward a point can only pull; one that holds a coordinate may be asked to push.
+  /// Cables and forces toward a point can only pull; one that holds a coordinate may be asked to push, or the path may
+  /// end where it goes slack.
   void drivers(const std::vector<PoseRecord>& records) {
-    Worst worst;
+    Worst push, pull;
+    const PosePoint* last = nullptr;
     for (std::size_t row = 0; row < records.size(); ++row) {
       const PosePoint& point = records[row].point;
       if (!point.solved()) continue;
-      for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
-        for (const int driver : point.target.prescribed[m].drivers) {
-          const Load& load = prepared_.model.loads[at(driver)];
-          if (load.kind == Load::Kind::cable || load.kind == Load::Kind::toward)
-            worst.see(-point.pose.state.multipliers[m], row, load.name);
-        }
+      last = &point;
+      for_pulls(point, [&](const std::string& load, const QuantityRef&, double factor) {
+        push.see(-factor, row, load);
+        pull.see(factor, row, load);
+      });
     }
-    if (worst.value > 0)
+    if (push.value > 0) {
       out_.push_back(fmt::format("{} would have to push at {} (factor {:.3g}): it cannot hold the coordinate there",
-                                 worst.name, where_(worst.row), -worst.value));
+                                 push.name, where_(push.row), -push.value));
+      return;
+    }
+    if (last == nullptr || records.back().point.solved()) return;
+    bool said = false;
+    for_pulls(*last, [&](const std::string& load, const QuantityRef& coordinate, double factor) {
+      if (said || factor > kSlackDriver * pull.value) return;
+      said = true;
+      out_.push_back(
+          fmt::format("{} is nearly slack where the path ends (factor {:.2g} in the last pose, at most {:.2g}): it can "
+                      "only pull, and "
+                      "beyond it would not hold {}",
+                      load, factor, pull.value, quantity_name(prepared_.scene, coordinate)));
+    });
   }
 
   /// Past half a turn the rotation vector of a bushing jumps, and the moment with it.
@@ -185,6 +199,17 @@ class Implausible {
   void say(const char* what, const Worst& worst, double unit, const char* limit, double bound, double bound_unit) {
     out_.push_back(fmt::format("{} at {} ({})", fmt::format(fmt::runtime(what), worst.name, unit * worst.value),
                                where_(worst.row), fmt::format(fmt::runtime(limit), bound_unit * bound)));
+  }
+
+  /// f(load, the coordinate it holds, its factor) for loads that can only pull.
+  template <typename F>
+  void for_pulls(const PosePoint& point, const F& f) const {
+    for (std::size_t m = 0; m < point.target.prescribed.size(); ++m)
+      for (const int driver : point.target.prescribed[m].drivers) {
+        const Load& load = prepared_.model.loads[at(driver)];
+        if (load.kind == Load::Kind::cable || load.kind == Load::Kind::toward)
+          f(load.name, point.target.prescribed[m].coordinate, point.pose.state.multipliers[m]);
+      }
   }
 
   /// Where it is in the table; none where it is not.

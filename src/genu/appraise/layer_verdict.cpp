@@ -32,6 +32,17 @@ Extreme extreme(const ResultTable& poses, const std::string& column, double sign
   return out;
 }
 
+/// Of the rows in contact.
+Extreme fewest(const ResultTable& poses, const std::string& column) {
+  Extreme out;
+  for (std::size_t row = 0; row < poses.rows(); ++row) {
+    const double points = poses.number(row, column);
+    if (!(points > 0) || points >= kFewLayerTriangles) continue;
+    if (out.count++ == 0 || points < out.value) out.value = points, out.row = row;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointModel& model, const ResultTable& poses) {
@@ -53,8 +64,7 @@ std::vector<std::string> layer_sentences(const PlacedScene& scene, const JointMo
                       "`search_depth`.",
                       name, deepest.value, deepest.row + 1));
     if (layer.quadrature != LayerDef::Quadrature::triangles) continue;
-    const Extreme few =
-        extreme(poses, name + ".points", -1, [](double points) { return points > 0 && points < kFewLayerTriangles; });
+    const Extreme few = fewest(poses, name + ".points");
     if (few.count > 0)
       out.push_back(
           fmt::format("The mesh is too coarse for the layer of {}: in {} of {} rows fewer than {:.0f} triangles of {} "

@@ -1,4 +1,5 @@
-// What happens to a patella, in words: that it leaves its groove, or lies on the wrong side of the femur. Of joints
+// What happens to a patella, in words: that it leaves its groove, is out of it (groove.h), or lies on
+// the wrong side of the femur. Sentences without capital and full stop. Of joints
 // whose `grood_suntay` names a patella.
 #pragma once
 

@@ -1,5 +1,6 @@
 #include "genu/appraise/place.h"
 
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -31,6 +32,11 @@ std::string place(const Prepared& prepared, int step, const Target& target) {
     }
   const std::string& text = varying.empty() ? held : varying;
   return (plan == nullptr ? "the approach to a step's start, with " : "") + (text.empty() ? "the start" : text);
+}
+
+std::string as_sentence(std::string words) {
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words + ".";
 }
 
 }  // namespace genu

@@ -1,4 +1,4 @@
-// Where on its path a joint is, in words.
+// Where on its path a joint is, in words; words as a sentence.
 #pragma once
 
 #include <string>
@@ -10,5 +10,8 @@ namespace genu {
 /// The varying quantities of a step (from 1; 0: the approach to one): "knee.flexion = 41.2 deg", "load pull x 0.5"; all
 /// that is prescribed where nothing varies.
 std::string place(const Prepared& prepared, int step, const Target& target);
+
+/// With a capital and a full stop.
+std::string as_sentence(std::string words);
 
 }  // namespace genu

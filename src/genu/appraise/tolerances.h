@@ -67,6 +67,10 @@ inline constexpr double kReportedShare = 0.01;
 
 // implausible
 
+/// [1] Factor of a load that can only pull, in the last pose of a path that ended, over its largest: below this it is
+/// nearly slack. Fails first: if too small, a muscle that goes slack is not named.
+inline constexpr double kSlackDriver = 0.05;
+
 /// [rad] Rotation of a bushing above which the answer is doubted: at half a turn its rotation vector jumps. Fails
 /// first: if too large, a jump between two rows is not noticed.
 inline constexpr double kMostBushingTurn = 2.6;
@@ -81,12 +85,42 @@ inline constexpr double kSidewaysShare = 0.5;
 /// called a subluxation.
 inline constexpr double kLeastSubluxation = 1e-3;
 
+/// [m] Least way along which it slides out at a limit point. Fails first: if too small, round-off decides.
+inline constexpr double kLeastSlide = 1e-8;
+
+/// [1] How far a patella's middle may lie off the groove, over its width: clinicians measure the part of the width that
+/// lies lateral of the groove (the bisect offset), 75 % here. Fails first: if too small, patellae that ride laterally
+/// are doubted (the shape model's S002 reaches 0.2); if too large, those that have left the groove are not.
+inline constexpr double kMostOffGroove = 0.25;
+
 /// [m] Edge of the triangles that show how far contact surfaces reach. Fails first: if too large, a small closed form
 /// has no width.
 inline constexpr double kSideEdge = 1e-3;
 
+/// [1] Most pieces of an edge that is longer. Fails first: if too small, a cut through a coarse mesh has holes; if too
+/// large, time.
+inline constexpr int kMostSidePieces = 20;
+
 /// [m] How far unbounded contact surfaces are followed. Fails first: if too small, the middle of a wide one is wrong.
 inline constexpr double kSideReach = 0.1;
+
+// groove
+
+/// [m] Width and thickness of the pieces of a cut through the femur. Fails first: if too small, a coarse mesh has
+/// holes; if too large, the groove is known badly.
+inline constexpr double kProfilePiece = 2e-3;
+
+/// [m] Depth of a hollow that is a groove. Fails first: if too small, bumps of a mesh are grooves; if too large, flat
+/// trochleas have none.
+inline constexpr double kLeastGroove = 1e-3;
+
+/// [m] How far distal of the patella a groove is looked for. Fails first: if too small, nothing is said of a patella
+/// above the trochlea.
+inline constexpr double kGrooveReach = 0.03;
+
+/// [1] Least part of the patella's anterior axis across the femur's lateral one. Fails first: if too small, a cut is
+/// turned by round-off.
+inline constexpr double kLeastAcross = 0.2;
 
 // layer_verdict
 

@@ -296,6 +296,8 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
     out.push_back(fmt::format(
         "{} of {} poses are solved; those are certified and kept{}.", summary.poses_solved, summary.poses_asked,
         summary.poses_stable == summary.poses_solved ? "" : fmt::format(", {} of them stable", summary.poses_stable)));
+  if (summary.exit_code != 0)
+    for (const std::string& doubt : patella_sentences(prepared, records, events)) out.push_back(as_sentence(doubt));
   say_windows(prepared, events, out);
   bool turned_back = false;
   StabilityChanges changes;
@@ -340,7 +342,6 @@ std::vector<std::string> verdict_sentences(const Prepared& prepared, const std::
           fmt::format("Contact {} reaches the edge of its surface at {}.", e.what, place(prepared, e.step, e.target)));
   }
   changes.end(out);
-  for (const std::string& sentence : patella_sentences(prepared, records, events)) out.push_back(sentence);
   say_reaction_turns(prepared, events, out);
   say_steps(prepared, out);
   say_locations(prepared, records, summary.locations, out);

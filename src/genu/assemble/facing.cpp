@@ -112,8 +112,8 @@ std::vector<std::string> facing_problems(const PlacedScene& scene, const JointMo
     if (facing == Facing::away)
       out.push_back(fmt::format(
           "the outward sides of {} and {} (contact {}) face away from each other at the start, so the bodies would "
-          "pass "
-          "through each other: set inside = true for both surfaces, or turn the triangles of their files round",
+          "pass through each other: set inside = true for both surfaces, or turn the triangles of their files round; "
+          "where one body starts inside the other, correct its `start`",
           a, b, def.name));
     const std::string suspect = open_a && open_b ? "one of them" : open_a ? a : b;
     if (facing == Facing::same_way && rigid)  // of layers the poses tell more (facing_doubts)

@@ -6,17 +6,14 @@
 #include "genu/results/columns.h"
 
 namespace genu {
-namespace {
 
-std::string column_of(const PlacedScene& scene, const std::string& path, const CoordinateRef& c) {
+std::string moment_arm_column(const PlacedScene& scene, const std::string& path, const CoordinateRef& c) {
   return path + ".moment_arm." + coordinate_name(scene, c) + (c.index < 3 ? "_mm" : "");
 }
 
-}  // namespace
-
 void add_moment_arm_columns(const PlacedScene& scene, const JointModel& model, ResultTable& table) {
   for_each_path(model, [&](const LigamentPath&, const std::string& name) {
-    for (const CoordinateRef& c : scene.moment_arms) table.add_column(column_of(scene, name, c));
+    for (const CoordinateRef& c : scene.moment_arms) table.add_column(moment_arm_column(scene, name, c));
   });
 }
 
@@ -33,7 +30,7 @@ void set_moment_arm_columns(const PlacedScene& scene, const JointModel& model, c
   if (!arms) return;
   for (std::size_t k = 0; k < names.size(); ++k)
     for (const CoordinateRef& c : scene.moment_arms)
-      table.set(column_of(scene, names[k], c),
+      table.set(moment_arm_column(scene, names[k], c),
                 (c.index < 3 ? to::kMillimetre : 1.0) * (*arms)(6 * c.joint + c.index, static_cast<Eigen::Index>(k)));
 }
 

@@ -7,6 +7,8 @@
 #include "genu/results/columns.h"
 #include "genu/results/extensor_columns.h"
 #include "genu/results/ligament_groups.h"
+#include "genu/results/moment_arm_columns.h"
+#include "genu/results/tolerances.h"
 
 namespace genu {
 namespace {
@@ -26,6 +28,7 @@ class ReportPlots {
     insert("Contact area [mm2]", "Largest contact pressure [MPa]", layers("max_pressure_MPa"), true);
     insert("Ligament force [N]", "Ligament strain, mean of fibres [%]", strains(), false);
     insert("Reaction moment [N m]", "Joint force [N]", joint_forces(), true);
+    for (const CoordinateRef& c : scene_.moment_arms) add_moment_arms(c);
   }
 
  private:
@@ -123,6 +126,34 @@ class ReportPlots {
         out.push_back({drawn.name, std::move(mean)});
     }
     return out;
+  }
+
+  /// About a coordinate: of groups of ligaments the mean of their fibres, and of cables, where they have any.
+  void add_moment_arms(const CoordinateRef& c) {
+    std::vector<ChartSeries> out;
+    const auto add = [&](const std::string& name, const std::vector<std::string>& paths) {
+      std::vector<double> mean(poses_.rows(), 0.0);
+      double largest = 0;
+      for (const std::string& path : paths) {
+        const std::string arms = moment_arm_column(scene_, path, c);
+        if (!poses_.has_column(arms)) return;
+        const std::vector<double> arm = column(arms);
+        for (std::size_t k = 0; k < mean.size(); ++k) {
+          mean[k] += arm[k] / static_cast<double>(paths.size());
+          if (std::isfinite(arm[k])) largest = std::max(largest, std::abs(arm[k]));
+        }
+      }
+      if (largest > kLeastDrawnArm) out.push_back({name, std::move(mean)});
+    };
+    for (const LigamentGroup& group : ligament_groups(scene_)) {
+      std::vector<std::string> fibres;
+      for (const std::size_t member : group.members) fibres.push_back(scene_.ligaments[member].name);
+      add(group.name, fibres);
+    }
+    for (const LoadDef& load : scene_.loads) add(load.name, {load.name});
+    const std::string title = "Moment arms about " + coordinate_name(scene_, c) +
+                              (c.index < 3 ? ", mean of fibres [mm]" : ", mean of fibres [1]");
+    insert("Ligament strain, mean of fibres [%]", title.c_str(), std::move(out), false);
   }
 
   std::vector<ChartSeries> joint_forces() const {

@@ -47,4 +47,9 @@ inline constexpr double kNearEffect = 1 - 1e-6;
 /// [1] Effect over the largest that is none. Fails first: if too small, parameters without effect are ranked.
 inline constexpr double kEffectRounding = 1e-12;
 
+// report_plots
+
+/// [mm or 1] Moment arm that is drawn: less is round-off. Fails first: if too small, flat lines are drawn.
+inline constexpr double kLeastDrawnArm = 1e-6;
+
 }  // namespace genu
