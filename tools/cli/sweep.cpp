@@ -28,6 +28,7 @@
 #include "genu/study/run_scene.h"
 #include "genu/sweep/batch_files.h"
 #include "genu/sweep/merge_sweep.h"
+#include "genu/sweep/missing_shards.h"
 #include "genu/sweep/run_sweep.h"
 #include "progress.h"
 
@@ -64,11 +65,13 @@ int merge(const std::string& folder, bool quiet) {
   if (code != kOk) return code;
   std::stringstream lines(quiet ? std::string() : text);
   for (std::string line; std::getline(lines, line);) fmt::print("{}\n", printable(line));
-  const bool indices = std::filesystem::exists(std::filesystem::path(folder) / "indices.csv");
+  const auto also = [&](const char* name) {
+    return std::filesystem::exists(std::filesystem::path(folder) / name) ? std::string(name) + ", " : std::string();
+  };
   fmt::print(
-      "  {:<12}{}/samples.csv, samples.npz, statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, "
+      "  {:<12}{}/samples.csv, samples.npz, {}statistics.csv, events.csv, ranks.csv, {}convergence.csv, summary.json, "
       "report.html\n",
-      "written", folder, indices ? "indices.csv, " : "");
+      "written", folder, also("tables.csv"), also("indices.csv"));
   return code;
 }
 

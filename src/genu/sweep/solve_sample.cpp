@@ -77,7 +77,7 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
     return;
   }
   const Solved solved = solve_path(prepared, field, options);
-  const ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
+  ResultTable table = pose_table(prepared.scene, prepared.model, prepared.steps, solved.records);
   result.kept = kept_values(sweep.kept, in.main, table, solved.complete());
   count_jumps(in, solved.events, result);
   const std::vector<std::string> doubts = doubts_of(prepared, solved, table);
@@ -89,15 +89,17 @@ void solve_steps(const Prepared& prepared, const SweepCase& in, const RunOptions
     result.reason = why_not_solved(in, solved);
   else if (summary.verdict_class != RunSummary::Class::solved)
     result.reason = doubts.empty() ? prepared.facing.front() : doubts.front();
+  if (!sweep.def.tables.empty()) result.table = std::move(table);
 }
 
 void solve_dynamics(const Prepared& prepared, const SweepCase& in, const RunOptions& options, const Sweep& sweep,
                     SampleResult& result) {
-  const Solution found = solve_motion(prepared, options);
+  Solution found = solve_motion(prepared, options);
   const bool complete = found.summary.verdict_class != RunSummary::Class::not_solved;
   result.kept = kept_values(sweep.kept, in.main, found.poses, complete);
   result.verdict = to_string(found.summary.verdict_class);
   result.reason = why_not_solved(found.summary);
+  if (!sweep.def.tables.empty()) result.table = std::move(found.poses);
 }
 
 }  // namespace

@@ -146,6 +146,14 @@ void check_points(const Sweep& sweep, Diagnostics& out) {
   }
 }
 
+/// Samples whose tables are kept exist.
+void check_tables(const Sweep& sweep, Diagnostics& out) {
+  for (const TablesDef::Sample& sample : sweep.def.tables.samples)
+    if (sample.number >= sweep.design.samples())
+      out.add(error_at({sweep.def.file, sample.where}, Code::out_of_range, "tables", fmt::format("{}", sample.number),
+                       fmt::format("is no sample of this study: they are 0 to {}", sweep.design.samples() - 1)));
+}
+
 }  // namespace
 
 std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
@@ -172,6 +180,7 @@ std::optional<Sweep> prepare_sweep(const std::string& path, Diagnostics& out) {
   if (!design) return std::nullopt;
   sweep.design = std::move(*design);
   if (sweep.def.design == DesignKind::points) check_points(sweep, out);
+  check_tables(sweep, out);
   sweep.hash = checksum(hashed).xxh128;
   if (out.has_errors()) return std::nullopt;
   return sweep;

@@ -69,6 +69,23 @@ struct EventDef {
   double limit = 0;   ///< in the column's unit
 };
 
+/// The samples of which the whole results.csv is kept.
+struct TablesDef {
+  struct Word {
+    std::string text;  ///< a class, "jumped" or the name of an event
+    SourceLocation where;
+  };
+  struct Sample {
+    std::uint64_t number = 0;
+    SourceLocation where;
+  };
+  bool all = false;
+  std::vector<Word> words;
+  std::vector<Sample> samples;
+
+  bool empty() const { return !all && words.empty() && samples.empty(); }
+};
+
 struct SceneFileDef {
   std::string path;
   SourceLocation where;
@@ -90,6 +107,7 @@ struct SweepDef {
   std::vector<WhatIfDef> what_ifs;  ///< the first: the scene as it is
   std::vector<KeepDef> keep;
   std::vector<EventDef> events;
+  TablesDef tables;
 };
 
 inline constexpr const char* kAsItIs = "as_is";

@@ -30,6 +30,7 @@ struct SweepRecord {
   std::vector<Kept> kept;
   std::vector<SweepEvent> events;  ///< of the study's own
   std::string main;                ///< column of the main coordinate
+  bool tables = false;             ///< whole tables of some samples are kept (table_file.h)
 
   std::uint64_t runs() const { return cases.size() * samples; }
 };
