@@ -9,6 +9,7 @@
 #include "genu/core/file_checksum.h"
 #include "genu/store/input_hash.h"
 #include "genu/sweep/finished_rows.h"
+#include "support/meshed_ball.h"
 #include "support/text.h"
 #include "sweep/ball.h"
 
@@ -43,6 +44,24 @@ TEST(RunShard, GivesTheSameBytesForAnyThreadsAndShards) {
     for (const std::string& file : kMerged)
       EXPECT_EQ(test::read_file(folder / ("one/" + file)), test::read_file(other + "/" + file)) << file << count;
   }
+}
+
+TEST(RunShard, GivesTheSameBytesWhereMeshesErr) {
+  const test::TemporaryFolder folder;
+  const Sweep s = test::ready_sweep(test::meshed_ball_study(folder, "samples = 9\ntables = [3, \"not_solved\"]\n"));
+  test::ran(s, folder / "one", {}, 1);
+  test::merge(folder / "one");
+  for (const std::uint64_t count : {1u, 4u}) {
+    const std::string other = folder / ("n" + std::to_string(count));
+    for (std::uint64_t k = count; k > 0; --k) test::ran(s, other, {k, count}, 2);
+    test::merge(other);
+    for (const std::string& file : kMerged)
+      EXPECT_EQ(test::read_file(folder / ("one/" + file)), test::read_file(other + "/" + file)) << file << count;
+    EXPECT_EQ(test::read_file(folder / "one/tables.csv"), test::read_file(other + "/tables.csv"));
+  }
+  // What names a random field is no amount: it has no rank.
+  const std::string ranks = test::read_file(folder / "one/ranks.csv");
+  EXPECT_TRUE(test::contains(ranks, "ball,as_is,j.z_mm@0,skin.mesh_error,9,,,\n")) << ranks;
 }
 
 TEST(RunShard, ContinuesWithWhatIsFinished) {

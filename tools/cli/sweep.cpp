@@ -30,6 +30,7 @@
 #include "genu/sweep/merge_sweep.h"
 #include "genu/sweep/missing_shards.h"
 #include "genu/sweep/run_sweep.h"
+#include "genu/sweep/write_sample.h"
 #include "progress.h"
 
 namespace genu::cli {
@@ -160,14 +161,17 @@ int run_sample(const SweepArguments& arguments, const Sweep& sweep) {
   options.cancelled = options.path.newton.cancelled = stop_on_interrupt();
   Solution found;
   const auto sample = static_cast<std::uint64_t>(*arguments.sample);
-  const int code = run_scene(source_of_sample(sweep, *in, sample), arguments.folder, options, out, &found);
+  const auto source = write_sample(sweep, *in, sample, arguments.folder, out);
+  if (!source) return refuse(out);
+  const int code = run_scene(*source, arguments.folder, options, out, &found);
   print(out, code != kRefused);
   if (code == kRefused) return code;
   if (code == kNotAllOk)
     advice().next("the verdict above says where the sample ends and why; its rows before are valid");
   for (const std::string& sentence : found.summary.verdict)
     fmt::print("  {:<12}{}\n", &sentence == &found.summary.verdict.front() ? "verdict" : "", printable(sentence));
-  fmt::print("  {:<12}{}\n", "written", found.folder);
+  const std::string own = source->path == in->source.path ? std::string() : ", " + source->path;
+  fmt::print("  {:<12}{}{}\n", "written", found.folder, own);
   return code;
 }
 

@@ -26,7 +26,11 @@ std::optional<Prepared> scene_with(const Sweep& sweep, const SweepCase& in, std:
                                    const std::vector<double>& draws, Diagnostics& found) {
   if (in.factors.prepares_anew()) {
     auto scene = read_changed_scene(source_of_sample(sweep, in, sample), in.prepared.meshes->files(), found);
-    return scene ? prepare(std::move(*scene), in.prepared.meshes, found) : std::nullopt;
+    if (!scene) return std::nullopt;
+    const auto drawn = draw_meshes(in.prepared, mesh_draws(in, draws), found);
+    if (!drawn) return std::nullopt;
+    const std::string label = fmt::format("sample {} in {}/{}", sample, in.scene, in.what_if);
+    return prepare_with_meshes(std::move(*scene), in.prepared, *drawn, label, found);
   }
   std::vector<NewNumber> numbers;
   for (std::size_t f = 0; f < draws.size(); ++f)

@@ -191,8 +191,18 @@ SceneSource source_of_sample(const Sweep& sweep, const SweepCase& in, std::uint6
   const std::vector<double> draws = sweep.design.draws(sample);
   for (std::size_t f = 0; f < draws.size(); ++f)
     for (const VariedNumber& number : in.factors.numbers[f])
-      source.changes.set.push_back(set_option(number, sweep.def.vary[sweep.factors[f].vary].how, draws[f]));
+      if (number.surface < 0)
+        source.changes.set.push_back(set_option(number, sweep.def.vary[sweep.factors[f].vary].how, draws[f]));
   return source;
+}
+
+std::vector<MeshDraw> mesh_draws(const SweepCase& in, const std::vector<double>& draws) {
+  std::vector<MeshDraw> out;
+  for (std::size_t f = 0; f < draws.size(); ++f)
+    for (const VariedNumber& number : in.factors.numbers[f])
+      if (number.surface >= 0)
+        out.push_back({static_cast<std::size_t>(number.surface), number.noise, static_cast<std::uint64_t>(draws[f])});
+  return out;
 }
 
 }  // namespace genu
